@@ -1,0 +1,106 @@
+//! What stands between the brackets of `basis!`.
+
+use basis_engine::Requested;
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream};
+use syn::{Ident, LitInt, LitStr, Result, Token};
+
+/// The spec, which families are wanted, and where the runtime is.
+pub(crate) struct Input {
+    pub(crate) spec: Spec,
+    pub(crate) families: Vec<Requested>,
+    pub(crate) runtime: TokenStream,
+}
+
+/// Where the spec is.
+pub(crate) enum Spec {
+    /// In a file.
+    File(LitStr),
+    /// In the macro call itself.
+    Inline(TokenStream),
+}
+
+impl Parse for Input {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let mut runtime = None;
+        if input.peek(Token![crate]) && input.peek2(Token![=]) {
+            runtime = Some(runtime_path(input)?);
+            if input.peek(Token![,]) {
+                input.parse::<Token![,]>()?;
+            } else {
+                input.parse::<Token![;]>()?;
+            }
+        }
+        if !input.peek(LitStr) {
+            let spec = Spec::Inline(input.parse()?);
+            return Ok(Self { spec, families: Vec::new(), runtime: runtime.unwrap_or_else(default_runtime) });
+        }
+        let path: LitStr = input.parse()?;
+        let mut families = Vec::new();
+        while !input.is_empty() {
+            input.parse::<Token![,]>()?;
+            if input.is_empty() {
+                break;
+            }
+            if input.peek(Token![crate]) {
+                let span = input.span();
+                if runtime.replace(runtime_path(input)?).is_some() {
+                    return Err(syn::Error::new(span, "`crate = …` is given twice"));
+                }
+            } else {
+                families.push(requested(input)?);
+            }
+        }
+        Ok(Self { spec: Spec::File(path), families, runtime: runtime.unwrap_or_else(default_runtime) })
+    }
+}
+
+fn default_runtime() -> TokenStream {
+    quote!(::basis_runtime)
+}
+
+/// `crate = some::path`
+fn runtime_path(input: ParseStream<'_>) -> Result<TokenStream> {
+    input.parse::<Token![crate]>()?;
+    input.parse::<Token![=]>()?;
+    let mut path = TokenStream::new();
+    if input.peek(Token![::]) {
+        input.parse::<Token![::]>()?.to_tokens(&mut path);
+    }
+    loop {
+        input.call(Ident::parse_any)?.to_tokens(&mut path);
+        if !input.peek(Token![::]) {
+            return Ok(path);
+        }
+        input.parse::<Token![::]>()?.to_tokens(&mut path);
+    }
+}
+
+/// `Bernstein(5) as Quintic`
+fn requested(input: ParseStream<'_>) -> Result<Requested> {
+    let name: Ident = input.parse().map_err(|e| {
+        syn::Error::new(e.span(), "expected a family, such as `Bernstein(3)`, or `crate = path`")
+    })?;
+    let mut order = Vec::new();
+    if input.peek(syn::token::Paren) {
+        let content;
+        syn::parenthesized!(content in input);
+        while !content.is_empty() {
+            let minus = content.parse::<Option<Token![-]>>()?.is_some();
+            let value: LitInt = content.parse()?;
+            let value: i64 = value.base10_parse()?;
+            order.push(if minus { -value } else { value });
+            if !content.is_empty() {
+                content.parse::<Token![,]>()?;
+            }
+        }
+    }
+    let mut rename = None;
+    if input.peek(Token![as]) {
+        input.parse::<Token![as]>()?;
+        rename = Some(input.parse()?);
+    }
+    Ok(Requested { name: name.to_string(), span: name.span(), order, rename })
+}

@@ -1,0 +1,71 @@
+//! The macro [`basis!`]: finds the spec, calls the engine, hands back code or errors.
+//!
+//! Depend on `basis-runtime`, which exports the macro together with what the generated code needs.
+
+mod errors;
+mod input;
+
+use std::path::PathBuf;
+
+use basis_engine::source;
+use basis_engine::{Disk, Library};
+use proc_macro2::{Span, TokenStream};
+use quote::quote;
+
+use input::{Input, Spec};
+
+/// Reads families of polynomial basis functions from a spec, proves their claims during compilation, and
+/// defines a type with evaluators for each family.
+///
+/// ```ignore
+/// basis!("specs/quartic.basis");                                      // every family without index parameters
+/// basis!("specs/bernstein.basis", Bernstein(3), Bernstein(5) as Quintic);   // families of these orders
+/// basis!("specs/quartic.basis", crate = my_crate::basis_runtime);     // a renamed or re-exported runtime
+/// basis! { family Line { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; } }    // the spec in place
+/// ```
+///
+/// A path is relative to the file that calls the macro, or else to the folder of `Cargo.toml`. The build stops
+/// with an error when a claim of a chosen family is not as the spec declares it.
+#[proc_macro]
+pub fn basis(tokens: proc_macro::TokenStream) -> proc_macro::TokenStream {
+    let call_site = Span::call_site();
+    match syn::parse::<Input>(tokens) {
+        Ok(input) => expand(input, call_site),
+        Err(error) => error.into_compile_error(),
+    }
+    .into()
+}
+
+fn expand(input: Input, call_site: Span) -> TokenStream {
+    let caller = call_site.local_file();
+    let (library, place) = match input.spec {
+        Spec::File(path) => match source::read(&Disk, &path.value(), &folders(caller)) {
+            Ok(source) => (Library::from_source(&Disk, source), path.span()),
+            Err(error) => return syn::Error::new(path.span(), error).into_compile_error(),
+        },
+        Spec::Inline(tokens) => (Library::from_tokens(&Disk, tokens, caller), call_site),
+    };
+    let request = basis_engine::Request { families: input.families, runtime: input.runtime };
+    let (code, diagnostics) = basis_engine::expand(&library, &request);
+    let errors = errors::compile_errors(&diagnostics, library.sources(), place);
+    let watched = watch(&library);
+    quote!(#code #errors #watched)
+}
+
+/// Where relative paths start: next to the calling file, then next to `Cargo.toml`.
+fn folders(caller: Option<PathBuf>) -> Vec<PathBuf> {
+    let beside = caller.and_then(|file| file.parent().map(PathBuf::from));
+    // Cargo sets the variable; other build systems may not.
+    let manifest = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    beside.into_iter().chain(manifest).collect()
+}
+
+/// Makes the compiler run the macro again when a spec changes, also when it has errors now.
+fn watch(library: &Library<'_>) -> TokenStream {
+    let paths = library
+        .sources()
+        .iter()
+        .filter(|(_, source)| source.text.is_some())
+        .filter_map(|(_, source)| source.path.as_deref()?.to_str());
+    quote!(#(const _: &[u8] = ::core::include_bytes!(#paths);)*)
+}

@@ -1,0 +1,150 @@
+//! What can be typed after `basis`, with the texts of `--help`.
+
+use std::path::PathBuf;
+
+use basis_engine::algebra::rational::Rational;
+use clap::builder::styling::{AnsiColor, Style, Styles};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+const STYLES: Styles = Styles::styled()
+    .header(Style::new().bold())
+    .usage(Style::new().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+/// Proves properties of polynomial basis families and evaluates them exactly
+///
+/// A spec file (`quartic.basis`) states a family of basis functions, its domain, its shape parameters and the
+/// properties that it is supposed to have. All arithmetic is exact: what is proved holds, what is refuted comes
+/// with a point at which it fails.
+#[derive(Debug, Parser)]
+#[command(name = "basis", version, styles = STYLES, after_help = EXAMPLES, max_term_width = 100)]
+pub(crate) struct Arguments {
+    /// What is to be done.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  basis check specs
+  basis eval quartic.basis QuarticBernstein --shape λ=1/2 --at t=1/3";
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Prove or refute every claim of spec files
+    ///
+    /// Every claim of every family is decided for all points of the domain and all values of the shape
+    /// parameters in their declared ranges; a family with an index parameter, such as the degree n in 1..=30, in
+    /// every order. A refuted claim comes with a point and the exact value there.
+    #[command(after_help = CHECK_HELP)]
+    Check(CheckArguments),
+    /// Evaluate basis functions and their derivatives in exact fractions
+    ///
+    /// Shape values and points are whole numbers, fractions or decimals (2, -1/3, 0.62); decimals are exact.
+    /// Greek names may be spelled out: lambda1 is λ1.
+    #[command(after_help = EVAL_HELP)]
+    Eval(EvalArguments),
+}
+
+/// What can be typed after `basis check`.
+#[derive(Debug, Args)]
+pub(crate) struct CheckArguments {
+    /// How to print the verdicts
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    /// Spec files, and folders in which every file *.basis is checked
+    #[arg(required = true, value_name = "PATH")]
+    pub(crate) paths: Vec<PathBuf>,
+}
+
+const CHECK_HELP: &str = "\
+Exit status:
+  0  every claim is as declared: `prove` is proved, `refute` is refuted
+  1  a claim is not as declared, or a spec has errors
+  2  a file cannot be read, or the command is used wrongly
+
+Examples:
+  basis check quartic.basis
+  basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis eval`.
+#[derive(Debug, Args)]
+pub(crate) struct EvalArguments {
+    /// The spec file
+    pub(crate) file: PathBuf,
+    /// The family, with its order if it has index parameters: 'Bernstein(3)' or 'Bernstein(n=3)'
+    pub(crate) family: String,
+    /// The value of a shape parameter, inside its declared range
+    #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = assignment)]
+    pub(crate) shapes: Vec<Assignment>,
+    /// The point: a value for each domain variable
+    #[arg(long = "at", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = assignment)]
+    pub(crate) at: Vec<Assignment>,
+    /// Also print all derivatives in the domain variables up to this order
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub(crate) order: u32,
+    /// How to print the values
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+}
+
+const EVAL_HELP: &str = "\
+Exit status:
+  0  the values are printed
+  2  the spec has errors or cannot be read, or the command is used wrongly
+
+Examples:
+  basis eval quartic.basis QuarticBernstein --shape λ=1/2 --at t=1/3
+  basis eval quartic.basis QuarticBernstein --shape lambda=0.5 --at t=0 --order 2
+  basis eval bernstein.basis 'Bernstein(n=3)' --at t=0.25 --format json";
+
+/// How to print results.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Tables for people
+    Text,
+    /// One JSON object for programs
+    Json,
+}
+
+/// A name with an exact value, such as `λ1=1/2`.
+#[derive(Clone, Debug)]
+pub(crate) struct Assignment {
+    /// The name as it is typed.
+    pub(crate) name: String,
+    /// The value.
+    pub(crate) value: Rational,
+}
+
+fn assignment(text: &str) -> Result<Assignment, String> {
+    let Some((name, value)) = text.split_once('=') else {
+        let comma = if Rational::parse(text).is_some() {
+            "; decimals are written with a point, as in t=0.5"
+        } else {
+            ""
+        };
+        return Err(format!("write a name and its value, such as t=1/2{comma}"));
+    };
+    let (name, value) = (name.trim(), value.trim());
+    if name.is_empty() {
+        return Err(String::from("the name is missing; write it before the `=`, as in t=1/2"));
+    }
+    if value.is_empty() {
+        return Err(format!("the value is missing; write it after the `=`, as in {name}=1/2"));
+    }
+    match Rational::parse(value) {
+        Some(value) => Ok(Assignment { name: name.to_string(), value }),
+        None if divides_by_zero(value) => Err(format!("`{value}` divides by zero")),
+        None => Err(format!(
+            "`{value}` is not an exact number; write a whole number, a fraction or a decimal, such as 2, -1/3 or 0.62"
+        )),
+    }
+}
+
+fn divides_by_zero(value: &str) -> bool {
+    value.split_once('/').is_some_and(|(numer, denom)| {
+        Rational::parse(numer).is_some() && Rational::from_decimal(denom.trim()).is_some_and(|d| d.is_zero())
+    })
+}

@@ -1,0 +1,55 @@
+//! What is wrong, as rustc would print it; a claim that fails in many orders is shown once.
+
+use std::collections::BTreeSet;
+
+use basis_engine::{Diagnostic, prove};
+
+use super::orders;
+use super::prove::Outcome;
+use super::statements::{Entry, statements};
+use crate::name::count;
+
+/// Prints messages, each once, even if several files use the file that it is about.
+#[derive(Debug, Default)]
+pub(crate) struct Printer {
+    printed: BTreeSet<String>,
+}
+
+impl Printer {
+    /// The messages about one file that are new.
+    pub(crate) fn render(&mut self, outcome: &Outcome) -> String {
+        let mut text = String::new();
+        for diagnostic in outcome.diagnostics.iter().cloned().chain(claims(outcome)) {
+            let rendered = diagnostic.render(&outcome.sources, true);
+            if self.printed.insert(rendered.clone()) {
+                text += &rendered;
+                text += "\n\n";
+            }
+        }
+        text
+    }
+}
+
+/// The first of the claims of each statement that fail in the same way, and how many more there are.
+fn claims(outcome: &Outcome) -> Vec<Diagnostic> {
+    let families = outcome.items.chunk_by(|a, b| a.family.name == b.family.name);
+    let failures = families.flat_map(statements).flatten();
+    failures.filter_map(|(_, entries)| first_of(&entries)).collect()
+}
+
+fn first_of(entries: &[Entry<'_>]) -> Option<Diagnostic> {
+    let [first, others @ ..] = entries else { return None };
+    let order = &first.item.family.order;
+    let mut diagnostic = prove::diagnose(&first.item.family, &first.decided.claim, &first.decided.verdict)?;
+    let (here, elsewhere): (Vec<&Entry<'_>>, Vec<&Entry<'_>>) =
+        others.iter().partition(|e| e.item.family.order == *order);
+    if !here.is_empty() {
+        let more = count(here.len(), "more claim");
+        diagnostic = diagnostic.note(format!("{more} of this statement: the same verdict"));
+    }
+    if !elsewhere.is_empty() {
+        let orders = orders::describe(elsewhere.iter().map(|e| e.item.family.order.as_slice()));
+        diagnostic = diagnostic.note(format!("for {orders}: the same verdict"));
+    }
+    Some(diagnostic)
+}

@@ -1,0 +1,124 @@
+//! Decides every claim of a file, with the time that each takes.
+
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+
+use basis_engine::diagnostic::Place;
+use basis_engine::{Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Sources, Verdict, prove};
+
+use super::files::Entry;
+use crate::output::Status;
+use crate::spec;
+
+/// What checking a file gives.
+#[derive(Debug)]
+pub(crate) struct Outcome {
+    /// The path as the user wrote it.
+    pub(crate) path: String,
+    /// The families of the file, in every order.
+    pub(crate) items: Vec<Decided>,
+    /// What is wrong with the spec apart from its claims.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    /// The file and those it uses.
+    pub(crate) sources: Sources,
+    /// Whether the file was read.
+    pub(crate) readable: bool,
+}
+
+/// A family with its claims.
+#[derive(Debug)]
+pub(crate) struct Decided {
+    /// The family.
+    pub(crate) family: Rc<Family>,
+    /// The claims in the order in which they are written.
+    pub(crate) claims: Vec<DecidedClaim>,
+}
+
+/// A claim with its verdict.
+#[derive(Debug)]
+pub(crate) struct DecidedClaim {
+    /// The claim.
+    pub(crate) claim: Claim,
+    /// Whether it is true.
+    pub(crate) verdict: Verdict,
+    /// How long it took to find out.
+    pub(crate) time: Duration,
+}
+
+impl DecidedClaim {
+    /// Whether the verdict is the declared one.
+    pub(crate) fn as_declared(&self) -> bool {
+        prove::as_declared(self.claim.expected, &self.verdict)
+    }
+}
+
+impl Outcome {
+    /// How a run that checks only this file ends.
+    pub(crate) fn status(&self) -> Status {
+        let errors = self.diagnostics.iter().any(|d| d.severity == Severity::Error);
+        let mut claims = self.items.iter().flat_map(|item| &item.claims);
+        if !self.readable {
+            Status::Unusable
+        } else if errors || claims.any(|c| !c.as_declared()) {
+            Status::Wrong
+        } else {
+            Status::Fine
+        }
+    }
+
+    /// Everything that is wrong, claims that are not as declared included.
+    pub(crate) fn all_diagnostics(&self) -> Vec<Diagnostic> {
+        let claims = self.items.iter().flat_map(|item| {
+            item.claims.iter().filter_map(|c| prove::diagnose(&item.family, &c.claim, &c.verdict))
+        });
+        self.diagnostics.iter().cloned().chain(claims).collect()
+    }
+
+    /// The name of the file of a place, if it is another one than the file that was asked for.
+    pub(crate) fn foreign(&self, diagnostic: &Diagnostic) -> Option<&str> {
+        let (main, _) = self.sources.iter().next()?;
+        match diagnostic.labels.first()? {
+            (Place::Text(id, _), _) if *id != main => Some(&self.sources.get(*id).name),
+            _ => None,
+        }
+    }
+
+    /// The line of a place, counted from one; `None` where a place is not in a text.
+    pub(crate) fn line(&self, place: &Place) -> Option<usize> {
+        match place {
+            Place::Text(id, range) => Some(self.sources.get(*id).line_column(range.start).0),
+            Place::Token(_) => None,
+        }
+    }
+}
+
+/// Checks one file.
+pub(crate) fn file(entry: Entry) -> Outcome {
+    let path = entry.path.display().to_string();
+    let source = match entry.problem.map_or_else(|| spec::read(&entry.path), Err) {
+        Ok(source) => source,
+        Err(problem) => {
+            let (items, sources) = (Vec::new(), Sources::default());
+            return Outcome { path, items, diagnostics: vec![problem], sources, readable: false };
+        }
+    };
+    let library = Library::from_source(&Disk, source);
+    let items = library.items(Selected::EveryOrder).into_iter().map(|item| {
+        let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim)).collect();
+        Decided { family: item.family, claims }
+    });
+    let items = items.collect();
+    Outcome {
+        path,
+        items,
+        diagnostics: library.diagnostics(),
+        sources: library.sources().clone(),
+        readable: true,
+    }
+}
+
+fn decide(family: &Family, claim: Claim) -> DecidedClaim {
+    let start = Instant::now();
+    let verdict = prove::claim(family, &claim);
+    DecidedClaim { claim, verdict, time: start.elapsed() }
+}

@@ -1,0 +1,142 @@
+//! The verdicts as JSON.
+
+use basis_engine::{Diagnostic, Severity, Verdict, Witness};
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+use super::prove::{Decided, DecidedClaim, Outcome};
+use crate::output::Status;
+
+/// What `basis check --format json` prints.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report {
+    /// The files in the order in which they were checked.
+    pub(crate) files: Vec<File>,
+    /// Whether every file was read and everything in it is as declared.
+    pub(crate) ok: bool,
+}
+
+/// One file.
+#[derive(Debug, Serialize)]
+pub(crate) struct File {
+    path: String,
+    items: Vec<Item>,
+    diagnostics: Vec<Message>,
+    #[serde(skip)]
+    status: Status,
+}
+
+/// A family of one order; joins and theorems will be items too.
+#[derive(Debug, Serialize)]
+struct Item {
+    kind: &'static str,
+    name: String,
+    /// The values of the index parameters; `null` for a family without.
+    order: Option<Map<String, Value>>,
+    claims: Vec<Claim>,
+}
+
+#[derive(Debug, Serialize)]
+struct Claim {
+    #[serde(rename = "claim")]
+    text: String,
+    /// Counted from one.
+    line: Option<usize>,
+    declared: &'static str,
+    verdict: &'static str,
+    /// How it was proved; `null` unless it was.
+    method: Option<String>,
+    /// Where it fails; `null` unless it does.
+    witness: Option<Counterexample>,
+    micros: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct Counterexample {
+    at: Map<String, Value>,
+    value: String,
+    of: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Message {
+    severity: &'static str,
+    #[serde(rename = "message")]
+    text: String,
+    line: Option<usize>,
+    column: Option<usize>,
+    /// The file of line and column, if it is one that the checked file uses.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    path: Option<String>,
+}
+
+impl Report {
+    /// The report on several files.
+    pub(crate) fn new(files: Vec<File>) -> Self {
+        let ok = files.iter().all(|file| file.status == Status::Fine);
+        Self { files, ok }
+    }
+}
+
+impl File {
+    /// The report on one file.
+    pub(crate) fn new(outcome: &Outcome) -> Self {
+        Self {
+            path: outcome.path.clone(),
+            items: outcome.items.iter().map(|decided| item(outcome, decided)).collect(),
+            diagnostics: outcome.all_diagnostics().iter().map(|d| message(outcome, d)).collect(),
+            status: outcome.status(),
+        }
+    }
+}
+
+fn item(outcome: &Outcome, decided: &Decided) -> Item {
+    let order = &decided.family.order;
+    Item {
+        kind: "family",
+        name: decided.family.name.clone(),
+        order: (!order.is_empty()).then(|| order.iter().map(|(n, v)| (n.clone(), Value::from(*v))).collect()),
+        claims: decided.claims.iter().map(|c| claim(outcome, c)).collect(),
+    }
+}
+
+fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
+    let (verdict, method, witness) = match &decided.verdict {
+        Verdict::Proved(evidence) => ("proved", Some(evidence.method.clone()), None),
+        Verdict::Refuted(witness) => ("refuted", None, Some(counterexample(witness))),
+        Verdict::Undecided(_) => ("undecided", None, None),
+    };
+    Claim {
+        text: decided.claim.text.clone(),
+        line: outcome.line(&decided.claim.place),
+        declared: decided.claim.expected.keyword(),
+        verdict,
+        method,
+        witness,
+        micros: decided.time.as_micros() as u64,
+    }
+}
+
+fn counterexample(witness: &Witness) -> Counterexample {
+    let at = witness.at.iter().map(|(name, coordinate)| {
+        // A coordinate describes itself as `λ = 1/2`; only the value is wanted here.
+        let text = coordinate.describe(name);
+        let value = text.strip_prefix(&format!("{name} = ")).unwrap_or(&text);
+        (name.clone(), Value::from(value))
+    });
+    Counterexample { at: at.collect(), value: witness.value.to_string(), of: witness.of.clone() }
+}
+
+fn message(outcome: &Outcome, diagnostic: &Diagnostic) -> Message {
+    let place = diagnostic.line_column(&outcome.sources);
+    Message {
+        severity: match diagnostic.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        },
+        text: diagnostic.text(),
+        line: place.map(|p| p.0),
+        column: place.map(|p| p.1),
+        path: outcome.foreign(diagnostic).map(String::from),
+    }
+}

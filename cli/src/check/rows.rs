@@ -1,0 +1,140 @@
+//! From the claims of a family in all its orders to few rows: claims of one statement stand in one row where
+//! their verdicts agree.
+
+use std::fmt::Write as _;
+use std::time::Duration;
+
+use basis_engine::diagnostic::Place;
+use basis_engine::{Sources, Verdict};
+
+use super::orders;
+use super::prove::{Decided, DecidedClaim};
+use super::statements::{Entry, Kind, statements};
+
+/// So many claims of one statement, made by a `for`, are still shown one by one.
+const FEW: usize = 8;
+
+/// A row: claims of one statement with one verdict.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Row {
+    /// The claim, with the orders and the number of claims that the row stands for.
+    pub(crate) claim: String,
+    /// What is known about it.
+    pub(crate) kind: Kind,
+    /// The method of the proof, the counterexample, or what is left to decide.
+    pub(crate) reason: String,
+    /// The longest time that one claim took.
+    pub(crate) worst: Duration,
+    /// The time of all.
+    pub(crate) total: Duration,
+}
+
+/// The rows of a family, whose orders are `items`.
+pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
+    let mut rows = Vec::new();
+    for verdicts in statements(items) {
+        let statement: Vec<Entry<'_>> = verdicts.values().flatten().copied().collect();
+        for (kind, part) in verdicts {
+            if items.len() == 1 && part.len() <= FEW {
+                rows.extend(
+                    part.iter().map(|e| row(kind, e.decided.claim.text.clone(), reason(e.decided), &[*e])),
+                );
+            } else {
+                let claim = describe(items, &common_text(&statement, sources), &part);
+                rows.push(row(kind, claim, reasons(items, &part), &part));
+            }
+        }
+    }
+    rows
+}
+
+fn row(kind: Kind, claim: String, reason: String, part: &[Entry<'_>]) -> Row {
+    let times = part.iter().map(|e| e.decided.time);
+    Row { claim, kind, reason, worst: times.clone().max().unwrap_or_default(), total: times.sum() }
+}
+
+/// The text of a statement, with the orders for which a part of its claims stands, if not for all.
+fn describe(items: &[Decided], text: &str, part: &[Entry<'_>]) -> String {
+    let mut text = String::from(text);
+    let mut facts = Vec::new();
+    // The claims of one order are neighbours.
+    let orders = part.chunk_by(|a, b| a.item.family.order == b.item.family.order);
+    let orders: Vec<&[(String, i64)]> = orders.map(|chunk| chunk[0].item.family.order.as_slice()).collect();
+    if orders.len() < items.len() {
+        facts.push(orders::describe(orders.iter().copied()));
+    }
+    if part.len() > orders.len() {
+        facts.push(crate::name::count(part.len(), "claim"));
+    }
+    if !facts.is_empty() {
+        let _ = write!(text, "  [{}]", facts.join("; "));
+    }
+    text
+}
+
+/// The text that the claims of a statement share, or else the statement as it is written.
+fn common_text(statement: &[Entry<'_>], sources: &Sources) -> String {
+    let Some(first) = statement.first() else { return String::new() };
+    let text = &first.decided.claim.text;
+    if statement.iter().all(|e| e.decided.claim.text == *text) {
+        return text.clone();
+    }
+    let written = as_written(&first.decided.claim.place, sources).unwrap_or_else(|| format!("{text}, …"));
+    // An equation in an `at` block stands alone in the file.
+    let at = |entry: &Entry<'_>| {
+        entry.decided.claim.text.strip_prefix("at ").and_then(|t| t.split_once(": ")).map(|t| t.0.to_string())
+    };
+    match at(first) {
+        Some(point) if statement.iter().all(|e| at(e).as_ref() == Some(&point)) => {
+            format!("at {point}: {written}")
+        }
+        Some(_) => format!("at …: {written}"),
+        None => written,
+    }
+}
+
+/// The lines of a statement as one, without its keyword and comments.
+fn as_written(place: &Place, sources: &Sources) -> Option<String> {
+    let Place::Text(id, range) = place else { return None };
+    let text = sources.get(*id).text.as_deref()?.get(range.clone())?;
+    let lines = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
+    let words: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
+    let text = words.join(" ");
+    let text = ["prove ", "refute "].iter().find_map(|word| text.strip_prefix(word)).unwrap_or(&text);
+    Some(text.trim_end_matches(';').trim_end().to_string())
+}
+
+/// Why the verdict is what it is.
+fn reason(decided: &DecidedClaim) -> String {
+    match &decided.verdict {
+        Verdict::Proved(evidence) => evidence.method.clone(),
+        Verdict::Refuted(witness) => {
+            let point = witness.point();
+            let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
+            format!("{} = {}{place}", witness.of, witness.value)
+        }
+        Verdict::Undecided(left) => left.clone(),
+    }
+}
+
+/// The methods of all proofs; of other verdicts the first reason, and the order to which it belongs.
+fn reasons(items: &[Decided], part: &[Entry<'_>]) -> String {
+    let mut all: Vec<String> = Vec::new();
+    for entry in part {
+        let reason = reason(entry.decided);
+        if !all.contains(&reason) {
+            all.push(reason);
+        }
+    }
+    let proved = part.iter().all(|e| matches!(e.decided.verdict, Verdict::Proved(_)));
+    match (all.as_slice(), part.first()) {
+        ([first, _, ..], Some(entry)) if !proved => {
+            if items.len() > 1 && part.len() > 1 {
+                format!("{}: {first}", orders::values(&entry.item.family.order))
+            } else {
+                format!("{first}, …")
+            }
+        }
+        _ => all.join("; "),
+    }
+}

@@ -1,0 +1,202 @@
+//! The verdicts as tables.
+
+use std::fmt::Write as _;
+use std::time::Duration;
+
+use basis_engine::Family;
+
+use super::orders;
+use super::prove::{Decided, Outcome};
+use super::rows::rows;
+use super::statements::Kind;
+use crate::domain;
+use crate::name::count;
+use crate::table::{self, BAD, FAINT, GOOD, Mark, OPEN, Row, STRONG, styled};
+
+/// One file: its path, and a table for each family.
+pub(crate) fn file(outcome: &Outcome, width: Option<u16>) -> String {
+    let mut text = format!("{}\n\n", styled(FAINT, &outcome.path));
+    for items in outcome.items.chunk_by(|a, b| a.family.name == b.family.name) {
+        text += &family(items, outcome, width);
+        text.push('\n');
+    }
+    text
+}
+
+/// One family in all its orders: a heading and a table.
+fn family(items: &[Decided], outcome: &Outcome, width: Option<u16>) -> String {
+    let mut text = heading(items);
+    let rows = rows(items, &outcome.sources);
+    if rows.is_empty() {
+        text += "   no claims\n";
+        return text;
+    }
+    let condensed = items.len() > 1;
+    let cells: Vec<Row> = rows
+        .into_iter()
+        .map(|row| {
+            let (mark, verdict) = verdict(row.kind);
+            let mut cells = vec![row.claim, verdict.to_string(), row.reason];
+            if condensed {
+                cells.push(time(row.worst));
+            }
+            cells.push(time(row.total));
+            Row { mark: Some(mark), cells }
+        })
+        .collect();
+    let mut header = vec!["claim", "verdict", "method or counterexample"];
+    header.extend(if condensed { ["worst", "total"].as_slice() } else { &["time"] });
+    text + &table::layout(&header, &cells, &[3, 4], width)
+}
+
+const fn verdict(kind: Kind) -> (Mark, &'static str) {
+    match kind {
+        Kind::Proved => (("✓", GOOD), "proved"),
+        Kind::Refuted => (("✓", GOOD), "refuted as declared"),
+        Kind::False => (("✗", BAD), "refuted"),
+        Kind::True => (("✗", BAD), "proved, declared false"),
+        Kind::Undecided => (("?", OPEN), "undecided"),
+    }
+}
+
+/// The name with its orders, how many functions there are, of which degree, and the ranges.
+fn heading(items: &[Decided]) -> String {
+    let Some(first) = items.first() else { return String::new() };
+    let family = &first.family;
+    let mut title = family.name.clone();
+    if !family.order.is_empty() {
+        let names: Vec<&str> = family.order.iter().map(|(name, _)| name.as_str()).collect();
+        let orders = orders::describe(items.iter().map(|item| item.family.order.as_slice()));
+        let _ = write!(title, "({}), {orders}", names.join(", "));
+    }
+    let functions = range(items, |family| family.functions.len());
+    let noun = if functions == "1" { "function" } else { "functions" };
+    let several = domain::degrees(family);
+    let degrees: Vec<String> = (0..several.len())
+        .map(|k| range(items, |f| domain::degrees(f).get(k).copied().unwrap_or(0)))
+        .collect();
+    let degrees = if degrees.len() == 1 { degrees.concat() } else { format!("({})", degrees.join(", ")) };
+    let mut facts = vec![
+        format!("{functions} {noun} of degree {degrees}"),
+        format!("domain {}", same(items, domain::describe)),
+    ];
+    if !family.shapes.is_empty() {
+        facts.push(format!("shape {}", same(items, shapes)));
+    }
+    format!("{}: {}\n", styled(STRONG, &title), facts.join("; "))
+}
+
+/// `4`, or `2 to 31` where the orders differ.
+fn range<T: Ord + ToString>(items: &[Decided], measure: impl Fn(&Family) -> T) -> String {
+    let values = || items.iter().map(|item| measure(&item.family));
+    match (values().min(), values().max()) {
+        (Some(low), Some(high)) if low < high => format!("{} to {}", low.to_string(), high.to_string()),
+        (Some(low), _) => low.to_string(),
+        _ => String::new(),
+    }
+}
+
+/// The declared ranges of the shape parameters.
+fn shapes(family: &Family) -> String {
+    let ranges: Vec<String> = family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect();
+    ranges.join(", ")
+}
+
+/// A text that may depend on the order; if it does, that of the first one.
+fn same(items: &[Decided], text: impl Fn(&Family) -> String) -> String {
+    let Some(first) = items.first() else { return String::new() };
+    let first_text = text(&first.family);
+    if items.iter().all(|item| text(&item.family) == first_text) {
+        first_text
+    } else {
+        format!("{first_text} (for {})", orders::values(&first.family.order))
+    }
+}
+
+/// A duration to three digits at most: `12 µs`, `3.4 ms`, `1.20 s`.
+fn time(duration: Duration) -> String {
+    let seconds = duration.as_secs_f64();
+    match seconds {
+        s if s < 999.5e-6 => format!("{:.0} µs", s * 1e6),
+        s if s < 9.95e-3 => format!("{:.1} ms", s * 1e3),
+        s if s < 0.9995 => format!("{:.0} ms", s * 1e3),
+        s if s < 9.995 => format!("{s:.2} s"),
+        s => format!("{s:.1} s"),
+    }
+}
+
+/// The counts of a whole run.
+#[derive(Debug, Default)]
+pub(crate) struct Summary {
+    files: usize,
+    unreadable: usize,
+    families: usize,
+    orders: usize,
+    claims: usize,
+    proved: usize,
+    refuted: usize,
+    wrong: usize,
+    undecided: usize,
+    errors: usize,
+}
+
+impl Summary {
+    /// Counts one file.
+    pub(crate) fn add(&mut self, outcome: &Outcome) {
+        if outcome.readable {
+            self.files += 1;
+            self.errors +=
+                outcome.diagnostics.iter().filter(|d| d.severity == basis_engine::Severity::Error).count();
+        } else {
+            self.unreadable += 1;
+        }
+        self.families += outcome.items.chunk_by(|a, b| a.family.name == b.family.name).count();
+        self.orders += outcome.items.len();
+        for decided in outcome.items.iter().flat_map(|item| &item.claims) {
+            self.claims += 1;
+            *match Kind::of(decided) {
+                Kind::Proved => &mut self.proved,
+                Kind::Refuted => &mut self.refuted,
+                Kind::False | Kind::True => &mut self.wrong,
+                Kind::Undecided => &mut self.undecided,
+            } += 1;
+        }
+    }
+
+    /// The last line; empty when there was nothing to check.
+    pub(crate) fn line(&self, elapsed: Duration) -> String {
+        if self.files == 0 {
+            return String::new();
+        }
+        let mut families = count(self.families, "family");
+        if self.orders > self.families {
+            let _ = write!(families, " in {}", count(self.orders, "order"));
+        }
+        let counted = format!("{}, {families}, {}", count(self.files, "file"), count(self.claims, "claim"));
+        let parts = [
+            (self.proved, format!("{} proved", self.proved), GOOD),
+            (self.refuted, format!("{} refuted as declared", self.refuted), GOOD),
+            (self.wrong, format!("{} not as declared", self.wrong), BAD),
+            (self.undecided, format!("{} undecided", self.undecided), OPEN),
+            (self.errors, count(self.errors, "error"), BAD),
+            (self.unreadable, format!("{} unreadable", self.unreadable), BAD),
+        ];
+        let verdicts: Vec<String> =
+            parts.into_iter().filter(|(n, ..)| *n > 0).map(|(_, text, style)| styled(style, &text)).collect();
+        let verdicts = if verdicts.is_empty() { String::new() } else { format!(": {}", verdicts.join(", ")) };
+        format!("{counted}{verdicts}; {}\n", time(elapsed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn durations_have_few_digits() {
+        let of = |nanos| time(Duration::from_nanos(nanos));
+        assert_eq!([of(400), of(12_300), of(999_400)], ["0 µs", "12 µs", "999 µs"]);
+        assert_eq!([of(999_600), of(3_440_000), of(9_960_000)], ["1.0 ms", "3.4 ms", "10 ms"]);
+        assert_eq!([of(999_400_000), of(999_600_000), of(12_340_000_000)], ["999 ms", "1.00 s", "12.3 s"]);
+    }
+}

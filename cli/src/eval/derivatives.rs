@@ -1,0 +1,63 @@
+//! All partial derivatives up to an order.
+
+use basis_engine::algebra::poly::Poly;
+use basis_engine::{Diagnostic, Family};
+
+use crate::output::error;
+
+/// More values than this are refused.
+const MAX_VALUES: usize = 100_000;
+
+/// One derivative of all functions.
+#[derive(Debug)]
+pub(super) struct Derivative {
+    /// How often each domain variable is differentiated in; all zero for the functions themselves.
+    pub(super) orders: Vec<u32>,
+    /// The derivative of each function.
+    pub(super) functions: Vec<Poly>,
+}
+
+/// The functions and all their partial derivatives of orders 1, …, `order`: by order, within one order those in
+/// the first variable first, each mixed derivative once.
+///
+/// # Errors
+/// There are too many of them.
+pub(super) fn up_to(
+    family: &Family,
+    functions: Vec<Poly>,
+    order: u32,
+) -> Result<Vec<Derivative>, Diagnostic> {
+    let variables = family.domain.len();
+    let most =
+        (0..=order).take_while(|k| number(functions.len(), variables, *k) <= MAX_VALUES).last().unwrap_or(0);
+    if most < order {
+        let message = format!("derivatives up to the order {order} are too many");
+        return Err(error(message)
+            .help(format!("ask for --order {most} at most; above the degree all derivatives are zero")));
+    }
+    let mut all = vec![Derivative { orders: vec![0; variables], functions }];
+    let mut first_of_last = 0;
+    for _ in 0..order {
+        let last = first_of_last..all.len();
+        first_of_last = all.len();
+        for from in last {
+            // Differentiating in the last variable that occurs, or a later one, reaches each derivative once.
+            let start = all[from].orders.iter().rposition(|k| *k > 0).unwrap_or(0);
+            for k in start..variables {
+                let mut orders = all[from].orders.clone();
+                orders[k] += 1;
+                let var = family.domain[k].var;
+                let functions = all[from].functions.iter().map(|f| f.derivative(var)).collect();
+                all.push(Derivative { orders, functions });
+            }
+        }
+    }
+    Ok(all)
+}
+
+/// How many values there are up to an order: functions · binomial(order + variables, variables).
+fn number(functions: usize, variables: usize, order: u32) -> usize {
+    let steps =
+        (1..=variables).try_fold(1_usize, |product, k| Some(product.checked_mul(order as usize + k)? / k));
+    steps.and_then(|n| n.checked_mul(functions)).unwrap_or(usize::MAX)
+}

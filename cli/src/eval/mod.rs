@@ -1,0 +1,49 @@
+//! `basis eval`: exact values of basis functions and their derivatives.
+
+mod assign;
+mod derivatives;
+mod family;
+mod point;
+mod report;
+
+use basis_engine::{Diagnostic, Disk, Library, Severity, Sources};
+
+use crate::args::{EvalArguments, Format};
+use crate::output::{self, Status, complain};
+use crate::spec;
+use report::Values;
+
+/// Evaluates the family that the arguments name, and prints the values.
+pub(crate) fn run(arguments: &EvalArguments) -> Status {
+    let library = match spec::read(&arguments.file) {
+        Ok(source) => Library::from_source(&Disk, source),
+        Err(error) => return refuse(&Sources::default(), &[error]),
+    };
+    match evaluate(arguments, &library) {
+        Ok(values) => match arguments.format {
+            Format::Text => output::print(&values.text(output::width())),
+            Format::Json => output::print_json(&values.json()),
+        },
+        Err(errors) => refuse(library.sources(), &errors),
+    }
+}
+
+fn refuse(sources: &Sources, errors: &[Diagnostic]) -> Status {
+    for error in errors {
+        complain(&(error.render(sources, true) + "\n\n"));
+    }
+    Status::Unusable
+}
+
+fn evaluate(arguments: &EvalArguments, library: &Library<'_>) -> Result<Values, Vec<Diagnostic>> {
+    let family = family::find(library, &arguments.family)?;
+    let point = point::Point::new(&family, &arguments.shapes, &arguments.at)?;
+    let functions = point.bind(&family).map_err(|e| vec![e])?;
+    let derivatives = derivatives::up_to(&family, functions, arguments.order).map_err(|e| vec![e])?;
+    Ok(Values::new(&family, &point, &derivatives))
+}
+
+/// The errors among messages.
+fn errors(diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect()
+}

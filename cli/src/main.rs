@@ -1,0 +1,27 @@
+//! The command `basis`: everything that the macro does during a build, and more, at a terminal.
+//!
+//! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly. Both are thin: the
+//! mathematics is in basis-engine; here are arguments, files, clocks and tables.
+
+mod args;
+mod check;
+mod domain;
+mod eval;
+mod name;
+mod output;
+mod spec;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Arguments, Command};
+
+fn main() -> ExitCode {
+    let status = match Arguments::parse().command {
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Eval(arguments) => eval::run(&arguments),
+    };
+    status.into()
+}

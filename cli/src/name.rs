@@ -1,0 +1,69 @@
+//! Names as they are typed and as they stand in the spec.
+
+use basis_engine::generate::ascii;
+
+/// Which of the names is meant: the same name, or else the only one with the same spelling in ASCII, such as
+/// `lambda1` for `λ1`.
+pub(crate) fn position(word: &str, names: &[&str]) -> Option<usize> {
+    if let Some(exact) = names.iter().position(|n| *n == word) {
+        return Some(exact);
+    }
+    let spelled = ascii(word);
+    let mut same = (0..names.len()).filter(|k| ascii(names[*k]) == spelled);
+    same.next().filter(|_| same.next().is_none())
+}
+
+/// The name that differs least from `word`, if it is near enough to be meant.
+pub(crate) fn closest<'n>(word: &str, names: &[&'n str]) -> Option<&'n str> {
+    basis_engine::closest(word, names).or_else(|| {
+        let spelled: Vec<String> = names.iter().map(|n| ascii(n)).collect();
+        let spelled: Vec<&str> = spelled.iter().map(String::as_str).collect();
+        let near = basis_engine::closest(&ascii(word), &spelled)?;
+        let meant = spelled.iter().position(|s| *s == near)?;
+        Some(names[meant])
+    })
+}
+
+/// `a`, `b` and `c`.
+pub(crate) fn list(names: &[&str]) -> String {
+    let quoted: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
+    match quoted.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// A count with its noun: `1 claim`, `4 claims`, `2 families`.
+pub(crate) fn count(n: usize, noun: &str) -> String {
+    match noun.strip_suffix('y') {
+        _ if n == 1 => format!("1 {noun}"),
+        Some(stem) => format!("{n} {stem}ies"),
+        None => format!("{n} {noun}s"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn greek_names_can_be_spelled_out() {
+        assert_eq!(position("λ1", &["λ2", "λ1"]), Some(1));
+        assert_eq!(position("lambda1", &["λ2", "λ1"]), Some(1));
+        assert_eq!(position("lambda", &["λ1"]), None);
+        // Both are spelled `lambda`: only the name itself says which one is meant.
+        assert_eq!(position("lambda", &["lambda", "λ"]), Some(0));
+        assert_eq!(position("λ", &["lambda", "λ"]), Some(1));
+        assert_eq!(position("lambda", &["ϕ", "φ", "λ"]), Some(2));
+        assert_eq!(position("phi", &["ϕ", "φ", "λ"]), None);
+    }
+
+    #[test]
+    fn finds_what_was_meant() {
+        assert_eq!(closest("lamda1", &["λ1", "t"]), Some("λ1"));
+        assert_eq!(closest("λ₁", &["λ1", "t"]), Some("λ1"));
+        assert_eq!(closest("hermite", &["Hermite"]), Some("Hermite"));
+        assert_eq!(closest("x", &["λ1", "t"]), None);
+    }
+}

@@ -1,0 +1,191 @@
+//! `basis eval`: what is wrong, and what to write instead.
+
+mod support;
+
+use support::{BERNSTEIN, Folder, QUARTIC};
+
+fn folder() -> Folder {
+    Folder::with("quartic.basis", QUARTIC)
+        .and("bernstein.basis", BERNSTEIN)
+        .and("broken.basis", "family A {\n    domain 0 <= t <= 1;\n    b[0] = 1 - t;\n    b[1] = t +;\n}\n")
+        .and("triangle.basis", "family F { domain triangle (u, v, w); b[0] = u*w; }")
+        .and(
+            "two.basis",
+            "family Two(m in 1..=3, n in 1..=9) { domain 0 <= t <= 1; b[0] = t^m; b[1] = t^n; }",
+        )
+}
+
+/// Runs `basis eval` and demands that it fails with these errors and hints, in this order and no others.
+fn fails(arguments: &str, errors: &[(&str, &str)]) {
+    let arguments: Vec<&str> = ["eval"].into_iter().chain(arguments.split_whitespace()).collect();
+    let run = folder().run(&arguments);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{arguments:?}");
+    let printed: Vec<&str> = run.stderr.split("error: ").skip(1).collect();
+    assert_eq!(printed.len(), errors.len(), "{}", run.stderr);
+    for (text, (message, help)) in printed.iter().zip(errors) {
+        assert!(text.starts_with(message), "{text}");
+        assert!(text.contains(help), "{text}");
+    }
+}
+
+#[test]
+fn families() {
+    fails(
+        "quartic.basis QuarticBernstien --at t=1",
+        &[("there is no family `QuarticBernstien`", "did you mean `QuarticBernstein`?")],
+    );
+    fails("quartic.basis Cubic --at t=1", &[("there is no family `Cubic`", "QuarticBernstein")]);
+    fails("quartic.basis (3) --at t=1", &[("`(3)` is not a family", "write its name")]);
+    fails("quartic.basis Bernstein(3 --at t=1", &[("`Bernstein(3` is not a family", "write its name")]);
+}
+
+#[test]
+fn orders() {
+    let at = "--at t=1";
+    fails(
+        &format!("quartic.basis QuarticBernstein(3) {at}"),
+        &[("`QuarticBernstein` has no index parameters", "write `QuarticBernstein`")],
+    );
+    fails(
+        &format!("bernstein.basis Bern {at}"),
+        &[("the index parameter `n` has no value", "write `Bern(n=…)`")],
+    );
+    fails(
+        &format!("bernstein.basis Bern(3,4) {at}"),
+        &[("`Bern` has only 1 index parameter", "write `Bern(n=…)`")],
+    );
+    fails(
+        &format!("bernstein.basis Bern(m=3) {at}"),
+        &[("`m` is not an index parameter of `Bern`", "write `Bern(n=…)`")],
+    );
+    fails(
+        &format!("bernstein.basis Bern(x) {at}"),
+        &[("`x` is not the value of an index parameter", "whole numbers")],
+    );
+    fails(
+        &format!("bernstein.basis Bern(1/2) {at}"),
+        &[("`1/2` is not the value of an index parameter", "whole numbers")],
+    );
+    fails(
+        &format!("bernstein.basis Bern(13) {at}"),
+        &[("n = 13 is outside of the declared range 1..=12", "")],
+    );
+    fails(
+        &format!("bernstein.basis Bern(-1) {at}"),
+        &[("n = -1 is outside of the declared range 1..=12", "")],
+    );
+    fails(
+        &format!("two.basis Two(n=1,n=2) {at}"),
+        &[("the index parameter `n` is given twice", "write `Two(m=…, n=…)`")],
+    );
+    fails(
+        &format!("two.basis Two(n=5) {at}"),
+        &[("the index parameter `m` has no value", "write `Two(m=…, n=…)`")],
+    );
+}
+
+#[test]
+fn names_of_values() {
+    let command = "quartic.basis QuarticBernstein";
+    let no_shape =
+        ("the shape parameter `λ` has no value", "add --shape λ=1/2, or another value with `-3 <= λ <= 1`");
+    let no_point =
+        ("the domain variable `t` has no value", "add --at t=1/2, or another value with `0 <= t <= 1`");
+    fails(command, &[no_shape, no_point]);
+    fails(&format!("{command} --at t=1"), &[no_shape]);
+    fails(&format!("{command} --shape λ=1"), &[no_point]);
+    fails(
+        &format!("{command} --shape lamda=1 --at x=1"),
+        &[
+            ("`lamda` is not a shape parameter", "did you mean `λ`?"),
+            ("`x` is not a domain variable", "the only domain variable is `t`"),
+            no_point,
+        ],
+    );
+    fails(
+        &format!("{command} --shape t=1 --at λ=1"),
+        &[
+            ("`t` is not a shape parameter", "write --at t=1"),
+            ("`λ` is not a domain variable", "write --shape λ=1"),
+        ],
+    );
+    fails(
+        &format!("{command} --shape λ=1,lambda=0 --at t=1"),
+        &[("the shape parameter `λ` is given twice", "one value")],
+    );
+    fails(
+        "bernstein.basis Bern(2) --at t=1 --shape μ=1",
+        &[("`μ` is not a shape parameter of `Bern(2)`", "the family has no shape parameters")],
+    );
+}
+
+#[test]
+fn values_outside_of_their_ranges() {
+    fails(
+        "quartic.basis QuarticBernstein --shape λ=1.01 --at t=-1/1000",
+        &[
+            (
+                "λ = 101/100 is outside of the declared range `-3 <= λ <= 1`",
+                "choose a value inside: --shape λ=1/2",
+            ),
+            ("t = -1/1000 is outside of the domain `0 <= t <= 1`", "choose a value inside: --at t=1/2"),
+        ],
+    );
+}
+
+#[test]
+fn points_of_a_triangle() {
+    let missing = |name| {
+        (
+            format!("the domain variable `{name}` has no value"),
+            "one of the barycentric coordinates may be left out",
+        )
+    };
+    let (u, v) = (missing("u"), missing("v"));
+    fails("triangle.basis F", &[(&u.0, u.1), (&v.0, v.1)]);
+    fails("triangle.basis F --at u=1/2", &[(&v.0, v.1)]);
+    let domain = "the domain `triangle (u, v, w)`";
+    fails(
+        "triangle.basis F --at u=1/2,v=1/3,w=1/5",
+        &[(&format!("u + v + w = 31/30 on {domain}"), "leave out w")],
+    );
+    fails(
+        "triangle.basis F --at u=3/4,w=1/2",
+        &[(&format!("v = -1/4 is outside of {domain}"), "u + v + w = 1")],
+    );
+    fails(
+        "triangle.basis F --at u=-1,v=1",
+        &[(&format!("u = -1 is outside of {domain}"), "choose a value inside")],
+    );
+}
+
+#[test]
+fn malformed_values() {
+    let command = "bernstein.basis Bern(2) --at";
+    fails(&format!("{command} t"), &[("invalid value 't'", "write a name and its value, such as t=1/2")]);
+    fails(&format!("{command} t=0,5"), &[("invalid value '5'", "decimals are written with a point")]);
+    fails(&format!("{command} t="), &[("invalid value 't='", "the value is missing")]);
+    fails(&format!("{command} =1/2"), &[("invalid value '=1/2'", "the name is missing")]);
+    fails(&format!("{command} t=1/0"), &[("invalid value 't=1/0'", "divides by zero")]);
+    fails(&format!("{command} t=1e-3"), &[("invalid value 't=1e-3'", "is not an exact number")]);
+    fails(&format!("{command} t=half"), &[("invalid value 't=half'", "is not an exact number")]);
+    fails(&format!("{command} t=1 --order -1"), &[("unexpected argument '-1'", "")]);
+    fails(
+        &format!("{command} t=1 --order 999999"),
+        &[("derivatives up to the order 999999 are too many", "ask for --order")],
+    );
+}
+
+#[test]
+fn specs() {
+    fails("missing.basis Bern(2) --at t=1", &[("there is no spec file `missing.basis`", "")]);
+    fails(
+        "quartic QuarticBernstein --at t=1",
+        &[("there is no spec file `quartic`", "did you mean `quartic.basis`?")],
+    );
+    fails(". QuarticBernstein --at t=1", &[("`.` is a folder, not a spec file", "")]);
+    fails(
+        "broken.basis A --at t=1",
+        &[("expected a number, a name or `(`, found `;`", "--> broken.basis:4:15")],
+    );
+}

@@ -1,0 +1,172 @@
+//! Real algebraic numbers: irrational roots of polynomials with rational coefficients.
+
+use core::cmp::Ordering;
+use core::fmt;
+
+use super::poly::Var;
+use super::rational::Rational;
+use super::roots::{Root, isolate};
+use super::univariate::Univariate;
+use super::work::Work;
+
+/// The only root of a polynomial strictly between two rational numbers.
+///
+/// The polynomial has no multiple roots, whole coefficients without common factor, a positive leading one, and
+/// is not zero at the two numbers. The number may happen to be rational.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Algebraic {
+    polynomial: Univariate,
+    low: Rational,
+    high: Rational,
+}
+
+impl Algebraic {
+    /// The root of `polynomial` that [`isolate`] found between two numbers; `None` when the signs there are not
+    /// opposite.
+    pub fn new(polynomial: &Univariate, low: Rational, high: Rational) -> Option<Self> {
+        let polynomial = polynomial.normalized();
+        let opposite = polynomial.sign_at(&low) * polynomial.sign_at(&high) == -1;
+        (opposite && low < high).then_some(Self { polynomial, low, high })
+    }
+
+    /// The polynomial whose root the number is.
+    pub const fn polynomial(&self) -> &Univariate {
+        &self.polynomial
+    }
+
+    /// A rational number below.
+    pub const fn low(&self) -> &Rational {
+        &self.low
+    }
+
+    /// A rational number above.
+    pub const fn high(&self) -> &Rational {
+        &self.high
+    }
+
+    /// Halves the interval. A middle that is the root itself is avoided by cutting off a quarter at either side.
+    pub fn refine(&mut self) {
+        let width = &self.high - &self.low;
+        let middle = &self.low + &(&width * &Rational::new(1, 2));
+        match self.polynomial.sign_at(&middle) {
+            0 => {
+                let quarter = &width * &Rational::new(1, 4);
+                self.low += &quarter;
+                self.high -= &quarter;
+            }
+            sign if sign == self.polynomial.sign_at(&self.low) => self.low = middle,
+            _ => self.high = middle,
+        }
+    }
+
+    /// Shortens the interval to less than a positive width; `None` when the work is spent.
+    pub fn refine_below(&mut self, width: &Rational, work: &mut Work) -> Option<()> {
+        while &(&self.high - &self.low) >= width {
+            let n = self.polynomial.degree() as u64 + 1;
+            work.spend(4 * n * (1 + (self.polynomial.max_bits() + n * self.low.bits()) / 64))?;
+            self.refine();
+        }
+        Some(())
+    }
+
+    /// How the number compares with a rational one.
+    pub fn compare(&self, x: &Rational) -> Ordering {
+        if x <= &self.low {
+            return Ordering::Greater;
+        }
+        if x >= &self.high {
+            return Ordering::Less;
+        }
+        match self.polynomial.sign_at(x) {
+            0 => Ordering::Equal,
+            sign if sign == self.polynomial.sign_at(&self.low) => Ordering::Greater,
+            _ => Ordering::Less,
+        }
+    }
+
+    /// The sign of the value of a polynomial at the number; `None` when the work is spent.
+    ///
+    /// Zero exactly when the common divisor with the defining polynomial has its root here; otherwise the interval
+    /// is shortened until it contains no root of the polynomial.
+    pub fn sign_of(&self, p: &Univariate, work: &mut Work) -> Option<i32> {
+        if p.is_constant() {
+            return Some(p.leading().signum());
+        }
+        let common = p.gcd(&self.polynomial, work)?;
+        if common.sign_at(&self.low) * common.sign_at(&self.high) == -1 {
+            return Some(0);
+        }
+        let square_free = p.square_free_part(work)?;
+        let mut number = self.clone();
+        loop {
+            let roots = isolate(&square_free, Some(&number.low), Some(&number.high), work)?;
+            let ends = [&number.low, &number.high].map(|x| p.sign_at(x));
+            if roots.is_empty() && !ends.contains(&0) {
+                return Some(ends[0]);
+            }
+            let width = &(&number.high - &number.low) * &Rational::new(1, 2);
+            number.refine_below(&width, work)?;
+        }
+    }
+
+    /// The number as `root of x^2 - 2 between 1 and 3/2`, the polynomial in the given name.
+    pub fn describe(&self, name: &str) -> String {
+        let names = [name.to_string()];
+        let p = self.polynomial.to_poly(Var(0));
+        format!("root of {} between {} and {}", p.display(&names), self.low, self.high)
+    }
+}
+
+impl fmt::Display for Algebraic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.describe("x"))
+    }
+}
+
+/// A real number as a root: rational when that is known, else algebraic.
+///
+/// `None` when the interval of the root does not isolate one of `polynomial`.
+pub fn number(polynomial: &Univariate, root: &Root) -> Option<Result<Rational, Algebraic>> {
+    match root {
+        Root::Exact(x) => Some(Ok(x.clone())),
+        Root::Between(a, b) => Algebraic::new(polynomial, a.clone(), b.clone()).map(Err),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn p(c: &[i64]) -> Univariate {
+        Univariate::integers(c)
+    }
+    fn sqrt2() -> Algebraic {
+        Algebraic::new(&p(&[2, 0, -1]), Rational::ONE, Rational::from(2)).expect("opposite signs")
+    }
+
+    #[test]
+    fn compares_and_refines() {
+        let mut x = sqrt2();
+        assert_eq!(x.compare(&Rational::new(7, 5)), Ordering::Greater);
+        assert_eq!(x.compare(&Rational::new(3, 2)), Ordering::Less);
+        x.refine_below(&Rational::new(1, 100), &mut Work::unlimited());
+        assert_eq!(x.to_string(), "root of -2 + x^2 between 181/128 and 91/64");
+        // A rational number in disguise is never hit by an end.
+        let mut half = Algebraic::new(&p(&[-1, 2]), Rational::ZERO, Rational::ONE).expect("opposite signs");
+        half.refine();
+        assert_eq!((half.low(), half.high()), (&Rational::new(1, 4), &Rational::new(3, 4)));
+        assert_eq!(half.compare(&Rational::new(1, 2)), Ordering::Equal);
+        assert_eq!(Algebraic::new(&p(&[-2, 0, 1]), Rational::from(2), Rational::from(3)), None);
+    }
+
+    #[test]
+    fn signs_of_polynomials() {
+        let work = &mut Work::unlimited();
+        assert_eq!(sqrt2().sign_of(&p(&[-4, 0, 0, 0, 1]), work), Some(0));
+        assert_eq!(sqrt2().sign_of(&p(&[-7, 5]), work), Some(1));
+        assert_eq!(sqrt2().sign_of(&p(&[-17, 12]), work), Some(-1));
+        assert_eq!(sqrt2().sign_of(&p(&[-577, 408]), work), Some(-1));
+        assert_eq!(sqrt2().sign_of(&p(&[0]), work), Some(0));
+        assert_eq!(sqrt2().sign_of(&p(&[-3, 5, 7]), &mut Work::new(5)), None);
+    }
+}

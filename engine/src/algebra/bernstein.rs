@@ -1,0 +1,276 @@
+//! Polynomials in several variables in scaled Bernstein form on boxes whose sides may be infinite.
+
+use super::fibre;
+use super::poly::{Poly, Var};
+use super::rational::Rational;
+use super::work::Work;
+
+/// A side of a box: a closed interval with at least one finite end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// low ≤ x ≤ high, as x = low·r + high·s.
+    Finite(Rational, Rational),
+    /// x ≥ low, as x = low + s/r.
+    Upwards(Rational),
+    /// x ≤ high, as x = high − r/s.
+    Downwards(Rational),
+}
+
+impl Side {
+    /// The point s = 1/2.
+    pub fn middle(&self) -> Rational {
+        match self {
+            Self::Finite(a, b) => &(a + b) * &Rational::new(1, 2),
+            Self::Upwards(a) => a + &Rational::ONE,
+            Self::Downwards(b) => b - &Rational::ONE,
+        }
+    }
+
+    /// The parts with s ≤ 1/2 and s ≥ 1/2.
+    pub fn halves(&self) -> (Self, Self) {
+        let m = self.middle();
+        match self {
+            Self::Finite(a, b) => (Self::Finite(a.clone(), m.clone()), Self::Finite(m, b.clone())),
+            Self::Upwards(a) => (Self::Finite(a.clone(), m.clone()), Self::Upwards(m)),
+            Self::Downwards(b) => (Self::Downwards(m.clone()), Self::Finite(m, b.clone())),
+        }
+    }
+
+    /// The end s = 0 or s = 1, if it is finite.
+    pub const fn end(&self, high: bool) -> Option<&Rational> {
+        match (self, high) {
+            (Self::Finite(a, _) | Self::Upwards(a), false) => Some(a),
+            (Self::Finite(_, b) | Self::Downwards(b), true) => Some(b),
+            _ => None,
+        }
+    }
+}
+
+/// A tensor of scaled Bernstein coefficients β, p = Σ β_k ∏ sᵢ^kᵢ rᵢ^(nᵢ−kᵢ) with rᵢ + sᵢ = 1, up to a positive
+/// factor; on an infinite side p is multiplied by the power of r or s that makes it a polynomial.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Form {
+    /// The degree by axis.
+    degrees: Vec<usize>,
+    /// Row by row, the last axis fastest.
+    coefficients: Vec<Rational>,
+}
+
+/// The most coefficients of a form.
+const MAX_SIZE: usize = 200_000;
+
+impl Form {
+    /// The form on a box; variables of the polynomial without a side must not occur.
+    ///
+    /// `None` when it is too large or the work is spent.
+    pub fn new(poly: &Poly, sides: &[(Var, Side)], work: &mut Work) -> Option<Self> {
+        let degrees: Vec<usize> = sides.iter().map(|(v, _)| poly.degree(*v) as usize).collect();
+        let size =
+            degrees.iter().try_fold(1_usize, |n, d| n.checked_mul(d + 1).filter(|n| *n <= MAX_SIZE))?;
+        let content = poly.numeric_content();
+        let factor = content.recip().unwrap_or(Rational::ONE);
+        work.spend((size + 2 * poly.len()) as u64)?;
+        let mut coefficients = vec![Rational::ZERO; size];
+        for (m, c) in poly.terms() {
+            let place = sides
+                .iter()
+                .zip(&degrees)
+                .fold(0, |n, ((v, _), d)| n * (d + 1) + usize::from(m.exponent(*v)));
+            coefficients[place] += &(c * &factor);
+        }
+        let mut form = Self { degrees, coefficients };
+        for (axis, (_, side)) in sides.iter().enumerate() {
+            form.along(axis, work, |fibre| match side {
+                Side::Finite(a, b) => fibre::on_interval(fibre, a, b),
+                Side::Upwards(a) => fibre::upwards(fibre, a),
+                Side::Downwards(b) => fibre::downwards(fibre, b),
+            })?;
+        }
+        Some(form)
+    }
+
+    /// The degrees by axis.
+    pub fn degrees(&self) -> &[usize] {
+        &self.degrees
+    }
+
+    /// The coefficients, row by row, the last axis fastest.
+    pub fn coefficients(&self) -> &[Rational] {
+        &self.coefficients
+    }
+
+    /// How far apart neighbours along an axis are.
+    fn stride(&self, axis: usize) -> usize {
+        self.degrees[axis + 1..].iter().map(|d| d + 1).product()
+    }
+
+    /// Applies a function to every fibre along an axis.
+    fn along(&mut self, axis: usize, work: &mut Work, f: impl Fn(&mut [Rational])) -> Option<()> {
+        let (n, stride) = (self.degrees[axis], self.stride(axis));
+        let count = self.coefficients.len() / (n + 1);
+        let bits = self.coefficients.iter().map(Rational::bits).max().unwrap_or(0);
+        work.spend((count * (n + 1) * (n + 2)) as u64 * (1 + bits / 64))?;
+        let mut fibre = vec![Rational::ZERO; n + 1];
+        for k in 0..count {
+            let start = k / stride * stride * (n + 1) + k % stride;
+            for (i, c) in fibre.iter_mut().enumerate() {
+                core::mem::swap(c, &mut self.coefficients[start + i * stride]);
+            }
+            f(&mut fibre);
+            for (i, c) in fibre.iter_mut().enumerate() {
+                core::mem::swap(c, &mut self.coefficients[start + i * stride]);
+            }
+        }
+        Some(())
+    }
+
+    /// The forms on the two halves of the box along an axis; `None` when the work is spent.
+    pub fn halves(&self, axis: usize, work: &mut Work) -> Option<(Self, Self)> {
+        let (mut low, mut high) = (self.clone(), self.clone());
+        low.along(axis, work, fibre::lower_half)?;
+        high.along(axis, work, fibre::upper_half)?;
+        Some((low, high))
+    }
+
+    /// The place of a coefficient along an axis.
+    fn index(&self, place: usize, axis: usize) -> usize {
+        place / self.stride(axis) % (self.degrees[axis] + 1)
+    }
+
+    /// Divides by s or r as long as all coefficients of a face of the box are zero; by axis, the exponents of s
+    /// and r that were divided by. The zero form stays as it is.
+    pub fn strip(&mut self) -> Vec<(usize, usize)> {
+        let mut exponents = vec![(0, 0); self.degrees.len()];
+        if self.coefficients.iter().all(Rational::is_zero) {
+            return exponents;
+        }
+        for (axis, removed) in exponents.iter_mut().enumerate() {
+            let n = self.degrees[axis];
+            let (mut first, mut last) = (n, 0);
+            for (place, c) in self.coefficients.iter().enumerate() {
+                if !c.is_zero() {
+                    let k = self.index(place, axis);
+                    (first, last) = (first.min(k), last.max(k));
+                }
+            }
+            *removed = (first, n - last);
+            if first == 0 && last == n {
+                continue;
+            }
+            let stride = self.stride(axis);
+            let mut place = 0;
+            self.coefficients.retain(|_| {
+                let k = place / stride % (n + 1);
+                place += 1;
+                first <= k && k <= last
+            });
+            self.degrees[axis] = last - first;
+        }
+        exponents
+    }
+
+    /// The coefficient at a corner: the value of the polynomial there, up to a positive factor.
+    pub fn corner(&self, high: impl Fn(usize) -> bool) -> &Rational {
+        let mut place = 0;
+        for (axis, n) in self.degrees.iter().enumerate() {
+            place = place * (n + 1) + if high(axis) { *n } else { 0 };
+        }
+        &self.coefficients[place]
+    }
+
+    /// Whether a coefficient on a face is not zero; `ends` gives by axis whether the face lies at the high end or
+    /// the low one, or runs along the axis.
+    pub fn has_support(&self, ends: &[Option<bool>]) -> bool {
+        let on_face = |place: usize| {
+            ends.iter().enumerate().all(|(axis, end)| match end {
+                None => true,
+                Some(high) => self.index(place, axis) == if *high { self.degrees[axis] } else { 0 },
+            })
+        };
+        self.coefficients.iter().enumerate().any(|(place, c)| !c.is_zero() && on_face(place))
+    }
+
+    /// Whether no coefficient is negative.
+    pub fn is_nonnegative(&self) -> bool {
+        !self.coefficients.iter().any(Rational::is_negative)
+    }
+
+    /// How many fibres along an axis have coefficients of both signs.
+    pub fn mixed_fibres(&self, axis: usize) -> usize {
+        let (n, stride) = (self.degrees[axis], self.stride(axis));
+        let fibres = self.coefficients.len() / (n + 1);
+        let mixed = |k: &usize| {
+            let start = k / stride * stride * (n + 1) + k % stride;
+            let (mut below, mut above) = (false, false);
+            for i in 0..=n {
+                match self.coefficients[start + i * stride].signum() {
+                    -1 => below = true,
+                    1 => above = true,
+                    _ => {}
+                }
+            }
+            below && above
+        };
+        (0..fibres).filter(mixed).count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn x() -> Poly {
+        Poly::var(Var(0))
+    }
+    fn y() -> Poly {
+        Poly::var(Var(1))
+    }
+    fn n(k: i64) -> Rational {
+        Rational::from(k)
+    }
+    fn unit() -> Side {
+        Side::Finite(n(0), n(1))
+    }
+
+    #[test]
+    fn coefficients_of_a_product() {
+        // x (1 − x)² (3 + y) on [0, 1] × [−3, 1]
+        let p = &(&x() * &(&Poly::one() - &x()).pow(2)) * &(&Poly::integer(3) + &y());
+        let sides = [(Var(0), unit()), (Var(1), Side::Finite(n(-3), n(1)))];
+        let mut form = Form::new(&p, &sides, &mut Work::unlimited()).expect("unlimited");
+        assert_eq!(form.degrees(), [3, 1]);
+        assert_eq!(form.coefficients(), [0, 0, 0, 4, 0, 0, 0, 0].map(n));
+        assert_eq!(form.strip(), vec![(1, 2), (1, 0)]);
+        assert_eq!(form.degrees(), [0, 0]);
+        assert_eq!(form.coefficients(), [n(4)]);
+        assert_eq!(form.corner(|_| true), &n(4));
+    }
+
+    #[test]
+    fn halves_agree_with_the_forms_of_the_halves_in_sign() {
+        let p = &(&(&x().pow(3) * &y()) - &y().pow(2)) + &(&x() - &Poly::integer(2));
+        for side in [Side::Finite(n(-1), n(2)), Side::Upwards(Rational::new(1, 2)), Side::Downwards(n(3))] {
+            let sides = [(Var(0), side.clone()), (Var(1), unit())];
+            let work = &mut Work::unlimited();
+            let form = Form::new(&p, &sides, work).expect("unlimited");
+            let (low, high) = form.halves(0, work).expect("unlimited");
+            let (s, t) = side.halves();
+            for (half, side) in [(low, s), (high, t)] {
+                let direct = Form::new(&p, &[(Var(0), side), (Var(1), unit())], work).expect("unlimited");
+                let signs = |f: &Form| f.coefficients().iter().map(Rational::signum).collect::<Vec<_>>();
+                assert_eq!(signs(&half), signs(&direct));
+            }
+        }
+    }
+
+    #[test]
+    fn faces_and_fibres() {
+        let p = &(&x() - &y()).pow(2) + &x();
+        let form =
+            Form::new(&p, &[(Var(0), unit()), (Var(1), unit())], &mut Work::unlimited()).expect("unlimited");
+        assert!(!form.has_support(&[Some(false), Some(false)]));
+        assert!(form.has_support(&[Some(false), None]));
+        assert!(!form.is_nonnegative() || form.mixed_fibres(0) == 0);
+        assert_eq!(Form::new(&p.pow(5), &[(Var(0), unit()), (Var(1), unit())], &mut Work::new(100)), None);
+    }
+}

@@ -1,0 +1,226 @@
+//! Rational functions: quotients of polynomials in lowest terms.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::gcd::gcd;
+use super::poly::{Poly, Var};
+use super::rational::Rational;
+
+/// numerator / denominator.
+///
+/// The denominator is not zero, has whole coefficients without a common factor and a positive leading
+/// coefficient, and shares no factor with the numerator; so equal functions are equal as data.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fraction {
+    numer: Poly,
+    denom: Poly,
+}
+
+impl Fraction {
+    /// 0.
+    pub fn zero() -> Self {
+        Self::from(Poly::zero())
+    }
+
+    /// A number.
+    pub fn constant(value: Rational) -> Self {
+        Self::from(Poly::constant(value))
+    }
+
+    /// A variable.
+    pub fn var(var: Var) -> Self {
+        Self::from(Poly::var(var))
+    }
+
+    /// The quotient of two polynomials; `None` when the divisor is zero.
+    pub fn new(numer: Poly, denom: Poly) -> Option<Self> {
+        if denom.is_zero() {
+            return None;
+        }
+        if let Some(c) = denom.as_constant() {
+            return Some(Self::from(numer.scale(&c.recip()?)));
+        }
+        if let Some(quotient) = numer.div_exact(&denom) {
+            return Some(Self::from(quotient));
+        }
+        let common = gcd(&numer, &denom);
+        let (numer, denom) = if common.is_one() {
+            (numer, denom)
+        } else {
+            // The greatest common divisor divides both.
+            (numer.div_exact(&common)?, denom.div_exact(&common)?)
+        };
+        let whole = denom.normalized();
+        // `denom` is a number times `whole`.
+        let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
+        Some(Self { numer: numer.scale(&factor), denom: whole })
+    }
+
+    /// The polynomial above the fraction line.
+    pub const fn numer(&self) -> &Poly {
+        &self.numer
+    }
+
+    /// The polynomial below the fraction line.
+    pub const fn denom(&self) -> &Poly {
+        &self.denom
+    }
+
+    /// Whether the function is 0.
+    pub fn is_zero(&self) -> bool {
+        self.numer.is_zero()
+    }
+
+    /// The polynomial that the function is, if nothing stands below the fraction line.
+    pub fn as_poly(&self) -> Option<&Poly> {
+        self.denom.is_one().then_some(&self.numer)
+    }
+
+    /// The number that the function is, if no variable occurs.
+    pub fn as_constant(&self) -> Option<Rational> {
+        self.as_poly()?.as_constant()
+    }
+
+    /// Whether a variable occurs.
+    pub fn depends_on(&self, var: Var) -> bool {
+        self.numer.depends_on(var) || self.denom.depends_on(var)
+    }
+
+    /// The quotient; `None` when `other` is 0.
+    pub fn checked_div(&self, other: &Self) -> Option<Self> {
+        Self::new(&self.numer * &other.denom, &self.denom * &other.numer)
+    }
+
+    /// The power with a whole exponent.
+    pub fn pow(&self, exponent: u32) -> Self {
+        Self { numer: self.numer.pow(exponent), denom: self.denom.pow(exponent) }
+    }
+
+    /// The partial derivative in a variable, (n′d − nd′)/d².
+    pub fn derivative(&self, var: Var) -> Self {
+        if !self.denom.depends_on(var) {
+            return Self::new(self.numer.derivative(var), self.denom.clone()).unwrap_or_else(Self::zero);
+        }
+        let numer =
+            &(&self.numer.derivative(var) * &self.denom) - &(&self.numer * &self.denom.derivative(var));
+        // The square of a denominator is not zero.
+        Self::new(numer, self.denom.pow(2)).unwrap_or_else(Self::zero)
+    }
+
+    /// The function with another put in place of a variable; `None` when that makes the denominator zero.
+    pub fn substitute(&self, var: Var, value: &Self) -> Option<Self> {
+        if let Some(poly) = value.as_poly() {
+            return Self::new(self.numer.substitute(var, poly), self.denom.substitute(var, poly));
+        }
+        let put = |p: &Poly| {
+            let degree = p.degree(var);
+            let mut sum = Poly::zero();
+            for (k, c) in p.coefficients_in(var).iter().enumerate() {
+                let k = k as u32;
+                sum = &sum + &(c * &(&value.numer.pow(k) * &value.denom.pow(degree - k)));
+            }
+            Self::new(sum, value.denom.pow(degree))
+        };
+        put(&self.numer)?.checked_div(&put(&self.denom)?)
+    }
+
+    /// The function with variables renamed, by their index; no two may get the same name.
+    pub fn rename(&self, names: &[Var]) -> Self {
+        // A new order of variables may change the sign that makes the denominator's leading coefficient positive.
+        Self::new(self.numer.rename(names), self.denom.rename(names)).unwrap_or_else(Self::zero)
+    }
+
+    /// The exact value at a point; `None` where the denominator is zero.
+    pub fn eval(&self, point: &[Rational]) -> Option<Rational> {
+        self.numer.eval(point).checked_div(&self.denom.eval(point))
+    }
+
+    /// The function for reading, with these names of the variables.
+    pub fn display(&self, names: &[String]) -> String {
+        let part = |p: &Poly| {
+            let text = p.display(names).to_string();
+            if p.len() > 1 { format!("({text})") } else { text }
+        };
+        match self.as_poly() {
+            Some(p) => p.display(names).to_string(),
+            None if self.denom.total_degree() > 1 && self.denom.len() == 1 => {
+                format!("{}/({})", part(&self.numer), self.denom.display(names))
+            }
+            None => format!("{}/{}", part(&self.numer), part(&self.denom)),
+        }
+    }
+}
+
+impl From<Poly> for Fraction {
+    fn from(numer: Poly) -> Self {
+        Self { numer, denom: Poly::one() }
+    }
+}
+
+impl Neg for &Fraction {
+    type Output = Fraction;
+    fn neg(self) -> Fraction {
+        Fraction { numer: -&self.numer, denom: self.denom.clone() }
+    }
+}
+
+impl Fraction {
+    fn combine(&self, other: &Self, with: fn(&Poly, &Poly) -> Poly) -> Self {
+        if self.denom.is_one() && other.denom.is_one() {
+            return Self::from(with(&self.numer, &other.numer));
+        }
+        let (numer, denom) = if self.denom == other.denom {
+            (with(&self.numer, &other.numer), self.denom.clone())
+        } else {
+            (with(&(&self.numer * &other.denom), &(&other.numer * &self.denom)), &self.denom * &other.denom)
+        };
+        // A product of denominators is not zero.
+        Self::new(numer, denom).unwrap_or_else(Self::zero)
+    }
+}
+
+impl Add for &Fraction {
+    type Output = Fraction;
+    fn add(self, other: &Fraction) -> Fraction {
+        self.combine(other, |a, b| a + b)
+    }
+}
+
+impl Sub for &Fraction {
+    type Output = Fraction;
+    fn sub(self, other: &Fraction) -> Fraction {
+        self.combine(other, |a, b| a - b)
+    }
+}
+
+impl Mul for &Fraction {
+    type Output = Fraction;
+    fn mul(self, other: &Fraction) -> Fraction {
+        if self.denom.is_one() && other.denom.is_one() {
+            return Fraction::from(&self.numer * &other.numer);
+        }
+        // A product of denominators is not zero.
+        Fraction::new(&self.numer * &other.numer, &self.denom * &other.denom).unwrap_or_else(Fraction::zero)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_stays_in_lowest_terms() {
+        let x = Fraction::var(Var(0));
+        let one = Fraction::constant(Rational::ONE);
+        let a = one.checked_div(&(&one + &x)).expect("not zero");
+        let b = x.checked_div(&(&one + &x)).expect("not zero");
+        assert_eq!(&a + &b, one);
+        assert_eq!(a.derivative(Var(0)), -&(&a * &a));
+        let two = Fraction::constant(Rational::from(2));
+        let c = two.checked_div(&(&(&two * &x) + &two)).expect("not zero");
+        assert_eq!(c, a);
+        assert_eq!(a.substitute(Var(0), &Fraction::constant(Rational::from(-1))), None);
+        assert_eq!(b.substitute(Var(0), &a), one.checked_div(&(&two + &x)));
+        assert_eq!(a.display(&[String::from("x")]), "1/(1 + x)");
+    }
+}

@@ -1,0 +1,97 @@
+//! Images of polynomials modulo a prime: cheap proofs that two polynomials have no common factor.
+
+use super::poly::{Poly, Var};
+
+/// The prime 2³¹ − 1: products of two residues fit in a machine word.
+pub const PRIME: u64 = 2_147_483_647;
+
+/// The degree in `main` of the greatest common divisor of the images of two polynomials modulo [`PRIME`], with
+/// fixed numbers put in place of the other variables.
+///
+/// The degree in `main` of the true greatest common divisor is at most this. `None` when an image loses its
+/// degree, so that it proves nothing.
+pub fn common_degree(a: &Poly, b: &Poly, main: Var) -> Option<usize> {
+    (0..3).find_map(|attempt| {
+        let (f, g) = (image(a, main, attempt)?, image(b, main, attempt)?);
+        (f.len() == a.degree(main) as usize + 1 && g.len() == b.degree(main) as usize + 1)
+            .then(|| gcd_degree(f, g))
+    })
+}
+
+/// The residue that stands for a variable.
+fn number(var: usize, attempt: u64) -> u64 {
+    // Residues without small multiplicative relations between them.
+    (var as u64 + 2).wrapping_mul(715_827_881 + 48_271 * attempt) % PRIME
+}
+
+/// The coefficients of the image, constant first, without leading zeros; `None` when the prime divides a
+/// denominator.
+pub fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
+    let mut result = vec![0; poly.degree(main) as usize + 1];
+    for (m, c) in poly.terms() {
+        let mut value = u64::from(c.modulo(PRIME as u32)?);
+        for (i, e) in m.exponents().iter().enumerate() {
+            if *e > 0 && i != main.0 {
+                value = value * power(number(i, attempt), u64::from(*e)) % PRIME;
+            }
+        }
+        let slot = &mut result[usize::from(m.exponent(main))];
+        *slot = (*slot + value) % PRIME;
+    }
+    trim(&mut result);
+    Some(result)
+}
+
+fn power(mut base: u64, mut e: u64) -> u64 {
+    let mut result = 1;
+    while e > 0 {
+        if e & 1 == 1 {
+            result = result * base % PRIME;
+        }
+        base = base * base % PRIME;
+        e >>= 1;
+    }
+    result
+}
+
+fn trim(coefficients: &mut Vec<u64>) {
+    while coefficients.last() == Some(&0) {
+        coefficients.pop();
+    }
+}
+
+/// The degree of the greatest common divisor of two polynomials over the field of residues, not both 0.
+fn gcd_degree(mut a: Vec<u64>, mut b: Vec<u64>) -> usize {
+    while let Some(lead) = b.last() {
+        let inverse = power(*lead, PRIME - 2);
+        while a.len() >= b.len() {
+            let Some(top) = a.pop() else { break };
+            let factor = PRIME - top * inverse % PRIME;
+            let shift = a.len() + 1 - b.len();
+            for (k, c) in b.iter().take(b.len() - 1).enumerate() {
+                a[k + shift] = (a[k + shift] + c * factor) % PRIME;
+            }
+        }
+        trim(&mut a);
+        core::mem::swap(&mut a, &mut b);
+    }
+    a.len().saturating_sub(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_of_common_factors() {
+        let (x, y) = (Poly::var(Var(0)), Poly::var(Var(1)));
+        let a = &(&x - &y) * &(&x + &Poly::integer(2));
+        let b = &(&x - &y) * &(&y + &Poly::integer(3));
+        assert_eq!(common_degree(&a, &b, Var(0)), Some(1));
+        assert_eq!(common_degree(&a, &b, Var(1)), Some(1));
+        assert_eq!(common_degree(&a, &(&x + &y), Var(0)), Some(0));
+        // The prime divides the leading coefficient.
+        let lost = &x.scale(&PRIME.to_string().parse::<i64>().map_or(1.into(), Into::into)) + &Poly::one();
+        assert_eq!(common_degree(&lost, &x, Var(0)), None);
+    }
+}

@@ -1,0 +1,658 @@
+//! Sparse polynomials in any number of variables over the rationals.
+
+use core::cmp::Ordering;
+use core::fmt;
+use core::ops::{Add, Mul, Neg, Sub};
+use std::collections::BTreeMap;
+
+use super::rational::{Rational, binomial};
+
+/// A variable, by its place in the table of names of the item it belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Var(pub usize);
+
+/// A product of powers of variables.
+///
+/// The order is lexicographic, variable 0 counting most.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Monomial(Repr);
+
+/// The exponents; the representation is canonical, so that equal monomials are equal as data.
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    /// One byte for each of the first 16 variables, variable 0 in the highest: a product is one addition, and
+    /// numbers compare as monomials do.
+    Packed(u128),
+    /// For more variables or higher exponents; no trailing zeros.
+    Wide(Vec<u16>),
+}
+use Repr::{Packed, Wide};
+
+/// How many variables fit in a packed monomial.
+const PACKED: usize = 16;
+
+/// The highest bit of every byte: without it two exponents add up without a carry.
+const HIGH_BITS: u128 = 0x8080_8080_8080_8080_8080_8080_8080_8080;
+
+const fn shift(var: usize) -> u32 {
+    8 * (PACKED - 1 - var) as u32
+}
+
+impl Monomial {
+    /// The monomial 1.
+    pub const fn one() -> Self {
+        Self(Packed(0))
+    }
+
+    /// The monomial with the given exponents, by variable.
+    pub fn new(mut exponents: Vec<u16>) -> Self {
+        while exponents.last() == Some(&0) {
+            exponents.pop();
+        }
+        if exponents.len() > PACKED || exponents.iter().any(|e| *e > 255) {
+            return Self(Wide(exponents));
+        }
+        Self(Packed(exponents.iter().enumerate().fold(0, |all, (i, e)| all | u128::from(*e) << shift(i))))
+    }
+
+    /// The exponent of a variable.
+    pub fn exponent(&self, var: Var) -> u16 {
+        match &self.0 {
+            Packed(all) if var.0 < PACKED => (all >> shift(var.0)) as u16 & 0xff,
+            Packed(_) => 0,
+            Wide(e) => e.get(var.0).copied().unwrap_or(0),
+        }
+    }
+
+    /// The same monomial with another exponent of one variable.
+    pub fn with_exponent(&self, var: Var, exponent: u16) -> Self {
+        if let Packed(all) = &self.0
+            && var.0 < PACKED
+            && exponent <= 255
+        {
+            return Self(Packed(all & !(0xff << shift(var.0)) | u128::from(exponent) << shift(var.0)));
+        }
+        let mut e = self.exponents();
+        if e.len() <= var.0 {
+            e.resize(var.0 + 1, 0);
+        }
+        e[var.0] = exponent;
+        Self::new(e)
+    }
+
+    /// The exponents by variable, trailing zeros left out.
+    pub fn exponents(&self) -> Vec<u16> {
+        match &self.0 {
+            Packed(all) => {
+                let len = PACKED - all.trailing_zeros() as usize / 8;
+                (0..len).map(|i| (all >> shift(i)) as u16 & 0xff).collect()
+            }
+            Wide(e) => e.clone(),
+        }
+    }
+
+    /// Whether this is the monomial 1.
+    pub const fn is_one(&self) -> bool {
+        matches!(self.0, Packed(0))
+    }
+
+    /// One more than the last variable that occurs; 0 for the monomial 1.
+    pub fn width(&self) -> usize {
+        match &self.0 {
+            Packed(all) => PACKED - all.trailing_zeros() as usize / 8,
+            Wide(e) => e.len(),
+        }
+    }
+
+    /// The sum of all exponents.
+    pub fn total_degree(&self) -> u32 {
+        match &self.0 {
+            Packed(all) => all.to_be_bytes().iter().map(|e| u32::from(*e)).sum(),
+            Wide(e) => e.iter().map(|e| u32::from(*e)).sum(),
+        }
+    }
+
+    fn mul(&self, other: &Self) -> Self {
+        if let (Packed(a), Packed(b)) = (&self.0, &other.0)
+            && (a | b) & HIGH_BITS == 0
+        {
+            return Self(Packed(a + b));
+        }
+        let (mut long, mut short) = (self.exponents(), other.exponents());
+        if long.len() < short.len() {
+            core::mem::swap(&mut long, &mut short);
+        }
+        for (x, y) in long.iter_mut().zip(&short) {
+            *x += y;
+        }
+        Self::new(long)
+    }
+
+    /// The quotient, if `other` divides.
+    pub fn checked_div(&self, other: &Self) -> Option<Self> {
+        if let (Packed(a), Packed(b)) = (&self.0, &other.0)
+            && (a | b) & HIGH_BITS == 0
+        {
+            // A byte that borrows loses the high bit that was lent to it.
+            let difference = (a | HIGH_BITS) - b;
+            return (difference & HIGH_BITS == HIGH_BITS).then_some(Self(Packed(difference & !HIGH_BITS)));
+        }
+        let (mut e, divisor) = (self.exponents(), other.exponents());
+        if divisor.len() > e.len() {
+            return None;
+        }
+        for (x, y) in e.iter_mut().zip(&divisor) {
+            *x = x.checked_sub(*y)?;
+        }
+        Some(Self::new(e))
+    }
+}
+
+impl Default for Monomial {
+    fn default() -> Self {
+        Self::one()
+    }
+}
+
+impl Ord for Monomial {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Packed(a), Packed(b)) => a.cmp(b),
+            // Without trailing zeros, vectors compare as monomials do.
+            _ => self.exponents().cmp(&other.exponents()),
+        }
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl fmt::Debug for Monomial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.exponents())
+    }
+}
+
+/// A polynomial: monomials with their coefficients, none of them zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Poly {
+    terms: BTreeMap<Monomial, Rational>,
+}
+
+impl Poly {
+    /// 0.
+    pub const fn zero() -> Self {
+        Self { terms: BTreeMap::new() }
+    }
+
+    /// 1.
+    pub fn one() -> Self {
+        Self::constant(Rational::ONE)
+    }
+
+    /// A number.
+    pub fn constant(value: Rational) -> Self {
+        Self::term(Monomial::one(), value)
+    }
+
+    /// A whole number.
+    pub fn integer(value: i64) -> Self {
+        Self::constant(Rational::from(value))
+    }
+
+    /// A variable.
+    pub fn var(var: Var) -> Self {
+        Self::term(Monomial::one().with_exponent(var, 1), Rational::ONE)
+    }
+
+    /// One term.
+    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
+        let mut terms = BTreeMap::new();
+        if !coefficient.is_zero() {
+            terms.insert(monomial, coefficient);
+        }
+        Self { terms }
+    }
+
+    /// The sum of the given terms.
+    pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
+        let mut sum = Self::zero();
+        for (m, c) in terms {
+            sum.add_term(m, &c);
+        }
+        sum
+    }
+
+    /// Adds one term in place.
+    pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
+        use std::collections::btree_map::Entry;
+        if coefficient.is_zero() {
+            return;
+        }
+        match self.terms.entry(monomial) {
+            Entry::Vacant(e) => {
+                e.insert(coefficient.clone());
+            }
+            Entry::Occupied(mut e) => {
+                *e.get_mut() += coefficient;
+                if e.get().is_zero() {
+                    e.remove();
+                }
+            }
+        }
+    }
+
+    /// The terms, in increasing order of monomials.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
+        self.terms.iter()
+    }
+
+    /// How many terms there are.
+    pub fn len(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Whether the polynomial is 0.
+    pub fn is_empty(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Whether the polynomial is 0.
+    pub fn is_zero(&self) -> bool {
+        self.terms.is_empty()
+    }
+
+    /// Whether the polynomial is the number 1.
+    pub fn is_one(&self) -> bool {
+        self.as_constant().is_some_and(|c| c.is_one())
+    }
+
+    /// The number that the polynomial is, if no variable occurs.
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.terms.len() {
+            0 => Some(Rational::ZERO),
+            1 => self.terms.get(&Monomial::one()).cloned(),
+            _ => None,
+        }
+    }
+
+    /// The coefficient of a monomial.
+    pub fn coefficient(&self, monomial: &Monomial) -> Rational {
+        self.terms.get(monomial).cloned().unwrap_or(Rational::ZERO)
+    }
+
+    /// The term with the greatest monomial.
+    pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
+        self.terms.last_key_value()
+    }
+
+    /// The highest exponent of a variable; 0 for the zero polynomial.
+    pub fn degree(&self, var: Var) -> u32 {
+        self.terms.keys().map(|m| u32::from(m.exponent(var))).max().unwrap_or(0)
+    }
+
+    /// The highest sum of exponents; 0 for the zero polynomial.
+    pub fn total_degree(&self) -> u32 {
+        self.terms.keys().map(Monomial::total_degree).max().unwrap_or(0)
+    }
+
+    /// The variables that occur, in increasing order.
+    pub fn variables(&self) -> Vec<Var> {
+        let count = self.terms.keys().map(Monomial::width).max().unwrap_or(0);
+        (0..count).map(Var).filter(|v| self.depends_on(*v)).collect()
+    }
+
+    /// Whether a variable occurs.
+    pub fn depends_on(&self, var: Var) -> bool {
+        self.terms.keys().any(|m| m.exponent(var) > 0)
+    }
+
+    /// The size of the largest coefficient in bits: the work that arithmetic costs.
+    pub fn max_bits(&self) -> u64 {
+        self.terms.values().map(Rational::bits).max().unwrap_or(0)
+    }
+
+    /// The polynomial times a number.
+    pub fn scale(&self, factor: &Rational) -> Self {
+        if factor.is_zero() {
+            return Self::zero();
+        }
+        Self { terms: self.terms.iter().map(|(m, c)| (m.clone(), c * factor)).collect() }
+    }
+
+    /// The power with a whole exponent.
+    pub fn pow(&self, exponent: u32) -> Self {
+        // Two terms are the common case (1 − t): the binomial theorem spends no work on collecting.
+        if self.len() == 2 && exponent > 1 {
+            let mut terms = self.terms.iter();
+            let (Some((m, a)), Some((n, b))) = (terms.next(), terms.next()) else { return self.clone() };
+            let term = |k: u32| {
+                let times = |m: &Monomial, k: u32| {
+                    Monomial::new(m.exponents().iter().map(|e| e * k as u16).collect())
+                };
+                let c = &(&binomial(exponent, k) * &a.pow(exponent - k)) * &b.pow(k);
+                (times(m, exponent - k).mul(&times(n, k)), c)
+            };
+            return Self::from_terms((0..=exponent).map(term));
+        }
+        let (mut result, mut base, mut e) = (Self::one(), self.clone(), exponent);
+        while e > 0 {
+            if e & 1 == 1 {
+                result = &result * &base;
+            }
+            e >>= 1;
+            if e > 0 {
+                base = &base * &base;
+            }
+        }
+        result
+    }
+
+    /// The partial derivative in a variable.
+    pub fn derivative(&self, var: Var) -> Self {
+        let terms = self.terms.iter().filter_map(|(m, c)| {
+            let e = m.exponent(var);
+            (e > 0).then(|| (m.with_exponent(var, e - 1), c * &Rational::from(i64::from(e))))
+        });
+        Self { terms: terms.collect() }
+    }
+
+    /// The polynomial with a number put in place of a variable.
+    pub fn at(&self, var: Var, value: &Rational) -> Self {
+        let mut powers = vec![Rational::ONE];
+        let mut result = Self::zero();
+        for (m, c) in &self.terms {
+            let e = usize::from(m.exponent(var));
+            while powers.len() <= e {
+                let next = &powers[powers.len() - 1] * value;
+                powers.push(next);
+            }
+            if e == 0 {
+                result.add_term(m.clone(), c);
+            } else {
+                result.add_term(m.with_exponent(var, 0), &(c * &powers[e]));
+            }
+        }
+        result
+    }
+
+    /// The polynomial with another put in place of a variable.
+    pub fn substitute(&self, var: Var, value: &Self) -> Self {
+        if let Some(c) = value.as_constant() {
+            return self.at(var, &c);
+        }
+        let mut result = Self::zero();
+        for coefficient in self.coefficients_in(var).iter().rev() {
+            result = &(&result * value) + coefficient;
+        }
+        result
+    }
+
+    /// The polynomial with others put in place of all variables at once, by their index; variables beyond
+    /// the list stay.
+    pub fn substitute_all(&self, values: &[Self]) -> Self {
+        let mut powers: Vec<Vec<Self>> = values.iter().map(|_| vec![Self::one()]).collect();
+        let mut result = Self::zero();
+        for (m, c) in &self.terms {
+            let exponents = m.exponents();
+            let rest: Vec<u16> =
+                exponents.iter().enumerate().map(|(i, e)| if i < values.len() { 0 } else { *e }).collect();
+            let mut product = Self::term(Monomial::new(rest), c.clone());
+            for (i, e) in exponents.iter().enumerate().take(values.len()) {
+                let e = usize::from(*e);
+                while powers[i].len() <= e {
+                    let next = &powers[i][powers[i].len() - 1] * &values[i];
+                    powers[i].push(next);
+                }
+                if e > 0 {
+                    product = &product * &powers[i][e];
+                }
+            }
+            result = &result + &product;
+        }
+        result
+    }
+
+    /// The polynomial with variables renamed, by their index; no two may get the same name.
+    pub fn rename(&self, names: &[Var]) -> Self {
+        if names.iter().enumerate().all(|(i, v)| i == v.0) {
+            return self.clone();
+        }
+        let width = names.iter().map(|v| v.0 + 1).max().unwrap_or(0);
+        let rename = |m: &Monomial| {
+            let mut exponents = vec![0; width];
+            for (i, e) in m.exponents().into_iter().enumerate() {
+                exponents[names[i].0] = e;
+            }
+            Monomial::new(exponents)
+        };
+        Self { terms: self.terms.iter().map(|(m, c)| (rename(m), c.clone())).collect() }
+    }
+
+    /// The exact value at a point that gives every variable that occurs; variables beyond the list are 0.
+    pub fn eval(&self, point: &[Rational]) -> Rational {
+        let mut sum = Rational::ZERO;
+        for (m, c) in &self.terms {
+            let mut product = c.clone();
+            for (i, e) in m.exponents().iter().enumerate() {
+                if *e > 0 {
+                    product = &product * &point.get(i).unwrap_or(&Rational::ZERO).pow(u32::from(*e));
+                }
+            }
+            sum += &product;
+        }
+        sum
+    }
+
+    /// The coefficients c₀, c₁, … as a polynomial in one variable; at least one, possibly zero.
+    pub fn coefficients_in(&self, var: Var) -> Vec<Self> {
+        let mut result = vec![Self::zero(); self.degree(var) as usize + 1];
+        for (m, c) in &self.terms {
+            let e = usize::from(m.exponent(var));
+            let rest = if e == 0 { m.clone() } else { m.with_exponent(var, 0) };
+            result[e].terms.insert(rest, c.clone());
+        }
+        result
+    }
+
+    /// c₀ + c₁ x + c₂ x² + …, the coefficients free of x.
+    pub fn from_coefficients(var: Var, coefficients: &[Self]) -> Self {
+        let mut result = Self::zero();
+        for (k, p) in coefficients.iter().enumerate() {
+            for (m, c) in &p.terms {
+                debug_assert_eq!(m.exponent(var), 0, "a coefficient contains the variable");
+                result.add_term(m.with_exponent(var, k as u16), c);
+            }
+        }
+        result
+    }
+
+    /// The quotient, if `divisor` divides without remainder; `None` also for division by 0.
+    pub fn div_exact(&self, divisor: &Self) -> Option<Self> {
+        let (lead, lead_coefficient) = divisor.leading_term()?;
+        if let Some(c) = divisor.as_constant() {
+            return Some(self.scale(&c.recip()?));
+        }
+        let mut rest = self.clone();
+        let mut quotient = Self::zero();
+        while let Some((m, c)) = rest.leading_term() {
+            let factor = (m.checked_div(lead)?, c / lead_coefficient);
+            for (dm, dc) in &divisor.terms {
+                rest.add_term(dm.mul(&factor.0), &-(dc * &factor.1));
+            }
+            quotient.terms.insert(factor.0, factor.1);
+        }
+        Some(quotient)
+    }
+
+    /// The positive number by which all coefficients can be divided to become whole without a common
+    /// factor; 0 for the zero polynomial.
+    pub fn numeric_content(&self) -> Rational {
+        self.terms.values().fold(Rational::ZERO, |g, c| g.gcd(c))
+    }
+
+    /// The polynomial divided by its numeric content, with a positive leading coefficient.
+    pub fn normalized(&self) -> Self {
+        let Some((_, lead)) = self.leading_term() else { return Self::zero() };
+        let content = self.numeric_content();
+        let factor = if lead.is_negative() { -content } else { content };
+        factor.recip().map_or_else(Self::zero, |f| self.scale(&f))
+    }
+
+    /// The polynomial for reading, with these names of the variables.
+    pub fn display<'a>(&'a self, names: &'a [String]) -> impl fmt::Display + 'a {
+        DisplayPoly { poly: self, names }
+    }
+}
+
+impl Neg for &Poly {
+    type Output = Poly;
+    fn neg(self) -> Poly {
+        Poly { terms: self.terms.iter().map(|(m, c)| (m.clone(), -c)).collect() }
+    }
+}
+
+impl Add for &Poly {
+    type Output = Poly;
+    fn add(self, other: &Poly) -> Poly {
+        let (mut sum, small) =
+            if self.len() < other.len() { (other.clone(), self) } else { (self.clone(), other) };
+        for (m, c) in &small.terms {
+            sum.add_term(m.clone(), c);
+        }
+        sum
+    }
+}
+
+impl Sub for &Poly {
+    type Output = Poly;
+    fn sub(self, other: &Poly) -> Poly {
+        let mut difference = self.clone();
+        for (m, c) in &other.terms {
+            difference.add_term(m.clone(), &-c);
+        }
+        difference
+    }
+}
+
+impl Mul for &Poly {
+    type Output = Poly;
+    fn mul(self, other: &Poly) -> Poly {
+        let mut product = Poly::zero();
+        for (m, c) in &self.terms {
+            for (n, d) in &other.terms {
+                product.add_term(m.mul(n), &(c * d));
+            }
+        }
+        product
+    }
+}
+
+struct DisplayPoly<'a> {
+    poly: &'a Poly,
+    names: &'a [String],
+}
+
+impl fmt::Display for DisplayPoly<'_> {
+    /// Terms by increasing total degree, as in `1 + λ*t^2`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut terms: Vec<_> = self.poly.terms().collect();
+        terms.sort_by(|(m, _), (n, _)| m.total_degree().cmp(&n.total_degree()).then_with(|| n.cmp(m)));
+        if terms.is_empty() {
+            return write!(f, "0");
+        }
+        for (k, (m, c)) in terms.into_iter().enumerate() {
+            let sign = match (k, c.is_negative()) {
+                (0, false) => "",
+                (0, true) => "-",
+                (_, false) => " + ",
+                (_, true) => " - ",
+            };
+            write!(f, "{sign}")?;
+            let mut factors = Vec::new();
+            let magnitude = c.abs();
+            if !magnitude.is_one() || m.is_one() {
+                factors.push(magnitude.to_string());
+            }
+            for (i, e) in m.exponents().iter().enumerate().filter(|(_, e)| **e > 0) {
+                let name = self.names.get(i).map_or_else(|| format!("x{i}"), Clone::clone);
+                factors.push(if *e == 1 { name } else { format!("{name}^{e}") });
+            }
+            write!(f, "{}", factors.join("*"))?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn x() -> Poly {
+        Poly::var(Var(0))
+    }
+    fn y() -> Poly {
+        Poly::var(Var(1))
+    }
+    fn names() -> Vec<String> {
+        vec!["x".into(), "y".into()]
+    }
+
+    #[test]
+    fn expands_and_prints() {
+        let p = &(&x() + &y()).pow(2) - &Poly::integer(3);
+        assert_eq!(p.display(&names()).to_string(), "-3 + x^2 + 2*x*y + y^2");
+        assert_eq!((&p - &p).display(&names()).to_string(), "0");
+    }
+
+    #[test]
+    fn divides_exactly_or_not() {
+        let a = &x() - &y();
+        let b = &x().pow(2) - &y().pow(2);
+        assert_eq!(b.div_exact(&a), Some(&x() + &y()));
+        assert_eq!(a.div_exact(&b), None);
+        assert_eq!(a.div_exact(&Poly::zero()), None);
+    }
+
+    #[test]
+    fn substitutes_and_differentiates() {
+        let p = &x().pow(3) * &y();
+        assert_eq!(p.derivative(Var(0)), (&x().pow(2) * &y()).scale(&Rational::from(3)));
+        let q = p.substitute(Var(0), &(&Poly::one() - &y()));
+        assert_eq!(q.eval(&[Rational::ZERO, Rational::new(1, 2)]), Rational::new(1, 16));
+        assert_eq!(p.substitute_all(&[y(), x()]), &y().pow(3) * &x());
+    }
+
+    #[test]
+    fn packed_and_wide_monomials_are_one_representation() {
+        let m = Monomial::new(vec![1, 0, 200]);
+        let n = Monomial::new(vec![0, 3, 100]);
+        let product = m.mul(&n);
+        assert_eq!(product.exponents(), [1, 3, 300]);
+        assert_eq!(product.checked_div(&n), Some(m.clone()));
+        assert!(matches!(product.checked_div(&n).map(|m| m.0), Some(Packed(_))));
+        assert_eq!(m.checked_div(&n), None);
+        let far = Monomial::one().with_exponent(Var(20), 2);
+        assert_eq!((far.width(), far.exponent(Var(20)), far.total_degree()), (21, 2, 2));
+        assert!(far < m && Monomial::one() < far);
+        assert_eq!(far.with_exponent(Var(20), 0), Monomial::one());
+        assert_eq!(Monomial::new(vec![2, 1]).checked_div(&Monomial::new(vec![1, 2])), None);
+        assert_eq!(
+            Monomial::new(vec![2, 2]).checked_div(&Monomial::new(vec![1, 2])),
+            Some(Monomial::new(vec![1]))
+        );
+    }
+
+    #[test]
+    fn content_makes_coefficients_whole() {
+        let p = Poly::from_terms([
+            (Monomial::new(vec![1]), Rational::new(-2, 3)),
+            (Monomial::one(), Rational::new(4, 9)),
+        ]);
+        assert_eq!(p.numeric_content(), Rational::new(2, 9));
+        assert_eq!(p.normalized().display(&names()).to_string(), "-2 + 3*x");
+    }
+}

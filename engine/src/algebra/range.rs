@@ -1,0 +1,125 @@
+//! Ranges of real numbers with rational, infinite, included or excluded ends, and boxes of them.
+
+use core::fmt;
+
+use super::poly::Var;
+use super::rational::Rational;
+
+/// One end of a range.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The range goes on without end.
+    Infinite,
+    /// The range ends here and contains the end.
+    Included(Rational),
+    /// The range ends here and does not contain the end.
+    Excluded(Rational),
+}
+
+impl End {
+    /// The number at which the range ends.
+    pub fn value(&self) -> Option<&Rational> {
+        match self {
+            Self::Infinite => None,
+            Self::Included(v) | Self::Excluded(v) => Some(v),
+        }
+    }
+
+    /// Whether the end belongs to the range.
+    pub fn is_included(&self) -> bool {
+        matches!(self, Self::Included(_))
+    }
+}
+
+/// A range of real numbers.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Range {
+    /// The lower end.
+    pub low: End,
+    /// The upper end.
+    pub high: End,
+}
+
+impl Range {
+    /// The range low ≤ x ≤ high.
+    pub fn closed(low: Rational, high: Rational) -> Self {
+        Self { low: End::Included(low), high: End::Included(high) }
+    }
+
+    /// The range 0 ≤ x ≤ 1.
+    pub fn unit() -> Self {
+        Self::closed(Rational::ZERO, Rational::ONE)
+    }
+
+    /// All real numbers.
+    pub const fn all() -> Self {
+        Self { low: End::Infinite, high: End::Infinite }
+    }
+
+    /// Whether a number lies in the range.
+    pub fn contains(&self, x: &Rational) -> bool {
+        let above = match &self.low {
+            End::Infinite => true,
+            End::Included(v) => x >= v,
+            End::Excluded(v) => x > v,
+        };
+        above
+            && match &self.high {
+                End::Infinite => true,
+                End::Included(v) => x <= v,
+                End::Excluded(v) => x < v,
+            }
+    }
+
+    /// Whether no number lies in the range.
+    pub fn is_empty(&self) -> bool {
+        match (self.low.value(), self.high.value()) {
+            (Some(a), Some(b)) if a == b => !(self.low.is_included() && self.high.is_included()),
+            (Some(a), Some(b)) => a > b,
+            _ => false,
+        }
+    }
+
+    /// The two ends, if both are finite.
+    pub fn finite(&self) -> Option<(&Rational, &Rational)> {
+        Some((self.low.value()?, self.high.value()?))
+    }
+
+    /// The range as a chain of inequalities, such as `-3 <= λ < 1`; only the name when there is no end.
+    pub fn display<'a>(&'a self, name: &'a str) -> impl fmt::Display + 'a {
+        DisplayRange { range: self, name }
+    }
+}
+
+struct DisplayRange<'a> {
+    range: &'a Range,
+    name: &'a str,
+}
+
+impl fmt::Display for DisplayRange<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sign = |end: &End| if end.is_included() { "<=" } else { "<" };
+        if let Some(v) = self.range.low.value() {
+            write!(f, "{v} {} ", sign(&self.range.low))?;
+        }
+        write!(f, "{}", self.name)?;
+        if let Some(v) = self.range.high.value() {
+            write!(f, " {} {v}", sign(&self.range.high))?;
+        }
+        Ok(())
+    }
+}
+
+/// A box: a range for each of some variables.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Region {
+    /// The variables in increasing order, each once.
+    pub ranges: Vec<(Var, Range)>,
+}
+
+impl Region {
+    /// The range of a variable; all real numbers if the box says nothing of it.
+    pub fn range(&self, var: Var) -> Range {
+        self.ranges.iter().find(|(v, _)| *v == var).map_or(Range::all(), |(_, r)| r.clone())
+    }
+}

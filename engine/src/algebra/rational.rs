@@ -1,0 +1,489 @@
+//! Exact rational numbers of unbounded size.
+//!
+//! Nearly all numbers of a spec fit in two machine words, and the engine runs unoptimised inside a
+//! `cargo build`; so a number is kept as two `i64` while it fits and as a [`BigRational`] when it does not.
+//! The representation is canonical: equal numbers are equal as data.
+
+use core::cmp::Ordering;
+use core::fmt;
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use num_bigint::{BigInt, Sign};
+use num_rational::BigRational;
+use num_traits::{One, Pow, Signed, ToPrimitive};
+
+/// An exact fraction in lowest terms with a positive denominator.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub struct Rational(Repr);
+
+#[derive(Clone, PartialEq, Eq, Hash)]
+enum Repr {
+    /// Numerator and denominator, lowest terms, denominator positive, neither is `i64::MIN`.
+    Small(i64, i64),
+    /// Only for numbers that do not fit in `Small`.
+    Big(Box<BigRational>),
+}
+use Repr::{Big, Small};
+
+impl Rational {
+    /// 0.
+    pub const ZERO: Self = Self(Small(0, 1));
+    /// 1.
+    pub const ONE: Self = Self(Small(1, 1));
+
+    /// `numer / denom`; `None` when `denom` is zero.
+    pub fn checked_new(numer: i64, denom: i64) -> Option<Self> {
+        (denom != 0).then(|| Self::from_i128(i128::from(numer), i128::from(denom)))
+    }
+
+    /// `numer / denom`.
+    ///
+    /// # Panics
+    /// When `denom` is zero; for literals in the code, not for input.
+    pub fn new(numer: i64, denom: i64) -> Self {
+        Self::checked_new(numer, denom).expect("a literal denominator is not zero")
+    }
+
+    /// The number that a decimal literal such as `12`, `0.62` or `1_000` denotes, exactly; `None` if it is
+    /// not one.
+    pub fn from_decimal(text: &str) -> Option<Self> {
+        let digits: String = text.chars().filter(|c| *c != '_').collect();
+        let (whole, fraction) = digits.split_once('.').unwrap_or((&digits, ""));
+        let all = format!("{whole}{fraction}");
+        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
+            return None;
+        }
+        let numer: BigInt = all.parse().ok()?;
+        let denom = Pow::pow(BigInt::from(10), fraction.len());
+        Some(Self::from_big(BigRational::new(numer, denom)))
+    }
+
+    /// The fraction or decimal that a text such as `-3/4`, `2` or `0.5` denotes; `None` if it is not one.
+    pub fn parse(text: &str) -> Option<Self> {
+        let text = text.trim();
+        let (negative, text) = match text.strip_prefix(['-', '−']) {
+            Some(rest) => (true, rest.trim_start()),
+            None => (false, text),
+        };
+        let magnitude = match text.split_once('/') {
+            Some((n, d)) => {
+                let (n, d) = (Self::from_decimal(n.trim())?, Self::from_decimal(d.trim())?);
+                n.checked_div(&d)?
+            }
+            None => Self::from_decimal(text)?,
+        };
+        Some(if negative { -magnitude } else { magnitude })
+    }
+
+    /// The fraction that a finite float is; `None` for NaN and infinities.
+    pub fn from_f64(value: f64) -> Option<Self> {
+        BigRational::from_float(value).map(Self::from_big)
+    }
+
+    /// The nearest float.
+    pub fn to_f64(&self) -> f64 {
+        self.to_big().to_f64().unwrap_or(f64::NAN)
+    }
+
+    /// The number as a ratio of big integers.
+    pub fn to_big(&self) -> BigRational {
+        match &self.0 {
+            Small(n, d) => BigRational::new_raw(BigInt::from(*n), BigInt::from(*d)),
+            Big(b) => (**b).clone(),
+        }
+    }
+
+    /// The number that a ratio of big integers is.
+    pub fn from_big(value: BigRational) -> Self {
+        match (small(value.numer()), small(value.denom())) {
+            (Some(n), Some(d)) => Self(Small(n, d)),
+            _ => Self(Big(Box::new(value))),
+        }
+    }
+
+    /// From 128-bit parts that cannot both be out of range after one operation on `Small` numbers.
+    fn from_i128(mut numer: i128, mut denom: i128) -> Self {
+        if denom < 0 {
+            (numer, denom) = (-numer, -denom);
+        }
+        let g = gcd(numer.unsigned_abs(), denom.unsigned_abs()) as i128;
+        if g > 1 {
+            (numer, denom) = (numer / g, denom / g);
+        }
+        match (i64::try_from(numer), i64::try_from(denom)) {
+            (Ok(n), Ok(d)) if n != i64::MIN => Self(Small(n, d)),
+            _ => Self(Big(Box::new(BigRational::new_raw(BigInt::from(numer), BigInt::from(denom))))),
+        }
+    }
+
+    /// Whether the number is 0.
+    pub fn is_zero(&self) -> bool {
+        matches!(self.0, Small(0, _))
+    }
+
+    /// Whether the number is 1.
+    pub fn is_one(&self) -> bool {
+        matches!(self.0, Small(1, 1))
+    }
+
+    /// −1, 0 or 1.
+    pub fn signum(&self) -> i32 {
+        match &self.0 {
+            Small(n, _) => n.signum() as i32,
+            Big(b) => match b.numer().sign() {
+                Sign::Minus => -1,
+                Sign::NoSign => 0,
+                Sign::Plus => 1,
+            },
+        }
+    }
+
+    /// Whether the number is below 0.
+    pub fn is_negative(&self) -> bool {
+        self.signum() < 0
+    }
+
+    /// Whether the number is above 0.
+    pub fn is_positive(&self) -> bool {
+        self.signum() > 0
+    }
+
+    /// Whether the number is whole.
+    pub fn is_integer(&self) -> bool {
+        match &self.0 {
+            Small(_, d) => *d == 1,
+            Big(b) => b.denom().is_one(),
+        }
+    }
+
+    /// The value as a machine integer, if it is whole and fits.
+    pub fn to_i64(&self) -> Option<i64> {
+        match self.0 {
+            Small(n, 1) => Some(n),
+            _ => None,
+        }
+    }
+
+    /// The absolute value.
+    pub fn abs(&self) -> Self {
+        if self.is_negative() { -self } else { self.clone() }
+    }
+
+    /// 1 divided by the number; `None` for 0.
+    pub fn recip(&self) -> Option<Self> {
+        Self::ONE.checked_div(self)
+    }
+
+    /// The quotient; `None` when `other` is 0.
+    pub fn checked_div(&self, other: &Self) -> Option<Self> {
+        (!other.is_zero()).then(|| self / other)
+    }
+
+    /// The power with a whole exponent.
+    pub fn pow(&self, exponent: u32) -> Self {
+        let (mut result, mut base, mut e) = (Self::ONE, self.clone(), exponent);
+        while e > 0 {
+            if e & 1 == 1 {
+                result *= &base;
+            }
+            e >>= 1;
+            if e > 0 {
+                base = &base * &base;
+            }
+        }
+        result
+    }
+
+    /// The largest whole number not above this one.
+    pub fn floor(&self) -> Self {
+        Self::from_big(self.to_big().floor())
+    }
+
+    /// The smallest whole number not below this one.
+    pub fn ceil(&self) -> Self {
+        Self::from_big(self.to_big().ceil())
+    }
+
+    /// How many bits numerator and denominator take together: the work that arithmetic on the number costs.
+    pub fn bits(&self) -> u64 {
+        match &self.0 {
+            Small(n, d) => u64::from(128 - n.unsigned_abs().leading_zeros() - d.leading_zeros()),
+            Big(b) => b.numer().bits() + b.denom().bits(),
+        }
+    }
+
+    /// The numerator, with the sign of the number.
+    pub fn numer(&self) -> Self {
+        match &self.0 {
+            Small(n, _) => Self(Small(*n, 1)),
+            Big(b) => Self::from(b.numer().clone()),
+        }
+    }
+
+    /// The denominator, positive.
+    pub fn denom(&self) -> Self {
+        match &self.0 {
+            Small(_, d) => Self(Small(*d, 1)),
+            Big(b) => Self::from(b.denom().clone()),
+        }
+    }
+
+    /// The big integer that the number is, if it is whole.
+    fn to_whole(&self) -> Option<BigInt> {
+        match &self.0 {
+            Small(n, 1) => Some(BigInt::from(*n)),
+            Small(..) => None,
+            Big(b) => b.denom().is_one().then(|| b.numer().clone()),
+        }
+    }
+
+    /// The number modulo a prime below 2³²; `None` when the prime divides the denominator.
+    pub fn modulo(&self, prime: u32) -> Option<u32> {
+        let p = i64::from(prime);
+        let (n, d) = match &self.0 {
+            Small(n, d) => (n.rem_euclid(p), d.rem_euclid(p)),
+            Big(b) => {
+                let rest = |x: &BigInt| (x % p).to_i64().map(|r| r.rem_euclid(p));
+                (rest(b.numer())?, rest(b.denom())?)
+            }
+        };
+        if d == 1 {
+            return Some(n as u32);
+        }
+        if d == 0 {
+            return None;
+        }
+        // d^(p−2) is the inverse of d.
+        let p = u64::from(prime);
+        let (mut result, mut base, mut e) = (n as u64, d as u64, p - 2);
+        while e > 0 {
+            if e & 1 == 1 {
+                result = result * base % p;
+            }
+            base = base * base % p;
+            e >>= 1;
+        }
+        Some(result as u32)
+    }
+
+    /// The greatest common divisor of two fractions: the largest positive g such that both are whole
+    /// multiples of it, gcd(a/b, c/d) = gcd(a·d, c·b)/(b·d).
+    pub fn gcd(&self, other: &Self) -> Self {
+        use num_integer::Integer;
+        if let (Small(a, b), Small(c, d)) = (&self.0, &other.0) {
+            // gcd(a/b, c/d) = gcd(a, c) / lcm(b, d) for fractions in lowest terms
+            let n = gcd(u128::from(a.unsigned_abs()), u128::from(c.unsigned_abs()));
+            let (b, d) = (b.unsigned_abs(), d.unsigned_abs());
+            let l = u128::from(b) / gcd(u128::from(b), u128::from(d)) * u128::from(d);
+            if l <= i128::MAX as u128 {
+                return Self::from_i128(n as i128, l as i128);
+            }
+        }
+        if let (Some(x), Some(y)) = (self.to_whole(), other.to_whole()) {
+            return Self::from(euclid(x, y));
+        }
+        let (x, y) = (self.to_big(), other.to_big());
+        Self::from_big(BigRational::new(x.numer().gcd(y.numer()), x.denom().lcm(y.denom())))
+    }
+}
+
+/// The integer as a machine word, if it fits and is not `i64::MIN`.
+fn small(value: &BigInt) -> Option<i64> {
+    value.to_i64().filter(|n| *n != i64::MIN)
+}
+
+/// The greatest common divisor; one division first, because mostly one of the two is small.
+fn euclid(a: BigInt, b: BigInt) -> BigInt {
+    use num_integer::Integer;
+    let (a, b) = if a.bits() < b.bits() { (b, a) } else { (a, b) };
+    if b.sign() == Sign::NoSign { a.abs() } else { (a % &b).gcd(&b) }
+}
+
+fn gcd(mut a: u128, mut b: u128) -> u128 {
+    while b != 0 {
+        // Machine-word division is many times faster than 128-bit division.
+        if let (Ok(x), Ok(y)) = (u64::try_from(a), u64::try_from(b)) {
+            let (mut x, mut y) = (x, y);
+            while y != 0 {
+                (x, y) = (y, x % y);
+            }
+            return u128::from(x);
+        }
+        (a, b) = (b, a % b);
+    }
+    a
+}
+
+impl From<i64> for Rational {
+    fn from(value: i64) -> Self {
+        Self::from_i128(i128::from(value), 1)
+    }
+}
+
+impl From<BigInt> for Rational {
+    fn from(value: BigInt) -> Self {
+        match small(&value) {
+            Some(n) => Self(Small(n, 1)),
+            None => Self(Big(Box::new(BigRational::from_integer(value)))),
+        }
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (&self.0, &other.0) {
+            (Small(a, b), Small(c, d)) => {
+                (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
+            }
+            _ => self.to_big().cmp(&other.to_big()),
+        }
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Small(n, 1) => write!(f, "{n}"),
+            Small(n, d) => write!(f, "{n}/{d}"),
+            Big(b) => write!(f, "{b}"),
+        }
+    }
+}
+
+impl fmt::Debug for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        match &self.0 {
+            Small(n, d) => Rational(Small(-n, *d)),
+            Big(b) => Rational(Big(Box::new(-(**b).clone()))),
+        }
+    }
+}
+
+impl Neg for Rational {
+    type Output = Self;
+    fn neg(self) -> Self {
+        -&self
+    }
+}
+
+/// Implements one operator for references and values: in 128 bits on small numbers, in big integers else.
+macro_rules! operator {
+    ($trait:ident $method:ident $assign_trait:ident $assign:ident, |$a:ident, $b:ident, $c:ident, $d:ident| $small:expr) => {
+        impl $trait<&Rational> for &Rational {
+            type Output = Rational;
+            fn $method(self, other: &Rational) -> Rational {
+                if let (Small($a, $b), Small($c, $d)) = (&self.0, &other.0) {
+                    let ($a, $b, $c, $d) =
+                        (i128::from(*$a), i128::from(*$b), i128::from(*$c), i128::from(*$d));
+                    let (n, d) = $small;
+                    return Rational::from_i128(n, d);
+                }
+                if let (Some(a), Some(b)) = (self.to_whole(), other.to_whole()) {
+                    return Rational::from($trait::$method(a, b)); // no common factors to look for
+                }
+                Rational::from_big($trait::$method(self.to_big(), other.to_big()))
+            }
+        }
+        impl $trait for Rational {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                $trait::$method(&self, &other)
+            }
+        }
+        impl $assign_trait<&Rational> for Rational {
+            fn $assign(&mut self, other: &Rational) {
+                *self = $trait::$method(&*self, other);
+            }
+        }
+    };
+}
+operator!(Add add AddAssign add_assign, |a, b, c, d| if b == d { (a + c, b) } else { (a * d + c * b, b * d) });
+operator!(Sub sub SubAssign sub_assign, |a, b, c, d| if b == d { (a - c, b) } else { (a * d - c * b, b * d) });
+operator!(Mul mul MulAssign mul_assign, |a, b, c, d| (a * c, b * d));
+
+impl Div<&Rational> for &Rational {
+    type Output = Rational;
+    /// # Panics
+    /// When `other` is zero; see [`Rational::checked_div`].
+    fn div(self, other: &Rational) -> Rational {
+        assert!(!other.is_zero(), "division of {self} by zero");
+        if let (Small(a, b), Small(c, d)) = (&self.0, &other.0) {
+            let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
+            return Rational::from_i128(a * d, b * c);
+        }
+        if let (Some(a), Some(b)) = (self.to_whole(), other.to_whole()) {
+            // Mostly a division without remainder, which needs no search for common factors.
+            let (quotient, rest) = num_integer::Integer::div_rem(&a, &b);
+            if rest.sign() == Sign::NoSign {
+                return Rational::from(quotient);
+            }
+        }
+        Rational::from_big(self.to_big() / other.to_big())
+    }
+}
+
+/// The binomial coefficient n!/(k!·(n−k)!), 0 for k > n.
+pub fn binomial(n: u32, k: u32) -> Rational {
+    if k > n {
+        return Rational::ZERO;
+    }
+    let mut result = Rational::ONE;
+    for i in 0..k.min(n - k) {
+        result = &result * &Rational::new(i64::from(n - i), i64::from(i + 1));
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_and_big_numbers_are_one_representation() {
+        let huge = Rational::from(i64::MAX) + Rational::ONE;
+        assert!(matches!(huge.0, Big(_)));
+        assert_eq!(huge.clone() - Rational::ONE, Rational::from(i64::MAX));
+        assert!(matches!((huge.clone() - Rational::ONE).0, Small(..)));
+        assert_eq!(&huge / &huge, Rational::ONE);
+        assert_eq!(Rational::from(i64::MIN).to_string(), "-9223372036854775808");
+        assert_eq!(-Rational::from(i64::MIN), huge);
+    }
+
+    #[test]
+    fn decimals_are_exact() {
+        assert_eq!(Rational::from_decimal("0.62"), Some(Rational::new(31, 50)));
+        assert_eq!(Rational::from_decimal("1_000.5"), Some(Rational::new(2001, 2)));
+        assert_eq!(Rational::from_decimal("1e3"), None);
+        assert_eq!(Rational::parse(" -3/6 "), Some(Rational::new(-1, 2)));
+        assert_eq!(Rational::parse("1/0"), None);
+        assert_eq!(Rational::parse(""), None);
+    }
+
+    #[test]
+    fn order_and_powers() {
+        assert!(Rational::new(1, 3) < Rational::new(34, 100));
+        assert_eq!(Rational::new(-2, 3).pow(3), Rational::new(-8, 27));
+        assert_eq!(Rational::from(2).pow(200).bits(), 202);
+        assert_eq!(binomial(30, 15), Rational::from(155_117_520));
+        assert_eq!(Rational::new(-7, 2).floor(), Rational::from(-4));
+        assert_eq!(Rational::new(3, 4).gcd(&Rational::new(5, 6)), Rational::new(1, 12));
+        let big = Rational::from(3).pow(100);
+        assert_eq!((&big * &Rational::from(10)).gcd(&Rational::from(-25)), Rational::from(5));
+        assert_eq!(Rational::new(1, 3).modulo(7), Some(5));
+        assert_eq!(big.modulo(101), Some(1));
+        assert_eq!(Rational::new(1, 7).modulo(7), None);
+    }
+}

@@ -1,0 +1,101 @@
+//! The simplest rational number in an interval: the one with the smallest denominator, and among those the one
+//! nearest to zero.
+
+use super::rational::Rational;
+
+/// The simplest number strictly between two numbers, `None` standing for −∞ and +∞; if nothing is between them,
+/// the first end that there is.
+pub fn simplest_between(low: Option<&Rational>, high: Option<&Rational>) -> Rational {
+    let (negative_low, positive_high) =
+        (low.is_none_or(Rational::is_negative), high.is_none_or(Rational::is_positive));
+    match (low, high) {
+        (Some(a), Some(b)) if a >= b => a.clone(),
+        _ if negative_low && positive_high => Rational::ZERO,
+        // 0 is not inside: both ends are on one side of it.
+        _ if positive_high => above_zero(low.unwrap_or(&Rational::ZERO), high),
+        _ => -above_zero(&-high.unwrap_or(&Rational::ZERO), low.map(|a| -a).as_ref()),
+    }
+}
+
+/// The simplest number in the open interval (low, high) for 0 ≤ low < high.
+///
+/// Walks down the continued fraction that the two ends share: x = n + 1/y.
+fn above_zero(low: &Rational, high: Option<&Rational>) -> Rational {
+    let (mut low, mut high) = (low.clone(), high.cloned());
+    let mut quotients = Vec::new();
+    let mut result = loop {
+        let whole = low.floor();
+        let next = &whole + &Rational::ONE;
+        match high {
+            Some(h) if h <= next => {
+                // No whole number inside: whole ≤ low < h ≤ whole + 1.
+                let upper = (&low - &whole).recip();
+                // h > low ≥ whole, so the difference is not zero.
+                let Some(lower) = (&h - &whole).recip() else { break next };
+                quotients.push(whole);
+                (low, high) = (lower, upper);
+            }
+            _ => break next,
+        }
+    };
+    for whole in quotients.into_iter().rev() {
+        match result.recip() {
+            Some(r) => result = &whole + &r,
+            None => return whole,
+        }
+    }
+    result
+}
+
+/// The simplest number with low ≤ x ≤ high, for low ≤ high.
+pub fn simplest_within(low: &Rational, high: &Rational) -> Rational {
+    let inner = simplest_between(Some(low), Some(high));
+    let size = |x: &Rational| (x.denom(), x.abs());
+    [low, high].into_iter().cloned().fold(inner, |best, x| if size(&x) < size(&best) { x } else { best })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn r(n: i64, d: i64) -> Rational {
+        Rational::new(n, d)
+    }
+
+    #[test]
+    fn smallest_denominator_wins() {
+        let between = |a: Rational, b: Rational| simplest_between(Some(&a), Some(&b));
+        assert_eq!(between(r(3, 10), r(4, 10)), r(1, 3));
+        assert_eq!(between(r(333, 1000), r(334, 1000)), r(1, 3));
+        assert_eq!(between(r(1, 3), r(1, 2)), r(2, 5));
+        assert_eq!(between(r(-1, 3), r(5, 2)), r(0, 1));
+        assert_eq!(between(r(0, 1), r(1, 1)), r(1, 2));
+        assert_eq!(between(r(0, 1), r(1, 7)), r(1, 8));
+        assert_eq!(between(r(-7, 2), r(-3, 2)), r(-2, 1));
+        assert_eq!(between(r(-1, 2), r(-1, 3)), r(-2, 5));
+        assert_eq!(between(r(2, 1), r(2, 1)), r(2, 1));
+        assert_eq!(simplest_between(Some(&r(7, 2)), None), r(4, 1));
+        assert_eq!(simplest_between(Some(&r(4, 1)), None), r(5, 1));
+        assert_eq!(simplest_between(None, Some(&r(-7, 2))), r(-4, 1));
+        assert_eq!(simplest_between(None, Some(&r(0, 1))), r(-1, 1));
+        assert_eq!(simplest_between(None, None), r(0, 1));
+        assert_eq!(simplest_within(&r(1, 3), &r(1, 2)), r(1, 2));
+        assert_eq!(simplest_within(&r(5, 7), &r(5, 7)), r(5, 7));
+    }
+
+    #[test]
+    fn agrees_with_a_search_by_denominator() {
+        for (a, b, c, d) in [(1, 7, 2, 9), (5, 11, 6, 13), (22, 7, 355, 113), (1, 100, 1, 99), (8, 5, 13, 8)]
+        {
+            let (mut low, mut high) = (r(a, b), r(c, d));
+            if low > high {
+                core::mem::swap(&mut low, &mut high);
+            }
+            let found = (1..)
+                .flat_map(|den| (0..40 * den).map(move |num| r(num, den)))
+                .find(|x| *x > low && *x < high)
+                .expect("an interval contains fractions");
+            assert_eq!(simplest_between(Some(&low), Some(&high)), found);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Counts the work of a computation, so that it ends on every input at the same point on every machine.
+
+use super::poly::Poly;
+
+/// Work that may still be done, in units of about one product of two numbers of a machine word.
+#[derive(Clone, Debug)]
+pub struct Work {
+    left: u64,
+}
+
+impl Work {
+    /// So many units.
+    pub const fn new(units: u64) -> Self {
+        Self { left: units }
+    }
+
+    /// More than any computation takes that ends within a lifetime.
+    pub const fn unlimited() -> Self {
+        Self { left: u64::MAX }
+    }
+
+    /// Counts work that is about to be done; `None`, and nothing is left, when there is less.
+    pub fn spend(&mut self, units: u64) -> Option<()> {
+        let left = self.left.checked_sub(units);
+        self.left = left.unwrap_or(0);
+        left.map(|_| ())
+    }
+
+    /// Counts the work of a product of polynomials.
+    pub fn spend_product(&mut self, a: &Poly, b: &Poly) -> Option<()> {
+        let words = (a.max_bits() + b.max_bits()) / 64 + 1;
+        // A product of terms costs about as much as six products of numbers.
+        self.spend(6 * (a.len() as u64) * (b.len() as u64) * words + 1)
+    }
+
+    /// The units that are left.
+    pub const fn left(&self) -> u64 {
+        self.left
+    }
+
+    /// Takes out a part of what is left, at most `units`: for a method that may fail without using up everything.
+    #[must_use]
+    pub fn take(&mut self, units: u64) -> Self {
+        let part = self.left.min(units);
+        self.left -= part;
+        Self { left: part }
+    }
+
+    /// Puts back what a part has left over.
+    pub fn put_back(&mut self, part: &Self) {
+        self.left = self.left.saturating_add(part.left);
+    }
+}

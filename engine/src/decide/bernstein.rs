@@ -1,0 +1,186 @@
+//! Steps 1 and 5: Bernstein coefficients on the box, and on the cells of a subdivision.
+
+use super::certificate::Subdivision;
+use super::problem::{Point, Problem, rational, side, simple};
+use super::{Relation, witness};
+use crate::algebra::bernstein::{Form, Side};
+use crate::algebra::poly::Var;
+use crate::algebra::range::{End, Range};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+
+/// What a search came to.
+pub(super) enum Attempt {
+    Proved(Subdivision),
+    Refuted(Point),
+    /// Neither within the number of cuts and the work.
+    Open,
+}
+
+/// The most cuts from the whole box to a cell.
+const MAX_DEPTH: usize = 200;
+/// The most variables: the corners of a cell are looked at one by one.
+const MAX_VARIABLES: usize = 10;
+
+/// Looks at the Bernstein coefficients, with at most so many cuts of the box.
+pub(super) fn search(problem: &Problem, relation: Relation, cuts: usize, work: &mut Work) -> Attempt {
+    if problem.ranges.len() > MAX_VARIABLES {
+        return Attempt::Open;
+    }
+    let mut search = Search { problem, relation, cuts, work, refuted: None };
+    let tree = search.whole(&problem.ranges);
+    match (tree, search.refuted) {
+        (_, Some(point)) => Attempt::Refuted(point),
+        (Some(tree), None) => Attempt::Proved(tree),
+        (None, None) => Attempt::Open,
+    }
+}
+
+struct Search<'a> {
+    problem: &'a Problem,
+    relation: Relation,
+    cuts: usize,
+    work: &'a mut Work,
+    refuted: Option<Point>,
+}
+
+/// One axis of a cell.
+#[derive(Clone)]
+struct Axis {
+    var: Var,
+    side: Side,
+    /// Whether the lower and the upper end belong to the region.
+    included: [bool; 2],
+    /// Whether a factor that vanishes at the end was taken out.
+    removed: [bool; 2],
+    cuts: usize,
+}
+
+impl Search<'_> {
+    /// A box whose sides may have no ends at all: those are cut at 0 first.
+    fn whole(&mut self, ranges: &[(Var, Range)]) -> Option<Subdivision> {
+        if let Some(k) = ranges.iter().position(|(_, r)| side(r).is_none()) {
+            let var = ranges[k].0;
+            let zero = || End::Included(Rational::ZERO);
+            let mut part = |range: Range| {
+                let mut ranges = ranges.to_vec();
+                ranges[k].1 = range;
+                self.whole(&ranges).map(Box::new)
+            };
+            let low = part(Range { low: End::Infinite, high: zero() })?;
+            let high = part(Range { low: zero(), high: End::Infinite })?;
+            return Some(Subdivision::Split { var, at: Rational::ZERO, low, high });
+        }
+        let mut axes = Vec::with_capacity(ranges.len());
+        for (var, range) in ranges {
+            let included = [range.low.is_included(), range.high.is_included()];
+            axes.push(Axis { var: *var, side: side(range)?, included, removed: [false; 2], cuts: 0 });
+        }
+        let sides: Vec<(Var, Side)> = axes.iter().map(|a| (a.var, a.side.clone())).collect();
+        let mut form = Form::new(&self.problem.poly, &sides, self.work)?;
+        for (axis, (low, high)) in axes.iter_mut().zip(form.strip()) {
+            axis.removed = [low > 0, high > 0];
+        }
+        if self.relation == Relation::Positive
+            && let Some((k, high)) = vanishing_face(&axes)
+        {
+            // The polynomial vanishes on this whole face.
+            self.refute(ranges.iter().enumerate().map(|(i, (var, range))| {
+                let end = axes[k].side.end(high).filter(|_| i == k);
+                (*var, end.map_or_else(|| simple(range), Clone::clone))
+            }));
+            return None;
+        }
+        self.visit(&axes, &form, 0)
+    }
+
+    fn refute(&mut self, point: impl Iterator<Item = (Var, Rational)>) {
+        self.refuted = Some(rational(point.collect()));
+    }
+
+    fn visit(&mut self, axes: &[Axis], form: &Form, depth: usize) -> Option<Subdivision> {
+        self.work.spend((form.coefficients().len() << axes.len()) as u64 / 4 + 20)?;
+        if form.is_nonnegative() {
+            if self.relation == Relation::Positive
+                && let Some(face) = unsupported_face(axes, form)
+            {
+                // All coefficients on this face are zero, and it belongs to the region.
+                self.refute(axes.iter().zip(&face).map(|(axis, end)| {
+                    let end = end.and_then(|high| axis.side.end(high));
+                    (axis.var, end.map_or_else(|| axis.side.middle(), Clone::clone))
+                }));
+                return None;
+            }
+            return Some(Subdivision::Leaf);
+        }
+        for corner in 0..1_usize << axes.len() {
+            let high = |axis: usize| corner >> axis & 1 == 1;
+            let sign = form.corner(high).signum();
+            let belongs = || axes.iter().enumerate().all(|(k, a)| a.included[usize::from(high(k))]);
+            if sign < 0 || sign == 0 && self.relation == Relation::Positive && belongs() {
+                let corner = axes.iter().enumerate().map(|(k, a)| (a.var, &a.side, high(k))).collect::<Vec<_>>();
+                self.refuted = witness::inside(self.problem, self.relation, &corner, self.work).map(rational);
+                return None;
+            }
+        }
+        self.cuts = self.cuts.checked_sub(1)?;
+        if depth == MAX_DEPTH {
+            return None;
+        }
+        let k = best_axis(axes, form)?;
+        let (low, high) = form.halves(k, self.work)?;
+        let at = axes[k].side.middle();
+        let (lower, upper) = axes[k].side.halves();
+        let mut axes = axes.to_vec();
+        let whole = axes[k].clone();
+        axes[k].cuts += 1;
+        axes[k].side = lower;
+        axes[k].included[1] = true;
+        axes[k].removed[1] = false;
+        let low = self.visit(&axes, &low, depth + 1).map(Box::new)?;
+        axes[k].side = upper;
+        axes[k].included = [true, whole.included[1]];
+        axes[k].removed = [false, whole.removed[1]];
+        let high = self.visit(&axes, &high, depth + 1).map(Box::new)?;
+        Some(Subdivision::Split { var: whole.var, at, low, high })
+    }
+}
+
+/// An end that belongs to the region and at which a factor was taken out.
+fn vanishing_face(axes: &[Axis]) -> Option<(usize, bool)> {
+    let end = |a: &Axis| (0..2).find(|e| a.included[*e] && a.removed[*e]);
+    axes.iter().enumerate().find_map(|(k, a)| Some((k, end(a)? == 1)))
+}
+
+/// A smallest face that belongs to the region and on which all coefficients are zero.
+///
+/// It is enough to look at the smallest faces: a larger one has at least the same coefficients.
+fn unsupported_face(axes: &[Axis], form: &Form) -> Option<Vec<Option<bool>>> {
+    let choices: Vec<Vec<Option<bool>>> = axes
+        .iter()
+        .map(|a| match a.included {
+            [false, false] => vec![None],
+            [true, false] => vec![Some(false)],
+            [false, true] => vec![Some(true)],
+            [true, true] => vec![Some(false), Some(true)],
+        })
+        .collect();
+    let count: usize = choices.iter().map(Vec::len).product();
+    (0..count)
+        .map(|mut k| {
+            let pick = |choice: &Vec<Option<bool>>| {
+                let picked = choice[k % choice.len()];
+                k /= choice.len();
+                picked
+            };
+            choices.iter().map(pick).collect::<Vec<_>>()
+        })
+        .find(|face| !form.has_support(face))
+}
+
+/// The axis along which the signs change most often, those that were cut less often first.
+fn best_axis(axes: &[Axis], form: &Form) -> Option<usize> {
+    let score = |k: usize| (form.mixed_fibres(k) * 64) >> axes[k].cuts.min(16);
+    let cuttable = (0..axes.len()).filter(|k| form.degrees()[*k] > 0);
+    cuttable.max_by_key(|k| (score(*k), core::cmp::Reverse(axes[*k].cuts)))
+}

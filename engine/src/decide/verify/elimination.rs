@@ -1,0 +1,92 @@
+//! Resultants as determinants of Sylvester matrices, at points of a grid and interpolated.
+
+use super::check;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+
+/// The largest matrix.
+const MAX_SIZE: u32 = 120;
+/// The most points of a grid.
+const MAX_POINTS: u32 = 40_000;
+
+/// The determinant of the Sylvester matrix of two polynomials of positive degree in a variable, up to its sign.
+pub(super) fn resultant(a: &Poly, b: &Poly, var: Var) -> Result<Poly, String> {
+    let size = a.degree(var) + b.degree(var);
+    check(size <= MAX_SIZE, || "a resultant is too large".into())?;
+    let others: Vec<Var> = a.variables().into_iter().chain(b.variables()).filter(|v| *v != var).collect();
+    let bound = |v: Var| a.degree(v) * b.degree(var) + b.degree(v) * a.degree(var);
+    let mut grid: Vec<(Var, u32)> = others.into_iter().map(|v| (v, bound(v) + 1)).collect();
+    grid.sort();
+    grid.dedup();
+    let points = grid.iter().try_fold(1_u32, |n, (_, c)| n.checked_mul(*c).filter(|n| *n <= MAX_POINTS));
+    check(points.is_some(), || "a resultant is too large".into())?;
+    // A factor of the rows does not matter: whole numbers are fast.
+    Ok(on_grid(&a.normalized(), &b.normalized(), var, &grid, (a.degree(var), b.degree(var))))
+}
+
+fn on_grid(a: &Poly, b: &Poly, var: Var, grid: &[(Var, u32)], degrees: (u32, u32)) -> Poly {
+    let Some(((other, count), rest)) = grid.split_first() else {
+        return Poly::constant(sylvester(a, b, var, degrees));
+    };
+    // Lagrange: Σ value(k) ∏ (x − j)/(k − j) at x = 0, 1, …
+    let mut sum = Poly::zero();
+    let x = Poly::var(*other);
+    let all = (0..*count).fold(Poly::one(), |p, j| &p * &(&x - &Poly::integer(i64::from(j))));
+    for k in 0..*count {
+        let node = Rational::from(i64::from(k));
+        let value = on_grid(&a.at(*other, &node), &b.at(*other, &node), var, rest, degrees);
+        let Some(without) = all.div_exact(&(&x - &Poly::integer(i64::from(k)))) else { continue };
+        let scale = without.at(*other, &node).as_constant().and_then(|c| c.recip());
+        let Some(scale) = scale else { continue };
+        sum = &sum + &(&value * &without.scale(&scale));
+    }
+    sum
+}
+
+/// The determinant for polynomials in one variable of formal degrees m and n.
+fn sylvester(a: &Poly, b: &Poly, var: Var, (m, n): (u32, u32)) -> Rational {
+    let (m, n) = (m as usize, n as usize);
+    let row = |p: &Poly, degree: usize, shift: usize| {
+        let mut row = vec![Rational::ZERO; m + n];
+        for (k, c) in p.coefficients_in(var).iter().enumerate() {
+            row[shift + degree - k] = c.as_constant().unwrap_or(Rational::ZERO);
+        }
+        row
+    };
+    let mut rows: Vec<Vec<Rational>> = (0..n).map(|k| row(a, m, k)).collect();
+    rows.extend((0..m).map(|k| row(b, n, k)));
+    // Elimination with exact division by the pivot before (Bareiss); the last pivot is the determinant.
+    let mut last = Rational::ONE;
+    let mut swapped = false;
+    for k in 0..m + n {
+        let Some(pivot) = (k..m + n).find(|i| !rows[*i][k].is_zero()) else { return Rational::ZERO };
+        rows.swap(k, pivot);
+        swapped ^= k != pivot;
+        let (upper, lower) = rows.split_at_mut(k + 1);
+        let top = &upper[k];
+        for row in lower {
+            for j in k + 1..m + n {
+                row[j] = &(&(&row[j] * &top[k]) - &(&row[k] * &top[j])) / &last;
+            }
+            row[k] = Rational::ZERO;
+        }
+        last = top[k].clone();
+    }
+    if swapped { -last } else { last }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_resultant_of_the_search() {
+        let (x, y, z) = (Poly::var(Var(0)), Poly::var(Var(1)), Poly::var(Var(2)));
+        let a = &(&(&y * &x.pow(3)) - &(&z * &x)) + &Poly::one();
+        let b = &(&x.pow(2) * &z) + &(&y - &Poly::integer(2));
+        let work = &mut crate::algebra::work::Work::unlimited();
+        let expected = crate::algebra::resultant::resultant(&a, &b, Var(0), work).expect("unlimited");
+        let found = resultant(&a, &b, Var(0)).expect("small");
+        assert_eq!(found.normalized(), expected.normalized());
+    }
+}

@@ -1,0 +1,183 @@
+//! What can be said about a family besides its claims: formulas in factored and expanded form, and what its curves do
+//! at their ends.
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::gcd::gcd;
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::generate::form::{FunctionForm, IntervalForm};
+use crate::model::Family;
+
+/// One function in its two forms.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formula {
+    /// The name, such as `b[1]`.
+    pub label: String,
+    /// As a product; on an interval the powers of the distances to its ends are factors.
+    pub factored: String,
+    /// Expanded into monomials.
+    pub expanded: String,
+}
+
+/// The formulas of a family.
+pub fn formulas(family: &Family) -> Vec<Formula> {
+    let form = IntervalForm::new(family);
+    family
+        .functions
+        .iter()
+        .enumerate()
+        .map(|(k, f)| {
+            let expanded = f.value.display(&family.names);
+            let factored = form
+                .as_ref()
+                .map_or_else(|| expanded.clone(), |form| factored(family, form, &form.functions[k]));
+            Formula { label: family.function_label(k), factored, expanded }
+        })
+        .collect()
+}
+
+/// The derivatives of a curve C = Σ bᵢ P[i] at both ends of an interval as combinations of the control points, such as
+/// `C'(0) = (3 + λ)*(-P[0] + P[1])`, for the orders 0 to `order`; empty on other domains.
+pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
+    let Some((var, low, high)) = family.interval() else { return Vec::new() };
+    let mut lines = Vec::new();
+    for end in [low, high] {
+        for order in 0..=order {
+            let weights: Vec<Fraction> = family
+                .functions
+                .iter()
+                .map(|f| {
+                    let derivative = (0..order).fold(f.value.clone(), |f, _| f.derivative(var));
+                    // A denominator has shape parameters only.
+                    derivative
+                        .substitute(var, &Fraction::constant(end.clone()))
+                        .unwrap_or_else(Fraction::zero)
+                })
+                .collect();
+            let name = match order {
+                0..=3 => format!("C{}({end})", "'".repeat(order as usize)),
+                _ => format!("C^({order})({end})"),
+            };
+            lines.push((name, combination(family, &weights)));
+        }
+    }
+    lines
+}
+
+/// Σ weight·P[i] with common factors taken out.
+fn combination(family: &Family, weights: &[Fraction]) -> String {
+    // Over one denominator.
+    let mut denom = Poly::one();
+    for w in weights {
+        let common = gcd(&denom, w.denom());
+        // The common divisor divides both.
+        denom = &denom * &w.denom().div_exact(&common).unwrap_or_else(Poly::one);
+    }
+    let numers: Vec<Poly> =
+        weights.iter().map(|w| &denom.div_exact(w.denom()).unwrap_or_else(Poly::one) * w.numer()).collect();
+    let content = numers.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
+    let mut common = numers.iter().fold(Poly::zero(), |g, p| gcd(&g, p));
+    if common.is_zero() {
+        return String::from("0");
+    }
+    common = common.normalized().scale(&content);
+    if common.display(&family.names).to_string().starts_with('-') {
+        common = -&common;
+    }
+    let mut text = String::new();
+    for (k, numer) in numers.iter().enumerate() {
+        let weight = numer.div_exact(&common).unwrap_or_else(Poly::zero);
+        if weight.is_zero() {
+            continue;
+        }
+        let point = format!(
+            "P[{}]",
+            family.functions[k].index.iter().map(i64::to_string).collect::<Vec<_>>().join(",")
+        );
+        let negative = weight.display(&family.names).to_string().starts_with('-');
+        let magnitude = if negative { -&weight } else { weight };
+        text += match (text.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        text += &match magnitude.len() {
+            _ if magnitude.is_one() => point,
+            1 => format!("{}*{point}", magnitude.display(&family.names)),
+            _ => format!("({})*{point}", magnitude.display(&family.names)),
+        };
+    }
+    let single = numers.iter().filter(|p| !p.is_zero()).count() == 1;
+    let factor = factor(&common, &denom, &family.names);
+    match factor.as_str() {
+        "1" => text,
+        _ if single && !text.starts_with('-') => format!("{factor}*{text}"),
+        _ => format!("{factor}*({text})"),
+    }
+}
+
+/// A common factor for reading.
+fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
+    let bracket = |p: &Poly| {
+        let content = p.numeric_content();
+        let rest = p.scale(&content.recip().unwrap_or(Rational::ONE));
+        match (p.len() > 1, content.is_one()) {
+            (false, _) => p.display(names).to_string(),
+            (true, true) => format!("({})", p.display(names)),
+            (true, false) => format!("{content}*({})", rest.display(names)),
+        }
+    };
+    if denom.is_one() { bracket(numer) } else { format!("{}/{}", bracket(numer), bracket(denom)) }
+}
+
+/// A function as the product that is evaluated; expanded where the domain is not the unit interval.
+pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &FunctionForm) -> String {
+    let names = &family.names;
+    let t = &names[form.var.0];
+    let over = |text: String, product: bool| {
+        if function.denom.is_one() {
+            return text;
+        }
+        let text = if product { text } else { format!("({text})") };
+        format!("{text}/({})", function.denom.display(names))
+    };
+    let f = &function.factored;
+    if f.inner.is_empty() {
+        return String::from("0");
+    }
+    let inner = f.inner_monomial(form);
+    // A number belongs to the polynomial factor unless it would make fractions of it.
+    let whole = inner.scale(&f.content);
+    let alone = f.x_power == 0 && f.s_power == 0 && function.denom.is_one();
+    let (number, inner) = if whole.numeric_content().is_integer() || alone {
+        (Rational::ONE, whole)
+    } else {
+        (f.content.clone(), inner)
+    };
+    let mut factors = Vec::new();
+    if !number.is_one() {
+        factors.push(number.to_string());
+    }
+    let powers = f.x_power + f.s_power;
+    if !inner.is_one() || (factors.is_empty() && powers == 0) {
+        let text = inner.display(names).to_string();
+        factors.push(if inner.len() > 1 && !alone { format!("({text})") } else { text });
+    }
+    let unit = form.low.is_zero() && form.high.is_one();
+    let at = |end: &Rational| Poly::constant(end.clone());
+    let (from_low, to_high) = if unit {
+        (Poly::var(form.var), &Poly::one() - &Poly::var(form.var))
+    } else {
+        (&Poly::var(form.var) - &at(&form.low), &at(&form.high) - &Poly::var(form.var))
+    };
+    for (base, power) in [(from_low, f.x_power), (to_high, f.s_power)] {
+        let base = if base.len() > 1 { format!("({})", base.display(names)) } else { t.clone() };
+        match power {
+            0 => {}
+            1 => factors.push(base),
+            _ => factors.push(format!("{base}^{power}")),
+        }
+    }
+    over(factors.join("*"), true)
+}

@@ -1,0 +1,128 @@
+//! Names of the spec as names of Rust: ASCII, no keywords, none twice.
+
+use proc_macro2::Ident;
+
+use super::site;
+use crate::diagnostic::Diagnostic;
+use crate::model::Family;
+
+/// Methods that every generated type has.
+const METHODS: [&str; 7] =
+    ["new", "values", "derivatives", "coefficients", "bernstein_coefficients", "to_bernstein", "bind"];
+
+const LOWER: [(char, &str); 25] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ε', "epsilon"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('ι', "iota"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ν', "nu"),
+    ('ξ', "xi"),
+    ('ο', "omicron"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('ς', "sigma"),
+    ('τ', "tau"),
+    ('υ', "upsilon"),
+    ('φ', "phi"),
+    ('χ', "chi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+];
+
+/// The name in ASCII: `λ1` becomes `lambda1`, other letters become their code.
+pub fn ascii(name: &str) -> String {
+    let mut result = String::new();
+    for c in name.chars() {
+        let lower = c.to_lowercase().next().unwrap_or(c);
+        match LOWER
+            .iter()
+            .find(|(g, _)| *g == lower || matches!((g, c), ('ε', 'ϵ') | ('θ', 'ϑ') | ('φ', 'ϕ')))
+        {
+            Some((_, word)) if lower == c || !c.is_uppercase() => result += word,
+            Some((_, word)) => {
+                result += &word[..1].to_uppercase();
+                result += &word[1..];
+            }
+            None if c.is_ascii() => result.push(c),
+            None => result += &format!("u{:x}", c as u32),
+        }
+    }
+    result
+}
+
+/// The identifier, raw where it is a keyword; `None` for the few words that cannot be one.
+fn ident(name: &str) -> Option<Ident> {
+    if let Ok(mut ident) = syn::parse_str::<Ident>(name) {
+        ident.set_span(site());
+        return Some(ident);
+    }
+    let usable = !["self", "Self", "super", "crate", "_"].contains(&name);
+    usable.then(|| Ident::new_raw(name, site()))
+}
+
+/// The name of the type.
+pub(super) fn type_name(family: &Family) -> Result<Ident, Diagnostic> {
+    let name = ascii(&family.name);
+    match ident(&name) {
+        Some(ident) if name != "S" && name != "P" && name != "T" => Ok(ident),
+        _ => Err(Diagnostic::error(
+            family.place.clone(),
+            format!("`{name}` cannot be the name of a Rust type"),
+        )
+        .help("choose another name for the family, or give one to the macro: `Family as OtherName`")),
+    }
+}
+
+/// The names of the shape parameters as fields, arguments and methods.
+pub(super) fn fields(family: &Family) -> Result<Vec<Ident>, Diagnostic> {
+    let mut fields: Vec<Ident> = Vec::new();
+    for shape in &family.shapes {
+        let name = ascii(&shape.name);
+        let error = |message: String| Diagnostic::error(family.place.clone(), message);
+        if METHODS.contains(&name.as_str()) {
+            return Err(error(format!(
+                "the shape parameter `{}` has the name of a method of the generated type",
+                shape.name
+            ))
+            .help("choose another name for the parameter"));
+        }
+        if let Some(k) = fields.iter().position(|f| f == &name) {
+            return Err(error(format!(
+                "the shape parameters `{}` and `{}` are both called `{name}` in Rust",
+                family.shapes[k].name, shape.name
+            ))
+            .help("choose another name for one of them"));
+        }
+        match ident(&name) {
+            Some(ident) => fields.push(ident),
+            None => {
+                return Err(error(format!("`{name}` cannot be a name in Rust"))
+                    .help("choose another name for the parameter"));
+            }
+        }
+    }
+    Ok(fields)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn greek_becomes_ascii() {
+        assert_eq!(ascii("λ1"), "lambda1");
+        assert_eq!(ascii("Δ_x"), "Delta_x");
+        assert_eq!(ascii("ϕ"), "phi");
+        assert_eq!(ascii("é"), "ue9");
+        assert_eq!(ident("type").map(|i| i.to_string()).as_deref(), Some("r#type"));
+    }
+}

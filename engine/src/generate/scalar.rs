@@ -1,0 +1,199 @@
+//! Expressions in the shape values as Rust code: each distinct one is computed once.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote_spanned};
+
+use super::{number, site};
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::model::Family;
+
+/// Collects the `let` lines of a function body.
+pub(super) struct ScalarCode<'a> {
+    family: &'a Family,
+    fields: &'a [Ident],
+    /// The polynomials that have a name.
+    named: Vec<(Poly, Ident)>,
+    /// The denominators whose reciprocals have a name.
+    reciprocals: Vec<(Poly, Ident)>,
+    lets: TokenStream,
+}
+
+impl<'a> ScalarCode<'a> {
+    pub(super) fn new(family: &'a Family, fields: &'a [Ident]) -> Self {
+        Self { family, fields, named: Vec::new(), reciprocals: Vec::new(), lets: TokenStream::new() }
+    }
+
+    pub(super) fn lets(self) -> TokenStream {
+        self.lets
+    }
+
+    /// The value of a polynomial in the shape parameters.
+    pub(super) fn scalar(&mut self, poly: &Poly) -> TokenStream {
+        if let Some(value) = poly.as_constant() {
+            return number(&value);
+        }
+        if let Some((_, name)) = self.named.iter().find(|(p, _)| p == poly) {
+            return name.to_token_stream();
+        }
+        let negative = -poly;
+        if let Some((_, name)) = self.named.iter().find(|(p, _)| *p == negative) {
+            return quote_spanned!(site()=> -#name);
+        }
+        let name = Ident::new(&format!("c{}", self.named.len()), site());
+        let value = self.product(poly);
+        self.lets.extend(quote_spanned!(site()=> let #name = #value;));
+        self.named.push((poly.clone(), name.clone()));
+        name.to_token_stream()
+    }
+
+    /// 1 divided by a denominator; `None` for 1.
+    pub(super) fn reciprocal(&mut self, denom: &Poly) -> Option<TokenStream> {
+        if denom.is_one() {
+            return None;
+        }
+        if let Some((_, name)) = self.reciprocals.iter().find(|(p, _)| p == denom) {
+            return Some(name.to_token_stream());
+        }
+        let value = self.scalar(denom);
+        let name = Ident::new(&format!("r{}", self.reciprocals.len()), site());
+        self.lets.extend(quote_spanned!(site()=> let #name = S::of(1.0) / #value;));
+        self.reciprocals.push((denom.clone(), name.clone()));
+        Some(name.to_token_stream())
+    }
+
+    /// A quotient of polynomials, in lowest terms.
+    pub(super) fn quotient(&mut self, poly: &Poly, denom: &Poly) -> TokenStream {
+        if denom.is_one() || poly.is_zero() {
+            return self.scalar(poly);
+        }
+        // One entry of a row may have a simpler denominator than the row.
+        let Some(value) = crate::algebra::fraction::Fraction::new(poly.clone(), denom.clone()) else {
+            return self.scalar(poly);
+        };
+        match self.reciprocal(value.denom()) {
+            None => self.scalar(value.numer()),
+            Some(reciprocal) if value.numer().is_one() => reciprocal,
+            Some(reciprocal) => {
+                let numer = self.scalar(value.numer());
+                quote_spanned!(site()=> #numer * #reciprocal)
+            }
+        }
+    }
+
+    /// Factors λ − low and high − λ are taken out, so that a coefficient that vanishes at the end of a range
+    /// has a small relative error near it, and the sign of the exact value.
+    fn product(&self, poly: &Poly) -> TokenStream {
+        let mut rest = poly.clone();
+        let mut factors: Vec<TokenStream> = Vec::new();
+        for shape in &self.family.shapes {
+            let field = &self.fields[shape.var.0];
+            for (end, from_low) in [(&shape.range.low, true), (&shape.range.high, false)] {
+                let Some(end) = end.value() else { continue };
+                let at_end = Poly::constant(end.clone());
+                let factor =
+                    if from_low { &Poly::var(shape.var) - &at_end } else { &at_end - &Poly::var(shape.var) };
+                while let Some(quotient) = rest.div_exact(&factor).filter(|_| rest.total_degree() > 1) {
+                    rest = quotient;
+                    let (positive, magnitude) = (!end.is_negative(), number(&end.abs()));
+                    factors.push(match (from_low, positive) {
+                        _ if end.is_zero() && from_low => quote_spanned!(site()=> self.#field),
+                        _ if end.is_zero() => quote_spanned!(site()=> (-self.#field)),
+                        (true, true) => quote_spanned!(site()=> (self.#field - #magnitude)),
+                        (true, false) => quote_spanned!(site()=> (self.#field + #magnitude)),
+                        (false, true) => quote_spanned!(site()=> (#magnitude - self.#field)),
+                        (false, false) => quote_spanned!(site()=> (-#magnitude - self.#field)),
+                    });
+                }
+            }
+        }
+        let rest_piece = self.sum(&rest);
+        if factors.is_empty() {
+            return rest_piece.code();
+        }
+        if !rest.is_one() {
+            let code = rest_piece.code();
+            let simple = rest_piece.kind != Kind::Sum && !rest_piece.negative;
+            factors.push(if simple { code } else { quote_spanned!(site()=> (#code)) });
+        }
+        product(factors)
+    }
+
+    /// A polynomial by Horner's scheme in its first variable, the coefficients likewise.
+    fn sum(&self, poly: &Poly) -> Piece {
+        let Some(var) = poly.variables().first().copied() else {
+            return Piece::constant(&poly.as_constant().unwrap_or(Rational::ZERO));
+        };
+        let field = &self.fields[var.0];
+        let value = quote_spanned!(site()=> self.#field);
+        let coefficients = poly.coefficients_in(var);
+        let (last, rest) = coefficients.split_last().expect("a polynomial has a coefficient");
+        rest.iter().rev().fold(self.sum(last), |inner, coefficient| {
+            let product = inner.times(&value);
+            if coefficient.is_zero() { product } else { self.sum(coefficient).plus(&product) }
+        })
+    }
+}
+
+/// A piece of an expression: a sign, and what it takes to multiply the rest.
+struct Piece {
+    negative: bool,
+    code: TokenStream,
+    kind: Kind,
+}
+
+#[derive(PartialEq)]
+enum Kind {
+    One,
+    Product,
+    Sum,
+}
+
+impl Piece {
+    fn constant(value: &Rational) -> Self {
+        let magnitude = value.abs();
+        let kind = if magnitude.is_one() { Kind::One } else { Kind::Product };
+        Self { negative: value.is_negative(), code: number(&magnitude), kind }
+    }
+
+    fn times(self, value: &TokenStream) -> Self {
+        let Self { negative, code, kind } = self;
+        let code = match kind {
+            Kind::One => value.clone(),
+            Kind::Product => quote_spanned!(site()=> #code * #value),
+            Kind::Sum => quote_spanned!(site()=> (#code) * #value),
+        };
+        Self { negative, code, kind: Kind::Product }
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        let (first, second) = (self.code(), &other.code);
+        let second = if other.kind == Kind::Sum && other.negative {
+            quote_spanned!(site()=> (#second))
+        } else {
+            second.clone()
+        };
+        let code = if other.negative {
+            quote_spanned!(site()=> #first - #second)
+        } else {
+            quote_spanned!(site()=> #first + #second)
+        };
+        Self { negative: false, code, kind: Kind::Sum }
+    }
+
+    fn code(&self) -> TokenStream {
+        let code = &self.code;
+        match (self.negative, &self.kind) {
+            (false, _) => code.clone(),
+            (true, Kind::Sum) => quote_spanned!(site()=> -(#code)),
+            (true, _) => quote_spanned!(site()=> -#code),
+        }
+    }
+}
+
+/// f * g * …
+pub(super) fn product(factors: Vec<TokenStream>) -> TokenStream {
+    let mut factors = factors.into_iter();
+    let first = factors.next().unwrap_or_else(|| number(&Rational::ONE));
+    factors.fold(first, |product, factor| quote_spanned!(site()=> #product * #factor))
+}

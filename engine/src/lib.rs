@@ -1,0 +1,160 @@
+//! The symbolic half of the toolchain for polynomial basis families: reads specs, expands them exactly, proves
+//! or refutes every claim, and generates evaluators.
+//!
+//! The whole pipeline, each stage a module that uses only the stages before it:
+//!
+//! ```text
+//! text or tokens --source, syntax--> tree --model--> families and claims --prove--> verdicts --generate--> code
+//! ```
+//!
+//! It is a pure function: one spec gives one set of verdicts, witnesses and tokens on every machine. All errors
+//! of a spec are collected, and no input makes it panic or run without end.
+//!
+//! ```
+//! use basis_engine::{Source, check};
+//!
+//! let spec = "family Linear { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; prove partition_of_unity; }";
+//! let report = check(Source::text("linear.basis", spec));
+//! assert!(report.diagnostics.is_empty());
+//! assert_eq!(report.items[0].claims.len(), 1);
+//! ```
+
+pub mod algebra;
+pub mod decide;
+pub mod diagnostic;
+pub mod explain;
+pub mod generate;
+pub mod model;
+pub mod prove;
+pub mod source;
+pub mod syntax;
+mod words;
+
+use std::rc::Rc;
+
+use proc_macro2::{Ident, Span, TokenStream};
+
+pub use diagnostic::{Diagnostic, Severity};
+pub use model::{Claim, Family, Item, Library, Selected};
+pub use prove::{Verdict, Witness};
+pub use source::{Disk, Files, Source, Sources};
+pub use words::closest;
+
+/// A family with the verdicts of its claims.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// The family.
+    pub family: Rc<Family>,
+    /// Its claims, in the order in which they are written.
+    pub claims: Vec<(Claim, Verdict)>,
+}
+
+/// Everything that checking a spec gives.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The families without errors, in every order of their declared ranges.
+    pub items: Vec<Checked>,
+    /// Errors and warnings, also for claims whose verdict is not the declared one.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The specs that were read, for showing places.
+    pub sources: Sources,
+}
+
+/// Checks a spec and everything that it uses from the disk.
+pub fn check(source: Source) -> Report {
+    let library = Library::from_source(&Disk, source);
+    let items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide_claims).collect();
+    let mut diagnostics = library.diagnostics();
+    diagnostics.extend(items.iter().flat_map(contradictions));
+    Report { items, diagnostics, sources: library.sources().clone() }
+}
+
+/// Decides all claims of a family.
+pub fn decide_claims(item: Item) -> Checked {
+    let Item { family, claims } = item;
+    let claims = claims
+        .into_iter()
+        .map(|claim| {
+            let verdict = prove::claim(&family, &claim);
+            (claim, verdict)
+        })
+        .collect();
+    Checked { family, claims }
+}
+
+/// The errors for the claims whose verdict is not the declared one.
+pub fn contradictions(checked: &Checked) -> Vec<Diagnostic> {
+    checked
+        .claims
+        .iter()
+        .filter_map(|(claim, verdict)| prove::diagnose(&checked.family, claim, verdict))
+        .collect()
+}
+
+/// What is to be generated from a spec.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// The families; when there are none, every family without index parameters.
+    pub families: Vec<Requested>,
+    /// The path of the runtime crate, such as `::basis_runtime`.
+    pub runtime: TokenStream,
+}
+
+/// One family that is to be generated.
+#[derive(Clone, Debug)]
+pub struct Requested {
+    /// Its name in the spec.
+    pub name: String,
+    /// Where it is asked for.
+    pub span: Span,
+    /// The values of its index parameters.
+    pub order: Vec<i64>,
+    /// The name of the generated type, if it is to be another one.
+    pub rename: Option<Ident>,
+}
+
+/// The code for the requested families, and everything that is wrong with them.
+pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Diagnostic>) {
+    let mut code = TokenStream::new();
+    let mut diagnostics = Vec::new();
+    let mut items: Vec<(Item, Option<Ident>)> = Vec::new();
+    for requested in &request.families {
+        match library.item(&requested.name, &requested.order) {
+            Ok(item) => {
+                let name = requested.rename.clone().or_else(|| {
+                    let mut name: Ident = syn::parse_str(&requested.name).ok()?;
+                    name.set_span(requested.span);
+                    requested.name.is_ascii().then_some(name)
+                });
+                items.push((item, name));
+            }
+            Err(Some((message, help))) => {
+                let place = diagnostic::Place::Token(requested.span);
+                diagnostics.push(Diagnostic::error(place, message).help(help));
+            }
+            Err(None) => {}
+        }
+    }
+    if request.families.is_empty() {
+        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None)));
+        let names = library.names();
+        if let (true, Some((name, _))) = (names.iter().all(|(_, indexed)| *indexed), names.first()) {
+            let place = diagnostic::Place::Token(Span::call_site());
+            let message = "every family of the spec has index parameters, and no order is chosen";
+            let help = format!("name the families with their orders: `basis!(\"…\", {name}(3))`");
+            diagnostics.push(Diagnostic::error(place, message).help(help));
+        }
+    }
+    for (item, name) in items {
+        let checked = decide_claims(item);
+        diagnostics.extend(contradictions(&checked));
+        let options = generate::Options { runtime: request.runtime.clone(), name };
+        match generate::family(&checked.family, &checked.claims, &options) {
+            Ok(tokens) => code.extend(tokens),
+            Err(error) => diagnostics.push(error),
+        }
+    }
+    let mut all = library.diagnostics();
+    all.extend(diagnostics);
+    (code, all)
+}

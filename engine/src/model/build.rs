@@ -1,0 +1,254 @@
+//! Expands a family as it is written into exact functions.
+
+use proc_macro2::Span;
+
+use super::divisors::{self, Zero};
+use super::scope::Scope;
+use super::{Family, Function, Library, Parameter, functions};
+use crate::algebra::poly::Var;
+use crate::algebra::range::{End, Range};
+use crate::diagnostic::Diagnostic;
+use crate::source::SourceId;
+use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
+
+/// Expands a family of one order; `None`, or anything with messages, cannot be used.
+pub(super) fn family(
+    library: &Library<'_>,
+    unit: usize,
+    source: SourceId,
+    written: &syntax::Family,
+    order: &[i64],
+) -> (Option<Family>, Vec<Diagnostic>) {
+    let mut scope = Scope::new(library, unit, source);
+    scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).collect();
+    let result = build(&mut scope, written);
+    (result, scope.diagnostics.into_inner())
+}
+
+fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
+    let shapes = shapes(scope, written);
+    let domain = domain(scope, written);
+    let budget = budget(scope, written);
+    functions::define(scope, written);
+    scope.cut_short |= written.incomplete;
+    if scope.functions.is_empty() {
+        if scope.cut_short {
+            return None;
+        }
+        let error =
+            scope.error(written.name.span, format!("the family `{}` has no functions", written.name.text));
+        scope.report(error.help("write `b[0] = …;`, or `b[i] = … for i in 0..=n;`"));
+        return None;
+    }
+    functions::check_indices(scope, written);
+    let (shapes, (domain, dependent)) = (shapes?, domain?);
+    // A function whose formula went wrong is left out here; the family is then not used, except to look for
+    // more mistakes in its claims.
+    let functions: Vec<Function> = scope
+        .functions
+        .iter()
+        .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
+        .collect();
+    let whole = functions.len() == scope.functions.len() && !scope.cut_short;
+    let family = Family {
+        name: written.name.text.clone(),
+        doc: written.doc.clone(),
+        order: scope.constants.clone(),
+        source: scope.source,
+        place: scope.place(written.name.span),
+        names: scope.names.clone(),
+        shapes,
+        domain,
+        dependent,
+        function_name: scope.function_name.clone(),
+        functions,
+        budget,
+    };
+    check_divisors(scope, &family);
+    if whole && scope.diagnostics.borrow().is_empty() {
+        return Some(family);
+    }
+    scope.complete = true;
+    super::claims::look_for_mistakes(scope, written, &family);
+    None
+}
+
+/// The shape parameters become variables 0, 1, …
+fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Parameter>> {
+    let mut shapes = Vec::new();
+    let mut complete = true;
+    for statement in &written.statements {
+        let StatementKind::Shape(decl) = &statement.kind else { continue };
+        let range = range(scope, decl);
+        match (range, variable(scope, &decl.name)) {
+            (Some(range), Some(var)) => {
+                let (name, doc) = (decl.name.text.clone(), statement.doc.clone());
+                shapes.push(Parameter { name, doc, var, range });
+            }
+            _ => complete = false,
+        }
+    }
+    complete.then_some(shapes)
+}
+
+/// The independent domain variables, and the last barycentric coordinate of a simplex.
+type Domain = (Vec<Parameter>, Option<Parameter>);
+
+/// The domain variables come after the shape parameters: the independent ones, and the last barycentric
+/// coordinate of a simplex.
+fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
+    let mut found: Option<(Span, Option<Domain>)> = None;
+    for statement in &written.statements {
+        if !matches!(statement.kind, StatementKind::Domain(_) | StatementKind::Simplex(_)) {
+            continue;
+        }
+        if let Some((first, _)) = &found {
+            let first = scope.place(*first);
+            let error = scope
+                .error(statement.span, "the domain is declared twice")
+                .also(first, "first declared here");
+            scope.report(
+                error.help("list several variables in one statement: `domain 0 <= u <= 1, 0 <= v <= 1;`"),
+            );
+            continue;
+        }
+        let domain = match &statement.kind {
+            StatementKind::Domain(decls) => intervals(scope, decls, &statement.doc).map(|list| (list, None)),
+            StatementKind::Simplex(names) => simplex(scope, names, &statement.doc),
+            _ => None,
+        };
+        found = Some((statement.span, domain));
+    }
+    match found {
+        Some((_, domain)) => domain,
+        None => {
+            let error =
+                scope.error(written.name.span, format!("the family `{}` has no domain", written.name.text));
+            scope.report(error.help("write `domain 0 <= t <= 1;`"));
+            None
+        }
+    }
+}
+
+fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Option<Vec<Parameter>> {
+    let mut domain = Some(Vec::new());
+    for decl in decls {
+        let range = range(scope, decl);
+        let variable = variable(scope, &decl.name);
+        let closed = range.filter(|range| {
+            let closed = range.low.is_included() && range.high.is_included() && range.low != range.high;
+            if !closed {
+                let name = &decl.name.text;
+                let error =
+                    scope.error(decl.name.span, format!("the domain of `{name}` is not a closed interval"));
+                scope.report(error.help(format!("write `domain 0 <= {name} <= 1;`")));
+            }
+            closed
+        });
+        match (closed, variable, &mut domain) {
+            (Some(range), Some(var), Some(list)) => {
+                scope.domain.push(var);
+                list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), var, range });
+            }
+            (_, var, _) => {
+                scope.domain.extend(var);
+                domain = None;
+            }
+        }
+    }
+    domain
+}
+
+fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Domain> {
+    let mut all = Vec::new();
+    for name in names {
+        let var = variable(scope, name)?;
+        all.push(Parameter { name: name.text.clone(), doc: doc.to_vec(), var, range: Range::unit() });
+    }
+    let last = all.pop()?;
+    scope.domain = all.iter().map(|p| p.var).collect();
+    scope.dependent = Some(last.var);
+    Some((all, Some(last)))
+}
+
+/// A new variable, unless the name is taken.
+fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
+    if !scope.check_free(name) {
+        return None;
+    }
+    let var = Var(scope.names.len());
+    scope.names.push(name.text.clone());
+    Some(var)
+}
+
+fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
+    let mut budget = 1;
+    for statement in &written.statements {
+        let StatementKind::Budget(value) = &statement.kind else { continue };
+        match scope.whole(value, "the budget") {
+            Some(n @ 1..=10_000) => budget = n as u32,
+            Some(_) => scope.report(
+                scope
+                    .error(value.span, "the budget is from 1 to 10000")
+                    .help("`budget 10;` allows ten times the usual work"),
+            ),
+            None => {}
+        }
+    }
+    budget
+}
+
+/// The declared range, with exact ends.
+fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
+    let end = |scope: &mut Scope<'_>, end: &Option<(Expr, bool)>| match end {
+        None => Some(End::Infinite),
+        Some((value, included)) => {
+            let value = scope.number(value, "the end of a range")?;
+            Some(if *included { End::Included(value) } else { End::Excluded(value) })
+        }
+    };
+    let (low, high) = (end(scope, &decl.low), end(scope, &decl.high));
+    let range = Range { low: low?, high: high? };
+    if !range.is_empty() {
+        return Some(range);
+    }
+    let name = &decl.name.text;
+    let error = scope.error(decl.name.span, format!("the range of `{name}` is empty"));
+    let reversed = range.finite().is_some_and(|(a, b)| a > b);
+    scope.report(match range.finite() {
+        Some((a, b)) if reversed => error
+            .label(format!("{a} is above {b}"))
+            .help(format!("write the smaller end first: `{b} <= {name} <= {a}`")),
+        _ => error.help("let the range contain more than nothing"),
+    });
+    None
+}
+
+/// A denominator must not vanish anywhere on the declared ranges.
+pub(super) fn check_divisors(scope: &Scope<'_>, family: &Family) {
+    let mut seen = Vec::new();
+    for (divisor, place) in &scope.divisors {
+        if seen.contains(&divisor) {
+            continue;
+        }
+        seen.push(divisor);
+        let shown = divisor.display(&family.names);
+        let error = match divisors::zero(divisor, &family.shape_region(), family.budget) {
+            Zero::Nowhere => continue,
+            Zero::At(point) => {
+                let parts: Vec<String> = point.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
+                Diagnostic::error(place.clone(), format!("the denominator vanishes at {}", parts.join(", ")))
+                    .label(format!("this is {shown}"))
+                    .help("narrow the ranges of the shape parameters so that they leave this value out")
+            }
+            Zero::Undecided(left) => Diagnostic::error(
+                place.clone(),
+                "it is undecided whether the denominator vanishes on the declared ranges",
+            )
+            .label(format!("this is {shown}"))
+            .note(left)
+            .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
+        };
+        scope.report(error);
+    }
+}

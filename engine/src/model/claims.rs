@@ -1,0 +1,370 @@
+//! From claims as they are written to exact differences.
+
+use proc_macro2::Span;
+
+use super::print::{Component, Printer};
+use super::scope::{Scope, Value};
+use super::{Claim, ClaimKind, Difference, Family, Library};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
+use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
+
+/// The claims of a family that is expanded; claims with errors are left out and reported.
+pub(super) fn claims(
+    library: &Library<'_>,
+    unit: usize,
+    written: &syntax::Family,
+    family: &Family,
+) -> (Vec<Claim>, Vec<Diagnostic>) {
+    let mut scope = Scope::of_family(library, unit, family);
+    let mut all = Vec::new();
+    for statement in &written.statements {
+        match &statement.kind {
+            StatementKind::Let(name, value) => {
+                // The same values as before; their errors are reported already.
+                let value = scope.scalar(value);
+                scope.lets.push((name.text.clone(), value));
+            }
+            StatementKind::Claim(claim) => {
+                scope.budget.refill();
+                one(&mut scope, family, claim, statement.span, &mut all);
+            }
+            _ => {}
+        }
+    }
+    super::build::check_divisors(&scope, family);
+    (all, scope.diagnostics.into_inner())
+}
+
+/// Reports what is wrong with the claims of a family that has errors already.
+pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
+    for statement in &written.statements {
+        if let StatementKind::Claim(claim) = &statement.kind {
+            one(scope, family, claim, statement.span, &mut Vec::new());
+        }
+    }
+}
+
+/// Appends the claims that one statement makes.
+fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
+    let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
+        all.push(Claim { text, expected: claim.expected, place: scope.place(span), kind });
+    };
+    match &claim.kind {
+        syntax::ClaimKind::PartitionOfUnity => {
+            push(scope, String::from("partition_of_unity"), span, ClaimKind::PartitionOfUnity);
+        }
+        syntax::ClaimKind::Nonnegative => {
+            push(scope, String::from("nonnegative"), span, ClaimKind::Nonnegative);
+        }
+        syntax::ClaimKind::Symmetric => push(scope, String::from("symmetric"), span, ClaimKind::Symmetric),
+        syntax::ClaimKind::Independent(exceptions) => {
+            let Some(except) = self::exceptions(scope, family, exceptions) else { return };
+            let parts: Vec<String> =
+                except.iter().map(|values| describe_values(values, &family.names)).collect();
+            let text = if parts.is_empty() {
+                String::from("independent")
+            } else {
+                format!("independent except {}", parts.join(", "))
+            };
+            push(scope, text, span, ClaimKind::Independent(except));
+        }
+        syntax::ClaimKind::Continuity(order) => {
+            let Some(value) = scope.whole(order, "the number of continuous derivatives") else { return };
+            let Some(order) = u32::try_from(value).ok().filter(|k| *k <= super::budget::MAX_DEGREE) else {
+                let error = scope.error(order.span, format!("{value} continuous derivatives make no sense"));
+                scope.report(error.help("write a number from 0 to the degree"));
+                return;
+            };
+            if family.interval().is_none() || family.functions.iter().any(|f| f.index.len() != 1) {
+                scope.report(scope.error(span, "only segments of curves have neighbours: `continuity` needs one domain variable and one index"));
+                return;
+            }
+            push(scope, format!("continuity({order})"), span, ClaimKind::Continuity(order));
+        }
+        syntax::ClaimKind::Relation(relation) => {
+            self::relation(scope, relation, &[], &mut |scope, text, kind| push(scope, text, span, kind));
+        }
+        syntax::ClaimKind::At(bindings, relations) => {
+            let Some(fixed) = fixed(scope, family, bindings) else { return };
+            let printer = Printer { constants: &scope.constants, component: None };
+            let parts: Vec<String> =
+                bindings.iter().map(|b| format!("{} = {}", b.name.text, printer.print(&b.value))).collect();
+            let at = parts.join(", ");
+            for relation in relations {
+                self::relation(scope, relation, &fixed, &mut |scope, text, kind| {
+                    push(scope, format!("at {at}: {text}"), relation.span, kind);
+                });
+            }
+        }
+    }
+}
+
+fn describe_values(values: &[(Var, Rational)], names: &[String]) -> String {
+    let parts: Vec<String> = values.iter().map(|(v, x)| format!("{} = {x}", names[v.0])).collect();
+    if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) }
+}
+
+/// The shape values that an `except` lists.
+fn exceptions(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    written: &[Vec<Binding>],
+) -> Option<Vec<Vec<(Var, Rational)>>> {
+    let mut all = Vec::new();
+    for exception in written {
+        let mut values: Vec<(Var, Rational)> = Vec::new();
+        for binding in exception {
+            let value = scope.number(&binding.value, "an exceptional value")?;
+            let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
+                let known: Vec<String> = family.shapes.iter().map(|s| s.name.clone()).collect();
+                let error = scope
+                    .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
+                scope.report(if known.is_empty() {
+                    error.help("the family has no shape parameters")
+                } else {
+                    error.help(format!("shape parameters are {}", crate::words::list(&known)))
+                });
+                return None;
+            };
+            if !shape.range.contains(&value) {
+                let range = shape.range.display(&shape.name).to_string();
+                let error = scope.error(
+                    binding.value.span,
+                    format!("{} = {value} is outside of the declared range `{range}`", shape.name),
+                );
+                scope.report(error.help("only values inside the range can be exceptions"));
+                return None;
+            }
+            if values.iter().any(|(v, _)| *v == shape.var) {
+                scope.report(scope.error(binding.name.span, format!("`{}` is given twice", shape.name)));
+                return None;
+            }
+            values.push((shape.var, value));
+        }
+        all.push(values);
+    }
+    Some(all)
+}
+
+/// The values that an `at` block fixes.
+fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option<Vec<(Var, Fraction)>> {
+    let mut fixed: Vec<(Var, Fraction)> = Vec::new();
+    for binding in bindings {
+        let name = &binding.name.text;
+        let Some(var) = scope.variable(name) else {
+            if scope.taken(name).is_some() {
+                let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
+                scope.report(
+                    error.help(format!("an `at` block fixes one of {}", crate::words::list(&scope.names))),
+                );
+            } else {
+                scope.unknown(name, binding.name.span);
+            }
+            return None;
+        };
+        if fixed.iter().any(|(v, _)| *v == var) {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is given twice")));
+            return None;
+        }
+        let value = scope.scalar(&binding.value)?;
+        let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)?;
+        if let Some(c) = value.as_constant()
+            && !parameter.range.contains(&c)
+        {
+            let range = parameter.range.display(name).to_string();
+            scope.report(
+                scope
+                    .error(
+                        binding.value.span,
+                        format!("{name} = {c} is outside of the declared range `{range}`"),
+                    )
+                    .help("claims are about the declared ranges; widen the range, or choose a value inside"),
+            );
+            return None;
+        }
+        fixed.push((var, value));
+    }
+    let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
+    let fixed = independent(scope, fixed, span)?;
+    for (k, (var, _)) in fixed.iter().enumerate() {
+        if fixed.iter().any(|(_, value)| value.depends_on(*var)) {
+            let name = scope.names[var.0].clone();
+            let span = bindings.get(k).map_or(span, |b| b.name.span);
+            scope
+                .report(scope.error(span, format!("`{name}` is fixed and used as a value at the same time")));
+            return None;
+        }
+    }
+    Some(fixed)
+}
+
+/// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.
+fn independent(
+    scope: &Scope<'_>,
+    mut fixed: Vec<(Var, Fraction)>,
+    span: Span,
+) -> Option<Vec<(Var, Fraction)>> {
+    let Some(dependent) = scope.dependent else { return Some(fixed) };
+    let last = fixed.iter().position(|(v, _)| *v == dependent).map(|k| fixed.remove(k).1);
+    let coordinate = |fixed: &[(Var, Fraction)], var: Var| {
+        fixed.iter().find(|(v, _)| *v == var).map_or_else(|| Fraction::var(var), |(_, f)| f.clone())
+    };
+    let one = Fraction::constant(Rational::ONE);
+    if let Some(last) = last {
+        match scope.domain.iter().rev().find(|v| fixed.iter().all(|(f, _)| f != *v)) {
+            Some(free) => {
+                let others = scope.domain.iter().filter(|v| *v != free);
+                let value = others.fold(&one - &last, |rest, v| &rest - &coordinate(&fixed, *v));
+                fixed.push((*free, value));
+            }
+            None => {
+                let sum = scope.domain.iter().fold(last, |sum, v| &sum + &coordinate(&fixed, *v));
+                if sum != one {
+                    let error = scope.error(
+                        span,
+                        format!("the barycentric coordinates sum to {}, not to 1", sum.display(&scope.names)),
+                    );
+                    scope.report(error.help("choose coordinates that sum to 1"));
+                    return None;
+                }
+            }
+        }
+    }
+    let rest = scope.domain.iter().fold(one, |rest, v| &rest - &coordinate(&fixed, *v));
+    if rest.as_constant().is_some_and(|c| c.is_negative()) {
+        let error =
+            scope.error(span, "the point lies outside of the simplex: its coordinates sum to more than 1");
+        scope.report(error.help("claims are about the domain; choose a point inside"));
+        return None;
+    }
+    Some(fixed)
+}
+
+type Push<'p> = dyn FnMut(&Scope<'_>, String, ClaimKind) + 'p;
+
+/// One equation or inequality, for each value of its index variables.
+fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)], push: &mut Push<'_>) {
+    if relation.comparison == Comparison::NotEqual {
+        let error = scope.error(relation.span, "a claim is an equation or an inequality");
+        scope.report(error.help("write `refute … = …;` to say that two things differ, or claim `<` or `>`"));
+        return;
+    }
+    if !scope.mentions_variable(&relation.left) && !scope.mentions_variable(&relation.right) {
+        let error = scope.error(relation.span, "the claim names no function and no variable");
+        scope.report(error.help("claim something about the functions, such as `b[0] + b[1] = 1 - b[2]`"));
+        return;
+    }
+    let mut any = false;
+    let fine = scope.each(&relation.loops, &mut |scope| {
+        any = true;
+        match differences(scope, relation, fixed) {
+            Some(differences) => {
+                let printer = Printer { constants: &scope.constants, component: None };
+                let (left, right) = (printer.print(&relation.left), printer.print(&relation.right));
+                let text = format!("{left} {} {right}", relation.comparison.symbol());
+                let kind = ClaimKind::Relation {
+                    comparison: relation.comparison,
+                    differences,
+                    fixed: fixed.to_vec(),
+                };
+                push(scope, text, kind);
+                true
+            }
+            None => false,
+        }
+    });
+    if fine && !any && scope.constants.is_empty() {
+        scope.report(
+            scope
+                .error(relation.span, "the loop is empty: nothing is claimed")
+                .help("write the smaller bound first"),
+        );
+    }
+}
+
+/// Left side minus right side, component by component; a lone 0 stands for all components.
+fn differences(
+    scope: &mut Scope<'_>,
+    relation: &Relation,
+    fixed: &[(Var, Fraction)],
+) -> Option<Vec<Difference>> {
+    let left = scope.value(&relation.left)?;
+    let right = scope.value(&relation.right)?;
+    let (left, right, is_list) = match (left, right) {
+        (Value::Scalar(l), Value::Scalar(r)) => (vec![(Vec::new(), l)], vec![(Vec::new(), r)], false),
+        (Value::List(l), Value::List(r)) => {
+            if l.len() != r.len() {
+                let shown = if matches!(relation.right.kind, syntax::ExprKind::List(_)) {
+                    relation.right.span
+                } else {
+                    relation.span
+                };
+                let error = scope.error(
+                    shown,
+                    format!(
+                        "wrong number of values: the left side has {}, the right side {}",
+                        l.len(),
+                        r.len()
+                    ),
+                );
+                scope.report(error.help(format!("write {} values", l.len())));
+                return None;
+            }
+            (l, r, true)
+        }
+        (Value::List(l), Value::Scalar(r)) if r.is_zero() => {
+            let zeros = l.iter().map(|(i, _)| (i.clone(), Fraction::zero())).collect();
+            (l, zeros, true)
+        }
+        (Value::Scalar(l), Value::List(r)) if l.is_zero() => {
+            let zeros = r.iter().map(|(i, _)| (i.clone(), Fraction::zero())).collect();
+            (zeros, r, true)
+        }
+        (Value::List(list), _) | (_, Value::List(list)) => {
+            let error = scope.error(
+                relation.span,
+                format!("a list of {} functions is compared with a single one", list.len()),
+            );
+            scope.report(error.help(format!(
+                "write a list of {} values, `[…]`; only 0 stands for all of them",
+                list.len()
+            )));
+            return None;
+        }
+    };
+    let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
+    let mut all = Vec::new();
+    for (position, ((index, l), (other, r))) in left.into_iter().zip(right).enumerate() {
+        let difference = match scope.budget.sub(&l, &r) {
+            Ok(difference) => difference,
+            Err(reason) => {
+                scope.report(scope.error(relation.span, format!("the difference of the sides {reason}")));
+                return None;
+            }
+        };
+        let value = if vars.is_empty() {
+            difference
+        } else {
+            scope.put(&difference, &vars, &values, relation.span)?
+        };
+        let (library, unit) = (scope.library, scope.unit);
+        let is_family = |name: &str| library.knows(unit, name);
+        let function_name = scope.function_name.as_str();
+        // A plain list has positions for indices; the functions' own indices say more.
+        let index = if index.len() >= other.len() { &index } else { &other };
+        let component =
+            is_list.then_some(Component { function_name, is_family: &is_family, position, index });
+        let printer = Printer { constants: &scope.constants, component };
+        let (left, right) = (&relation.left, &relation.right);
+        all.push(Difference {
+            left: printer.print(left),
+            right: printer.print(right),
+            text: printer.difference(left, right),
+            value,
+        });
+    }
+    Some(all)
+}

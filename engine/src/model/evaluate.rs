@@ -1,0 +1,673 @@
+//! From an expression to the exact function that it denotes.
+
+use proc_macro2::Span;
+
+use super::budget::TooLarge;
+use super::scope::{BUILTINS, Scope, Value};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::{Rational, binomial};
+use crate::syntax::{Expr, ExprKind, Loops};
+use crate::words::count;
+
+/// factorial and binomial of larger numbers are refused.
+const MAX_FACTORIAL: i64 = 500;
+
+impl Scope<'_> {
+    /// The one function that an expression is; reports a list.
+    pub(super) fn scalar(&mut self, expr: &Expr) -> Option<Fraction> {
+        match self.value(expr)? {
+            Value::Scalar(value) => Some(value),
+            Value::List(list) => {
+                let error =
+                    self.error(expr.span, format!("expected one function, found a list of {}", list.len()));
+                self.report(error.help("pick one of them with an index, such as `b[0]`"));
+                None
+            }
+        }
+    }
+
+    /// What an expression denotes; `None` when that is reported as an error.
+    pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
+        match &expr.kind {
+            ExprKind::Number(n) => Some(Value::Scalar(Fraction::constant(n.clone()))),
+            ExprKind::Name(name) => self.named(name, expr.span),
+            ExprKind::Neg(inner) => Some(map(self.value(inner)?, |f| -f)),
+            ExprKind::Sum(parts) => {
+                let mut sum: Option<Value> = None;
+                for (minus, part) in parts {
+                    let value = self.value(part)?;
+                    sum =
+                        Some(match sum {
+                            None => value,
+                            Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
+                                if *minus { b.sub(x, y) } else { b.add(x, y) }
+                            })?,
+                        });
+                }
+                sum
+            }
+            ExprKind::Product(parts) => {
+                let mut product: Option<Value> = None;
+                for (divides, part) in parts {
+                    let value = self.value(part)?;
+                    product = Some(match product {
+                        None => value,
+                        Some(product) if *divides => self.quotient(product, value, part.span)?,
+                        Some(product) => self.product(product, value, part.span)?,
+                    });
+                }
+                product
+            }
+            ExprKind::Power(base, exponent) => self.power(base, exponent, expr.span),
+            ExprKind::Index(base, indices) => self.indexed(base, indices, expr.span),
+            ExprKind::Call(callee, arguments) => self.call(callee, arguments, expr.span),
+            ExprKind::List(parts) => {
+                let mut list = Vec::new();
+                for (k, part) in parts.iter().enumerate() {
+                    list.push((vec![k as i64], self.scalar(part)?));
+                }
+                Some(Value::List(list))
+            }
+            ExprKind::Each(body, loops) => {
+                let list = self.collect(body, loops)?;
+                Some(Value::List(list.into_iter().enumerate().map(|(k, f)| (vec![k as i64], f)).collect()))
+            }
+        }
+    }
+
+    /// Passes on a result, or reports that a formula is too large.
+    fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
+        result
+            .map_err(|reason| {
+                let error = self.error(span, format!("the formula {reason}"));
+                self.report(error.help("lower the degree or the number of parameters"));
+            })
+            .ok()
+    }
+
+    /// The values of an expression for all values of index variables.
+    fn collect(&mut self, body: &Expr, loops: &Loops) -> Option<Vec<Fraction>> {
+        let mut list = Vec::new();
+        let fine = self.each(loops, &mut |scope| match scope.scalar(body) {
+            Some(value) => {
+                list.push(value);
+                true
+            }
+            None => false,
+        });
+        fine.then_some(list)
+    }
+
+    fn named(&mut self, name: &str, span: Span) -> Option<Value> {
+        if let Some(value) = self.constant(name) {
+            return Some(Value::Scalar(Fraction::constant(Rational::from(value))));
+        }
+        if let Some((_, value)) = self.lets.iter().find(|(n, _)| n == name) {
+            return value.clone().map(Value::Scalar);
+        }
+        if let Some(var) = self.variable(name) {
+            let dependent = self.dependent == Some(var);
+            let value = if dependent { self.barycentric(self.domain.len()) } else { Fraction::var(var) };
+            return Some(Value::Scalar(value));
+        }
+        if name == self.function_name && !name.is_empty() {
+            if !self.complete {
+                let error = self.error(
+                    span,
+                    format!("`{name}` alone means all functions, which are not all defined yet"),
+                );
+                self.report(error.help(format!("use one that is defined before, such as `{name}[0]`")));
+                return None;
+            }
+            let mut list = Vec::new();
+            for (index, value) in &self.functions {
+                list.push((index.clone(), value.clone()?));
+            }
+            return Some(Value::List(list));
+        }
+        if BUILTINS.contains(&name) {
+            let error = self.error(span, format!("`{name}` needs arguments"));
+            self.report(error.help(format!("write `{name}(…)`")));
+            return None;
+        }
+        if self.library.knows(self.unit, name) {
+            return self.family(name, &[], &[], span);
+        }
+        self.unknown(name, span);
+        None
+    }
+
+    /// Applies an operation to two functions, or to the members of two lists of one length.
+    fn zip(
+        &self,
+        a: Value,
+        b: Value,
+        span: Span,
+        with: impl Fn(&super::budget::Budget, &Fraction, &Fraction) -> Result<Fraction, TooLarge>,
+    ) -> Option<Value> {
+        match (a, b) {
+            (Value::Scalar(x), Value::Scalar(y)) => {
+                Some(Value::Scalar(self.fits(with(&self.budget, &x, &y), span)?))
+            }
+            (Value::List(x), Value::List(y)) if x.len() == y.len() => {
+                let mut list = Vec::new();
+                for ((index, p), (_, q)) in x.into_iter().zip(y) {
+                    list.push((index, self.fits(with(&self.budget, &p, &q), span)?));
+                }
+                Some(Value::List(list))
+            }
+            (Value::List(x), Value::List(y)) => {
+                self.report(self.error(
+                    span,
+                    format!("lists of {} and {} functions cannot be combined", x.len(), y.len()),
+                ));
+                None
+            }
+            _ => {
+                self.report(self.error(span, "a list and a single function cannot be added"));
+                None
+            }
+        }
+    }
+
+    fn product(&self, a: Value, b: Value, span: Span) -> Option<Value> {
+        match (a, b) {
+            (Value::List(_), Value::List(_)) => {
+                self.report(
+                    self.error(span, "two lists cannot be multiplied")
+                        .help("multiply single functions, such as `b[0]*b[1]`"),
+                );
+                None
+            }
+            (Value::List(list), Value::Scalar(factor)) | (Value::Scalar(factor), Value::List(list)) => {
+                let mut result = Vec::new();
+                for (index, f) in list {
+                    result.push((index, self.fits(self.budget.mul(&f, &factor), span)?));
+                }
+                Some(Value::List(result))
+            }
+            (Value::Scalar(x), Value::Scalar(y)) => {
+                Some(Value::Scalar(self.fits(self.budget.mul(&x, &y), span)?))
+            }
+        }
+    }
+
+    fn quotient(&mut self, a: Value, b: Value, span: Span) -> Option<Value> {
+        let Value::Scalar(divisor) = b else {
+            self.report(self.error(span, "a list cannot stand below a fraction line"));
+            return None;
+        };
+        self.check_divisor(&divisor, span)?;
+        let divide = |scope: &Self, f: &Fraction| scope.fits(scope.budget.div(f, &divisor), span);
+        match a {
+            Value::Scalar(f) => Some(Value::Scalar(divide(self, &f)?)),
+            Value::List(list) => {
+                let mut result = Vec::new();
+                for (index, f) in list {
+                    result.push((index, divide(self, &f)?));
+                }
+                Some(Value::List(result))
+            }
+        }
+    }
+
+    /// Only numbers and shape parameters may divide; that they do not vanish on their ranges is proved later.
+    fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
+        if divisor.is_zero() {
+            self.report(self.error(span, "division by zero"));
+            return None;
+        }
+        if let Some(var) = self.domain.iter().find(|v| divisor.depends_on(**v)) {
+            let name = &self.names[var.0];
+            let error = self.error(
+                span,
+                format!("division by the domain variable `{name}`: the quotient is not a polynomial"),
+            );
+            self.report(error.help("only numbers and shape parameters may stand below a fraction line"));
+            return None;
+        }
+        if divisor.as_constant().is_none() {
+            let place = self.place(span);
+            self.divisors.push((divisor.numer().clone(), place));
+        }
+        Some(())
+    }
+
+    fn power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Option<Value> {
+        let value = self.scalar(base)?;
+        let Some(e) = self.scalar(exponent)?.as_constant() else {
+            let error =
+                self.error(exponent.span, "the exponent contains a variable: this is not a polynomial");
+            self.report(error.help("exponents are whole numbers, made of digits and index parameters"));
+            return None;
+        };
+        if !e.is_integer() {
+            let error = self.error(
+                exponent.span,
+                format!("the exponent {e} is not a whole number: this is not a polynomial"),
+            );
+            self.report(error.help("exponents are whole numbers"));
+            return None;
+        }
+        let magnitude = e.abs().to_i64().and_then(|n| u32::try_from(n).ok());
+        let Some(magnitude) = magnitude else {
+            self.report(self.error(exponent.span, "the exponent is too large"));
+            return None;
+        };
+        if e.is_negative() {
+            self.check_divisor(&value, base.span)?;
+        }
+        let power = self.fits(self.budget.pow(&value, magnitude), span)?;
+        if !e.is_negative() {
+            return Some(Value::Scalar(power));
+        }
+        let one = Fraction::constant(Rational::ONE);
+        Some(Value::Scalar(self.fits(self.budget.div(&one, &power), span)?))
+    }
+
+    fn indexed(&mut self, base: &Expr, indices: &[Expr], span: Span) -> Option<Value> {
+        let mut index = Vec::new();
+        for i in indices {
+            index.push(self.whole(i, "an index")?);
+        }
+        if let ExprKind::Name(name) = &base.kind
+            && *name == self.function_name
+        {
+            if let Some(value) = self.functions.get(&index) {
+                return value.clone().map(Value::Scalar);
+            }
+            if self.missing_is_zero {
+                return Some(Value::Scalar(Fraction::zero()));
+            }
+            let wanted = super::label(name, &index);
+            let error = self.error(span, format!("there is no function `{wanted}`"));
+            self.report(match (self.complete, self.functions.keys().next_back()) {
+                (true, Some(last)) => error.help(format!("the last one is `{}`", super::label(name, last))),
+                _ => error.help("a formula may use functions that are defined before it"),
+            });
+            return None;
+        }
+        match self.value(base)? {
+            Value::List(list) => match list.iter().find(|(i, _)| *i == index) {
+                Some((_, value)) => Some(Value::Scalar(value.clone())),
+                None => {
+                    let shown: Vec<String> = index.iter().map(i64::to_string).collect();
+                    let error = self.error(
+                        span,
+                        format!("the index {} is outside of a list of {}", shown.join(","), list.len()),
+                    );
+                    self.report(error.help("the first index is 0"));
+                    None
+                }
+            },
+            Value::Scalar(_) => {
+                self.report(self.error(base.span, "this has no index: it is a single function"));
+                None
+            }
+        }
+    }
+
+    fn call(&mut self, callee: &Expr, arguments: &[Expr], span: Span) -> Option<Value> {
+        match &callee.kind {
+            ExprKind::Name(name) if name == "D" => self.derivative(arguments, span),
+            ExprKind::Name(name) if BUILTINS.contains(&name.as_str()) => self.builtin(name, arguments, span),
+            ExprKind::Name(name) if *name != self.function_name && self.taken(name).is_some() => {
+                let error = self.error(callee.span, format!("`{name}` is not a function"));
+                self.report(error.help(format!("write `{name}*(…)` for a product")));
+                None
+            }
+            ExprKind::Name(name) if *name != self.function_name => {
+                if !self.library.knows(self.unit, name) {
+                    self.unknown(name, callee.span);
+                    return None;
+                }
+                if self.library.order_count(self.unit, name) == 0 {
+                    self.family(name, &[], arguments, span)
+                } else {
+                    self.family(name, arguments, &[], span)
+                }
+            }
+            // Family(order)(shape values)
+            ExprKind::Call(inner, orders)
+                if matches!(&inner.kind, ExprKind::Name(name)
+                    if self.library.order_count(self.unit, name) > 0 && self.taken(name).is_none()) =>
+            {
+                let ExprKind::Name(name) = &inner.kind else { return None };
+                self.family(name, orders, arguments, span)
+            }
+            ExprKind::Name(_) | ExprKind::Index(..) | ExprKind::Call(..) => {
+                let value = self.value(callee)?;
+                self.apply(value, arguments, span)
+            }
+            _ => {
+                let error = self.error(callee.span, "this is not a function");
+                self.report(error.help("write `*` between the factors of a product"));
+                None
+            }
+        }
+    }
+
+    /// f(x): the function with an argument in place of the domain variable.
+    fn apply(&mut self, value: Value, arguments: &[Expr], span: Span) -> Option<Value> {
+        let all = self.domain.len() + usize::from(self.dependent.is_some());
+        if arguments.len() != all {
+            let expected = count(all, "argument");
+            self.report(
+                self.error(span, format!("the functions take {expected}, here are {}", arguments.len())),
+            );
+            return None;
+        }
+        let mut by = Vec::new();
+        for argument in arguments {
+            by.push(self.scalar(argument)?);
+        }
+        if self.dependent.is_some() {
+            let sum = by.iter().fold(Fraction::zero(), |sum, f| &sum + f);
+            if sum != Fraction::constant(Rational::ONE) {
+                let shown = sum.display(&self.names);
+                self.report(
+                    self.error(span, format!("the barycentric coordinates sum to {shown}, not to 1")),
+                );
+                return None;
+            }
+            by.pop();
+        }
+        let vars = self.domain.clone();
+        let put = |scope: &Self, f: &Fraction| scope.put(f, &vars, &by, span);
+        match value {
+            Value::Scalar(f) => Some(Value::Scalar(put(self, &f)?)),
+            Value::List(list) => {
+                let mut result = Vec::new();
+                for (index, f) in list {
+                    result.push((index, put(self, &f)?));
+                }
+                Some(Value::List(result))
+            }
+        }
+    }
+
+    /// A function with others put in place of variables, all at once.
+    pub(super) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
+        let mut result = f.clone();
+        if by.iter().all(|value| value.as_constant().is_some()) {
+            for (var, value) in vars.iter().zip(by) {
+                result = self.put_one(&result, *var, value, span)?;
+            }
+            return Some(result);
+        }
+        // By way of variables that occur nowhere, so that no argument is substituted twice.
+        let aside = self.names.len();
+        for (k, var) in vars.iter().enumerate() {
+            let moved = self.budget.substitute(&result, *var, &Fraction::var(Var(aside + k)));
+            result = self.fits(moved, span)??;
+        }
+        for (k, value) in by.iter().enumerate() {
+            result = self.put_one(&result, Var(aside + k), value, span)?;
+        }
+        Some(result)
+    }
+
+    fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
+        if !f.depends_on(var) {
+            return Some(f.clone());
+        }
+        let put = self.fits(self.budget.substitute(f, var, by), span)?;
+        if put.is_none() {
+            self.report(self.error(span, "a denominator becomes zero here"));
+        }
+        put
+    }
+
+    /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
+    fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        let Some((f, rest)) = arguments.split_first() else {
+            self.report(self.error(span, "`D` needs a function").help("write `D(b)` or `D(b[0], 2)`"));
+            return None;
+        };
+        let mut steps: Vec<(Var, i64)> = Vec::new();
+        for argument in rest {
+            let name = match &argument.kind {
+                ExprKind::Name(name) if self.constant(name).is_none() => Some(name),
+                _ => None,
+            };
+            match (name, steps.last_mut()) {
+                (Some(name), _) => match self.variable(name) {
+                    Some(var) if self.dependent == Some(var) => {
+                        let error = self.error(
+                            argument.span,
+                            format!("`{name}` depends on the other barycentric coordinates"),
+                        );
+                        let [first, ..] = self.domain.as_slice() else { return None };
+                        let first = &self.names[first.0];
+                        self.report(error.help(format!("`D(b, {first})` is the derivative along the edge from the corner {name} = 1 to {first} = 1")));
+                        return None;
+                    }
+                    Some(var) => steps.push((var, 1)),
+                    None => {
+                        let error = self
+                            .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
+                        self.report(error.help(format!("variables are {}", crate::words::list(&self.names))));
+                        return None;
+                    }
+                },
+                (None, None) => {
+                    let var = self.only_domain_variable(span)?;
+                    steps.push((var, self.whole(argument, "the order of a derivative")?));
+                }
+                (None, Some(_)) => {
+                    let order = self.whole(argument, "the order of a derivative")?;
+                    if let Some(last) = steps.last_mut() {
+                        last.1 = order;
+                    }
+                }
+            }
+        }
+        if steps.is_empty() {
+            steps.push((self.only_domain_variable(span)?, 1));
+        }
+        if let Some((_, order)) = steps.iter().find(|(_, order)| *order < 0) {
+            self.report(self.error(span, format!("the order {order} of a derivative is negative")));
+            return None;
+        }
+        let value = self.value(f)?;
+        let mut result = Vec::new();
+        let (list, single) = match value {
+            Value::Scalar(f) => (vec![(Vec::new(), f)], true),
+            Value::List(list) => (list, false),
+        };
+        for (index, mut f) in list {
+            for (var, order) in &steps {
+                for _ in 0..*order {
+                    if f.is_zero() {
+                        break;
+                    }
+                    let size = (f.numer().len() + f.denom().len()) as u64;
+                    self.fits(self.budget.spend(size), span)?;
+                    f = f.derivative(*var);
+                }
+            }
+            result.push((index, f));
+        }
+        match result.pop() {
+            Some((_, only)) if single => Some(Value::Scalar(only)),
+            last => Some(Value::List(result.into_iter().chain(last).collect())),
+        }
+    }
+
+    fn only_domain_variable(&self, span: Span) -> Option<Var> {
+        if let [only] = self.domain.as_slice() {
+            return Some(*only);
+        }
+        let names: Vec<String> = self.domain.iter().map(|v| self.names[v.0].clone()).collect();
+        let error = self.error(span, format!("there are {} domain variables", names.len()));
+        self.report(
+            error.help(format!("say by which to differentiate: `D(b, {})`", names.join("` or `D(b, "))),
+        );
+        None
+    }
+
+    fn builtin(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
+        let constant = |value: Rational| Some(Value::Scalar(Fraction::constant(value)));
+        match (name, arguments) {
+            ("sum" | "product", [one]) => {
+                let list = match &one.kind {
+                    ExprKind::Each(body, loops) => self.collect(body, loops)?,
+                    _ => match self.value(one)? {
+                        Value::List(list) => list.into_iter().map(|(_, f)| f).collect(),
+                        Value::Scalar(f) => vec![f],
+                    },
+                };
+                let mut result =
+                    Fraction::constant(if name == "sum" { Rational::ZERO } else { Rational::ONE });
+                for f in &list {
+                    let next =
+                        if name == "sum" { self.budget.add(&result, f) } else { self.budget.mul(&result, f) };
+                    result = self.fits(next, span)?;
+                }
+                Some(Value::Scalar(result))
+            }
+            ("binomial", [n, k]) => {
+                let (n, k) = (
+                    self.whole(n, "the first argument of `binomial`")?,
+                    self.whole(k, "the second argument of `binomial`")?,
+                );
+                if !(0..=MAX_FACTORIAL).contains(&n) {
+                    self.report(
+                        self.error(span, format!("binomial({n}, {k}) is not computed"))
+                            .help(format!("the first argument is from 0 to {MAX_FACTORIAL}")),
+                    );
+                    return None;
+                }
+                constant(u32::try_from(k).map_or(Rational::ZERO, |k| binomial(n as u32, k)))
+            }
+            ("factorial", [n]) => {
+                let n = self.whole(n, "the argument of `factorial`")?;
+                if !(0..=MAX_FACTORIAL).contains(&n) {
+                    self.report(
+                        self.error(span, format!("factorial({n}) is not computed"))
+                            .help(format!("the argument is from 0 to {MAX_FACTORIAL}")),
+                    );
+                    return None;
+                }
+                constant((1..=n).fold(Rational::ONE, |p, k| &p * &Rational::from(k)))
+            }
+            ("floor", [x]) => {
+                let x = self.number(x, "the argument of `floor`")?;
+                constant(x.floor())
+            }
+            ("ceil", [x]) => {
+                let x = self.number(x, "the argument of `ceil`")?;
+                constant(x.ceil())
+            }
+            ("min" | "max", [x, y]) => {
+                let what = format!("an argument of `{name}`");
+                let (x, y) = (self.number(x, &what)?, self.number(y, &what)?);
+                constant(if name == "min" { x.min(y) } else { x.max(y) })
+            }
+            _ => {
+                let usage = match name {
+                    "sum" | "product" => format!("{name}(t^i for i in 0..=n)"),
+                    "binomial" => String::from("binomial(n, i)"),
+                    "min" | "max" => format!("{name}(i, j)"),
+                    _ => format!("{name}(n)"),
+                };
+                self.report(
+                    self.error(span, format!("wrong number of arguments for `{name}`"))
+                        .help(format!("write `{usage}`")),
+                );
+                None
+            }
+        }
+    }
+
+    /// The functions of another family, in this family's domain variables.
+    fn family(&mut self, name: &str, orders: &[Expr], shapes: &[Expr], span: Span) -> Option<Value> {
+        let mut order = Vec::new();
+        for o in orders {
+            order.push(self.whole(o, "the order of a family")?);
+        }
+        let family = match self.library.family(self.unit, name, &order) {
+            Ok(family) => family,
+            Err(reason) => {
+                if let Some((message, help)) = reason {
+                    self.report(self.error(span, message).help(help));
+                }
+                return None;
+            }
+        };
+        if shapes.len() != family.shapes.len() {
+            let wanted: Vec<String> = family.shapes.iter().map(|s| s.name.clone()).collect();
+            let error = self.error(
+                span,
+                format!("`{name}` has {}, here are {}", count(wanted.len(), "shape parameter"), shapes.len()),
+            );
+            let call = if order.is_empty() { name.to_string() } else { family.title() };
+            self.report(error.help(if wanted.is_empty() {
+                format!("write `{call}`")
+            } else {
+                format!("write `{call}({})`", wanted.join(", "))
+            }));
+            return None;
+        }
+        if family.domain.len() != self.domain.len() || family.is_simplex() != self.dependent.is_some() {
+            let kind = |simplex: bool, n: usize| match (simplex, n) {
+                (true, 2) => String::from("a triangle"),
+                (true, _) => String::from("a tetrahedron"),
+                (false, 1) => String::from("an interval"),
+                (false, n) => format!("a box in {n} variables"),
+            };
+            let theirs = kind(family.is_simplex(), family.domain.len());
+            let ours = kind(self.dependent.is_some(), self.domain.len());
+            self.report(self.error(span, format!("`{name}` lives on {theirs}, this family on {ours}")));
+            return None;
+        }
+        let mut by = Vec::new();
+        for (shape, parameter) in shapes.iter().zip(&family.shapes) {
+            let value = self.scalar(shape)?;
+            if let Some(c) = value.as_constant()
+                && !parameter.range.contains(&c)
+            {
+                let range = parameter.range.display(&parameter.name).to_string();
+                self.report(self.error(
+                    shape.span,
+                    format!(
+                        "{} = {c} is outside of the declared range `{range}` of `{name}`",
+                        parameter.name
+                    ),
+                ));
+                return None;
+            }
+            by.push(value);
+        }
+        // The other family's shape parameters stand aside until their values take their places, so that no value
+        // is substituted into another.
+        let aside: Vec<Var> = (0..by.len()).map(|k| Var(self.names.len() + k)).collect();
+        let dependent = family.dependent.as_ref().and(self.dependent);
+        let names: Vec<Var> = aside.iter().chain(&self.domain).copied().chain(dependent).collect();
+        let mut list = Vec::new();
+        for f in &family.functions {
+            let size = (f.value.numer().len() + f.value.denom().len()) as u64;
+            self.fits(self.budget.spend(size), span)?;
+            let mut value = f.value.rename(&names);
+            for (var, value_of) in aside.iter().zip(&by) {
+                match self.fits(self.budget.substitute(&value, *var, value_of), span)? {
+                    Some(v) => value = v,
+                    None => {
+                        self.report(self.error(span, format!("a denominator of `{name}` becomes zero here")));
+                        return None;
+                    }
+                }
+            }
+            list.push((f.index.clone(), value));
+        }
+        Some(Value::List(list))
+    }
+}
+
+fn map(value: Value, with: impl Fn(&Fraction) -> Fraction) -> Value {
+    match value {
+        Value::Scalar(f) => Value::Scalar(with(&f)),
+        Value::List(list) => Value::List(list.into_iter().map(|(i, f)| (i, with(&f))).collect()),
+    }
+}

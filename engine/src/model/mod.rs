@@ -1,0 +1,179 @@
+//! What a spec means: families as exact tables of functions over a domain and shape parameters, and their
+//! claims as exact differences to be compared with zero.
+
+mod budget;
+mod build;
+mod claims;
+mod divisors;
+mod evaluate;
+mod functions;
+mod library;
+mod print;
+mod scope;
+
+pub use library::{Item, Library, Selected};
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Place;
+use crate::source::SourceId;
+pub use crate::syntax::{Comparison, Expected};
+
+/// A family of basis functions of one order.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// The name.
+    pub name: String,
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// The values of the index parameters, such as n = 3.
+    pub order: Vec<(String, i64)>,
+    /// The spec that defines it.
+    pub source: SourceId,
+    /// Where its name stands.
+    pub place: Place,
+    /// The names of all variables: the shape parameters, then the domain variables.
+    pub names: Vec<String>,
+    /// The shape parameters, variables 0, 1, …
+    pub shapes: Vec<Parameter>,
+    /// The independent domain variables, the variables after the shape parameters: all variables of a box, all
+    /// but the last barycentric coordinate of a simplex.
+    pub domain: Vec<Parameter>,
+    /// The last barycentric coordinate of a simplex, 1 minus the others; it does not occur in the functions.
+    pub dependent: Option<Parameter>,
+    /// The name that the functions share.
+    pub function_name: String,
+    /// The functions in the order of their indices.
+    pub functions: Vec<Function>,
+    /// How many times the usual work the provers may spend on a claim.
+    pub budget: u32,
+}
+
+/// A shape parameter or a domain variable.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The name as it is written.
+    pub name: String,
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// The variable.
+    pub var: Var,
+    /// The declared range; for a domain variable both ends are finite and included.
+    pub range: Range,
+}
+
+/// A basis function.
+#[derive(Clone, Debug)]
+pub struct Function {
+    /// The index, `[2]` for b[2].
+    pub index: Vec<i64>,
+    /// The function: a polynomial in the domain variables, whose coefficients are rational functions of the
+    /// shape parameters.
+    pub value: Fraction,
+}
+
+impl Family {
+    /// The name with the order, such as `Bernstein(3)`.
+    pub fn title(&self) -> String {
+        if self.order.is_empty() {
+            return self.name.clone();
+        }
+        let values: Vec<String> = self.order.iter().map(|(_, v)| v.to_string()).collect();
+        format!("{}({})", self.name, values.join(", "))
+    }
+
+    /// The name of a function, such as `b[2]`.
+    pub fn function_label(&self, position: usize) -> String {
+        label(&self.function_name, &self.functions[position].index)
+    }
+
+    /// Whether the domain is a triangle or a tetrahedron.
+    pub const fn is_simplex(&self) -> bool {
+        self.dependent.is_some()
+    }
+
+    /// All domain variables; of a simplex all barycentric coordinates.
+    pub fn domain_variables(&self) -> impl Iterator<Item = &Parameter> {
+        self.domain.iter().chain(&self.dependent)
+    }
+
+    /// The declared ranges of all independent variables; of a simplex the surrounding box.
+    pub fn region(&self) -> Region {
+        Region { ranges: self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone())).collect() }
+    }
+
+    /// The declared ranges of the shape parameters.
+    pub fn shape_region(&self) -> Region {
+        Region { ranges: self.shapes.iter().map(|p| (p.var, p.range.clone())).collect() }
+    }
+
+    /// The only domain variable and the two ends of its range; `None` when there are several.
+    pub fn interval(&self) -> Option<(Var, &Rational, &Rational)> {
+        let ([only], None) = (self.domain.as_slice(), &self.dependent) else { return None };
+        let (low, high) = only.range.finite()?;
+        Some((only.var, low, high))
+    }
+
+    /// The highest degree of the functions in a domain variable.
+    pub fn degree(&self, var: Var) -> u32 {
+        self.functions.iter().map(|f| f.value.numer().degree(var)).max().unwrap_or(0)
+    }
+}
+
+/// `b[2,0,1]`.
+pub(crate) fn label(name: &str, index: &[i64]) -> String {
+    let index: Vec<String> = index.iter().map(i64::to_string).collect();
+    format!("{name}[{}]", index.join(","))
+}
+
+/// A claim about a family.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The claim as text, index variables replaced by their values.
+    pub text: String,
+    /// Whether it is declared true or false.
+    pub expected: Expected,
+    /// Where it stands; of an equation in a block, where that equation stands.
+    pub place: Place,
+    /// What is claimed.
+    pub kind: ClaimKind,
+}
+
+/// The kinds of claims.
+#[derive(Clone, Debug)]
+pub enum ClaimKind {
+    /// The functions sum to 1.
+    PartitionOfUnity,
+    /// Every function is ≥ 0 on the domain, for all shape values in their ranges.
+    Nonnegative,
+    /// b[i](t) = b[n−i](low + high − t).
+    Symmetric,
+    /// The functions are linearly independent for all shape values in their ranges except the listed ones.
+    Independent(Vec<Vec<(Var, Rational)>>),
+    /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
+    Continuity(u32),
+    /// Every difference compares with zero as stated, on the declared ranges.
+    Relation {
+        /// How the differences compare with zero.
+        comparison: Comparison,
+        /// Left side minus right side, one for each component of the two sides.
+        differences: Vec<Difference>,
+        /// Variables that an `at` block fixes; they no longer occur in the differences.
+        fixed: Vec<(Var, Fraction)>,
+    },
+}
+
+/// Left side minus right side.
+#[derive(Clone, Debug)]
+pub struct Difference {
+    /// The left side as text.
+    pub left: String,
+    /// The right side as text.
+    pub right: String,
+    /// The difference as text, such as `D(b[1]) - (3 + λ)`.
+    pub text: String,
+    /// The difference.
+    pub value: Fraction,
+}

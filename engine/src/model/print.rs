@@ -1,0 +1,191 @@
+//! Expressions as text for messages: index variables replaced by their values, lists by one component.
+
+use crate::syntax::{Expr, ExprKind, Generator};
+
+/// How to print.
+pub(super) struct Printer<'a> {
+    /// Index parameters and index variables with their values.
+    pub(super) constants: &'a [(String, i64)],
+    /// The component of lists to print instead of the list.
+    pub(super) component: Option<Component<'a>>,
+}
+
+/// One component of lists.
+pub(super) struct Component<'a> {
+    /// The name that stands for the list of all functions.
+    pub(super) function_name: &'a str,
+    /// Whether a name is a family, whose call is a list too.
+    pub(super) is_family: &'a dyn Fn(&str) -> bool,
+    /// The place in the list.
+    pub(super) position: usize,
+    /// The index of the function at that place.
+    pub(super) index: &'a [i64],
+}
+
+/// How tight an expression binds: a looser part inside a tighter one needs brackets.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Binding {
+    Sum,
+    Product,
+    Power,
+    Atom,
+}
+
+impl Printer<'_> {
+    /// The expression as text.
+    pub(super) fn print(&self, expr: &Expr) -> String {
+        self.at_least(expr, Binding::Sum)
+    }
+
+    /// `left - right` as text, without what need not be said.
+    pub(super) fn difference(&self, left: &Expr, right: &Expr) -> String {
+        match self.print(right).as_str() {
+            "0" => self.print(left),
+            _ => format!("{} - {}", self.print(left), self.at_least(right, Binding::Product)),
+        }
+    }
+
+    fn at_least(&self, expr: &Expr, wanted: Binding) -> String {
+        let (text, binding) = self.parts(expr);
+        if binding < wanted { format!("({text})") } else { text }
+    }
+
+    fn parts(&self, expr: &Expr) -> (String, Binding) {
+        match &expr.kind {
+            ExprKind::Number(n) => {
+                (n.to_string(), if n.is_integer() { Binding::Atom } else { Binding::Product })
+            }
+            ExprKind::Name(name) => (self.name(name), Binding::Atom),
+            ExprKind::Neg(inner) => (format!("-{}", self.at_least(inner, Binding::Product)), Binding::Sum),
+            ExprKind::Sum(parts) => {
+                let mut text = String::new();
+                for (k, (minus, part)) in parts.iter().enumerate() {
+                    text += match (k, minus) {
+                        (0, _) => "",
+                        (_, true) => " - ",
+                        (_, false) => " + ",
+                    };
+                    // A sign inside stands in brackets, except at the beginning.
+                    text += &self.at_least(part, if k == 0 { Binding::Sum } else { Binding::Product });
+                }
+                (text, Binding::Sum)
+            }
+            ExprKind::Product(parts) => {
+                let mut text = String::new();
+                for (k, (divides, part)) in parts.iter().enumerate() {
+                    text += match (k, divides) {
+                        (0, _) => "",
+                        (_, true) => "/",
+                        (_, false) => "*",
+                    };
+                    let sign_in_front = k == 0 && matches!(part.kind, ExprKind::Neg(_));
+                    text += &match (sign_in_front, divides) {
+                        (true, _) => self.parts(part).0,
+                        (false, true) => self.at_least(part, Binding::Power),
+                        (false, false) => self.at_least(part, Binding::Product),
+                    };
+                }
+                (text.clone(), if text.starts_with('-') { Binding::Sum } else { Binding::Product })
+            }
+            ExprKind::Power(base, exponent) => (
+                format!("{}^{}", self.at_least(base, Binding::Atom), self.at_least(exponent, Binding::Atom)),
+                Binding::Power,
+            ),
+            ExprKind::Index(base, indices) => {
+                // b[i] is one function already: its name is not to be replaced by a component.
+                let base =
+                    Printer { constants: self.constants, component: None }.at_least(base, Binding::Atom);
+                let indices: Vec<String> = indices
+                    .iter()
+                    .map(|i| self.whole(i).map_or_else(|| self.print(i), |n| n.to_string()))
+                    .collect();
+                (format!("{base}[{}]", indices.join(",")), Binding::Atom)
+            }
+            ExprKind::Call(callee, arguments) => {
+                let plain = Printer { constants: self.constants, component: None };
+                let inner_family = self.family_call(callee);
+                let printer = if inner_family { &plain } else { self };
+                let text =
+                    format!("{}({})", printer.at_least(callee, Binding::Atom), printer.list(arguments, ", "));
+                match &self.component {
+                    Some(c) if inner_family => (format!("{text}[{}]", indices(c.index)), Binding::Atom),
+                    _ => (text, Binding::Atom),
+                }
+            }
+            ExprKind::List(parts) => match &self.component {
+                Some(c) => match parts.get(c.position) {
+                    Some(part) => self.parts(part),
+                    None => (String::from("0"), Binding::Atom),
+                },
+                None => (format!("[{}]", self.list(parts, ", ")), Binding::Atom),
+            },
+            ExprKind::Each(body, loops) => {
+                let range = |g: &Generator| match g {
+                    Generator::Range(g) => {
+                        let dots = if g.inclusive { "..=" } else { ".." };
+                        format!("{} in {}{dots}{}", g.name.text, self.print(&g.low), self.print(&g.high))
+                    }
+                    Generator::Simplex(names, sum) => {
+                        let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
+                        format!("{} in simplex({})", names.join(", "), self.print(sum))
+                    }
+                };
+                let ranges: Vec<String> = loops.generators.iter().map(range).collect();
+                let mut text = format!("{} for {}", self.print(body), ranges.join(", "));
+                for (k, (a, sign, b)) in loops.conditions.iter().enumerate() {
+                    let word = if k == 0 { "if" } else { "&&" };
+                    text += &format!(" {word} {} {} {}", self.print(a), sign.symbol(), self.print(b));
+                }
+                (text, Binding::Sum)
+            }
+        }
+    }
+
+    /// Whether the callee of a call is a family, or a family with its order.
+    fn family_call(&self, callee: &Expr) -> bool {
+        let Some(c) = &self.component else { return false };
+        match &callee.kind {
+            ExprKind::Name(name) => (c.is_family)(name),
+            ExprKind::Call(inner, _) => matches!(&inner.kind, ExprKind::Name(name) if (c.is_family)(name)),
+            _ => false,
+        }
+    }
+
+    /// The whole number that an index such as `n - 1` is.
+    fn whole(&self, expr: &Expr) -> Option<i64> {
+        match &expr.kind {
+            ExprKind::Number(n) => n.to_i64(),
+            ExprKind::Name(name) => self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v),
+            ExprKind::Neg(inner) => self.whole(inner)?.checked_neg(),
+            ExprKind::Sum(parts) => parts.iter().try_fold(0_i64, |sum, (minus, part)| {
+                let value = self.whole(part)?;
+                if *minus { sum.checked_sub(value) } else { sum.checked_add(value) }
+            }),
+            ExprKind::Product(parts) => parts.iter().try_fold(1_i64, |product, (divides, part)| {
+                let value = self.whole(part)?;
+                if *divides { None } else { product.checked_mul(value) }
+            }),
+            _ => None,
+        }
+    }
+
+    fn name(&self, name: &str) -> String {
+        if let Some((_, value)) = self.constants.iter().rev().find(|(n, _)| n == name) {
+            return value.to_string();
+        }
+        match &self.component {
+            Some(c) if name == c.function_name || (c.is_family)(name) => {
+                format!("{name}[{}]", indices(c.index))
+            }
+            _ => name.to_string(),
+        }
+    }
+
+    fn list(&self, parts: &[Expr], separator: &str) -> String {
+        parts.iter().map(|e| self.print(e)).collect::<Vec<_>>().join(separator)
+    }
+}
+
+fn indices(index: &[i64]) -> String {
+    index.iter().map(i64::to_string).collect::<Vec<_>>().join(",")
+}

@@ -1,0 +1,344 @@
+//! What names mean while a family is being expanded, and the errors found on the way.
+
+use core::cell::RefCell;
+use std::collections::BTreeMap;
+
+use proc_macro2::Span;
+
+use super::budget::Budget;
+use super::{Family, Library};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::source::SourceId;
+use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
+use crate::words::closest;
+
+/// Loops that run longer than this are refused.
+const MAX_ITERATIONS: i64 = 20_000;
+
+/// Names that the language itself defines.
+pub(super) const BUILTINS: [&str; 9] =
+    ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    /// One function or number.
+    Scalar(Fraction),
+    /// Several, each with its index.
+    List(Vec<(Vec<i64>, Fraction)>),
+}
+
+/// The names of one family while it is being expanded.
+pub(super) struct Scope<'a> {
+    pub(super) library: &'a Library<'a>,
+    pub(super) unit: usize,
+    pub(super) source: SourceId,
+    /// Index parameters and index variables of loops, the innermost last.
+    pub(super) constants: Vec<(String, i64)>,
+    /// What `let` defined; `None` when that went wrong.
+    pub(super) lets: Vec<(String, Option<Fraction>)>,
+    /// The names of the variables: shape parameters, then domain variables.
+    pub(super) names: Vec<String>,
+    /// The independent domain variables.
+    pub(super) domain: Vec<Var>,
+    /// The last barycentric coordinate of a simplex.
+    pub(super) dependent: Option<Var>,
+    pub(super) function_name: String,
+    /// The functions so far; `None` when the formula went wrong.
+    pub(super) functions: BTreeMap<Vec<i64>, Option<Fraction>>,
+    /// While an order is raised: functions outside of the order before are 0.
+    pub(super) missing_is_zero: bool,
+    /// Whether an error has ended a loop over functions early.
+    pub(super) cut_short: bool,
+    /// Whether all functions are defined, so that the name alone means all of them.
+    pub(super) complete: bool,
+    pub(super) budget: Budget,
+    /// Everything that stands below a fraction line, to be proved different from zero.
+    pub(super) divisors: Vec<(Poly, Place)>,
+    pub(super) diagnostics: RefCell<Vec<Diagnostic>>,
+}
+
+impl Scope<'_> {
+    pub(super) fn place(&self, span: Span) -> Place {
+        self.library.place(self.source, span)
+    }
+
+    pub(super) fn error(&self, span: Span, message: impl Into<String>) -> Diagnostic {
+        Diagnostic::error(self.place(span), message)
+    }
+
+    /// Reports an error once.
+    pub(super) fn report(&self, diagnostic: Diagnostic) {
+        self.diagnostics.borrow_mut().push(diagnostic);
+    }
+
+    /// The variable with a name.
+    pub(super) fn variable(&self, name: &str) -> Option<Var> {
+        self.names.iter().position(|n| n == name).map(Var)
+    }
+
+    /// The value of an index parameter or index variable.
+    pub(super) fn constant(&self, name: &str) -> Option<i64> {
+        self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v)
+    }
+
+    /// What already has this name, for an error when it is declared again.
+    pub(super) fn taken(&self, name: &str) -> Option<&'static str> {
+        if BUILTINS.contains(&name) {
+            Some("a function of the language")
+        } else if self.constant(name).is_some() {
+            Some("an index")
+        } else if self.lets.iter().any(|(n, _)| n == name) {
+            Some("a name given by `let`")
+        } else if let Some(var) = self.variable(name) {
+            Some(if self.domain.contains(&var) || self.dependent == Some(var) {
+                "a domain variable"
+            } else {
+                "a shape parameter"
+            })
+        } else if self.function_name == name {
+            Some("the name of the basis functions")
+        } else {
+            None
+        }
+    }
+
+    /// Reports a name that is declared although it already means something; whether it is free.
+    pub(super) fn check_free(&self, name: &Name) -> bool {
+        let Some(what) = self.taken(&name.text) else { return true };
+        self.report(
+            self.error(name.span, format!("`{}` is already {what}", name.text))
+                .label("declared again here")
+                .help("choose another name"),
+        );
+        false
+    }
+
+    /// Reports an unknown name, with the known name that it resembles.
+    pub(super) fn unknown(&self, name: &str, span: Span) {
+        let mut known: Vec<&str> = BUILTINS.to_vec();
+        known.extend(self.names.iter().map(String::as_str));
+        known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
+        known.extend(self.lets.iter().map(|(n, _)| n.as_str()));
+        known.push(&self.function_name);
+        let families = self.library.visible(self.unit);
+        known.extend(families.iter().map(String::as_str));
+        let error = self.error(span, format!("the name `{name}` is not declared"));
+        let near = closest(name, &known);
+        self.report(match near {
+            Some(near) => error.help(format!("did you mean `{near}`?")),
+            None => error.help(format!(
+                "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `let {name} = …;` for a name"
+            )),
+        });
+    }
+
+    /// The number that an expression is; reports anything else.
+    pub(super) fn number(&mut self, expr: &Expr, what: &str) -> Option<crate::algebra::rational::Rational> {
+        match self.scalar(expr)?.as_constant() {
+            Some(value) => Some(value),
+            None => {
+                self.report(
+                    self.error(expr.span, format!("{what} must be a number"))
+                        .label("this contains a variable"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The whole number that an expression is; reports anything else.
+    pub(super) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
+        let value = self.number(expr, what)?;
+        match value.to_i64() {
+            Some(n) => Some(n),
+            None => {
+                self.report(self.error(expr.span, format!("{what} must be a whole number, but is {value}")));
+                None
+            }
+        }
+    }
+
+    /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
+    /// body said so.
+    pub(super) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
+        let depth = self.constants.len();
+        for generator in &loops.generators {
+            let names = match generator {
+                Generator::Range(range) => core::slice::from_ref(&range.name),
+                Generator::Simplex(names, _) => names,
+            };
+            if !names.iter().all(|name| self.check_loop_name(name)) {
+                return false;
+            }
+        }
+        let mut left = MAX_ITERATIONS;
+        let fine = self.each_from(loops, 0, &mut left, body);
+        self.constants.truncate(depth);
+        fine
+    }
+
+    fn check_loop_name(&self, name: &Name) -> bool {
+        match self.taken(&name.text) {
+            None | Some("an index") => true,
+            Some(_) => self.check_free(name),
+        }
+    }
+
+    fn each_from(
+        &mut self,
+        loops: &Loops,
+        level: usize,
+        left: &mut i64,
+        body: &mut dyn FnMut(&mut Self) -> bool,
+    ) -> bool {
+        let Some(generator) = loops.generators.get(level) else {
+            for (a, sign, b) in &loops.conditions {
+                let (Some(x), Some(y)) =
+                    (self.number(a, "a side of a condition"), self.number(b, "a side of a condition"))
+                else {
+                    return false;
+                };
+                let holds = match sign {
+                    Comparison::Equal => x == y,
+                    Comparison::NotEqual => x != y,
+                    Comparison::Less => x < y,
+                    Comparison::LessEqual => x <= y,
+                    Comparison::Greater => x > y,
+                    Comparison::GreaterEqual => x >= y,
+                };
+                if !holds {
+                    return true;
+                }
+            }
+            return body(self);
+        };
+        let (names, values) = match generator {
+            Generator::Range(range) => {
+                let Some((first, last)) = self.bounds(range) else { return false };
+                let last = last.min(first.saturating_add(MAX_ITERATIONS));
+                (core::slice::from_ref(&range.name), (first..=last).map(|v| vec![v]).collect::<Vec<_>>())
+            }
+            Generator::Simplex(names, sum) => {
+                let Some(sum) = self.whole(sum, "the sum of the indices") else { return false };
+                (names.as_slice(), multi_indices(names.len(), sum, MAX_ITERATIONS as usize))
+            }
+        };
+        for index in values {
+            *left -= 1;
+            if *left < 0 {
+                self.report(
+                    self.error(names[0].span, format!("the loop runs more than {MAX_ITERATIONS} times")),
+                );
+                return false;
+            }
+            let depth = self.constants.len();
+            self.constants.extend(names.iter().zip(index).map(|(name, value)| (name.text.clone(), value)));
+            let fine = self.each_from(loops, level + 1, left, body);
+            self.constants.truncate(depth);
+            if !fine {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The first and last value that a generator runs over.
+    pub(super) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
+        let low = self.whole(&generator.low, "the first value of an index")?;
+        let high = self.whole(&generator.high, "the last value of an index")?;
+        let last = if generator.inclusive { high } else { high.checked_sub(1)? };
+        Some((low, last))
+    }
+
+    /// A new scope for a family, without any variables yet.
+    pub(super) fn new<'a>(library: &'a Library<'a>, unit: usize, source: SourceId) -> Scope<'a> {
+        Scope {
+            library,
+            unit,
+            source,
+            constants: Vec::new(),
+            lets: Vec::new(),
+            names: Vec::new(),
+            domain: Vec::new(),
+            dependent: None,
+            function_name: String::new(),
+            functions: BTreeMap::new(),
+            missing_is_zero: false,
+            cut_short: false,
+            complete: false,
+            budget: Budget::new(),
+            divisors: Vec::new(),
+            diagnostics: RefCell::new(Vec::new()),
+        }
+    }
+
+    /// The scope of the claims of a family that is expanded.
+    pub(super) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
+        let mut scope = Self::new(library, unit, family.source);
+        scope.constants.clone_from(&family.order);
+        scope.names.clone_from(&family.names);
+        scope.domain = family.domain.iter().map(|p| p.var).collect();
+        scope.dependent = family.dependent.as_ref().map(|p| p.var);
+        scope.function_name.clone_from(&family.function_name);
+        scope.functions = family.functions.iter().map(|f| (f.index.clone(), Some(f.value.clone()))).collect();
+        scope.complete = true;
+        scope
+    }
+
+    /// Whether an expression mentions a function, a variable, or another family: anything that can vary.
+    pub(super) fn mentions_variable(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Number(_) => false,
+            ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
+            ExprKind::Neg(inner) | ExprKind::Each(inner, _) => self.mentions_variable(inner),
+            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
+                parts.iter().any(|(_, e)| self.mentions_variable(e))
+            }
+            ExprKind::Power(base, exponent) => {
+                self.mentions_variable(base) || self.mentions_variable(exponent)
+            }
+            ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
+                self.mentions_variable(base) || rest.iter().any(|e| self.mentions_variable(e))
+            }
+            ExprKind::List(parts) => parts.iter().any(|e| self.mentions_variable(e)),
+        }
+    }
+}
+
+/// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
+pub(super) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
+    let mut all = Vec::new();
+    if sum < 0 || len == 0 {
+        return all;
+    }
+    // The first tuple in lexicographic order has everything in the last place.
+    let mut index = vec![0; len];
+    index[len - 1] = sum;
+    while all.len() <= limit {
+        all.push(index.clone());
+        // The next one: move one unit left from the last place that has any, the rest back to the end.
+        let Some(from) = (1..len).rev().find(|k| index[*k] > 0) else { break };
+        let rest = index[from] - 1;
+        index[from] = 0;
+        index[from - 1] += 1;
+        index[len - 1] = rest;
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn multi_indices_are_lexicographic() {
+        let all = multi_indices(3, 2, 100);
+        assert_eq!(all, [[0, 0, 2], [0, 1, 1], [0, 2, 0], [1, 0, 1], [1, 1, 0], [2, 0, 0]]);
+        assert_eq!(multi_indices(3, 8, 100).len(), 45);
+        assert_eq!(multi_indices(4, 1_000_000, 10).len(), 11);
+        assert!(multi_indices(2, -1, 10).is_empty());
+    }
+}

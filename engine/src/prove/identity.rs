@@ -1,0 +1,237 @@
+//! Equations: expand, subtract, and nothing or something is left.
+
+use super::{Evidence, Step, StepProof, Verdict, Witness, named_point, point};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::model::{Difference, Family};
+
+/// Σ bᵢ = 1.
+pub(super) fn partition_of_unity(family: &Family) -> Verdict {
+    let mut sum = Fraction::zero();
+    for function in &family.functions {
+        sum = &sum + &function.value;
+    }
+    let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+    let of = format!("{} - 1", labels.join(" + "));
+    let difference = &sum - &Fraction::constant(Rational::ONE);
+    match witness(family, of.clone(), &difference, &[]) {
+        None => proved("expansion of the sum", vec![of]),
+        Some(mut witness) => {
+            let value = &witness.value + &Rational::ONE;
+            witness.notes = vec![
+                format!("the sum of the functions is `{}`", sum.display(&family.names)),
+                format!("at {} it is {value}", witness.point()),
+            ];
+            Verdict::Refuted(witness)
+        }
+    }
+}
+
+/// On an interval bᵢ(t) = bₙ₋ᵢ(low + high − t), on a box the same in every variable; on a simplex any two corners
+/// can be exchanged together with their indices, and so all of them.
+pub(super) fn symmetric(family: &Family) -> Verdict {
+    let mut steps = Vec::new();
+    for motion in motions(family) {
+        for (k, function) in family.functions.iter().enumerate() {
+            let index = motion.index(&function.index);
+            let Some(other) = family.functions.iter().position(|f| f.index == index) else { continue };
+            let Some(moved) = motion.apply(&family.functions[other].value) else { continue };
+            let (this, that) = (family.function_label(k), family.function_label(other));
+            let of = format!("{this} - {that}({})", motion.arguments.join(", "));
+            let difference = &function.value - &moved;
+            if let Some(mut witness) = witness(family, of.clone(), &difference, &[]) {
+                witness.notes = vec![
+                    format!("`{of}` is `{}`", difference.display(&family.names)),
+                    format!("at {} it is {}", witness.point(), witness.value),
+                ];
+                return Verdict::Refuted(witness);
+            }
+            steps.push(of);
+        }
+    }
+    proved("expansion of the moved functions", steps)
+}
+
+/// A motion of the domain onto itself with what it does to the indices.
+struct Motion {
+    /// New values of the independent variables.
+    by: Vec<(Var, Poly)>,
+    /// The same for reading, all variables.
+    arguments: Vec<String>,
+    /// The two places of an index that change: two equal ones are reversed, up to the last index.
+    places: (usize, usize),
+    last: Vec<i64>,
+}
+
+impl Motion {
+    fn index(&self, index: &[i64]) -> Vec<i64> {
+        let mut moved = index.to_vec();
+        let (a, b) = self.places;
+        if a == b {
+            moved[a] = self.last[a] - index[a];
+        } else {
+            moved.swap(a, b);
+        }
+        moved
+    }
+
+    /// The function at the moved point.
+    fn apply(&self, f: &Fraction) -> Option<Fraction> {
+        // A substitution of polynomials into a numerator; the denominator has no domain variables. With
+        // variables aside, so that exchanging two of them does not mix them up.
+        let aside = f
+            .numer()
+            .variables()
+            .last()
+            .map_or(0, |v| v.0 + 1)
+            .max(self.by.iter().map(|(v, _)| v.0 + 1).max()?);
+        let mut numer = f.numer().clone();
+        for (k, (var, _)) in self.by.iter().enumerate() {
+            numer = numer.substitute(*var, &Poly::var(Var(aside + k)));
+        }
+        for (k, (_, value)) in self.by.iter().enumerate() {
+            numer = numer.substitute(Var(aside + k), value);
+        }
+        Fraction::new(numer, f.denom().clone())
+    }
+}
+
+/// Motions that generate all symmetries of the domain.
+fn motions(family: &Family) -> Vec<Motion> {
+    let Some(last) = family.functions.last().map(|f| f.index.clone()) else { return Vec::new() };
+    let one =
+        |(k, p): (usize, &Poly), at: usize, value: &Poly| if k == at { value.clone() } else { p.clone() };
+    let vars: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
+    let mut identity: Vec<Poly> = vars.iter().map(|v| Poly::var(*v)).collect();
+    let mut all = Vec::new();
+    if family.is_simplex() {
+        let rest = identity.iter().fold(Poly::one(), |rest, p| &rest - p);
+        let names: Vec<String> = family.domain_variables().map(|p| p.name.clone()).collect();
+        identity.push(rest);
+        // With another numbering of the functions there is nothing to exchange them by.
+        if last.len() != names.len() {
+            return all;
+        }
+        for k in 0..vars.len() {
+            let (mut moved, mut arguments) = (identity.clone(), names.clone());
+            moved.swap(k, k + 1);
+            arguments.swap(k, k + 1);
+            let by = vars.iter().copied().zip(moved).collect();
+            all.push(Motion { by, arguments, places: (k, k + 1), last: last.clone() });
+        }
+        return all;
+    }
+    for (k, variable) in family.domain.iter().enumerate() {
+        let Some((low, high)) = variable.range.finite() else { continue };
+        let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
+        let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).collect();
+        let arguments = moved.iter().map(|p| p.display(&family.names).to_string()).collect();
+        // With one index for several variables the functions are reversed as a list.
+        let place = if last.len() == vars.len() { k } else { 0 };
+        all.push(Motion {
+            by: vars.iter().copied().zip(moved).collect(),
+            arguments,
+            places: (place, place),
+            last: last.clone(),
+        });
+    }
+    all
+}
+
+/// Neighbouring segments over control points P[0], P[1], … and P[1], P[2], … have the same derivatives of every order
+/// up to `order` where they meet: b[i] at the lower end is b[i + 1] at the upper end, and what has no partner
+/// vanishes.
+pub(super) fn continuity(family: &Family, order: u32) -> Verdict {
+    let mut steps = Vec::new();
+    let Some((var, low, high)) = family.interval() else { return proved("", steps) };
+    let len = family.functions.len();
+    let at = |k: usize, order: u32, end: &Rational| {
+        let value = (0..order).fold(family.functions[k].value.clone(), |f, _| f.derivative(var));
+        value.substitute(var, &Fraction::constant(end.clone()))
+    };
+    let name = |k: usize, order: u32, end: &Rational| {
+        let b = family.function_label(k);
+        match order {
+            0 => format!("{b}({end})"),
+            1 => format!("D({b})({end})"),
+            _ => format!("D({b}, {order})({end})"),
+        }
+    };
+    for order in 0..=order {
+        for k in 0..=len {
+            let mut difference = Fraction::zero();
+            let mut parts = Vec::new();
+            // A denominator has shape parameters only, so it stays what it is.
+            if let Some(f) = k.checked_sub(1).and_then(|k| at(k, order, low)) {
+                difference = f;
+                parts.push(name(k - 1, order, low));
+            }
+            if let Some(f) = Some(k).filter(|k| *k < len).and_then(|k| at(k, order, high)) {
+                difference = &difference - &f;
+                parts.push(name(k, order, high));
+            }
+            let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
+            if let Some(mut witness) = witness(family, of.clone(), &difference, &[]) {
+                witness.notes = vec![
+                    format!(
+                        "the derivatives of order {order} of neighbouring segments differ where they meet"
+                    ),
+                    format!("`{of}` is `{}`", difference.display(&family.names)),
+                ];
+                return Verdict::Refuted(witness);
+            }
+            steps.push(of);
+        }
+    }
+    proved("expansion of the derivatives at the ends", steps)
+}
+
+/// Equations between expressions: every difference must vanish identically.
+pub(super) fn equations(family: &Family, differences: &[Difference], fixed: &[(Var, Fraction)]) -> Verdict {
+    let mut steps = Vec::new();
+    for difference in differences {
+        let of = difference.text.clone();
+        if let Some(mut witness) = witness(family, of.clone(), &difference.value, fixed) {
+            let shown = if fixed.is_empty() {
+                String::new()
+            } else {
+                format!(" at {}", describe_fixed(family, fixed))
+            };
+            witness.notes = vec![
+                format!(
+                    "`{}`{shown} differs from `{}` by `{}`",
+                    difference.left,
+                    difference.right,
+                    difference.value.display(&family.names)
+                ),
+                format!("at {} the difference is {}", witness.point(), witness.value),
+            ];
+            return Verdict::Refuted(witness);
+        }
+        steps.push(of);
+    }
+    proved("expansion of both sides", steps)
+}
+
+fn describe_fixed(family: &Family, fixed: &[(Var, Fraction)]) -> String {
+    let parts: Vec<String> =
+        fixed.iter().map(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names))).collect();
+    parts.join(", ")
+}
+
+fn proved(method: &str, steps: Vec<String>) -> Verdict {
+    let steps = steps.into_iter().map(|of| Step { of, proof: StepProof::Identity }).collect();
+    Verdict::Proved(Evidence { method: method.to_string(), steps })
+}
+
+/// A point at which the difference is not zero, if there is one.
+fn witness(family: &Family, of: String, difference: &Fraction, fixed: &[(Var, Fraction)]) -> Option<Witness> {
+    if difference.is_zero() {
+        return None;
+    }
+    // The denominator vanishes nowhere on the declared ranges.
+    let point = point::nonzero(family, difference.numer())?;
+    let value = difference.eval(&point::coordinates(&point, family.names.len()))?;
+    Some(Witness { of, at: named_point(family, &point, fixed), value, notes: Vec::new() })
+}

@@ -1,0 +1,172 @@
+//! Inequalities on the declared ranges, by the decision procedure for signs of polynomials.
+
+use super::{Evidence, Step, StepProof, Verdict, Witness, named_point, point};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
+use crate::decide::{self, Budget, Coordinate, Decision, Relation};
+use crate::model::{Comparison, Difference, Family};
+
+/// bᵢ ≥ 0 for every function.
+pub(super) fn nonnegative(family: &Family) -> Verdict {
+    let parts: Vec<(String, Fraction)> = family
+        .functions
+        .iter()
+        .enumerate()
+        .map(|(k, f)| (family.function_label(k), f.value.clone()))
+        .collect();
+    all(family, &parts, Relation::NonNegative, false, &[])
+}
+
+/// An inequality between two sides, for every component.
+pub(super) fn relation(
+    family: &Family,
+    comparison: Comparison,
+    differences: &[Difference],
+    fixed: &[(Var, Fraction)],
+) -> Verdict {
+    let (relation, negate) = match comparison {
+        Comparison::Greater => (Relation::Positive, false),
+        Comparison::Less => (Relation::Positive, true),
+        Comparison::LessEqual => (Relation::NonNegative, true),
+        _ => (Relation::NonNegative, false),
+    };
+    let parts: Vec<(String, Fraction)> =
+        differences.iter().map(|d| (d.text.clone(), d.value.clone())).collect();
+    all(family, &parts, relation, negate, fixed)
+}
+
+/// Decides every part; the first failure is the witness.
+fn all(
+    family: &Family,
+    parts: &[(String, Fraction)],
+    relation: Relation,
+    negate: bool,
+    fixed: &[(Var, Fraction)],
+) -> Verdict {
+    let chart = Chart::new(family, fixed);
+    let region = &chart.region;
+    let mut steps = Vec::new();
+    let mut hardest: Option<decide::Method> = None;
+    let mut undecided = None;
+    for (of, value) in parts {
+        let signed = if negate { -value } else { value.clone() };
+        let polynomial = chart.pull_back(&numerator_with_sign(&signed, family));
+        match decide::decide(&polynomial, relation, region, &mut Budget::scaled(family.budget)) {
+            Decision::Proved(proof) => {
+                hardest = Some(hardest.map_or(proof.method, |m| m.max(proof.method)));
+                let proof = StepProof::Sign { polynomial, relation, region: region.clone(), proof };
+                steps.push(Step { of: of.clone(), proof });
+            }
+            Decision::Refuted(witness) => match chart.point(&witness.point) {
+                Some(point) => {
+                    return Verdict::Refuted(refutation(family, of, value, &point, &witness.value, fixed));
+                }
+                None => {
+                    undecided =
+                        undecided.or(Some(format!("`{of}` fails at an irrational point of the simplex")));
+                }
+            },
+            Decision::Undecided(left) => undecided = undecided.or(Some(format!("`{of}`: {left}"))),
+        }
+    }
+    match undecided {
+        Some(left) => Verdict::Undecided(left),
+        None => {
+            Verdict::Proved(Evidence { method: hardest.map_or_else(String::new, |m| m.to_string()), steps })
+        }
+    }
+}
+
+/// A polynomial with the sign of a quotient: the denominator, in shape parameters only, vanishes nowhere on their
+/// ranges, so that its sign at one point is its sign everywhere.
+fn numerator_with_sign(value: &Fraction, family: &Family) -> Poly {
+    if value.as_poly().is_some() {
+        return value.numer().clone();
+    }
+    let at: Vec<Rational> = family.shapes.iter().map(|p| point::simple(&p.range)).collect();
+    if value.denom().eval(&at).is_negative() { -value.numer() } else { value.numer().clone() }
+}
+
+fn refutation(
+    family: &Family,
+    of: &str,
+    value: &Fraction,
+    point: &[(Var, Coordinate)],
+    zero: &Rational,
+    fixed: &[(Var, Fraction)],
+) -> Witness {
+    let exact = point.iter().all(|(_, c)| matches!(c, Coordinate::Rational(_)));
+    let coordinates = point::coordinates(point, family.names.len());
+    let shown = if exact { value.eval(&coordinates) } else { None };
+    // At an irrational point the value is an exact zero.
+    let shown = shown.unwrap_or_else(|| zero.clone());
+    let at = named_point(family, point, fixed);
+    let mut result = Witness { of: of.to_string(), at, value: shown, notes: Vec::new() };
+    result.notes.push(format!("`{of}` is {} at {}", result.value, result.point()));
+    result
+}
+
+/// The box on which an inequality is decided, and the way from it to the variables of the family.
+///
+/// A simplex is the image of the unit box under u = 1 − s₁, v = s₁(1 − s₂), w = s₁s₂(1 − s₃), …
+struct Chart {
+    region: Region,
+    /// The domain variables as polynomials in the variables of the box; empty on a box, where they are the same.
+    by: Vec<(Var, Poly)>,
+}
+
+impl Chart {
+    fn new(family: &Family, fixed: &[(Var, Fraction)]) -> Self {
+        let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
+        let mut region = family.region();
+        region.ranges.retain(|(v, _)| free(v));
+        let on_simplex: Vec<Var> = family.domain.iter().map(|p| p.var).filter(free).collect();
+        if !family.is_simplex() || on_simplex.is_empty() {
+            return Self { region, by: Vec::new() };
+        }
+        // What the fixed coordinates leave; where that depends on other coordinates, the fixed one is an edge or
+        // face such as w = 0, which leaves everything.
+        let constants = fixed.iter().filter(|(v, _)| family.domain.iter().any(|p| p.var == *v));
+        let left = constants.filter_map(|(_, f)| f.as_constant()).fold(Rational::ONE, |left, c| &left - &c);
+        let edge =
+            fixed.iter().any(|(v, f)| family.domain.iter().any(|p| p.var == *v) && f.as_constant().is_none());
+        region.ranges.retain(|(v, _)| !on_simplex.contains(v));
+        let mut by = Vec::new();
+        let mut rest = Poly::constant(left);
+        for (k, var) in on_simplex.iter().enumerate() {
+            let s = Var(family.names.len() + k);
+            region.ranges.push((s, Range::unit()));
+            let full = edge && k + 1 == on_simplex.len() && family.domain.len() == on_simplex.len() + 1;
+            let coordinate = &rest * &if full { Poly::var(s) } else { &Poly::one() - &Poly::var(s) };
+            rest = &rest * &Poly::var(s);
+            by.push((*var, coordinate));
+        }
+        Self { region, by }
+    }
+
+    fn pull_back(&self, polynomial: &Poly) -> Poly {
+        self.by.iter().fold(polynomial.clone(), |p, (var, by)| p.substitute(*var, by))
+    }
+
+    /// The point of the family's variables; `None` when it has irrational coordinates on a simplex.
+    fn point(&self, point: &[(Var, Coordinate)]) -> Option<Vec<(Var, Coordinate)>> {
+        if self.by.is_empty() {
+            return Some(point.to_vec());
+        }
+        let len = point.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
+        let coordinates = point::coordinates(point, len);
+        let in_box = |v: &Var| self.by.iter().any(|(_, p)| p.depends_on(*v));
+        let mut result: Vec<(Var, Coordinate)> = Vec::new();
+        for (var, c) in point {
+            match c {
+                _ if !in_box(var) => result.push((*var, c.clone())),
+                Coordinate::Rational(_) => {}
+                Coordinate::Algebraic(_) => return None,
+            }
+        }
+        result.extend(self.by.iter().map(|(var, by)| (*var, Coordinate::Rational(by.eval(&coordinates)))));
+        Some(result)
+    }
+}

@@ -1,0 +1,189 @@
+//! Texts of specs and where they came from; the only place in the engine that reads files.
+
+use core::fmt;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+/// A spec as the engine reads it.
+#[derive(Clone, Debug)]
+pub struct Source {
+    /// The name to show in messages: a path as the user wrote it.
+    pub name: String,
+    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory.
+    pub path: Option<PathBuf>,
+    /// The text, with `\n` line ends and no byte order mark; `None` for tokens of a macro call, which the
+    /// compiler shows itself.
+    pub text: Option<String>,
+}
+
+impl Source {
+    /// A text in memory.
+    pub fn text(name: impl Into<String>, text: &str) -> Self {
+        Self { name: name.into(), path: None, text: Some(normalize(text)) }
+    }
+
+    /// The tokens of a macro call; `path` is the file with the call, for `use` relative to it.
+    pub fn tokens(path: Option<PathBuf>) -> Self {
+        Self { name: String::from("<basis!>"), path, text: None }
+    }
+
+    /// Line and column of a byte offset, both counted from one, the column in characters.
+    pub fn line_column(&self, offset: usize) -> (usize, usize) {
+        let text = self.text.as_deref().unwrap_or_default();
+        let before = text.get(..offset).unwrap_or(text);
+        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+    }
+}
+
+/// Lines end with `\n` and there is no byte order mark.
+fn normalize(text: &str) -> String {
+    text.strip_prefix('\u{feff}').unwrap_or(text).replace("\r\n", "\n")
+}
+
+/// The sources of one run; a [`SourceId`] is an index into it.
+#[derive(Clone, Debug, Default)]
+pub struct Sources {
+    all: Vec<Source>,
+}
+
+/// Which source a place belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SourceId(usize);
+
+impl Sources {
+    /// Adds a source.
+    pub fn add(&mut self, source: Source) -> SourceId {
+        self.all.push(source);
+        SourceId(self.all.len() - 1)
+    }
+
+    /// The source with this id.
+    pub fn get(&self, id: SourceId) -> &Source {
+        &self.all[id.0]
+    }
+
+    /// All sources with their ids, in the order in which they were read.
+    pub fn iter(&self) -> impl Iterator<Item = (SourceId, &Source)> {
+        self.all.iter().enumerate().map(|(i, s)| (SourceId(i), s))
+    }
+
+    /// The source that was read from this path.
+    pub fn find(&self, path: &Path) -> Option<SourceId> {
+        self.iter().find(|(_, s)| s.path.as_deref() == Some(path)).map(|(id, _)| id)
+    }
+}
+
+/// Why a file could not be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadError {
+    /// What is wrong, in one clause.
+    pub message: String,
+    /// Every place that was tried, and what to do instead.
+    pub notes: Vec<String>,
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.message)?;
+        self.notes.iter().try_for_each(|n| write!(f, "\n{n}"))
+    }
+}
+
+impl std::error::Error for ReadError {}
+
+/// Reads files: from the disk, or from wherever else the caller keeps them.
+pub trait Files {
+    /// The bytes of a file; of a very large one only the first, as many as are needed to refuse it.
+    ///
+    /// # Errors
+    /// As for [`std::fs::read`].
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
+
+    /// One name for one file, so that a file reached by two paths is read once.
+    fn canonical(&self, path: &Path) -> PathBuf {
+        path.to_path_buf()
+    }
+
+    /// Whether there is a folder at the path.
+    fn is_dir(&self, _path: &Path) -> bool {
+        false
+    }
+}
+
+/// The files of this machine.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Disk;
+
+impl Files for Disk {
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        // A device may have no end.
+        let mut bytes = Vec::new();
+        std::fs::File::open(path)?.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    fn canonical(&self, path: &Path) -> PathBuf {
+        path.canonicalize().unwrap_or_else(|_| path.to_path_buf())
+    }
+
+    fn is_dir(&self, path: &Path) -> bool {
+        path.is_dir()
+    }
+}
+
+/// Specs larger than this are refused.
+const MAX_BYTES: usize = 4 << 20;
+
+/// Reads the spec that `name` denotes, trying the folders in order; an absolute `name` is taken as it is.
+///
+/// # Errors
+/// When no folder has the file (all places are listed), or it is a folder, unreadable, or not UTF-8.
+pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source, ReadError> {
+    let candidates: Vec<PathBuf> = if Path::new(name).is_absolute() || folders.is_empty() {
+        vec![PathBuf::from(name)]
+    } else {
+        folders.iter().map(|f| f.join(name)).collect()
+    };
+    let mut tried = Vec::new();
+    for path in &candidates {
+        if files.is_dir(path) {
+            return Err(ReadError {
+                message: format!("`{name}` is a folder, not a spec file"),
+                notes: vec![String::from("name one file, such as \"specs/quartic.basis\"")],
+            });
+        }
+        match files.read(path) {
+            Ok(bytes) => return decode(name, files.canonical(path), bytes),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                tried.push(format!("tried {}", path.display()));
+            }
+            Err(e) => {
+                return Err(ReadError { message: format!("cannot read `{name}`: {e}"), notes: Vec::new() });
+            }
+        }
+    }
+    tried.dedup();
+    Err(ReadError { message: format!("there is no spec file `{name}`"), notes: tried })
+}
+
+fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError> {
+    if bytes.len() > MAX_BYTES {
+        return Err(ReadError {
+            message: format!("`{name}` is larger than {} MiB", MAX_BYTES >> 20),
+            notes: vec![String::from("split it into several specs")],
+        });
+    }
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let valid = e.utf8_error().valid_up_to();
+        let line = e.as_bytes()[..valid].iter().filter(|b| **b == b'\n').count() + 1;
+        ReadError {
+            message: format!(
+                "`{name}` is not UTF-8: invalid byte 0x{:02x} in line {line}",
+                e.as_bytes()[valid]
+            ),
+            notes: vec![String::from("save the file with the encoding UTF-8")],
+        }
+    })?;
+    Ok(Source { name: name.to_string(), path: Some(path), text: Some(normalize(&text)) })
+}

@@ -1,0 +1,173 @@
+//! Claims: `prove …` and `refute …`.
+
+use proc_macro2::{Delimiter, TokenTree};
+use syn::parse::ParseStream;
+use syn::{Result, Token};
+
+use super::error::error;
+use super::expr::{comparison, expr, join, loops, name, unexpected};
+use super::statements::{at_word, equals, take_word};
+use super::{Binding, Claim, ClaimKind, Expected, Relation};
+
+/// The properties that are claimed by a word.
+const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
+
+/// `prove …` or `refute …` without the final `;`.
+pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
+    let expected = if at_word(input, "refute") { Expected::False } else { Expected::True };
+    let keyword = take_word(input)?;
+    let kind = match property(input) {
+        Some(word) => {
+            let span = take_word(input)?;
+            match word {
+                "partition_of_unity" => ClaimKind::PartitionOfUnity,
+                "nonnegative" => ClaimKind::Nonnegative,
+                "symmetric" => ClaimKind::Symmetric,
+                "continuity" => continuity(input, span)?,
+                _ => ClaimKind::Independent(exceptions(input, span)?),
+            }
+        }
+        None if at_word(input, "at") => at(input)?,
+        None => ClaimKind::Relation(relation(input)?),
+    };
+    Ok(Claim { expected, keyword, kind })
+}
+
+/// The property that the next word names, when it stands alone.
+fn property(input: ParseStream<'_>) -> Option<&'static str> {
+    let (ident, after) = input.cursor().ident()?;
+    let alone = match after.token_tree() {
+        None | Some((TokenTree::Ident(_), _)) => true,
+        Some((TokenTree::Punct(p), _)) => p.as_char() == ';',
+        Some((TokenTree::Group(_), _)) => ident == "continuity",
+        _ => false,
+    };
+    PROPERTIES.into_iter().find(|p| alone && ident == p)
+}
+
+/// `continuity(2)` after its first word.
+fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
+    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
+    {
+        return Err(error(
+            word,
+            "`continuity` needs the number of continuous derivatives",
+            "write `continuity(2)`",
+        ));
+    }
+    let content;
+    syn::parenthesized!(content in input);
+    let order = expr(&content)?;
+    if !content.is_empty() {
+        return Err(unexpected(&content, "`)`"));
+    }
+    Ok(ClaimKind::Continuity(order))
+}
+
+/// `except λ = -3, λ = 1` or `except (α = 0, β = 1)`: a list of exceptions, each one or several values.
+fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<Vec<Binding>>> {
+    let mut all = Vec::new();
+    if !at_word(input, "except") {
+        return Ok(all);
+    }
+    take_word(input)?;
+    loop {
+        let exception = match input.cursor().token_tree() {
+            Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
+                let content;
+                syn::parenthesized!(content in input);
+                bindings(&content)?
+            }
+            _ => vec![binding(input)?],
+        };
+        if exception.is_empty() {
+            return Err(error(before, "`except` without a value", "write `except λ = -3`"));
+        }
+        all.push(exception);
+        if !input.peek(Token![,]) {
+            return Ok(all);
+        }
+        input.parse::<Token![,]>()?;
+    }
+}
+
+fn binding(input: ParseStream<'_>) -> Result<Binding> {
+    let name = name(input)?;
+    equals(input, &name)?;
+    Ok(Binding { name, value: expr(input)? })
+}
+
+fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
+    let mut all = vec![binding(input)?];
+    while input.peek(Token![,]) {
+        input.parse::<Token![,]>()?;
+        all.push(binding(input)?);
+    }
+    Ok(all)
+}
+
+/// `at t = 0, λ = 1 { b = [1, 0]; D(b) = [-1, 1]; }`
+fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
+    take_word(input)?;
+    let fixed = bindings(input)?;
+    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
+    {
+        return Err(unexpected(input, "`{` with the equations that hold there"));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut relations = Vec::new();
+    while !content.is_empty() {
+        relations.push(relation(&content)?);
+        if content.peek(Token![;]) {
+            content.parse::<Token![;]>()?;
+        } else if !content.is_empty() {
+            return Err(error(
+                content.span(),
+                unexpected(&content, "`;`").to_string(),
+                "every equation in the block ends with `;`",
+            ));
+        }
+    }
+    if relations.is_empty() {
+        return Err(error(
+            content.span(),
+            "the block claims nothing",
+            "write equations, such as `b = [1, 0, 0];`",
+        ));
+    }
+    Ok(ClaimKind::At(fixed, relations))
+}
+
+/// `left = right for i in 0..=n`, with any comparison.
+fn relation(input: ParseStream<'_>) -> Result<Relation> {
+    let start = input.span();
+    let single = input.cursor().ident();
+    let left = expr(input)?;
+    let Some(comparison) = comparison(input)? else {
+        if let Some((word, _)) = single
+            && input.peek(Token![;])
+        {
+            let text = word.to_string();
+            let help = match crate::words::closest(&text, &PROPERTIES) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => {
+                    format!("claim a property ({}) or write an equation or inequality", PROPERTIES.join(", "))
+                }
+            };
+            return Err(error(word.span(), format!("`{text}` is not a property"), help));
+        }
+        return Err(error(
+            input.span(),
+            unexpected(input, "`=`, `<=`, `>=`, `<` or `>`").to_string(),
+            "a claim is an equation or an inequality",
+        ));
+    };
+    let right = expr(input)?;
+    if matches!(input.cursor().token_tree(), Some((TokenTree::Punct(p), _)) if "<>=".contains(p.as_char())) {
+        return Err(error(input.span(), "a claim has two sides only", "write two claims"));
+    }
+    let loops = loops(input)?;
+    let span = join(start, right.span);
+    Ok(Relation { left, comparison, right, loops, span })
+}

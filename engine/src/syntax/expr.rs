@@ -1,0 +1,463 @@
+//! Expressions: precedence climbing of our own, because Rust's grammar reads `t^2*3` as `t^(2*3)`.
+//!
+//! From loose to tight: `+ -`, `* /`, unary `-`, `^` (to the right), then calls and indices.
+
+use proc_macro2::{Delimiter, Literal, Span, TokenTree};
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Ident, Result, Token};
+
+use super::error::error;
+use super::glyphs::MAX_NESTING;
+use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
+use crate::algebra::rational::Rational;
+
+/// Numbers with more digits than this are refused.
+const MAX_DIGITS: usize = 1000;
+
+/// The span from one token to another; on compilers that cannot join spans the first one.
+pub(super) fn join(a: Span, b: Span) -> Span {
+    a.join(b).unwrap_or(a)
+}
+
+/// An expression.
+pub(super) fn expr(input: ParseStream<'_>) -> Result<Expr> {
+    sum(input, 0)
+}
+
+fn sum(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    if depth > MAX_NESTING {
+        return Err(error(
+            input.span(),
+            "the expression is nested too deeply",
+            "name parts of the formula with `let`",
+        ));
+    }
+    let first = product(input, depth)?;
+    let mut terms = vec![(false, first)];
+    while input.peek(Token![+]) || input.peek(Token![-]) {
+        let minus = input.parse::<Option<Token![+]>>()?.is_none();
+        if minus {
+            input.parse::<Token![-]>()?;
+        }
+        terms.push((minus, product(input, depth)?));
+    }
+    Ok(flat(terms, ExprKind::Sum))
+}
+
+fn product(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    let mut factors = vec![(false, factor(input, depth)?)];
+    loop {
+        if input.peek(Token![*]) {
+            let star = input.parse::<Token![*]>()?;
+            if input.peek(Token![*]) {
+                return Err(error(star.span, "`**` is not an operator", "write `^` for a power"));
+            }
+            factors.push((false, factor(input, depth)?));
+        } else if input.peek(Token![/]) {
+            input.parse::<Token![/]>()?;
+            factors.push((true, factor(input, depth)?));
+        } else {
+            break;
+        }
+    }
+    missing_operator(input)?;
+    Ok(flat(factors, ExprKind::Product))
+}
+
+/// A single part stands for itself.
+fn flat(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) -> Expr {
+    let span = join(parts[0].1.span, parts[parts.len() - 1].1.span);
+    match parts.pop() {
+        Some((_, only)) if parts.is_empty() => only,
+        Some(last) => {
+            parts.push(last);
+            Expr { span, kind: kind(parts) }
+        }
+        None => unreachable!("a sum or product has a first part"),
+    }
+}
+
+/// Two factors side by side, as papers write them, are an error with the place of the missing sign.
+fn missing_operator(input: ParseStream<'_>) -> Result<()> {
+    let found = match input.cursor().token_tree() {
+        Some((TokenTree::Ident(i), _))
+            if i != "for" && i != "if" && i != "except" && i != "in" && i != "parallel" =>
+        {
+            i.to_string()
+        }
+        Some((TokenTree::Literal(l), _)) => l.to_string(),
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
+        _ => return Ok(()),
+    };
+    Err(error(
+        input.span(),
+        format!("an operator is missing before `{found}`"),
+        "write `*` between the factors of a product",
+    ))
+}
+
+/// −x binds looser than x^2 and may be repeated.
+fn factor(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    let start = input.span();
+    let mut negative = false;
+    let mut signed = false;
+    loop {
+        if input.peek(Token![-]) {
+            input.parse::<Token![-]>()?;
+            negative = !negative;
+        } else if input.peek(Token![+]) {
+            input.parse::<Token![+]>()?;
+        } else {
+            break;
+        }
+        signed = true;
+    }
+    let inner = power(input, depth)?;
+    if !signed {
+        return Ok(inner);
+    }
+    let span = join(start, inner.span);
+    let kind = if negative { ExprKind::Neg(Box::new(inner)) } else { inner.kind };
+    Ok(Expr { span, kind })
+}
+
+fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    if depth > MAX_NESTING {
+        return Err(error(
+            input.span(),
+            "the expression is nested too deeply",
+            "name parts of the formula with `let`",
+        ));
+    }
+    let base = postfix(input, depth)?;
+    if !input.peek(Token![^]) {
+        return Ok(base);
+    }
+    input.parse::<Token![^]>()?;
+    let start = input.span();
+    let exponent = if input.peek(Token![-]) {
+        input.parse::<Token![-]>()?;
+        let inner = power(input, depth + 1)?;
+        Expr { span: join(start, inner.span), kind: ExprKind::Neg(Box::new(inner)) }
+    } else {
+        power(input, depth + 1)?
+    };
+    let span = join(base.span, exponent.span);
+    Ok(Expr { span, kind: ExprKind::Power(Box::new(base), Box::new(exponent)) })
+}
+
+fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    let mut value = atom(input, depth)?;
+    loop {
+        let Some((TokenTree::Group(group), _)) = input.cursor().token_tree() else { return Ok(value) };
+        let span = join(value.span, group.span_close());
+        value = match group.delimiter() {
+            Delimiter::Bracket => {
+                let content;
+                syn::bracketed!(content in input);
+                let indices = list(&content, depth + 1)?;
+                if indices.is_empty() {
+                    return Err(error(
+                        group.span(),
+                        "an index is missing between the brackets",
+                        "write a number, such as `b[0]`",
+                    ));
+                }
+                Expr { span, kind: ExprKind::Index(Box::new(value), indices) }
+            }
+            Delimiter::Parenthesis => {
+                if let ExprKind::Number(n) = &value.kind {
+                    return Err(error(
+                        group.span(),
+                        format!("an operator is missing between `{n}` and `(`"),
+                        format!("write `{n}*(…)` for a product"),
+                    ));
+                }
+                let content;
+                syn::parenthesized!(content in input);
+                let arguments = arguments(&content, depth + 1)?;
+                Expr { span, kind: ExprKind::Call(Box::new(value), arguments) }
+            }
+            _ => return Ok(value),
+        };
+    }
+}
+
+fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    let span = input.span();
+    match input.cursor().token_tree() {
+        Some((TokenTree::Literal(literal), _)) => {
+            input.parse::<Literal>()?;
+            Ok(Expr { span, kind: ExprKind::Number(number(&literal)?) })
+        }
+        Some((TokenTree::Ident(_), _)) => Ok(Expr { span, kind: ExprKind::Name(name(input)?.text) }),
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
+            let content;
+            syn::parenthesized!(content in input);
+            let mut inner = sum(&content, depth + 1)?;
+            if !content.is_empty() {
+                return Err(unexpected(&content, "`)` or an operator"));
+            }
+            inner.span = g.span();
+            Ok(inner)
+        }
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket => {
+            let content;
+            syn::bracketed!(content in input);
+            let mut parts = arguments(&content, depth + 1)?;
+            let each = parts.len() == 1 && matches!(parts[0].kind, ExprKind::Each(..));
+            let kind = match parts.pop() {
+                Some(only) if each => only.kind,
+                last => ExprKind::List(parts.into_iter().chain(last).collect()),
+            };
+            Ok(Expr { span: g.span(), kind })
+        }
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::None => {
+            // A fragment that another macro passed on.
+            let content = input.call(none_delimited)?;
+            let mut inner = syn::parse::Parser::parse2(|i: ParseStream<'_>| sum(i, depth + 1), content)?;
+            inner.span = g.span();
+            Ok(inner)
+        }
+        _ => Err(unexpected(input, "a number, a name or `(`")),
+    }
+}
+
+fn none_delimited(input: ParseStream<'_>) -> Result<proc_macro2::TokenStream> {
+    input.step(|cursor| match cursor.token_tree() {
+        Some((TokenTree::Group(g), rest)) => Ok((g.stream(), rest)),
+        _ => Err(cursor.error("a group was seen here")),
+    })
+}
+
+/// What stands where something else was expected.
+pub(super) fn unexpected(input: ParseStream<'_>, expected: &str) -> syn::Error {
+    match input.cursor().token_tree() {
+        None => syn::Error::new(input.span(), format!("expected {expected}, but nothing follows")),
+        Some((TokenTree::Group(g), _)) => {
+            let open = match g.delimiter() {
+                Delimiter::Parenthesis => "`(`",
+                Delimiter::Bracket => "`[`",
+                _ => "`{`",
+            };
+            syn::Error::new(g.span_open(), format!("expected {expected}, found {open}"))
+        }
+        Some((token, _)) => syn::Error::new(token.span(), format!("expected {expected}, found `{token}`")),
+    }
+}
+
+/// A name; the words of the language's own grammar are not names.
+pub(super) fn name(input: ParseStream<'_>) -> Result<Name> {
+    let Some((TokenTree::Ident(_), _)) = input.cursor().token_tree() else {
+        return Err(unexpected(input, "a name"));
+    };
+    let ident = input.call(Ident::parse_any)?;
+    let text = ident.to_string();
+    if ["for", "in", "if", "let", "use", "crate", "as"].contains(&text.as_str()) || text.starts_with("r#") {
+        return Err(error(
+            ident.span(),
+            format!("`{text}` is a word of the language, not a name"),
+            "choose another name",
+        ));
+    }
+    Ok(Name { text: text.replace('\u{b5}', "μ").replace('\u{2126}', "Ω"), span: ident.span() })
+}
+
+/// An exact number: digits, perhaps with a decimal point.
+fn number(literal: &Literal) -> Result<Rational> {
+    let text = literal.to_string();
+    if text.len() > MAX_DIGITS {
+        return Err(error(
+            literal.span(),
+            "the number has too many digits",
+            format!("at most {MAX_DIGITS} are read"),
+        ));
+    }
+    if let Some(value) = Rational::from_decimal(&text) {
+        return Ok(value);
+    }
+    let digits: String = text.chars().take_while(char::is_ascii_digit).collect();
+    let rest = &text[digits.len()..];
+    if digits.is_empty() {
+        return Err(error(
+            literal.span(),
+            format!("expected a number, found {text}"),
+            "numbers are written as 3, 1/3 or 0.62",
+        ));
+    }
+    if rest.starts_with(['e', 'E'])
+        && rest[1..].starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+')
+    {
+        return Err(error(
+            literal.span(),
+            format!("`{text}` is not an exact number of the language"),
+            "write a power of ten, such as `3*10^6` or `1/10^6`",
+        ));
+    }
+    if rest.starts_with(char::is_alphabetic) && digits != "0" {
+        return Err(error(
+            literal.span(),
+            format!("an operator is missing in `{text}`"),
+            format!("write `{digits}*{rest}`"),
+        ));
+    }
+    Err(error(
+        literal.span(),
+        format!("`{text}` is not a number of the language"),
+        "numbers are written as 3, 1/3 or 0.62",
+    ))
+}
+
+/// Expressions separated by commas up to the end of the brackets.
+fn list(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
+    let mut parts = Vec::new();
+    while !content.is_empty() {
+        parts.push(sum(content, depth)?);
+        separator(content)?;
+    }
+    Ok(parts)
+}
+
+/// As [`list`], where an expression may run over index variables: `t^i for i in 0..=n`.
+fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
+    let mut parts = Vec::new();
+    while !content.is_empty() {
+        let part = sum(content, depth)?;
+        if content.peek(Token![for]) {
+            let loops = loops(content)?;
+            if !parts.is_empty() || !content.is_empty() {
+                return Err(error(
+                    part.span,
+                    "an expression with `for` stands alone between its brackets",
+                    "write `sum(t^i for i in 0..=n)`",
+                ));
+            }
+            let span = part.span;
+            return Ok(vec![Expr { span, kind: ExprKind::Each(Box::new(part), loops) }]);
+        }
+        parts.push(part);
+        separator(content)?;
+    }
+    Ok(parts)
+}
+
+fn separator(content: ParseStream<'_>) -> Result<()> {
+    if content.peek(Token![,]) {
+        content.parse::<Token![,]>()?;
+    } else if !content.is_empty() {
+        return Err(unexpected(content, "`,` or an operator"));
+    }
+    Ok(())
+}
+
+/// `for i in 0..=n, j in 0..=n if i != j`, or nothing.
+pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
+    let mut result = Loops::default();
+    if !input.peek(Token![for]) {
+        return Ok(result);
+    }
+    input.parse::<Token![for]>()?;
+    loop {
+        result.generators.push(generator(input)?);
+        if !input.peek(Token![,]) {
+            break;
+        }
+        input.parse::<Token![,]>()?;
+    }
+    if input.peek(Token![if]) {
+        input.parse::<Token![if]>()?;
+        loop {
+            let left = expr(input)?;
+            let Some(sign) = comparison(input)? else {
+                return Err(unexpected(input, "a comparison such as `!=`"));
+            };
+            result.conditions.push((left, sign, expr(input)?));
+            if !input.peek(Token![&&]) {
+                break;
+            }
+            input.parse::<Token![&&]>()?;
+        }
+    }
+    Ok(result)
+}
+
+/// `i in low..=high`, or `i, j, k in simplex(n)`.
+fn generator(input: ParseStream<'_>) -> Result<Generator> {
+    let ahead = input.fork();
+    let mut names = vec![name(&ahead)?];
+    while ahead.peek(Token![,]) {
+        ahead.parse::<Token![,]>()?;
+        match name(&ahead) {
+            Ok(name) => names.push(name),
+            Err(_) => break,
+        }
+    }
+    let simplex = ahead.peek(Token![in])
+        && ahead.parse::<Token![in]>().is_ok()
+        && ahead.cursor().ident().is_some_and(|(word, _)| word == "simplex");
+    if !simplex {
+        return Ok(Generator::Range(index_range(input)?));
+    }
+    ahead.call(Ident::parse_any)?;
+    let content;
+    syn::parenthesized!(content in ahead);
+    let sum = expr(&content)?;
+    if !content.is_empty() {
+        return Err(unexpected(&content, "`)`"));
+    }
+    syn::parse::discouraged::Speculative::advance_to(input, &ahead);
+    Ok(Generator::Simplex(names, sum))
+}
+
+/// `i in low..=high`.
+pub(super) fn index_range(input: ParseStream<'_>) -> Result<IndexRange> {
+    let name = name(input)?;
+    if !input.peek(Token![in]) {
+        return Err(error(
+            input.span(),
+            format!("expected `in` after `{}`", name.text),
+            format!("write a range, such as `{} in 0..=3`", name.text),
+        ));
+    }
+    input.parse::<Token![in]>()?;
+    let low = expr(input)?;
+    let inclusive = input.peek(Token![..=]);
+    if inclusive {
+        input.parse::<Token![..=]>()?;
+    } else if input.peek(Token![..]) {
+        input.parse::<Token![..]>()?;
+    } else {
+        return Err(error(input.span(), "expected a range", "write `0..=3` for 0, 1, 2, 3"));
+    }
+    let high = expr(input)?;
+    Ok(IndexRange { name, low, high, inclusive })
+}
+
+/// A comparison sign, if one follows.
+pub(super) fn comparison(input: ParseStream<'_>) -> Result<Option<Comparison>> {
+    Ok(Some(if input.peek(Token![==]) {
+        input.parse::<Token![==]>()?;
+        Comparison::Equal
+    } else if input.peek(Token![<=]) {
+        input.parse::<Token![<=]>()?;
+        Comparison::LessEqual
+    } else if input.peek(Token![>=]) {
+        input.parse::<Token![>=]>()?;
+        Comparison::GreaterEqual
+    } else if input.peek(Token![!=]) {
+        input.parse::<Token![!=]>()?;
+        Comparison::NotEqual
+    } else if input.peek(Token![<]) {
+        input.parse::<Token![<]>()?;
+        Comparison::Less
+    } else if input.peek(Token![>]) {
+        input.parse::<Token![>]>()?;
+        Comparison::Greater
+    } else if input.peek(Token![=]) {
+        input.parse::<Token![=]>()?;
+        Comparison::Equal
+    } else {
+        return Ok(None);
+    }))
+}

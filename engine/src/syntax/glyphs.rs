@@ -1,0 +1,284 @@
+//! What a text must satisfy before Rust's lexer sees it: glyphs that are Rust tokens, balanced brackets.
+//!
+//! The lexer would say only "cannot parse"; formulas copied from papers deserve a better answer.
+
+use std::borrow::Cow;
+
+use super::error::{SyntaxError, SyntaxPlace};
+
+/// Brackets nested deeper than this are refused, before they can exhaust the stack.
+pub(super) const MAX_NESTING: usize = 64;
+
+/// After this many errors the text is most likely not a spec at all.
+const MAX_ERRORS: usize = 20;
+
+/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with, of the
+/// same length in bytes, in which every wrong character is replaced; `None` when brackets do not balance.
+pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
+    let mut errors = Vec::new();
+    let mut repaired = Cow::Borrowed(text);
+    let mut open: Vec<(char, usize)> = Vec::new();
+    let mut previous = ' ';
+    let mut balanced = true;
+    let mut rest = Scanner { text, at: 0, unterminated: false };
+    while let Some((at, c)) = rest.next_code_char(&mut errors) {
+        match c {
+            '(' | '[' | '{' => {
+                open.push((c, at));
+                if open.len() > MAX_NESTING {
+                    errors.push(new(
+                        text,
+                        at,
+                        "the brackets are nested too deeply",
+                        "name parts of the formula with `let`",
+                    ));
+                    return (errors, None);
+                }
+            }
+            ')' | ']' | '}' => balanced &= close(text, c, at, &mut open, &mut errors),
+            _ => {
+                if let Some((message, help, instead)) = wrong_glyph(c, previous) {
+                    errors.push(new(text, at, &message, &help));
+                    repaired.to_mut().replace_range(at..at + c.len_utf8(), &padded(&instead, c.len_utf8()));
+                }
+            }
+        }
+        previous = c;
+        if errors.len() >= MAX_ERRORS {
+            return (errors, None);
+        }
+    }
+    // What is left open at the end of the text: a bracket, a comment or a string.
+    balanced &= open.is_empty() && !rest.unterminated;
+    for (c, at) in open {
+        errors.push(new(
+            text,
+            at,
+            &format!("this `{c}` is never closed"),
+            &format!("add the missing `{}`", partner(c)),
+        ));
+    }
+    (errors, balanced.then_some(repaired))
+}
+
+/// The text with white space added up to a length in bytes.
+fn padded(text: &str, len: usize) -> String {
+    format!("{text:len$}")
+}
+
+fn close(
+    text: &str,
+    c: char,
+    at: usize,
+    open: &mut Vec<(char, usize)>,
+    errors: &mut Vec<SyntaxError>,
+) -> bool {
+    match open.last() {
+        Some((o, _)) if partner(*o) == c => {
+            open.pop();
+            return true;
+        }
+        // A range in interval notation is the usual reason.
+        Some((o, start)) if *o != '{' => {
+            let message = format!("`{o}` is closed by `{c}`");
+            let inside = text.get(start + 1..at).unwrap_or_default();
+            let help = if inside.contains(',') && !inside.contains('\n') {
+                String::from("brackets must balance; write a range as inequalities, such as `0 < λ <= 4`")
+            } else {
+                format!("write `{}`", partner(*o))
+            };
+            errors.push(new(text, at, &message, &help));
+            open.pop();
+        }
+        _ => errors.push(new(
+            text,
+            at,
+            &format!("this `{c}` closes nothing"),
+            "remove it, or add the opening bracket",
+        )),
+    }
+    false
+}
+
+const fn partner(open: char) -> char {
+    match open {
+        '(' => ')',
+        '[' => ']',
+        _ => '}',
+    }
+}
+
+fn new(text: &str, at: usize, message: &str, help: &str) -> SyntaxError {
+    let len = text[at..].chars().next().map_or(0, char::len_utf8);
+    SyntaxError {
+        place: SyntaxPlace::Bytes(at..at + len),
+        message: message.to_string(),
+        help: Some(help.to_string()),
+    }
+}
+
+const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉";
+
+/// What is wrong with a character outside of comments and strings, what to write instead, and Rust tokens
+/// that stand for it while the rest of the text is read (no longer than the character in bytes).
+fn wrong_glyph(c: char, previous: char) -> Option<(String, String, String)> {
+    // Nearly all characters are these; the check runs unoptimised on every build.
+    if c.is_ascii() && !matches!(c, '\'' | '\\' | '`' | '\0') {
+        return None;
+    }
+    let digit = |set: &str| set.chars().position(|d| d == c);
+    if let Some(d) = digit(SUPERSCRIPTS) {
+        let message = format!("the superscript `{c}` cannot stand in a spec");
+        return Some((message, format!("write `^{d}` for a power, such as `t^{d}`"), format!("^{d}")));
+    }
+    if let Some(d) = digit(SUBSCRIPTS) {
+        let base = if previous.is_alphanumeric() { previous } else { 'λ' };
+        let message = format!("the subscript `{c}` cannot stand in a spec");
+        let help =
+            format!("write the digit after the name, such as `{base}{d}`, or an index, such as `b[{d}]`");
+        return Some((message, help, d.to_string()));
+    }
+    let (help, instead) = match c {
+        '\'' | '′' | '″' | '’' => {
+            ("write `D(b)` for the derivative of `b`, `D(b, 2)` for the second", "")
+        }
+        '≤' => ("write `<=`", "<="),
+        '≥' => ("write `>=`", ">="),
+        '≠' => ("write `!=`", "!="),
+        '−' | '–' | '—' => ("write the minus sign of the keyboard, `-`", "-"),
+        '·' | '×' | '∙' | '⋅' => ("write `*` for a product", "*"),
+        '÷' => ("write `/` for a quotient", "/"),
+        '∑' => ("write `sum(b[i] for i in 0..=n)`", ""),
+        '∏' => ("write `product(… for i in 0..=n)`", ""),
+        '∂' => ("write `D(b, t)` for a derivative", ""),
+        '½' => ("write `1/2`", "1"),
+        '¼' => ("write `1/4`", "1"),
+        '¾' => ("write `3/4`", "1"),
+        '∞' => ("leave the end of the range out: `0 < λ` has no upper end", "1"),
+        '“' | '”' | '„' | '«' | '»' => ("write the straight quotation mark `\"`", ""),
+        '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ("write an ordinary space", ""),
+        '\\' | '`' | '\0' => ("remove it", ""),
+        _ if c.is_alphanumeric() || c.is_whitespace() || is_name_part(c) => return None,
+        _ => ("names are letters and digits; operators are `+ - * / ^`", ""),
+    };
+    let shown =
+        if c.is_whitespace() || c.is_control() { format!("U+{:04X}", c as u32) } else { format!("`{c}`") };
+    Some((format!("the character {shown} cannot stand in a spec"), help.to_string(), instead.to_string()))
+}
+
+/// Whether Rust allows the character inside a name although it is neither letter nor digit.
+fn is_name_part(c: char) -> bool {
+    syn::parse_str::<proc_macro2::Ident>(&format!("a{c}")).is_ok()
+}
+
+/// Walks over a text, leaving out comments and strings.
+struct Scanner<'a> {
+    text: &'a str,
+    at: usize,
+    unterminated: bool,
+}
+
+impl Scanner<'_> {
+    fn next_code_char(&mut self, errors: &mut Vec<SyntaxError>) -> Option<(usize, char)> {
+        loop {
+            let rest = &self.text[self.at..];
+            if rest.starts_with("//") {
+                self.at += rest.find('\n').unwrap_or(rest.len());
+            } else if rest.starts_with("/*") {
+                self.skip_block_comment(errors);
+            } else if rest.starts_with('"') {
+                self.skip_string(errors);
+            } else {
+                let c = rest.chars().next()?;
+                let at = self.at;
+                self.at += c.len_utf8();
+                return Some((at, c));
+            }
+        }
+    }
+
+    /// Block comments nest, as in Rust.
+    fn skip_block_comment(&mut self, errors: &mut Vec<SyntaxError>) {
+        let (start, mut depth) = (self.at, 0_usize);
+        loop {
+            let rest = &self.text[self.at..];
+            if rest.starts_with("/*") {
+                (self.at, depth) = (self.at + 2, depth + 1);
+            } else if rest.starts_with("*/") {
+                (self.at, depth) = (self.at + 2, depth - 1);
+                if depth == 0 {
+                    return;
+                }
+            } else if let Some(c) = rest.chars().next() {
+                self.at += c.len_utf8();
+            } else {
+                errors.push(new(self.text, start, "this comment is never closed", "add `*/`"));
+                self.unterminated = true;
+                return;
+            }
+        }
+    }
+
+    fn skip_string(&mut self, errors: &mut Vec<SyntaxError>) {
+        let start = self.at;
+        self.at += 1;
+        while let Some(c) = self.text[self.at..].chars().next() {
+            self.at += c.len_utf8();
+            match c {
+                '"' => return,
+                '\\' => self.at += self.text[self.at..].chars().next().map_or(0, char::len_utf8),
+                _ => {}
+            }
+        }
+        self.unterminated = true;
+        errors.push(new(self.text, start, "this string is never closed", "add the closing `\"`"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn messages(text: &str) -> Vec<String> {
+        check(text).0.into_iter().map(|e| format!("{} | {}", e.message, e.help.unwrap_or_default())).collect()
+    }
+
+    #[test]
+    fn a_clean_text_has_no_errors() {
+        assert!(
+            messages("family F { b[0] = (1 - λ*t)^2; } // t² ≤ 1 '\n/* ( /* b' */ */ use \"a')\";")
+                .is_empty()
+        );
+    }
+
+    #[test]
+    fn glyphs_of_papers_get_advice() {
+        assert_eq!(
+            messages("t²"),
+            ["the superscript `²` cannot stand in a spec | write `^2` for a power, such as `t^2`"]
+        );
+        assert!(messages("λ₁")[0].contains("such as `λ1`"));
+        assert!(messages("b'")[0].contains("D(b)"));
+        assert!(messages("a − b ≤ c")[1].contains("`<=`"));
+    }
+
+    #[test]
+    fn the_rest_is_read_with_what_was_meant() {
+        assert_eq!(check("t² − λ₁").1.as_deref(), Some("t^2 -   λ1  "));
+        assert_eq!(check("b'").1.as_deref(), Some("b "));
+        assert_eq!(check("(").1, None);
+    }
+
+    #[test]
+    fn brackets_must_balance() {
+        assert!(
+            messages("λ in (0, 4]")[0]
+                .contains("`(` is closed by `]` | brackets must balance; write a range as inequalities")
+        );
+        assert!(messages("f(")[0].contains("never closed"));
+        assert!(messages(")")[0].contains("closes nothing"));
+        assert!(messages(&"(".repeat(100_000))[0].contains("too deeply"));
+        assert!(messages("/* ")[0].contains("never closed"));
+    }
+}

@@ -1,0 +1,295 @@
+//! The spec language: from text or tokens to a syntax tree with spans.
+//!
+//! The tree says what was written, not what it means; meaning is the business of `model`.
+
+mod claims;
+mod error;
+mod expr;
+mod glyphs;
+mod parse;
+mod statements;
+
+pub use error::{SyntaxError, SyntaxPlace};
+pub use parse::{parse_text, parse_tokens};
+
+use proc_macro2::Span;
+
+use crate::algebra::rational::Rational;
+
+/// A whole spec.
+#[derive(Debug, Default)]
+pub struct Spec {
+    /// The items in the order in which they are written.
+    pub items: Vec<Item>,
+}
+
+/// What stands at the top of a spec.
+#[derive(Debug)]
+pub enum Item {
+    /// `use "other.basis";`
+    Use(Use),
+    /// `family Name { … }`
+    Family(Family),
+}
+
+/// The families of another file are visible here.
+#[derive(Debug)]
+pub struct Use {
+    /// The path, relative to the file that says it.
+    pub path: String,
+    /// Where the path stands.
+    pub span: Span,
+}
+
+/// A name and where it stands.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The name.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A family of basis functions as it is written.
+#[derive(Debug)]
+pub struct Family {
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// The name.
+    pub name: Name,
+    /// The index parameters, `n in 1..=30`.
+    pub orders: Vec<IndexRange>,
+    /// What stands between the braces.
+    pub statements: Vec<Statement>,
+    /// Whether a statement could not be read and is left out.
+    pub incomplete: bool,
+}
+
+/// One statement of a family, with its doc comment.
+#[derive(Debug)]
+pub struct Statement {
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// The whole statement.
+    pub span: Span,
+    /// What it says.
+    pub kind: StatementKind,
+}
+
+/// The kinds of statements.
+#[derive(Debug)]
+pub enum StatementKind {
+    /// `domain 0 <= u <= 1, 0 <= v <= 1;`
+    Domain(Vec<RangeDecl>),
+    /// `domain triangle (u, v, w);`
+    Simplex(Vec<Name>),
+    /// `shape -3 <= λ <= 1;`
+    Shape(RangeDecl),
+    /// `let c = …;`
+    Let(Name, Expr),
+    /// `b[i] = … for i in 0..=n;`
+    Function(FunctionDef),
+    /// `base n = 3 { … }`: the functions of the lowest order.
+    Base(Binding, Vec<FunctionDef>),
+    /// `raise b[i] = …;`: the functions of one order from those of the order before.
+    Raise(FunctionDef),
+    /// `prove …;` or `refute …;`
+    Claim(Claim),
+    /// `budget 10;`: the provers may do ten times the usual work.
+    Budget(Expr),
+}
+
+/// A name with its range, such as `-3 <= λ < 1`.
+#[derive(Debug)]
+pub struct RangeDecl {
+    /// The name.
+    pub name: Name,
+    /// The lower end and whether it is included.
+    pub low: Option<(Expr, bool)>,
+    /// The upper end and whether it is included.
+    pub high: Option<(Expr, bool)>,
+}
+
+/// `name[indices] = value for …`.
+#[derive(Debug)]
+pub struct FunctionDef {
+    /// `permute`: the same for all functions that follow by permuting indices and variables together.
+    pub permute: bool,
+    /// The name that all functions of the family share.
+    pub name: Name,
+    /// The indices.
+    pub indices: Vec<Expr>,
+    /// The formula.
+    pub value: Expr,
+    /// What the index variables run over.
+    pub loops: Loops,
+}
+
+/// `for i in 0..=n, j in 0..=n if i != j`.
+#[derive(Debug, Default)]
+pub struct Loops {
+    /// What the names run over, the first slowest.
+    pub generators: Vec<Generator>,
+    /// Comparisons that must all hold.
+    pub conditions: Vec<(Expr, Comparison, Expr)>,
+}
+
+/// What one or several index variables run over.
+#[derive(Debug)]
+pub enum Generator {
+    /// `i in low..=high`.
+    Range(IndexRange),
+    /// `i, j, k in simplex(n)`: all whole numbers ≥ 0 with sum n, in lexicographic order.
+    Simplex(Vec<Name>, Expr),
+}
+
+/// `i in low..=high`.
+#[derive(Debug)]
+pub struct IndexRange {
+    /// The name.
+    pub name: Name,
+    /// The first value.
+    pub low: Expr,
+    /// The last value, or the one after it.
+    pub high: Expr,
+    /// Whether `high` belongs to the range, `..=`.
+    pub inclusive: bool,
+}
+
+/// A relation between two expressions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// `=` or `==`
+    Equal,
+    /// `!=`
+    NotEqual,
+    /// `<`
+    Less,
+    /// `<=`
+    LessEqual,
+    /// `>`
+    Greater,
+    /// `>=`
+    GreaterEqual,
+}
+
+impl Comparison {
+    /// The sign as it is written.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Equal => "=",
+            Self::NotEqual => "!=",
+            Self::Less => "<",
+            Self::LessEqual => "<=",
+            Self::Greater => ">",
+            Self::GreaterEqual => ">=",
+        }
+    }
+}
+
+/// A claim as it is written.
+#[derive(Debug)]
+pub struct Claim {
+    /// Whether the claim is declared true (`prove`) or false (`refute`).
+    pub expected: Expected,
+    /// Where `prove` or `refute` stands.
+    pub keyword: Span,
+    /// What is claimed.
+    pub kind: ClaimKind,
+}
+
+/// What the author of a claim says of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Expected {
+    /// `prove`: the claim is true.
+    True,
+    /// `refute`: the claim is false.
+    False,
+}
+
+impl Expected {
+    /// The keyword.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::True => "prove",
+            Self::False => "refute",
+        }
+    }
+}
+
+/// The kinds of claims.
+#[derive(Debug)]
+pub enum ClaimKind {
+    /// The functions sum to 1.
+    PartitionOfUnity,
+    /// Every function is ≥ 0 on the domain for all shape values.
+    Nonnegative,
+    /// Reversing the domain reverses the functions.
+    Symmetric,
+    /// The functions are linearly independent, except at the listed shape values.
+    Independent(Vec<Vec<Binding>>),
+    /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
+    Continuity(Expr),
+    /// An equation or inequality.
+    Relation(Relation),
+    /// Equations and inequalities at fixed values: `at t = 0 { … }`.
+    At(Vec<Binding>, Vec<Relation>),
+}
+
+/// `name = value`.
+#[derive(Debug)]
+pub struct Binding {
+    /// The name.
+    pub name: Name,
+    /// The value.
+    pub value: Expr,
+}
+
+/// `left = right for …`.
+#[derive(Debug)]
+pub struct Relation {
+    /// The left side.
+    pub left: Expr,
+    /// The sign between the sides.
+    pub comparison: Comparison,
+    /// The right side.
+    pub right: Expr,
+    /// What index variables run over.
+    pub loops: Loops,
+    /// The whole relation.
+    pub span: Span,
+}
+
+/// An expression and where it stands.
+#[derive(Debug)]
+pub struct Expr {
+    /// Where it stands.
+    pub span: Span,
+    /// What it is.
+    pub kind: ExprKind,
+}
+
+/// The kinds of expressions. Sums and products are flat, so that long formulas do not nest deeply.
+#[derive(Debug)]
+pub enum ExprKind {
+    /// An exact number.
+    Number(Rational),
+    /// A name.
+    Name(String),
+    /// −x.
+    Neg(Box<Expr>),
+    /// Terms with their signs, `true` for minus.
+    Sum(Vec<(bool, Expr)>),
+    /// Factors, `true` for divisors.
+    Product(Vec<(bool, Expr)>),
+    /// base ^ exponent.
+    Power(Box<Expr>, Box<Expr>),
+    /// x[i, j].
+    Index(Box<Expr>, Vec<Expr>),
+    /// f(x, y).
+    Call(Box<Expr>, Vec<Expr>),
+    /// [x, y, z].
+    List(Vec<Expr>),
+    /// An expression for each value of index variables: the argument of `sum` and `product`, or a list.
+    Each(Box<Expr>, Loops),
+}

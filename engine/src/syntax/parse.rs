@@ -1,0 +1,140 @@
+//! From a text or from tokens to the syntax tree, with all mistakes on the way.
+
+use proc_macro2::{TokenStream, TokenTree};
+use syn::Token;
+use syn::parse::{ParseStream, Parser};
+
+use super::error::{SyntaxError, SyntaxPlace, error};
+use super::statements::{at_word, doc, family, take_word};
+use super::{Item, Spec, Use, glyphs};
+
+/// The words that begin an item.
+const ITEMS: [&str; 2] = ["family", "use"];
+
+/// More tokens than this are refused.
+const MAX_TOKENS_BYTES: usize = 1 << 20;
+
+/// Makes proc-macro2 lex and join spans by itself, so that a text has lines and columns inside of a
+/// compiler too; back to the compiler's own tokens when it goes.
+struct OwnLexer;
+
+impl OwnLexer {
+    fn start() -> Self {
+        proc_macro2::fallback::force();
+        Self
+    }
+}
+
+impl Drop for OwnLexer {
+    fn drop(&mut self) {
+        proc_macro2::fallback::unforce();
+    }
+}
+
+/// Reads a spec from a text. The spans of the tree are byte ranges of the text; they stay valid on this
+/// thread only.
+pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
+    if text.len() > MAX_TOKENS_BYTES {
+        let message = format!("the spec is longer than {} KiB", MAX_TOKENS_BYTES >> 10);
+        let help = Some(String::from("split it into several files"));
+        return (Spec::default(), vec![SyntaxError { place: SyntaxPlace::Bytes(0..0), message, help }]);
+    }
+    let _own = OwnLexer::start();
+    let (mut errors, readable) = glyphs::check(text);
+    let Some(readable) = readable else { return (Spec::default(), errors) };
+    match readable.parse::<TokenStream>() {
+        Ok(tokens) => {
+            let (spec, more) = parse(tokens, errors.is_empty());
+            let at_end = text.trim_end().len();
+            errors.extend(more.into_iter().map(|mut e| {
+                if let SyntaxPlace::Token(span) = e.place {
+                    let range = span.byte_range();
+                    // The end of the input has no token; show the end of the text.
+                    let range = if range.is_empty() { at_end..at_end } else { range };
+                    e.place = SyntaxPlace::Bytes(range);
+                }
+                e
+            }));
+            (spec, errors)
+        }
+        Err(e) => {
+            let range = e.span().byte_range();
+            let range = if range.is_empty() { range.start..(range.start + 1).min(text.len()) } else { range };
+            let shown: String = text.get(range.start..).unwrap_or_default().chars().take(1).collect();
+            let message = format!("`{shown}` cannot stand here");
+            let help =
+                Some(String::from("a spec is made of names, numbers, operators, brackets and `//` comments"));
+            errors.push(SyntaxError { place: SyntaxPlace::Bytes(range), message, help });
+            (Spec::default(), errors)
+        }
+    }
+}
+
+/// Reads a spec from the tokens of a macro call.
+pub fn parse_tokens(tokens: TokenStream) -> (Spec, Vec<SyntaxError>) {
+    parse(tokens, true)
+}
+
+fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError>) {
+    let mut errors = Vec::new();
+    let mut spec = Spec::default();
+    let read = |input: ParseStream<'_>| -> syn::Result<()> {
+        doc(input, true)?;
+        if input.is_empty() && complain_if_empty {
+            return Err(error(input.span(), "the spec is empty", "write `family Name { … }`"));
+        }
+        while !input.is_empty() {
+            match item(input, &mut errors) {
+                Ok(item) => spec.items.push(item),
+                Err(e) => {
+                    errors.push(e.into());
+                    skip_item(input);
+                }
+            }
+        }
+        Ok(())
+    };
+    if let Err(e) = Parser::parse2(read, tokens) {
+        errors.push(e.into());
+    }
+    (spec, errors)
+}
+
+fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<Item> {
+    let doc = doc(input, false)?;
+    if at_word(input, "family") {
+        return Ok(Item::Family(family(input, doc, errors)?));
+    }
+    if at_word(input, "use") {
+        take_word(input)?;
+        let path: syn::LitStr = input.parse().map_err(|e| {
+            error(e.span(), "expected a path in quotation marks", "write `use \"quartic.basis\";`")
+        })?;
+        if !input.peek(Token![;]) {
+            return Err(error(path.span(), "expected `;` after the path", "write `use \"quartic.basis\";`"));
+        }
+        input.parse::<Token![;]>()?;
+        return Ok(Item::Use(Use { path: path.value(), span: path.span() }));
+    }
+    let help = match input.cursor().ident() {
+        Some((word, _)) => match crate::words::closest(&word.to_string(), &ITEMS) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => String::from("an item is `family Name { … }` or `use \"file.basis\";`"),
+        },
+        None => String::from("an item is `family Name { … }` or `use \"file.basis\";`"),
+    };
+    Err(error(input.span(), super::expr::unexpected(input, "`family` or `use`").to_string(), help))
+}
+
+/// Goes on at the next word that begins an item, at least one token further.
+fn skip_item(input: ParseStream<'_>) {
+    while !input.is_empty() {
+        // The token was seen, so it can be taken.
+        let token = input.parse::<TokenTree>();
+        let block =
+            matches!(token, Ok(TokenTree::Group(ref g)) if g.delimiter() == proc_macro2::Delimiter::Brace);
+        if block || ITEMS.iter().any(|word| at_word(input, word)) {
+            return;
+        }
+    }
+}

@@ -1,0 +1,342 @@
+//! Statements of a family, each read on its own so that one mistake does not hide the next.
+
+use proc_macro2::{Delimiter, Span, TokenTree};
+use syn::parse::ParseStream;
+use syn::{Result, Token};
+
+use super::claims::claim;
+use super::error::error;
+use super::expr::{comparison, expr, index_range, join, loops, name, unexpected};
+use super::{
+    Binding, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement, StatementKind,
+    SyntaxError,
+};
+
+/// The words that begin a statement.
+pub(super) const STATEMENTS: [&str; 9] =
+    ["domain", "shape", "let", "permute", "base", "raise", "prove", "refute", "budget"];
+
+/// Whether the next token is this word.
+pub(super) fn at_word(input: ParseStream<'_>, word: &str) -> bool {
+    input.cursor().ident().is_some_and(|(ident, _)| ident == word)
+}
+
+/// Takes the next token, which is a word; its span.
+pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
+    use syn::ext::IdentExt;
+    Ok(input.call(syn::Ident::parse_any)?.span())
+}
+
+/// `family Name(n in 1..=3) { … }`, after its doc comment.
+pub(super) fn family(
+    input: ParseStream<'_>,
+    doc: Vec<String>,
+    errors: &mut Vec<SyntaxError>,
+) -> Result<Family> {
+    take_word(input)?;
+    let name = name(input)?;
+    let mut orders = Vec::new();
+    if let Some((TokenTree::Group(g), _)) = input.cursor().token_tree()
+        && g.delimiter() == Delimiter::Parenthesis
+    {
+        let content;
+        syn::parenthesized!(content in input);
+        while !content.is_empty() {
+            orders.push(index_range(&content)?);
+            if !content.is_empty() {
+                content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
+            }
+        }
+    }
+    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
+    {
+        return Err(unexpected(input, &format!("`{{` after `family {}`", name.text)));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut statements = Vec::new();
+    let mut incomplete = false;
+    while !content.is_empty() {
+        match statement(&content) {
+            Ok(statement) => statements.push(statement),
+            Err(e) => {
+                incomplete = true;
+                errors.push(e.into());
+                skip_statement(&content);
+            }
+        }
+    }
+    Ok(Family { doc, name, orders, statements, incomplete })
+}
+
+/// Goes on after the next `;`, or after a block.
+fn skip_statement(input: ParseStream<'_>) {
+    while let Some((token, _)) = input.cursor().token_tree() {
+        // The token was seen, so it can be taken.
+        let _ = input.parse::<TokenTree>();
+        match token {
+            TokenTree::Punct(p) if p.as_char() == ';' => return,
+            TokenTree::Group(g) if g.delimiter() == Delimiter::Brace => return,
+            _ => {}
+        }
+    }
+}
+
+/// The lines of the doc comment that stands here, if one does: `///` or, with `inner`, `//!`.
+pub(super) fn doc(input: ParseStream<'_>, inner: bool) -> Result<Vec<String>> {
+    let mut lines = Vec::new();
+    while input.peek(Token![#]) && input.peek2(Token![!]) == inner {
+        let hash = input.parse::<Token![#]>()?;
+        if inner {
+            input.parse::<Token![!]>()?;
+        }
+        let content;
+        syn::bracketed!(content in input);
+        if !at_word(&content, "doc") {
+            return Err(error(
+                hash.span,
+                "attributes have no meaning in a spec",
+                "remove it, or write a doc comment, `/// …`",
+            ));
+        }
+        take_word(&content)?;
+        content.parse::<Token![=]>()?;
+        let text: syn::LitStr = content.parse()?;
+        // A block comment is one string with several lines.
+        lines.extend(
+            text.value().lines().map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end().to_string()),
+        );
+    }
+    Ok(lines)
+}
+
+fn statement(input: ParseStream<'_>) -> Result<Statement> {
+    let doc = doc(input, false)?;
+    let start = input.span();
+    let Some((TokenTree::Ident(word), after)) = input.cursor().token_tree() else {
+        return Err(unexpected(input, "a statement"));
+    };
+    let kind = match word.to_string().as_str() {
+        "domain" => {
+            take_word(input)?;
+            if let Some(names) = simplex(input)? {
+                let end = semicolon(input, None)?;
+                return Ok(Statement { doc, span: join(start, end), kind: StatementKind::Simplex(names) });
+            }
+            let mut ranges = vec![range(input)?];
+            while input.peek(Token![,]) {
+                input.parse::<Token![,]>()?;
+                ranges.push(range(input)?);
+            }
+            StatementKind::Domain(ranges)
+        }
+        "shape" => {
+            take_word(input)?;
+            StatementKind::Shape(range(input)?)
+        }
+        "let" => {
+            take_word(input)?;
+            let name = name(input)?;
+            equals(input, &name)?;
+            StatementKind::Let(name, expr(input)?)
+        }
+        "prove" | "refute" => {
+            let claim = claim(input)?;
+            StatementKind::Claim(claim)
+        }
+        "permute" => {
+            take_word(input)?;
+            StatementKind::Function(FunctionDef { permute: true, ..function(input)? })
+        }
+        "raise" => {
+            take_word(input)?;
+            StatementKind::Raise(function(input)?)
+        }
+        "base" => {
+            take_word(input)?;
+            base(input)?
+        }
+        "budget" => {
+            take_word(input)?;
+            StatementKind::Budget(expr(input)?)
+        }
+        other => match after.token_tree() {
+            Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket => {
+                StatementKind::Function(function(input)?)
+            }
+            Some((TokenTree::Punct(p), _)) if p.as_char() == '=' => {
+                return Err(error(
+                    word.span(),
+                    format!("`{other}` has no index"),
+                    format!("write `{other}[0] = …;` for a basis function, `let {other} = …;` for a name"),
+                ));
+            }
+            _ => return Err(unknown_statement(&word, other)),
+        },
+    };
+    let end = semicolon(input, Some(&kind))?;
+    Ok(Statement { doc, span: join(start, end), kind })
+}
+
+fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
+    let help = match crate::words::closest(text, &STATEMENTS) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => String::from(
+            "statements are `domain`, `shape`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute` and `budget`",
+        ),
+    };
+    error(word.span(), format!("`{text}` does not begin a statement"), help)
+}
+
+/// The `;` at the end of a statement; a block needs none.
+fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Span> {
+    if input.peek(Token![;]) {
+        return Ok(input.parse::<Token![;]>()?.span);
+    }
+    match kind {
+        Some(StatementKind::Claim(claim)) if matches!(claim.kind, super::ClaimKind::At(..)) => {
+            return Ok(claim.keyword);
+        }
+        Some(StatementKind::Base(order, _)) => return Ok(order.name.span),
+        _ => {}
+    }
+    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), "a statement ends with `;`"))
+}
+
+/// `=` between a name and its value.
+pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
+    match comparison(input)? {
+        Some(Comparison::Equal) => Ok(()),
+        _ => Err(unexpected(input, &format!("`=` after `{}`", name.text))),
+    }
+}
+
+fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
+    let name = name(input)?;
+    let content;
+    syn::bracketed!(content in input);
+    let mut indices = Vec::new();
+    while !content.is_empty() {
+        indices.push(expr(&content)?);
+        if !content.is_empty() {
+            content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
+        }
+    }
+    if indices.is_empty() {
+        return Err(error(name.span, "the index is missing", format!("write `{}[0] = …;`", name.text)));
+    }
+    equals(input, &name)?;
+    let value = expr(input)?;
+    let loops = loops(input)?;
+    Ok(FunctionDef { permute: false, name, indices, value, loops })
+}
+
+/// `base n = 3 { … }` after its first word.
+fn base(input: ParseStream<'_>) -> Result<StatementKind> {
+    let name = name(input)?;
+    equals(input, &name)?;
+    let value = expr(input)?;
+    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
+    {
+        return Err(unexpected(input, "`{` with the functions of the lowest order"));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut functions = Vec::new();
+    while !content.is_empty() {
+        let permute = at_word(&content, "permute");
+        if permute {
+            take_word(&content)?;
+        }
+        functions.push(FunctionDef { permute, ..function(&content)? });
+        semicolon(&content, None)?;
+    }
+    Ok(StatementKind::Base(Binding { name, value }, functions))
+}
+
+/// `triangle (u, v, w)` or `tetrahedron (u, v, w, x)`; `None` when something else follows.
+fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
+    let Some((word, after)) = input.cursor().ident() else { return Ok(None) };
+    if !matches!(after.token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
+    {
+        return Ok(None);
+    }
+    let text = word.to_string();
+    let corners = match text.as_str() {
+        "triangle" => 3,
+        "tetrahedron" => 4,
+        _ => {
+            let help = match crate::words::closest(&text, &["triangle", "tetrahedron"]) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => String::from(
+                    "write `triangle (u, v, w)`, `tetrahedron (u, v, w, x)` or a range, `0 <= t <= 1`",
+                ),
+            };
+            return Err(error(word.span(), format!("`{text}` is not a domain"), help));
+        }
+    };
+    take_word(input)?;
+    let content;
+    syn::parenthesized!(content in input);
+    let mut names = Vec::new();
+    while !content.is_empty() {
+        names.push(self::name(&content)?);
+        if !content.is_empty() {
+            content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
+        }
+    }
+    if names.len() != corners {
+        let message = format!("a {text} has {corners} barycentric coordinates, here are {}", names.len());
+        let example = if corners == 3 { "triangle (u, v, w)" } else { "tetrahedron (u, v, w, x)" };
+        return Err(error(word.span(), message, format!("write `domain {example};`")));
+    }
+    Ok(Some(names))
+}
+
+/// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
+pub(super) fn range(input: ParseStream<'_>) -> Result<RangeDecl> {
+    let start = input.span();
+    let mut parts = vec![expr(input)?];
+    let mut signs = Vec::new();
+    while let Some(sign) = comparison(input)? {
+        signs.push((sign, input.span()));
+        parts.push(expr(input)?);
+    }
+    let help = "write a range such as `-3 <= λ <= 1`, `0 < λ`, or a name alone for all real numbers";
+    if at_word(input, "in") {
+        return Err(error(input.span(), "`in` cannot be used here", help));
+    }
+    // With >, the chain is read from the other end.
+    let descending = matches!(signs.first(), Some((Comparison::Greater | Comparison::GreaterEqual, _)));
+    if descending {
+        parts.reverse();
+        signs.reverse();
+    }
+    let mut included = Vec::new();
+    for (sign, span) in &signs {
+        included.push(match (sign, descending) {
+            (Comparison::Less, false) | (Comparison::Greater, true) => false,
+            (Comparison::LessEqual, false) | (Comparison::GreaterEqual, true) => true,
+            _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
+        });
+    }
+    let as_name = |e: Expr| match e.kind {
+        ExprKind::Name(text) => Ok(Name { text, span: e.span }),
+        _ => Err(error(e.span, "expected the name whose range this is", help)),
+    };
+    let mut parts = parts.into_iter();
+    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
+        (Some(only), None, None, []) => Ok(RangeDecl { name: as_name(only)?, low: None, high: None }),
+        (Some(a), Some(b), None, [i]) => {
+            if matches!(b.kind, ExprKind::Name(_)) {
+                Ok(RangeDecl { name: as_name(b)?, low: Some((a, *i)), high: None })
+            } else {
+                Ok(RangeDecl { name: as_name(a)?, low: None, high: Some((b, *i)) })
+            }
+        }
+        (Some(a), Some(b), Some(c), [i, j]) => {
+            Ok(RangeDecl { name: as_name(b)?, low: Some((a, *i)), high: Some((c, *j)) })
+        }
+        _ => Err(error(start, "a range has at most two ends", help)),
+    }
+}

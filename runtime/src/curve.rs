@@ -1,0 +1,127 @@
+//! Curves: control points bound to a basis.
+
+use core::fmt::{self, Debug, Formatter};
+
+use crate::domain::{inverse_width, unit};
+use crate::{Basis, Form, Point, Scalar};
+
+/// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]`.
+///
+/// The basis functions are bound to the control points once, in [`Curve::new`]; a point then costs one short polynomial.
+/// The parameter `t` is not clamped: outside of the domain the polynomial is continued. If `t` is NaN so is the point.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+/// # fn main() -> Result<(), basis_runtime::ShapeError> {
+/// use basis_runtime::Curve;
+///
+/// let curve = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+/// assert_eq!(curve.eval(0.5), [2.0, 1.625]);
+///
+/// let [point, velocity] = curve.eval_with_derivs(1.0);
+/// assert_eq!(point, curve.end());
+/// assert_eq!(velocity, [3.5, -7.0]); // (3 + λ) (P[3] - P[2])
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Copy)]
+pub struct Curve<B: Basis, P: Point<Scalar = B::Scalar>> {
+    basis: B,
+    points: B::Points<P>,
+    form: B::Form<P>,
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
+    /// The curve of that basis over these control points, one for each basis function.
+    #[inline]
+    pub fn new(basis: B, points: B::Points<P>) -> Self {
+        Self { basis, points, form: basis.bind(&points) }
+    }
+
+    /// The point `C(t)`.
+    ///
+    /// Exact at both ends of the domain: there it equals [`start`](Self::start) and [`end`](Self::end).
+    #[inline]
+    pub fn eval(&self, t: B::Scalar) -> P {
+        let [_, x] = unit(B::domain(), t);
+        self.form.eval(x)
+    }
+
+    /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
+    ///
+    /// `K` is their number: `let [p, v, a] = curve.eval_with_derivs(t);` gives the point, its velocity and acceleration.
+    #[inline]
+    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
+        let [_, x] = unit(B::domain(), t);
+        let inverse_width = inverse_width(B::domain());
+        let mut derivatives = self.form.eval_with_derivs(x);
+        let mut scale = B::Scalar::ONE;
+        for derivative in derivatives.iter_mut().take(B::DEGREE + 1).skip(1) {
+            scale = scale * inverse_width;
+            *derivative = derivative.scale(scale);
+        }
+        derivatives
+    }
+
+    /// The point at the lower end of the domain.
+    #[inline]
+    pub fn start(&self) -> P {
+        self.form.start()
+    }
+
+    /// The point at the upper end of the domain.
+    #[inline]
+    pub fn end(&self) -> P {
+        self.form.end()
+    }
+
+    /// The two ends `[lo, hi]` of the domain.
+    #[inline]
+    pub fn domain(&self) -> [B::Scalar; 2] {
+        B::domain()
+    }
+
+    /// The basis, with its shape parameters.
+    #[inline]
+    pub fn basis(&self) -> B {
+        self.basis
+    }
+
+    /// The control points, one for each basis function.
+    #[inline]
+    pub fn control_points(&self) -> &[P] {
+        self.points.as_ref()
+    }
+
+    /// The control points of the same curve as a Bézier curve of the same degree.
+    ///
+    /// For `0 <= x <= 1` it is `C(lo + (hi - lo) x)`.
+    #[inline]
+    pub fn to_bernstein(&self) -> B::Bernstein<P> {
+        self.basis.to_bernstein(&self.points)
+    }
+
+    /// The polynomial in `x = (t - lo) / (hi - lo)` that is evaluated.
+    #[inline]
+    pub fn form(&self) -> &B::Form<P> {
+        &self.form
+    }
+}
+
+// The form follows from the basis and the control points, so neither of these looks at it.
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> PartialEq for Curve<B, P> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.basis == other.basis && self.control_points() == other.control_points()
+    }
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Debug for Curve<B, P> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Curve")
+            .field("basis", &self.basis)
+            .field("control_points", &self.control_points())
+            .finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,142 @@
+//! The Bernstein form: control points of a Bézier curve, for high degree.
+
+use crate::{Form, Point, Scalar};
+
+/// The Bézier curve of degree `n = N - 1`, `N >= 1`, over its control points
+///
+/// ```text
+/// C(x) = Σ_k binomial(n, k) s^(n-k) x^k P[k],   s = 1 - x
+/// ```
+///
+/// evaluated in linear time by nesting in `s`: `(… (P[0] s + n x P[1]) s + binomial(n, 2) x² P[2]) s + …`. No term cancels
+/// another, so the rounding error grows slowly with the degree: about 11 ε times the largest control point at degree 30.
+///
+/// ```
+/// use basis_runtime::{BernsteinForm, Form};
+///
+/// let parabola = BernsteinForm::new([0.0, 8.0, 4.0]);
+/// assert_eq!(parabola.eval(0.5), 5.0);
+/// assert_eq!(parabola.eval_with_derivs(0.0), [0.0, 16.0, -24.0, 0.0]);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BernsteinForm<P, const N: usize> {
+    points: [P; N],
+}
+
+impl<P: Point, const N: usize> BernsteinForm<P, N> {
+    /// The curve with these control points.
+    #[inline]
+    pub fn new(points: [P; N]) -> Self {
+        const { assert!(N > 0, "a Bernstein form has at least one control point") };
+        Self { points }
+    }
+
+    /// The control points.
+    #[inline]
+    pub fn points(&self) -> &[P; N] {
+        &self.points
+    }
+}
+
+impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
+    const DEGREE: usize = N - 1;
+
+    #[inline]
+    fn eval(&self, x: P::Scalar) -> P {
+        nested(&self.points, &const { binomials::<N>() }, P::Scalar::ONE - x, x)
+    }
+
+    /// The k-th derivative is `n (n-1) … (n-k+1)` times the Bernstein form of degree `n - k` over the k-th differences of
+    /// the control points.
+    #[inline]
+    fn eval_with_derivs<const K: usize>(&self, x: P::Scalar) -> [P; K] {
+        let s = P::Scalar::ONE - x;
+        let mut differences = self.points;
+        let mut binomials = const { binomials::<N>() };
+        let mut factor = P::Scalar::ONE;
+        let mut derivatives = [P::zero(); K];
+        for (k, derivative) in derivatives.iter_mut().enumerate().take(N) {
+            let len = N - k;
+            if k > 0 {
+                factor = factor * P::Scalar::from_usize(len);
+                difference(&mut differences[..=len]);
+                // Pascal's rule backwards: binomial(m-1, i) = binomial(m, i) - binomial(m-1, i-1).
+                for i in 1..len {
+                    binomials[i] -= binomials[i - 1];
+                }
+            }
+            *derivative = nested(&differences[..len], &binomials[..len], s, x).scale(factor);
+        }
+        derivatives
+    }
+
+    #[inline]
+    fn start(&self) -> P {
+        self.points[0]
+    }
+
+    #[inline]
+    fn end(&self) -> P {
+        self.points[N - 1]
+    }
+}
+
+/// `Σ_k binomials[k] s^(n-k) x^k points[k]` with `n = points.len() - 1`, nested in `s`.
+#[inline]
+pub(crate) fn nested<P: Point>(points: &[P], binomials: &[f64], s: P::Scalar, x: P::Scalar) -> P {
+    let Some((&first, rest)) = points.split_first() else { return P::zero() };
+    let mut power = P::Scalar::ONE;
+    rest.iter().zip(&binomials[1..]).fold(first, |sum, (&point, &binomial)| {
+        power = power * x;
+        sum.scale(s).add_scaled(point, power * P::Scalar::of(binomial))
+    })
+}
+
+/// The derivative of that order, in `x`, of the polynomial with these Bernstein coefficients; overwrites them.
+#[inline]
+pub(crate) fn bernstein_derivative<P: Point>(
+    coefficients: &mut [P],
+    order: usize,
+    s: P::Scalar,
+    x: P::Scalar,
+) -> P {
+    let len = coefficients.len();
+    if order >= len {
+        return P::zero();
+    }
+    let mut factor = P::Scalar::ONE;
+    for k in 0..order {
+        factor = factor * P::Scalar::from_usize(len - 1 - k);
+        difference(&mut coefficients[..len - k]);
+    }
+    // De Casteljau's algorithm.
+    for end in (1..len - order).rev() {
+        for i in 0..end {
+            coefficients[i] = coefficients[i].scale(s).add_scaled(coefficients[i + 1], x);
+        }
+    }
+    coefficients[0].scale(factor)
+}
+
+/// Replaces all but the last point by the difference to the next.
+#[inline]
+fn difference<P: Point>(points: &mut [P]) {
+    for i in 1..points.len() {
+        points[i - 1] = points[i].minus(points[i - 1]);
+    }
+}
+
+/// Row `N - 1` of Pascal's triangle, exact up to `N = 58`.
+pub(crate) const fn binomials<const N: usize>() -> [f64; N] {
+    let mut row = [1.0; N];
+    let mut n = 2;
+    while n < N {
+        let mut k = n - 1;
+        while k > 0 {
+            row[k] += row[k - 1];
+            k -= 1;
+        }
+        n += 1;
+    }
+    row
+}

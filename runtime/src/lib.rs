@@ -1,0 +1,67 @@
+//! Curves over families of polynomial basis functions, with or without shape parameters.
+//!
+//! A family is written down as a spec; [`basis!`] proves its claims while the crate that uses it is compiled and turns it
+//! into a small type that implements [`Basis`]. This crate holds everything that does not depend on the family: the types
+//! of points and scalars, and the curves.
+//!
+//! ```
+//! # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+//! # fn main() -> Result<(), basis_runtime::ShapeError> {
+//! use basis_runtime::Curve;
+//!
+//! // basis!("specs/quartic.basis");                     gives the type QuarticBernstein
+//! let basis = QuarticBernstein::new(0.5)?;              // an error outside the declared range -3 <= λ <= 1
+//! let values: [f64; 4] = basis.values(0.25);            // b[0](1/4), …, b[3](1/4)
+//! assert!(values.iter().all(|&value| value >= 0.0));
+//!
+//! let curve = Curve::new(basis, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+//! let point = curve.eval(0.25);
+//! let [_, velocity, acceleration] = curve.eval_with_derivs(0.25);
+//! # assert_eq!([point, velocity, acceleration], [[0.953125, 1.2421875], [4.0625, 3.125], [1.5, -13.5]]);
+//! assert_eq!(curve.eval(1.0), curve.end());             // exact at both ends
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # Points
+//!
+//! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam, the
+//! vectors and points of nalgebra, or a type of your own.
+//!
+//! # Accuracy
+//!
+//! With `ε` the distance from 1 to the next number of the scalar type and `M` the largest control point of the curve in
+//! Bernstein form, a point of a curve of degree up to 12 has an error below `4 ε M` in each component, and at degree 30
+//! about `11 ε M`. Both ends are exact.
+//!
+//! # Features
+//!
+//! | feature | default | |
+//! | --- | --- | --- |
+//! | `std` | yes | uses fused multiply-add on targets that have it; the crate is `no_std` without |
+//! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` are points |
+//! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` are points |
+
+#![no_std]
+
+#[cfg(feature = "std")]
+extern crate std;
+
+#[doc(hidden)]
+#[path = "private.rs"]
+pub mod __private;
+mod basis;
+mod curve;
+mod domain;
+mod error;
+mod form;
+mod point;
+mod scalar;
+
+pub use basis::{Array, Basis};
+pub use basis_macros::basis;
+pub use curve::Curve;
+pub use error::ShapeError;
+pub use form::{BernsteinForm, EndpointForm, Form};
+pub use point::Point;
+pub use scalar::{FUSED_HERE, Scalar};

@@ -1,0 +1,199 @@
+//! What a control point must be able to do, and which types can.
+
+use core::fmt::Debug;
+
+use crate::scalar::{FUSED_HERE, Scalar};
+
+/// A point of an affine space, as components: what control points and points of a curve are.
+///
+/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the feature `glam` for its float vectors, and with the
+/// feature `nalgebra` for its vectors and points. Sums of points are formed component by component, derivatives of curves
+/// have the type of their points.
+///
+/// Two functions make a type of your own a point:
+///
+/// ```
+/// use basis_runtime::Point;
+///
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Colour { red: f32, green: f32, blue: f32 }
+///
+/// impl Point for Colour {
+///     type Scalar = f32;
+///     const DIM: usize = 3;
+///     fn from_components(mut component: impl FnMut(usize) -> f32) -> Self {
+///         Colour { red: component(0), green: component(1), blue: component(2) }
+///     }
+///     fn component(&self, index: usize) -> f32 {
+///         [self.red, self.green, self.blue][index]
+///     }
+/// }
+///
+/// let grey = Colour { red: 0.5, green: 0.5, blue: 0.5 };
+/// assert_eq!(Colour::zero().add_scaled(grey, 2.0).green, 1.0);
+/// ```
+pub trait Point: Copy + PartialEq + Debug {
+    /// The type of the components.
+    type Scalar: Scalar;
+
+    /// The number of components.
+    const DIM: usize;
+
+    /// The point whose components are `component(0), …, component(DIM - 1)`, asked for in this order.
+    fn from_components(component: impl FnMut(usize) -> Self::Scalar) -> Self;
+
+    /// The component of that index.
+    ///
+    /// # Panics
+    /// If `index` is not less than [`DIM`](Self::DIM).
+    fn component(&self, index: usize) -> Self::Scalar;
+
+    /// The point whose components are all zero.
+    #[inline]
+    fn zero() -> Self {
+        Self::from_components(|_| Self::Scalar::ZERO)
+    }
+
+    /// `self * factor`.
+    #[inline]
+    fn scale(self, factor: Self::Scalar) -> Self {
+        Self::from_components(|i| self.component(i) * factor)
+    }
+
+    /// `self - point`.
+    #[inline]
+    fn minus(self, point: Self) -> Self {
+        Self::from_components(|i| self.component(i) - point.component(i))
+    }
+
+    /// `self + point * factor`.
+    #[inline]
+    fn add_scaled(self, point: Self, factor: Self::Scalar) -> Self {
+        Self::from_components(|i| point.component(i).fma::<FUSED_HERE>(factor, self.component(i)))
+    }
+}
+
+macro_rules! scalars {
+    ($($scalar:ident)+) => {$(
+        impl Point for $scalar {
+            type Scalar = $scalar;
+            const DIM: usize = 1;
+
+            #[inline]
+            fn from_components(mut component: impl FnMut(usize) -> $scalar) -> Self {
+                component(0)
+            }
+
+            #[inline]
+            fn component(&self, index: usize) -> $scalar {
+                [*self][index]
+            }
+        }
+    )+};
+}
+scalars!(f32 f64);
+
+impl<S: Scalar, const D: usize> Point for [S; D] {
+    type Scalar = S;
+    const DIM: usize = D;
+
+    #[inline]
+    fn from_components(component: impl FnMut(usize) -> S) -> Self {
+        core::array::from_fn(component)
+    }
+
+    #[inline]
+    fn component(&self, index: usize) -> S {
+        self[index]
+    }
+}
+
+#[cfg(feature = "glam")]
+mod glam {
+    use super::{FUSED_HERE, Point};
+
+    // The vectors' own operators, which use the vector registers where glam does.
+    macro_rules! points {
+        ($($point:ident($scalar:ident: $($index:literal)+);)+) => {$(
+            impl Point for glam::$point {
+                type Scalar = $scalar;
+                const DIM: usize = [$($index),+].len();
+
+                #[inline]
+                fn from_components(mut component: impl FnMut(usize) -> $scalar) -> Self {
+                    Self::new($(component($index)),+)
+                }
+
+                #[inline]
+                fn component(&self, index: usize) -> $scalar {
+                    self[index]
+                }
+
+                #[inline]
+                fn scale(self, factor: $scalar) -> Self {
+                    self * factor
+                }
+
+                #[inline]
+                fn minus(self, point: Self) -> Self {
+                    self - point
+                }
+
+                #[inline]
+                fn add_scaled(self, point: Self, factor: $scalar) -> Self {
+                    if FUSED_HERE {
+                        point.mul_add(Self::splat(factor), self)
+                    } else {
+                        self + point * factor
+                    }
+                }
+            }
+        )+};
+    }
+    points! {
+        Vec2(f32: 0 1);
+        Vec3(f32: 0 1 2);
+        Vec3A(f32: 0 1 2);
+        Vec4(f32: 0 1 2 3);
+        DVec2(f64: 0 1);
+        DVec3(f64: 0 1 2);
+        DVec4(f64: 0 1 2 3);
+    }
+}
+
+#[cfg(feature = "nalgebra")]
+mod nalgebra {
+    use nalgebra::{Point as AffinePoint, SVector};
+
+    use super::{Point, Scalar};
+
+    impl<S: Scalar, const D: usize> Point for SVector<S, D> {
+        type Scalar = S;
+        const DIM: usize = D;
+
+        #[inline]
+        fn from_components(mut component: impl FnMut(usize) -> S) -> Self {
+            Self::from_fn(|index, _| component(index))
+        }
+
+        #[inline]
+        fn component(&self, index: usize) -> S {
+            self[index]
+        }
+    }
+
+    impl<S: Scalar, const D: usize> Point for AffinePoint<S, D> {
+        type Scalar = S;
+        const DIM: usize = D;
+
+        #[inline]
+        fn from_components(component: impl FnMut(usize) -> S) -> Self {
+            SVector::<S, D>::from_components(component).into()
+        }
+
+        #[inline]
+        fn component(&self, index: usize) -> S {
+            self[index]
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The scalar types, `f32` and `f64`, behind one trait.
+
+use core::fmt::Display;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::Point;
+
+/// Whether this build fuses `a * b + c` into one instruction everywhere: the target always has it.
+///
+/// A `mul_add` on a target without the instruction is a library call, more than ten times slower than two operations.
+pub const FUSED_HERE: bool = cfg!(all(feature = "std", any(target_feature = "fma", target_arch = "aarch64")));
+
+/// A floating-point number: `f32` or `f64`.
+///
+/// A scalar is also a [`Point`] of dimension one, so a curve may be scalar-valued.
+///
+/// ```
+/// use basis_runtime::Scalar;
+///
+/// fn midpoint<S: Scalar>(a: S, b: S) -> S {
+///     (a + b) * S::of(0.5)
+/// }
+/// assert_eq!(midpoint(1.0_f32, 4.0), 2.5);
+/// ```
+pub trait Scalar:
+    sealed::Sealed
+    + Point<Scalar = Self>
+    + PartialOrd
+    + Display
+    + Default
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// The scalar nearest to `value`.
+    fn of(value: f64) -> Self;
+
+    /// The scalar nearest to `count`.
+    fn from_usize(count: usize) -> Self;
+
+    /// The same number as `f64`, exactly.
+    fn to_f64(self) -> f64;
+
+    /// Whether the number is neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// `self * factor + addend`, rounded once if `FUSED` and twice otherwise.
+    ///
+    /// `FUSED` belongs inside functions compiled for a target feature that has the instruction; everywhere else it is
+    /// [`FUSED_HERE`]. Without the feature `std` the result is always rounded twice.
+    fn fma<const FUSED: bool>(self, factor: Self, addend: Self) -> Self;
+}
+
+mod sealed {
+    pub trait Sealed: core::fmt::Debug {}
+    impl Sealed for f32 {}
+    impl Sealed for f64 {}
+}
+
+macro_rules! scalars {
+    ($($scalar:ident)+) => {$(
+        impl Scalar for $scalar {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+
+            #[inline]
+            fn of(value: f64) -> Self {
+                value as $scalar
+            }
+
+            #[inline]
+            fn from_usize(count: usize) -> Self {
+                count as $scalar
+            }
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            #[inline]
+            fn is_finite(self) -> bool {
+                self.is_finite()
+            }
+
+            #[inline]
+            fn fma<const FUSED: bool>(self, factor: Self, addend: Self) -> Self {
+                #[cfg(feature = "std")]
+                if FUSED {
+                    return self.mul_add(factor, addend);
+                }
+                self * factor + addend
+            }
+        }
+    )+};
+}
+scalars!(f32 f64);

@@ -1,0 +1,17 @@
+//! The runtime's numbers, on families written by hand as `basis!` emits them: one module for each behaviour.
+// The families are written as the macro emits them.
+#![allow(unreachable_pub, clippy::unused_self, clippy::trivially_copy_pass_by_ref)]
+
+mod accuracy;
+mod derivatives;
+mod domain;
+mod ends;
+mod extrapolation;
+mod families;
+mod infer;
+mod not_a_number;
+mod points;
+mod random;
+mod reference;
+mod shape;
+mod values;
