@@ -124,11 +124,17 @@ impl Form {
         Some(())
     }
 
-    /// The forms on the two halves of the box along an axis; `None` when the work is spent.
-    pub fn halves(&self, axis: usize, work: &mut Work) -> Option<(Self, Self)> {
+    /// The forms on the two parts of the box that is cut in the middle of a side, [`Side::halves`]; `None` when the
+    /// work is spent.
+    pub fn halves(&self, axis: usize, side: &Side, work: &mut Work) -> Option<(Self, Self)> {
         let (mut low, mut high) = (self.clone(), self.clone());
-        low.along(axis, work, fibre::lower_half)?;
-        high.along(axis, work, fibre::upper_half)?;
+        if let Side::Finite(..) = side {
+            low.along(axis, work, fibre::lower_half)?;
+            high.along(axis, work, fibre::upper_half)?;
+        } else {
+            low.along(axis, work, fibre::lower_part)?;
+            high.along(axis, work, fibre::upper_part)?;
+        }
         Some((low, high))
     }
 
@@ -247,18 +253,22 @@ mod tests {
     }
 
     #[test]
-    fn halves_agree_with_the_forms_of_the_halves_in_sign() {
+    fn halves_are_the_forms_of_the_halves() {
         let p = &(&(&x().pow(3) * &y()) - &y().pow(2)) + &(&x() - &Poly::integer(2));
         for side in [Side::Finite(n(-1), n(2)), Side::Upwards(Rational::new(1, 2)), Side::Downwards(n(3))] {
             let sides = [(Var(0), side.clone()), (Var(1), unit())];
             let work = &mut Work::unlimited();
             let form = Form::new(&p, &sides, work).expect("unlimited");
-            let (low, high) = form.halves(0, work).expect("unlimited");
+            let (low, high) = form.halves(0, &side, work).expect("unlimited");
             let (s, t) = side.halves();
             for (half, side) in [(low, s), (high, t)] {
                 let direct = Form::new(&p, &[(Var(0), side), (Var(1), unit())], work).expect("unlimited");
-                let signs = |f: &Form| f.coefficients().iter().map(Rational::signum).collect::<Vec<_>>();
-                assert_eq!(signs(&half), signs(&direct));
+                let first =
+                    direct.coefficients().iter().position(|c| !c.is_zero()).expect("not the zero form");
+                let factor = &half.coefficients()[first] / &direct.coefficients()[first];
+                assert!(factor.is_positive());
+                let scaled: Vec<Rational> = direct.coefficients().iter().map(|c| c * &factor).collect();
+                assert_eq!(half.coefficients(), scaled);
             }
         }
     }

@@ -1,67 +1,109 @@
 //! Gaussian elimination on tables of polynomials: ranks that hold for all values of the variables.
 
+use super::gcd::gcd_all;
 use super::poly::Poly;
 use super::rational::Rational;
+use super::work::Work;
 
-/// What elimination with constant pivots leaves of a table.
+/// What elimination leaves of a table.
 ///
-/// At every point the rank of the table is the number of pivots plus the rank of the rest.
+/// At every point at which the pivots are not zero, the rank of the table is the number of pivots plus the rank of the
+/// rest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reduced {
-    /// The pivots by row and column, in the order in which they were used.
-    pub pivots: Vec<(usize, usize)>,
-    /// The rows without a pivot.
-    pub rows: Vec<usize>,
-    /// What is left of them, the columns of the pivots and zero columns left out.
+    /// The pivots by row and column, with their values, in the order in which they were used.
+    pub pivots: Vec<(usize, usize, Poly)>,
+    /// What is left of the rows without a pivot, the columns of the pivots and zero columns left out.
     pub rest: Vec<Vec<Poly>>,
 }
 
-/// Eliminates with pivots that are numbers other than zero, as long as there are any; of several the one in the row with
-/// the fewest entries.
-pub fn reduce(mut table: Vec<Vec<Poly>>) -> Reduced {
+/// Eliminates with pivots that vanish nowhere, numbers first, as long as there are any; `nonzero` says of a polynomial
+/// whether it is known to vanish nowhere where it matters. `None` when the work is spent.
+pub fn reduce(
+    mut table: Vec<Vec<Poly>>,
+    nonzero: &mut dyn FnMut(&Poly) -> bool,
+    work: &mut Work,
+) -> Option<Reduced> {
     let width = table.first().map_or(0, Vec::len);
     let mut free_rows: Vec<usize> = (0..table.len()).collect();
     let mut free_columns: Vec<usize> = (0..width).collect();
     let mut pivots = Vec::new();
-    while let Some((row, column, inverse)) = best_pivot(&table, &free_rows, &free_columns) {
+    while let Some((row, column)) = best_pivot(&table, &free_rows, &free_columns, nonzero) {
+        let pivot = table[row][column].clone();
         free_rows.retain(|r| *r != row);
         free_columns.retain(|c| *c != column);
-        pivots.push((row, column));
         for &other in &free_rows {
-            if table[other][column].is_zero() {
+            let factor = core::mem::replace(&mut table[other][column], Poly::zero());
+            if factor.is_zero() {
                 continue;
             }
-            let factor = table[other][column].scale(&inverse);
             for &c in &free_columns {
-                if !table[row][c].is_zero() {
-                    table[other][c] = &table[other][c] - &(&factor * &table[row][c]);
+                let (a, b) = (&table[other][c], &table[row][c]);
+                if a.is_zero() && b.is_zero() {
+                    continue;
                 }
+                work.spend_product(&pivot, a)?;
+                work.spend_product(&factor, b)?;
+                table[other][c] = &(&pivot * a) - &(&factor * b);
             }
-            table[other][column] = Poly::zero();
+            shorten(&mut table[other], &free_columns, nonzero, work)?;
         }
+        pivots.push((row, column, pivot));
     }
     free_columns.retain(|c| free_rows.iter().any(|r| !table[*r][*c].is_zero()));
     let rest =
         free_rows.iter().map(|r| free_columns.iter().map(|c| table[*r][*c].clone()).collect()).collect();
-    Reduced { pivots, rows: free_rows, rest }
+    Some(Reduced { pivots, rest })
 }
 
-/// The row, the column, and the inverse of a pivot.
-fn best_pivot(table: &[Vec<Poly>], rows: &[usize], columns: &[usize]) -> Option<(usize, usize, Rational)> {
+/// Divides a row by numbers, and by a common divisor that vanishes nowhere.
+fn shorten(
+    row: &mut [Poly],
+    columns: &[usize],
+    nonzero: &mut dyn FnMut(&Poly) -> bool,
+    work: &mut Work,
+) -> Option<()> {
+    let content = columns.iter().fold(Rational::ZERO, |g, c| g.gcd(&row[*c].numeric_content()));
+    let Some(factor) = content.recip() else { return Some(()) };
+    let common = gcd_all(columns.iter().map(|c| &row[*c]), work)?;
+    let divide = common.as_constant().is_none() && nonzero(&common);
+    for &c in columns {
+        let entry = row[c].scale(&factor);
+        row[c] = if divide { entry.div_exact(&common).unwrap_or(entry) } else { entry };
+    }
+    Some(())
+}
+
+/// The row and column of a pivot: the shortest entry that vanishes nowhere, in the row with the fewest terms.
+fn best_pivot(
+    table: &[Vec<Poly>],
+    rows: &[usize],
+    columns: &[usize],
+    nonzero: &mut dyn FnMut(&Poly) -> bool,
+) -> Option<(usize, usize)> {
     let size = |row: usize| columns.iter().map(|c| table[row][*c].len()).sum::<usize>();
     let mut ordered: Vec<(usize, usize)> = rows.iter().map(|r| (size(*r), *r)).collect();
     ordered.sort_unstable();
-    ordered.into_iter().find_map(|(_, row)| {
-        columns.iter().find_map(|c| {
-            let inverse = table[row][*c].as_constant()?.recip()?;
-            Some((row, *c, inverse))
-        })
-    })
+    let constant = |entry: &Poly| entry.as_constant().is_some_and(|c| !c.is_zero());
+    for (_, row) in &ordered {
+        if let Some(column) = columns.iter().find(|c| constant(&table[*row][**c])) {
+            return Some((*row, *column));
+        }
+    }
+    for (_, row) in &ordered {
+        let mut entries: Vec<usize> =
+            columns.iter().copied().filter(|c| !table[*row][*c].is_zero()).collect();
+        entries.sort_by_key(|c| (table[*row][*c].len(), table[*row][*c].total_degree()));
+        if let Some(column) = entries.into_iter().take(3).find(|c| nonzero(&table[*row][*c])) {
+            return Some((*row, column));
+        }
+    }
+    None
 }
 
 /// The determinant of a square table, by fraction-free elimination (Bareiss); `None` when a step is not exact, which a
-/// square table does not allow, or the entries become larger than `limit` terms.
-pub fn determinant(mut table: Vec<Vec<Poly>>, limit: usize) -> Option<Poly> {
+/// square table does not allow, or the work is spent.
+pub fn determinant(mut table: Vec<Vec<Poly>>, work: &mut Work) -> Option<Poly> {
     let n = table.len();
     let mut previous = Poly::one();
     let mut negative = false;
@@ -74,10 +116,8 @@ pub fn determinant(mut table: Vec<Vec<Poly>>, limit: usize) -> Option<Poly> {
         }
         for i in k + 1..n {
             for j in k + 1..n {
-                let (a, b) = (table[k][k].len() * table[i][j].len(), table[i][k].len() * table[k][j].len());
-                if a.max(b) > limit {
-                    return None;
-                }
+                work.spend_product(&table[k][k], &table[i][j])?;
+                work.spend_product(&table[i][k], &table[k][j])?;
                 let minor = &(&table[k][k] * &table[i][j]) - &(&table[i][k] * &table[k][j]);
                 table[i][j] = minor.div_exact(&previous)?;
             }
@@ -88,10 +128,21 @@ pub fn determinant(mut table: Vec<Vec<Poly>>, limit: usize) -> Option<Poly> {
 }
 
 /// det(S·Sᵀ), the sum of the squares of all maximal minors of S (Cauchy–Binet): zero exactly where the rows are dependent.
-pub fn gram_determinant(rows: &[Vec<Poly>], limit: usize) -> Option<Poly> {
-    let product = |a: &[Poly], b: &[Poly]| a.iter().zip(b).fold(Poly::zero(), |sum, (x, y)| &sum + &(x * y));
-    let gram = rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect();
-    determinant(gram, limit)
+pub fn gram_determinant(rows: &[Vec<Poly>], work: &mut Work) -> Option<Poly> {
+    let mut gram = Vec::new();
+    for a in rows {
+        let mut line = Vec::new();
+        for b in rows {
+            let mut sum = Poly::zero();
+            for (x, y) in a.iter().zip(b) {
+                work.spend_product(x, y)?;
+                sum = &sum + &(x * y);
+            }
+            line.push(sum);
+        }
+        gram.push(line);
+    }
+    determinant(gram, work)
 }
 
 /// Whole numbers without a common factor, not all zero, with which the rows of a table of numbers sum to zero; `None`
@@ -143,23 +194,29 @@ mod tests {
 
     #[test]
     fn determinants_are_exact() {
+        let work = &mut Work::new(10_000);
         let x = Poly::var(Var(0));
         let t = vec![vec![x.clone(), Poly::one()], vec![Poly::one(), x.clone()]];
-        assert_eq!(determinant(t, 1000), Some(&x.pow(2) - &Poly::one()));
-        assert_eq!(determinant(table(&[&[0, 2, 1], &[1, 0, 3], &[2, 1, 0]]), 1000), Some(Poly::integer(13)));
-        assert_eq!(determinant(table(&[&[1, 2], &[2, 4]]), 1000), Some(Poly::zero()));
+        assert_eq!(determinant(t, work), Some(&x.pow(2) - &Poly::one()));
+        assert_eq!(determinant(table(&[&[0, 2, 1], &[1, 0, 3], &[2, 1, 0]]), work), Some(Poly::integer(13)));
+        assert_eq!(determinant(table(&[&[1, 2], &[2, 4]]), work), Some(Poly::zero()));
+        assert_eq!(determinant(table(&[&[1, 2], &[2, 5]]), &mut Work::new(0)), None);
     }
 
     #[test]
-    fn constant_pivots_leave_what_depends_on_variables() {
+    fn pivots_that_vanish_nowhere_leave_what_matters() {
         let x = Poly::var(Var(0));
-        let reduced = reduce(vec![
+        let rows = vec![
             vec![Poly::one(), x.clone(), Poly::zero()],
-            vec![Poly::integer(2), &x.scale(&Rational::from(2)) + &x, Poly::zero()],
-        ]);
-        assert_eq!(reduced.pivots, [(0, 0)]);
+            vec![Poly::integer(2), x.scale(&Rational::from(3)), Poly::zero()],
+        ];
+        let work = &mut Work::new(10_000);
+        let reduced = reduce(rows.clone(), &mut |_| false, work).expect("little work");
+        assert_eq!(reduced.pivots, [(0, 0, Poly::one())]);
         assert_eq!(reduced.rest, [[x.clone()]]);
-        assert_eq!(gram_determinant(&reduced.rest, 1000), Some(x.pow(2)));
+        assert_eq!(gram_determinant(&reduced.rest, work), Some(x.pow(2)));
+        let reduced = reduce(rows, &mut |p| *p == Poly::var(Var(0)), work).expect("little work");
+        assert!(reduced.rest.is_empty());
     }
 
     #[test]

@@ -57,6 +57,18 @@ fn denominator(c: &mut [Rational], d: &Rational) {
     c.reverse();
 }
 
+/// The form on x ≤ m of the form on an infinite side that is cut at the m of s = 1/2: s stays and r becomes r + s.
+pub fn lower_part(c: &mut [Rational]) {
+    c.reverse();
+    upper_part(c);
+    c.reverse();
+}
+
+/// The form on x ≥ m of the form on an infinite side that is cut at the m of s = 1/2: s becomes s + r and r stays.
+pub fn upper_part(c: &mut [Rational]) {
+    shift(c, &Rational::ONE);
+}
+
 /// Multiplies cₖ by the k-th power of a number.
 fn powers(c: &mut [Rational], factor: &Rational) {
     if factor.is_one() {

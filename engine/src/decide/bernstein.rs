@@ -118,7 +118,8 @@ impl Search<'_> {
             let sign = form.corner(high).signum();
             let belongs = || axes.iter().enumerate().all(|(k, a)| a.included[usize::from(high(k))]);
             if sign < 0 || sign == 0 && self.relation == Relation::Positive && belongs() {
-                let corner = axes.iter().enumerate().map(|(k, a)| (a.var, &a.side, high(k))).collect::<Vec<_>>();
+                let corner =
+                    axes.iter().enumerate().map(|(k, a)| (a.var, &a.side, high(k))).collect::<Vec<_>>();
                 self.refuted = witness::inside(self.problem, self.relation, &corner, self.work).map(rational);
                 return None;
             }
@@ -128,7 +129,7 @@ impl Search<'_> {
             return None;
         }
         let k = best_axis(axes, form)?;
-        let (low, high) = form.halves(k, self.work)?;
+        let (low, high) = form.halves(k, &axes[k].side, self.work)?;
         let at = axes[k].side.middle();
         let (lower, upper) = axes[k].side.halves();
         let mut axes = axes.to_vec();

@@ -21,7 +21,10 @@ pub(super) enum Outcome {
 impl Outcome {
     /// A point, or the message that the work was spent on the way to it.
     pub(super) fn refuted_or_spent(point: Option<Point>) -> Self {
-        point.map_or_else(|| Self::Unknown(String::from("a negative value could not be made explicit")), Self::Refuted)
+        point.map_or_else(
+            || Self::Unknown(String::from("a negative value could not be made explicit")),
+            Self::Refuted,
+        )
     }
 }
 
@@ -44,7 +47,12 @@ const SIMPLIFYING: u64 = 2_000_000;
 fn explicit(p: &Poly, problem: &Problem, relation: Relation, region: &Region, point: Point) -> Witness {
     let mut point = problem.complete(point);
     if let Some(exact) = as_rational(&point) {
-        point = rational(witness::simplify(problem, relation, exact, &mut crate::algebra::work::Work::new(SIMPLIFYING)));
+        point = rational(witness::simplify(
+            problem,
+            relation,
+            exact,
+            &mut crate::algebra::work::Work::new(SIMPLIFYING),
+        ));
     }
     for (var, range) in &region.ranges {
         if !point.iter().any(|(v, _)| v == var) {
@@ -148,7 +156,8 @@ fn by_subdivision(
 
 /// What is left when the work is spent.
 pub(super) fn spent(problem: &Problem, on: &str) -> Outcome {
-    let degrees: Vec<String> = problem.ranges.iter().map(|(v, _)| problem.poly.degree(*v).to_string()).collect();
+    let degrees: Vec<String> =
+        problem.ranges.iter().map(|(v, _)| problem.poly.degree(*v).to_string()).collect();
     let variables = if degrees.len() == 1 { "a variable" } else { "variables" };
     let terms = problem.poly.len();
     let left = format!(

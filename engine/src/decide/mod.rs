@@ -31,8 +31,8 @@ mod zeros;
 use core::fmt;
 
 pub use budget::Budget;
-pub use verify::verify;
 pub use certificate::{Base, Cells, Certificate, Factor, Sample, Section, Slices, Subdivision};
+pub use verify::verify;
 
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::poly::{Poly, Var};

@@ -154,7 +154,9 @@ fn base(problem: &Problem, var: Var, budget: &mut Budget) -> Sliced {
         _ => Sliced::Unknown(String::new()),
     };
     let trailing = problem.ranges.len() > 2;
-    let Some(levels) = levels(slice::from_ref(&problem.poly), &problem.ranges, Some(var), trailing, &mut budget.work) else {
+    let Some(levels) =
+        levels(slice::from_ref(&problem.poly), &problem.ranges, Some(var), trailing, &mut budget.work)
+    else {
         return out_of_work();
     };
     let range = problem.range(var);

@@ -22,7 +22,8 @@ pub(super) fn decide(problem: &Problem, relation: Relation, work: &mut Work) -> 
     let square_free = p.square_free_part(work)?;
     let mut roots = isolate(&square_free, range.low.value(), range.high.value(), work)?;
     let bad = |x: &Rational| !relation.holds(&Rational::from(i64::from(p.sign_at(x))));
-    let ends = [&range.low, &range.high].into_iter().filter(|e| e.is_included()).filter_map(|e| e.value().cloned());
+    let ends =
+        [&range.low, &range.high].into_iter().filter(|e| e.is_included()).filter_map(|e| e.value().cloned());
     let samples = between_roots(&roots, range.low.value(), range.high.value());
     if let Some(x) = ends.chain(samples).find(bad) {
         return Some(Outcome::Refuted(rational(vec![(*var, x)])));

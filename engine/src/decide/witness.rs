@@ -1,7 +1,7 @@
 //! Counterexamples: from a corner of a cell into the region, and from any point to a simple one.
 
-use super::problem::Problem;
 use super::Relation;
+use super::problem::Problem;
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
@@ -26,7 +26,8 @@ pub(super) fn inside(
     corner: &[(Var, &Side, bool)],
     work: &mut Work,
 ) -> Option<Rationals> {
-    let exact: Option<Rationals> = corner.iter().map(|(v, s, high)| Some((*v, s.end(*high)?.clone()))).collect();
+    let exact: Option<Rationals> =
+        corner.iter().map(|(v, s, high)| Some((*v, s.end(*high)?.clone()))).collect();
     if let Some(point) = exact
         && violates(problem, relation, &point)
     {
@@ -91,7 +92,12 @@ pub(super) fn near_end(
 }
 
 /// A simple point that contradicts the claim, found from any.
-pub(super) fn simplify(problem: &Problem, relation: Relation, point: Rationals, work: &mut Work) -> Rationals {
+pub(super) fn simplify(
+    problem: &Problem,
+    relation: Relation,
+    point: Rationals,
+    work: &mut Work,
+) -> Rationals {
     if let Some(found) = grid(problem, relation) {
         return found;
     }
@@ -187,7 +193,21 @@ fn candidates(range: &Range) -> Vec<Rational> {
             push(x);
         }
     }
-    let more = [(-1, 1), (2, 1), (-2, 1), (1, 3), (2, 3), (1, 4), (3, 4), (3, 1), (-3, 1), (-1, 2), (3, 2), (4, 1), (10, 1)];
+    let more = [
+        (-1, 1),
+        (2, 1),
+        (-2, 1),
+        (1, 3),
+        (2, 3),
+        (1, 4),
+        (3, 4),
+        (3, 1),
+        (-3, 1),
+        (-1, 2),
+        (3, 2),
+        (4, 1),
+        (10, 1),
+    ];
     for (n, d) in more {
         push(&Rational::new(n, d));
     }

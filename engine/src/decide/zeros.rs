@@ -29,7 +29,9 @@ pub(super) fn near(poly: &Poly, mut point: Vec<(Var, Algebraic)>, work: &mut Wor
             point.iter().map(|(v, x)| (*v, Side::Finite(x.low().clone(), x.high().clone()))).collect();
         let form = Form::new(poly, &sides, work)?;
         if form.coefficients().iter().all(Rational::is_positive) {
-            return Some(Near::Positive(point.iter().map(|(_, x)| (x.low().clone(), x.high().clone())).collect()));
+            return Some(Near::Positive(
+                point.iter().map(|(_, x)| (x.low().clone(), x.high().clone())).collect(),
+            ));
         }
         if form.coefficients().iter().all(Rational::is_negative) {
             return Some(Near::Negative(point.iter().map(|(v, x)| (*v, x.low().clone())).collect()));
@@ -58,7 +60,8 @@ pub(super) fn is_zero(poly: &Poly, point: &[(Var, Algebraic)], work: &mut Work) 
     if let Some(value) = rest.as_constant() {
         return Some(value.is_zero());
     }
-    let value = Var(poly.variables().iter().chain(point.iter().map(|(v, _)| v)).map(|v| v.0 + 1).max().unwrap_or(0));
+    let value =
+        Var(poly.variables().iter().chain(point.iter().map(|(v, _)| v)).map(|v| v.0 + 1).max().unwrap_or(0));
     let mut values = &Poly::var(value) - &rest;
     for (var, x) in point {
         if values.depends_on(*var) {

@@ -36,6 +36,10 @@ pub(super) fn symmetric(family: &Family) -> Verdict {
         for (k, function) in family.functions.iter().enumerate() {
             let index = motion.index(&function.index);
             let Some(other) = family.functions.iter().position(|f| f.index == index) else { continue };
+            // A motion is its own inverse: what holds for a function holds for its partner.
+            if other < k {
+                continue;
+            }
             let Some(moved) = motion.apply(&family.functions[other].value) else { continue };
             let (this, that) = (family.function_label(k), family.function_label(other));
             let of = format!("{this} - {that}({})", motion.arguments.join(", "));
@@ -78,20 +82,25 @@ impl Motion {
 
     /// The function at the moved point.
     fn apply(&self, f: &Fraction) -> Option<Fraction> {
-        // A substitution of polynomials into a numerator; the denominator has no domain variables. With
-        // variables aside, so that exchanging two of them does not mix them up.
-        let aside = f
-            .numer()
-            .variables()
-            .last()
-            .map_or(0, |v| v.0 + 1)
-            .max(self.by.iter().map(|(v, _)| v.0 + 1).max()?);
-        let mut numer = f.numer().clone();
-        for (k, (var, _)) in self.by.iter().enumerate() {
-            numer = numer.substitute(*var, &Poly::var(Var(aside + k)));
+        // First the variables that take the places of others, all at once; then at most one that takes the place of an
+        // expression: it keeps its name meanwhile, because what occurs in the expression is renamed already.
+        let width = self
+            .by
+            .iter()
+            .map(|(v, _)| v.0 + 1)
+            .chain(f.numer().variables().last().map(|v| v.0 + 1))
+            .max()?;
+        let mut names: Vec<Var> = (0..width).map(Var).collect();
+        let mut substituted = None;
+        for (var, value) in &self.by {
+            match value.variables().as_slice() {
+                [only] if *value == Poly::var(*only) => names[var.0] = *only,
+                _ => substituted = Some((*var, value)),
+            }
         }
-        for (k, (_, value)) in self.by.iter().enumerate() {
-            numer = numer.substitute(Var(aside + k), value);
+        let mut numer = f.numer().rename(&names);
+        if let Some((var, value)) = substituted {
+            numer = numer.substitute(var, value);
         }
         Fraction::new(numer, f.denom().clone())
     }

@@ -16,12 +16,8 @@ fn refuted(text: &str, ranges: &str, witness: &str) {
 
 #[test]
 fn quartic_family_is_nonnegative_exactly_on_its_range() {
-    let family = [
-        "(1 - λ*t)*(1 - t)^3",
-        "(3 + λ - λ*t)*t*(1 - t)^2",
-        "(3 + λ*t)*t^2*(1 - t)",
-        "(1 - λ + λ*t)*t^3",
-    ];
+    let family =
+        ["(1 - λ*t)*(1 - t)^3", "(3 + λ - λ*t)*t*(1 - t)^2", "(3 + λ*t)*t^2*(1 - t)", "(1 - λ + λ*t)*t^3"];
     for b in family {
         proved(&format!("{b} >= 0"), "0<=t<=1, -3<=λ<=1", "Bernstein coefficients");
     }
@@ -34,7 +30,9 @@ fn quartic_family_is_nonnegative_exactly_on_its_range() {
 
 #[test]
 fn interior_zeros() {
-    for p in ["(t - 1/3)^2", "(t - λ)^2", "t^2 - t*λ + λ^2", "(3*t - 1)^2 + (3*λ - 1)^2", "t^4 - t^2*λ + 1/4*λ^2"] {
+    for p in
+        ["(t - 1/3)^2", "(t - λ)^2", "t^2 - t*λ + λ^2", "(3*t - 1)^2 + (3*λ - 1)^2", "t^4 - t^2*λ + 1/4*λ^2"]
+    {
         println!("{p}: {}", claim(&format!("{p} >= 0"), UNIT));
         println!("{p} - 10^-6: {}", claim(&format!("{p} >= 0.000001"), UNIT));
         println!("{p} > 0: {}", claim(&format!("{p} > 0"), UNIT));

@@ -25,7 +25,10 @@ pub(super) fn subdivision(claim: &Claim, tree: &Subdivision) -> Result<(), Strin
         match tree {
             Subdivision::Leaf => leaf(claim, &ranges)?,
             Subdivision::Split { var, at, low, high } => {
-                let k = ranges.iter().position(|(v, _)| v == var).ok_or("a cell is cut along an unknown variable")?;
+                let k = ranges
+                    .iter()
+                    .position(|(v, _)| v == var)
+                    .ok_or("a cell is cut along an unknown variable")?;
                 check(inside(&ranges[k].1, at), || format!("the cut at {at} misses its cell"))?;
                 let (mut lower, mut upper) = (ranges.clone(), ranges);
                 lower[k].1.high = End::Included(at.clone());
@@ -61,7 +64,8 @@ fn leaf(claim: &Claim, ranges: &[(Var, Range)]) -> Result<(), String> {
         }
         check(faces.len() <= 1 << 12, || "there are too many faces".into())?;
     }
-    let positive = |face: &Vec<(Var, u16)>| form.terms().any(|(m, _)| face.iter().all(|(v, e)| m.exponent(*v) == *e));
+    let positive =
+        |face: &Vec<(Var, u16)>| form.terms().any(|(m, _)| face.iter().all(|(v, e)| m.exponent(*v) == *e));
     check(faces.iter().all(positive), || "the polynomial vanishes on a face of a cell".into())
 }
 

@@ -9,7 +9,12 @@ use crate::decide::Relation;
 use crate::decide::certificate::{Cells, Sample};
 
 /// Checks that p and everything that has to be projected is made of the polynomials of the levels.
-pub(super) fn projections(claim: &Claim, order: &[Var], levels: &[Vec<Poly>], trailing: bool) -> Result<(), String> {
+pub(super) fn projections(
+    claim: &Claim,
+    order: &[Var],
+    levels: &[Vec<Poly>],
+    trailing: bool,
+) -> Result<(), String> {
     let mut sorted = order.to_vec();
     sorted.sort();
     let same = sorted.iter().eq(claim.ranges.iter().map(|(v, _)| v));
@@ -32,7 +37,8 @@ pub(super) fn projections(claim: &Claim, order: &[Var], levels: &[Vec<Poly>], tr
                 let restriction = p.at(var, x);
                 // The end itself may be a root everywhere.
                 let linear = &Poly::var(var) - &Poly::constant(x.clone());
-                if !(restriction.is_zero() && p.div_exact(&linear).is_some_and(|q| q.as_constant().is_some())) {
+                if !(restriction.is_zero() && p.div_exact(&linear).is_some_and(|q| q.as_constant().is_some()))
+                {
                     made_of(&restriction, below)?;
                 }
             }
@@ -73,7 +79,13 @@ pub(super) fn cells(claim: &Claim, cells: &Cells) -> Result<(), String> {
 }
 
 /// Checks the samples of a level and those above; the polynomials have the lower samples in place of their variables.
-fn samples(claim: &Claim, order: &[Var], levels: &[Vec<Poly>], poly: &Poly, samples: &[Sample]) -> Result<(), String> {
+fn samples(
+    claim: &Claim,
+    order: &[Var],
+    levels: &[Vec<Poly>],
+    poly: &Poly,
+    samples: &[Sample],
+) -> Result<(), String> {
     let (Some((var, order)), Some((level, levels))) = (order.split_first(), levels.split_first()) else {
         check(samples.is_empty(), || "there are samples above the highest level".into())?;
         let value = poly.as_constant().ok_or("a variable is without a sample")?;

@@ -22,7 +22,12 @@ const MAX_DEPTH: usize = 100;
 ///
 /// # Errors
 /// What is wrong with it, in a sentence.
-pub fn verify(p: &Poly, relation: Relation, region: &Region, certificate: &Certificate) -> Result<(), String> {
+pub fn verify(
+    p: &Poly,
+    relation: Relation,
+    region: &Region,
+    certificate: &Certificate,
+) -> Result<(), String> {
     if let Certificate::Empty = certificate {
         let empty = region.ranges.iter().any(|(_, r)| r.is_empty());
         return check(empty, || "no range is empty".into());
@@ -96,7 +101,9 @@ impl Claim {
         depth: usize,
     ) -> Result<(), String> {
         let range = self.range(var)?;
-        check(self.poly.degree(var) == 1, || "the polynomial is not of degree 1 in the variable of the corners".into())?;
+        check(self.poly.degree(var) == 1, || {
+            "the polynomial is not of degree 1 in the variable of the corners".into()
+        })?;
         let slope = self.poly.derivative(var);
         let mut strict = false;
         for (end, sign, certificate) in [(&range.low, -1, low), (&range.high, 1, high)] {
@@ -117,7 +124,9 @@ impl Claim {
             self.part(self.poly.at(var, x), self.relation)?.verify(certificate, depth + 1)?;
             strict = true;
         }
-        check(strict || self.relation == Relation::NonNegative, || "nothing shows that the value is not zero".into())
+        check(strict || self.relation == Relation::NonNegative, || {
+            "nothing shows that the value is not zero".into()
+        })
     }
 
     /// p is a positive multiple of the product of (±f)ᵉ.
@@ -138,7 +147,9 @@ impl Claim {
                         sign = -sign;
                     }
                 }
-                None => check(even && self.relation == Relation::NonNegative, || "the sign of a factor is open".into())?,
+                None => check(even && self.relation == Relation::NonNegative, || {
+                    "the sign of a factor is open".into()
+                })?,
             }
         }
         check(product == self.poly, || "the product of the factors is another polynomial".into())?;

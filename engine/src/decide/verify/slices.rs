@@ -66,7 +66,9 @@ fn base<'a>(
     let sturm = std::rc::Rc::new(Sturm::new(level.iter(), *var)?);
     let values: Vec<&Rational> = base.sectors.iter().map(|(x, _)| x).collect();
     sturm.separated(&values, range)?;
-    check(base.sections.len() + 1 == values.len(), || "there is not one section between neighbouring slices".into())?;
+    check(base.sections.len() + 1 == values.len(), || {
+        "there is not one section between neighbouring slices".into()
+    })?;
     let slice = |x: &Rational, certificate| {
         claim.part(claim.poly.at(*var, x), claim.relation)?.verify(certificate, depth + 1)
     };
@@ -82,8 +84,11 @@ fn base<'a>(
                 slice(x, certificate)?;
             }
             Section::Between(a, b) => {
-                let here = between[0] <= a && a < b && b <= between[1] && !sturm.is_root(a) && !sturm.is_root(b);
-                check(here && sturm.count(Some(a), Some(b)) == 1, || "an interval does not isolate a root".into())?;
+                let here =
+                    between[0] <= a && a < b && b <= between[1] && !sturm.is_root(a) && !sturm.is_root(b);
+                check(here && sturm.count(Some(a), Some(b)) == 1, || {
+                    "an interval does not isolate a root".into()
+                })?;
                 irrational.push((a, b, std::rc::Rc::clone(&sturm)));
             }
         }

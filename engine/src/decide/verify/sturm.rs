@@ -45,8 +45,11 @@ impl Sturm {
             check(!self.is_root(x), || format!("the sample {x} is a root"))?;
         }
         check(numbers.windows(2).all(|w| w[0] < w[1]), || "samples are not in increasing order".into())?;
-        let (Some(first), Some(last)) = (numbers.first(), numbers.last()) else { return Err("there is no sample".into()) };
-        let outside = self.count(range.low.value(), Some(*first)) + self.count(Some(*last), range.high.value());
+        let (Some(first), Some(last)) = (numbers.first(), numbers.last()) else {
+            return Err("there is no sample".into());
+        };
+        let outside =
+            self.count(range.low.value(), Some(*first)) + self.count(Some(*last), range.high.value());
         check(outside == 0, || "an outer interval is without a sample".into())?;
         let one = numbers.windows(2).all(|w| self.count(Some(w[0]), Some(w[1])) == 1);
         check(one, || "there is not one root between neighbouring samples".into())
