@@ -46,6 +46,12 @@ pub(crate) enum Command {
     /// Greek names may be spelled out: lambda1 is λ1.
     #[command(after_help = EVAL_HELP)]
     Eval(EvalArguments),
+    /// Show what follows from the formulas of a family
+    ///
+    /// The functions in factored and expanded form, the derivatives of a curve at both ends as combinations of its
+    /// control points, and the shape values at which the functions are linearly dependent.
+    #[command(after_help = EXPLAIN_HELP)]
+    Explain(ExplainArguments),
 }
 
 /// What can be typed after `basis check`.
@@ -99,6 +105,24 @@ Examples:
   basis eval quartic.basis QuarticBernstein --shape λ=1/2 --at t=1/3
   basis eval quartic.basis QuarticBernstein --shape lambda=0.5 --at t=0 --order 2
   basis eval bernstein.basis 'Bernstein(n=3)' --at t=0.25 --format json";
+
+/// What can be typed after `basis explain`.
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// The spec file
+    pub(crate) file: PathBuf,
+    /// The family, with its order if it has index parameters; without it all families in their lowest orders
+    pub(crate) family: Option<String>,
+}
+
+const EXPLAIN_HELP: &str = "\
+Exit status:
+  0  the explanation is printed
+  2  the spec has errors or cannot be read, or the command is used wrongly
+
+Examples:
+  basis explain quartic.basis
+  basis explain bernstein.basis 'Bernstein(n=3)'";
 
 /// How to print results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,12 +1,14 @@
 //! The command `basis`: everything that the macro does during a build, and more, at a terminal.
 //!
-//! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly. Both are thin: the
-//! mathematics is in basis-engine; here are arguments, files, clocks and tables.
+//! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly, `basis explain` shows what
+//! follows from its formulas. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and
+//! tables.
 
 mod args;
 mod check;
 mod domain;
 mod eval;
+mod explain;
 mod name;
 mod output;
 mod spec;
@@ -22,6 +24,7 @@ fn main() -> ExitCode {
     let status = match Arguments::parse().command {
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
     };
     status.into()
 }

@@ -6,7 +6,9 @@ mod family;
 mod point;
 mod report;
 
-use basis_engine::{Diagnostic, Disk, Library, Severity, Sources};
+use std::rc::Rc;
+
+use basis_engine::{Diagnostic, Disk, Family, Library, Severity, Sources};
 
 use crate::args::{EvalArguments, Format};
 use crate::output::{self, Status, complain};
@@ -26,6 +28,11 @@ pub(crate) fn run(arguments: &EvalArguments) -> Status {
         },
         Err(errors) => refuse(library.sources(), &errors),
     }
+}
+
+/// The family that a text such as `Bernstein(n=3)` names.
+pub(crate) fn find_family(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<Diagnostic>> {
+    family::find(library, text)
 }
 
 fn refuse(sources: &Sources, errors: &[Diagnostic]) -> Status {

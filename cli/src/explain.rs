@@ -1,0 +1,84 @@
+//! `basis explain`: what a family is, worked out exactly.
+
+use std::rc::Rc;
+
+use basis_engine::{Disk, Family, Library, Selected, Severity, explain, prove};
+
+use crate::args::ExplainArguments;
+use crate::output::{self, Status, complain};
+use crate::{domain, eval, spec};
+
+/// Derivatives at the ends are shown up to this order.
+const ORDER: u32 = 2;
+
+/// Explains the family that the arguments name, or all families of the file in their lowest orders.
+pub(crate) fn run(arguments: &ExplainArguments) -> Status {
+    let library = match spec::read(&arguments.file) {
+        Ok(source) => Library::from_source(&Disk, source),
+        Err(error) => {
+            complain(&(error.render(&basis_engine::Sources::default(), true) + "\n"));
+            return Status::Unusable;
+        }
+    };
+    let families = match &arguments.family {
+        Some(name) => eval::find_family(&library, name).map(|family| vec![family]),
+        None => Ok(lowest_orders(&library)),
+    };
+    let mut errors = match &families {
+        Ok(_) => library.diagnostics(),
+        Err(errors) => errors.clone(),
+    };
+    errors.retain(|d| d.severity == Severity::Error);
+    for error in &errors {
+        complain(&(error.render(library.sources(), true) + "\n\n"));
+    }
+    let texts: Vec<String> = families.unwrap_or_default().iter().map(|family| text(family)).collect();
+    let printed = output::print(&texts.join("\n"));
+    if errors.is_empty() { printed } else { Status::Unusable }
+}
+
+fn lowest_orders(library: &Library<'_>) -> Vec<Rc<Family>> {
+    let mut families: Vec<Rc<Family>> = Vec::new();
+    for item in library.items(Selected::EveryOrder) {
+        if !families.iter().any(|f| f.name == item.family.name) {
+            families.push(item.family);
+        }
+    }
+    families
+}
+
+fn text(family: &Family) -> String {
+    let mut text = format!("{}: {}\n", family.title(), domain::describe(family));
+    for line in &family.doc {
+        text += &format!("    {line}\n");
+    }
+    let formulas = explain::formulas(family);
+    section(&mut text, "Functions", formulas.iter().map(|f| (f.label.clone(), f.factored.clone())));
+    section(&mut text, "Expanded", formulas.iter().map(|f| (f.label.clone(), f.expanded.clone())));
+    let ends = explain::end_derivatives(family, ORDER);
+    section(&mut text, "A curve with the control points P at both ends", ends.into_iter());
+    let independence = match prove::exceptional_set(family) {
+        None => vec![String::from("undecided: the minors of the coefficient table are too large")],
+        Some(values) if values.is_empty() => vec![String::from("independent for all shape values")],
+        Some(values) if values.len() == 1 && values[0].starts_with("dependent") => values,
+        Some(values) => values.into_iter().map(|v| format!("dependent at {v}")).collect(),
+    };
+    text += "\n  Linear independence\n";
+    for line in independence {
+        text += &format!("    {line}\n");
+    }
+    text
+}
+
+/// `name = value` lines under a title, the signs aligned.
+fn section(text: &mut String, title: &str, lines: impl Iterator<Item = (String, String)>) {
+    let lines: Vec<(String, String)> = lines.collect();
+    if lines.is_empty() {
+        return;
+    }
+    let width = lines.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    *text += &format!("\n  {title}\n");
+    for (name, value) in lines {
+        *text += &format!("    {name:width$} = {value}\n");
+    }
+}
