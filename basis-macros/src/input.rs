@@ -61,13 +61,26 @@ fn default_runtime() -> TokenStream {
     quote!(::basis_runtime)
 }
 
-/// `crate = some::path`
+/// `crate = some::path`: the name of a dependency, or a path from `crate`, `self` or `super`. The generated code stands
+/// in a module of its own, from which the last two are one step further away.
 fn runtime_path(input: ParseStream<'_>) -> Result<TokenStream> {
     input.parse::<Token![crate]>()?;
     input.parse::<Token![=]>()?;
     let mut path = TokenStream::new();
     if input.peek(Token![::]) {
         input.parse::<Token![::]>()?.to_tokens(&mut path);
+    }
+    if path.is_empty() && (input.peek(Token![self]) || input.peek(Token![super])) {
+        path.extend(quote!(super));
+        if input.peek(Token![super]) {
+            path.extend(quote!(::));
+        } else {
+            input.parse::<Token![self]>()?;
+            if !input.peek(Token![::]) {
+                return Ok(path);
+            }
+            input.parse::<Token![::]>()?.to_tokens(&mut path);
+        }
     }
     loop {
         input.call(Ident::parse_any)?.to_tokens(&mut path);

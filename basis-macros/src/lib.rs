@@ -20,7 +20,8 @@ use input::{Input, Spec};
 /// ```ignore
 /// basis!("specs/quartic.basis");                                      // every family without index parameters
 /// basis!("specs/bernstein.basis", Bernstein(3), Bernstein(5) as Quintic);   // families of these orders
-/// basis!("specs/quartic.basis", crate = my_crate::basis_runtime);     // a renamed or re-exported runtime
+/// basis!("specs/quartic.basis", crate = my_crate::basis_runtime);     // a renamed or re-exported runtime: the name of a
+///                                                                     // dependency, or a path from crate, self or super
 /// basis! { family Line { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; } }    // the spec in place
 /// ```
 ///
@@ -67,5 +68,5 @@ fn watch(library: &Library<'_>) -> TokenStream {
         .iter()
         .filter(|(_, source)| source.text.is_some())
         .filter_map(|(_, source)| source.path.as_deref()?.to_str());
-    quote!(#(const _: &[u8] = ::core::include_bytes!(#paths);)*)
+    quote!(#(const _: &[::core::primitive::u8] = ::core::include_bytes!(#paths);)*)
 }

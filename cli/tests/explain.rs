@@ -24,7 +24,11 @@ fn one_order_of_a_family() {
     let folder = Folder::with("b.basis", BERNSTEIN);
     let run = folder.run(&["explain", "b.basis", "Bern(n=3)"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
-    assert!(run.stdout.starts_with("Bern(3):") && run.stdout.contains("C'(1)  = 3*(-P[2] + P[3])"), "{}", run.stdout);
+    assert!(
+        run.stdout.starts_with("Bern(3):") && run.stdout.contains("C'(1)  = 3*(-P[2] + P[3])"),
+        "{}",
+        run.stdout
+    );
     assert!(run.stdout.contains("independent for all shape values"), "{}", run.stdout);
     let run = folder.run(&["explain", "b.basis"]);
     assert!(run.stdout.starts_with("Bern(1):"), "{}", run.stdout);

@@ -5,7 +5,7 @@ use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
 use std::collections::BTreeMap;
 
-use super::rational::{Rational, binomial};
+use super::rational::Rational;
 
 /// A variable, by its place in the table of names of the item it belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -329,14 +329,24 @@ impl Poly {
         if self.len() == 2 && exponent > 1 {
             let mut terms = self.terms.iter();
             let (Some((m, a)), Some((n, b))) = (terms.next(), terms.next()) else { return self.clone() };
-            let term = |k: u32| {
-                let times = |m: &Monomial, k: u32| {
-                    Monomial::new(m.exponents().iter().map(|e| e * k as u16).collect())
-                };
-                let c = &(&binomial(exponent, k) * &a.pow(exponent - k)) * &b.pow(k);
-                (times(m, exponent - k).mul(&times(n, k)), c)
+            let powers = |c: &Rational| {
+                let mut all = vec![Rational::ONE];
+                for k in 0..exponent as usize {
+                    all.push(&all[k] * c);
+                }
+                all
             };
-            return Self::from_terms((0..=exponent).map(term));
+            let (a, b) = (powers(a), powers(b));
+            let times =
+                |m: &Monomial, k: u32| Monomial::new(m.exponents().iter().map(|e| e * k as u16).collect());
+            let mut binomial = Rational::ONE;
+            let mut result = Self::zero();
+            for k in 0..=exponent {
+                let coefficient = &(&binomial * &a[(exponent - k) as usize]) * &b[k as usize];
+                result.add_term(times(m, exponent - k).mul(&times(n, k)), &coefficient);
+                binomial = &binomial * &Rational::new(i64::from(exponent - k), i64::from(k) + 1);
+            }
+            return result;
         }
         let (mut result, mut base, mut e) = (Self::one(), self.clone(), exponent);
         while e > 0 {

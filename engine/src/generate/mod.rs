@@ -50,7 +50,24 @@ pub fn family(
         None => names::type_name(family)?,
     };
     let fields = names::fields(family)?;
-    Ok(Emitter { family, form, name, fields, runtime: &options.runtime }.emit(verdicts))
+    let code = Emitter { family, form, name: name.clone(), fields, runtime: &options.runtime }.emit(verdicts);
+    Ok(in_module(&name, &code))
+}
+
+/// Puts the code of a type into a module of its own, in which no name of the caller has a meaning: a constant `t`, a type
+/// `f64` or a macro-made `Result` of the caller would otherwise change what the code says.
+fn in_module(name: &Ident, code: &TokenStream) -> TokenStream {
+    let module = Ident::new(&format!("__basis_{}", name.to_string().trim_start_matches("r#")), site());
+    quote_spanned! {site()=>
+        #[doc(hidden)]
+        #[allow(non_snake_case, unreachable_pub)]
+        mod #module {
+            #code
+        }
+        #[doc(inline)]
+        #[allow(unused_imports, unreachable_pub)]
+        pub use #module::#name;
+    }
 }
 
 /// Locals of the emitted code do not see names of the caller.

@@ -84,7 +84,9 @@ impl<'a> ScalarCode<'a> {
     /// Factors λ − low and high − λ are taken out, so that a coefficient that vanishes at the end of a range
     /// has a small relative error near it, and the sign of the exact value.
     fn product(&self, poly: &Poly) -> TokenStream {
-        let mut rest = poly.clone();
+        // With whole numbers for coefficients a difference such as 7 - λ is exact near its zero; 7/10 - λ/10 is not.
+        let content = if poly.len() > 1 { poly.numeric_content() } else { Rational::ONE };
+        let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
         let mut factors: Vec<TokenStream> = Vec::new();
         for shape in &self.family.shapes {
             let field = &self.fields[shape.var.0];
@@ -108,13 +110,16 @@ impl<'a> ScalarCode<'a> {
             }
         }
         let rest_piece = self.sum(&rest);
-        if factors.is_empty() {
+        if factors.is_empty() && content.is_one() {
             return rest_piece.code();
         }
         if !rest.is_one() {
             let code = rest_piece.code();
             let simple = rest_piece.kind != Kind::Sum && !rest_piece.negative;
             factors.push(if simple { code } else { quote_spanned!(site()=> (#code)) });
+        }
+        if !content.is_one() {
+            factors.push(number(&content));
         }
         product(factors)
     }

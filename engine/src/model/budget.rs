@@ -8,18 +8,23 @@ use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 
 /// The highest total degree of a polynomial.
-pub(crate) const MAX_DEGREE: u32 = 200;
+pub(crate) const MAX_DEGREE: u32 = 100;
 /// The most terms of a polynomial.
 const MAX_TERMS: usize = 20_000;
 /// The most bits of a coefficient.
 const MAX_BITS: u64 = 20_000;
 /// The most term products in the expansion of the functions of one family, and of each of its claims.
-const MAX_WORK: u64 = 1_500_000;
+const MAX_WORK: u64 = 400_000;
 
 /// The work that is left for the expansion of the functions of a family, or of a claim.
 #[derive(Debug)]
 pub(super) struct Budget {
     work: Cell<u64>,
+}
+
+/// How much an operation on coefficients of so many bits costs, compared with one on machine words.
+const fn weight(bits: u64) -> u64 {
+    if bits <= 128 { 1 } else { 6 + bits / 64 }
 }
 
 /// Why an expansion was stopped, in words that follow "the formula …".
@@ -59,8 +64,7 @@ impl Budget {
         if bits > MAX_BITS {
             return Err(format!("has coefficients of {bits} bits; the most is {MAX_BITS}"));
         }
-        let work = a.len() as u64 * b.len() as u64;
-        self.spend(work + work * (bits / 256))
+        self.spend(a.len() as u64 * b.len() as u64 * weight(bits))
     }
 
     fn checked(value: Fraction) -> Result<Fraction, TooLarge> {
@@ -82,7 +86,8 @@ impl Budget {
     }
 
     fn before_sum(&self, a: &Fraction, b: &Fraction) -> Result<(), TooLarge> {
-        self.spend((a.numer().len() + b.numer().len()) as u64)?;
+        let bits = a.numer().max_bits().max(b.numer().max_bits());
+        self.spend((a.numer().len() + b.numer().len()) as u64 * weight(bits))?;
         if a.denom() != b.denom() {
             self.before_product(a.numer(), b.denom())?;
             self.before_product(b.numer(), a.denom())?;
@@ -122,7 +127,7 @@ impl Budget {
         // Repeated products with the base, so that every step is counted.
         let mut result = Fraction::constant(Rational::ONE);
         if base.numer().len() <= 2 && base.as_poly().is_some() {
-            self.spend(u64::from(exponent))?;
+            self.spend((u64::from(exponent) + 1) * weight(bits))?;
             return Ok(base.pow(exponent));
         }
         for _ in 0..exponent {
@@ -148,7 +153,8 @@ impl Budget {
         }
         let terms = (by.numer().len() + by.denom().len()) as u64;
         let growth = if by.as_constant().is_some() { 1 } else { terms * u64::from(degree + 1) };
-        self.spend(growth * (value.numer().len() + value.denom().len()) as u64)?;
+        let bits = value.numer().max_bits() + by.numer().max_bits();
+        self.spend(growth * (value.numer().len() + value.denom().len()) as u64 * weight(bits))?;
         Ok(value.substitute(var, by))
     }
 }

@@ -149,6 +149,13 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
             && input.peek(Token![;])
         {
             let text = word.to_string();
+            if PROPERTIES.contains(&text.as_str()) {
+                return Err(error(
+                    word.span(),
+                    format!("`{text}` is a property of the whole family, not an equation"),
+                    format!("write `prove {text};` outside of the block"),
+                ));
+            }
             let help = match crate::words::closest(&text, &PROPERTIES) {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => {

@@ -61,7 +61,7 @@ pub struct Family {
     pub orders: Vec<IndexRange>,
     /// What stands between the braces.
     pub statements: Vec<Statement>,
-    /// Whether a statement could not be read and is left out.
+    /// Whether a statement about the functions could not be read and is left out.
     pub incomplete: bool,
 }
 

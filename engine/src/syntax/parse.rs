@@ -94,7 +94,10 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError
         }
         Ok(())
     };
-    if let Err(e) = Parser::parse2(read, tokens) {
+    // What an error has left unread inside of brackets is not another error.
+    if let Err(e) = Parser::parse2(read, tokens)
+        && errors.is_empty()
+    {
         errors.push(e.into());
     }
     (spec, errors)

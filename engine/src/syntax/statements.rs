@@ -57,16 +57,24 @@ pub(super) fn family(
     let mut statements = Vec::new();
     let mut incomplete = false;
     while !content.is_empty() {
+        let about_functions = !begins_claim(&content);
         match statement(&content) {
             Ok(statement) => statements.push(statement),
             Err(e) => {
-                incomplete = true;
+                incomplete |= about_functions;
                 errors.push(e.into());
                 skip_statement(&content);
             }
         }
     }
     Ok(Family { doc, name, orders, statements, incomplete })
+}
+
+/// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
+fn begins_claim(input: ParseStream<'_>) -> bool {
+    let Some((word, _)) = input.cursor().ident() else { return false };
+    let word = word.to_string();
+    ["prove", "refute", "budget"].contains(&crate::words::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 /// Goes on after the next `;`, or after a block.

@@ -1,0 +1,21 @@
+//! Empty and reversed ranges, domains that are not closed.
+use basis_runtime::basis;
+
+basis! {
+    family Ranges {
+        domain 0 <= t <= 1;
+        shape 1 <= λ <= -3;
+        shape 0 < μ < 0;
+        shape ν in 0..=1;
+        b[0] = t;
+    }
+    family Open {
+        domain 0 < t < 1;
+        b[0] = t;
+    }
+    family Without {
+        b[0] = 1;
+    }
+}
+
+fn main() {}
