@@ -36,7 +36,7 @@ pub fn formulas(family: &Family) -> Vec<Formula> {
         .collect()
 }
 
-/// The derivatives of a curve C = Σ bᵢ P[i] at both ends of an interval as combinations of the control points, such as
+/// The derivatives of a curve `C = Σ b[i] P[i]` at both ends of an interval as combinations of the control points, such as
 /// `C'(0) = (3 + λ)*(-P[0] + P[1])`, for the orders 0 to `order`; empty on other domains.
 pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let Some((var, low, high)) = family.interval() else { return Vec::new() };

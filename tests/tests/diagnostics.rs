@@ -84,9 +84,9 @@ fn annotated(path: &Path, text: &str) -> String {
                 let file = &report.sources.get(*id).name;
                 writeln!(elsewhere, "{MARK} {file} {line}:{column} {words}").unwrap();
                 if k == 0 {
-                    facts(diagnostic)
-                        .iter()
-                        .for_each(|fact| writeln!(elsewhere, "{MARK}    {fact}").unwrap());
+                    for fact in facts(diagnostic) {
+                        writeln!(elsewhere, "{MARK}    {fact}").unwrap();
+                    }
                 }
             }
         }

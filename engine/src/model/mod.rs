@@ -67,7 +67,7 @@ pub struct Parameter {
 /// A basis function.
 #[derive(Clone, Debug)]
 pub struct Function {
-    /// The index, `[2]` for b[2].
+    /// The index, 2 for `b[2]`.
     pub index: Vec<i64>,
     /// The function: a polynomial in the domain variables, whose coefficients are rational functions of the
     /// shape parameters.
@@ -148,7 +148,7 @@ pub enum ClaimKind {
     PartitionOfUnity,
     /// Every function is ≥ 0 on the domain, for all shape values in their ranges.
     Nonnegative,
-    /// b[i](t) = b[n−i](low + high − t).
+    /// `b[i](t) = b[n−i](low + high − t)`.
     Symmetric,
     /// The functions are linearly independent for all shape values in their ranges except the listed ones.
     Independent(Vec<Vec<(Var, Rational)>>),

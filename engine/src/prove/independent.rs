@@ -45,7 +45,7 @@ pub(super) fn independent(family: &Family, except: &[Vec<(Var, Rational)>]) -> V
     for region in pieces(&family.shape_region(), except) {
         match on_region(family, &table, &region) {
             Rank::Full(proof) => {
-                steps.push(Step { of: String::from("rank"), proof: StepProof::Independence(proof) })
+                steps.push(Step { of: String::from("rank"), proof: StepProof::Independence(proof) });
             }
             Rank::Deficient(point) => return Verdict::Refuted(dependent_at(family, &table, &point)),
             Rank::Undecided(left) => undecided = undecided.or(Some(left)),

@@ -23,6 +23,7 @@ pub fn point(lambda: f32, points: [f32; 4], t: f32) -> Result<f32, curves::Shape
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp)] // these numbers are exact
 mod tests {
     use super::{Bernstein, High, point};
 

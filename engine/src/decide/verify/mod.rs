@@ -164,11 +164,8 @@ impl Claim {
             .ranges
             .iter()
             .map(|(_, range)| {
-                let included = |end| match end {
-                    &End::Included(ref x) => Some(Some(x)),
-                    _ => None,
-                };
-                [Some(None), included(&range.low), included(&range.high)].into_iter().flatten().collect()
+                let included = [&range.low, &range.high].into_iter().filter(|end| end.is_included());
+                core::iter::once(None).chain(included.map(End::value)).collect()
             })
             .collect();
         let count = choices.iter().try_fold(1_usize, |n, c| n.checked_mul(c.len()));
