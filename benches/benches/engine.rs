@@ -17,7 +17,7 @@ const SPECS: [&str; 4] = ["quadratic.basis", "quartic.basis", "beta_spline.basis
 #[divan::bench(args = SPECS)]
 fn expand(bencher: Bencher<'_, '_>, name: &str) {
     let source = spec(name);
-    bencher.bench(|| Library::from_source(&Disk, source.clone()).items(Selected::EveryOrder));
+    bencher.bench_local(|| Library::from_source(&Disk, source.clone()).items(Selected::EveryOrder));
 }
 
 /// All claims of a spec, from its families to verdicts.
@@ -25,14 +25,14 @@ fn expand(bencher: Bencher<'_, '_>, name: &str) {
 fn prove(bencher: Bencher<'_, '_>, name: &str) {
     let library = Library::from_source(&Disk, spec(name));
     let items = library.items(Selected::EveryOrder);
-    bencher.bench(|| items.iter().cloned().map(decide_claims).count());
+    bencher.bench_local(|| items.iter().cloned().map(decide_claims).count());
 }
 
 /// From text to verdicts: what the macro does before it emits code.
 #[divan::bench(args = SPECS)]
 fn expand_and_prove(bencher: Bencher<'_, '_>, name: &str) {
     let source = spec(name);
-    bencher.bench(|| {
+    bencher.bench_local(|| {
         Library::from_source(&Disk, source.clone())
             .items(Selected::EveryOrder)
             .into_iter()
@@ -71,7 +71,7 @@ fn inequality(bencher: Bencher<'_, '_>, claim: &str) {
     let text = format!("family F {{ domain 0 <= t <= 1; shape 0 <= λ <= 1; b[0] = t + λ; prove {claim}; }}");
     let library = Library::from_source(&Disk, Source::text("inequality.basis", &text));
     let items = library.items(Selected::EveryOrder);
-    bencher.bench(|| items.iter().cloned().map(decide_claims).count());
+    bencher.bench_local(|| items.iter().cloned().map(decide_claims).count());
 }
 
 /// Specs that ask for too much must be refused soon.
@@ -84,5 +84,5 @@ fn inequality(bencher: Bencher<'_, '_>, claim: &str) {
 ], sample_count = 5)]
 fn hostile(bencher: Bencher<'_, '_>, formula: &str) {
     let text = format!("family F {{ domain 0 <= t <= 1; shape 0 <= λ <= 1; b[0] = {formula}; }}");
-    bencher.bench(|| basis_engine::check(Source::text("hostile.basis", &text)));
+    bencher.bench_local(|| basis_engine::check(Source::text("hostile.basis", &text)));
 }

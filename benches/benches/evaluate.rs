@@ -18,7 +18,7 @@ const POINTS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]];
 /// The peer: kurbo's cubic, two dimensions.
 #[divan::bench]
 fn kurbo_cubic(bencher: Bencher<'_, '_>) {
-    let [a, b, c, d] = POINTS.map(kurbo::Point::from);
+    let [a, b, c, d] = POINTS.map(|[x, y]| kurbo::Point::new(x, y));
     let curve = black_box(CubicBez::new(a, b, c, d));
     let parameters = parameters(COUNT);
     let mut out = vec![kurbo::Point::ZERO; COUNT as usize];
