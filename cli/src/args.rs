@@ -49,7 +49,8 @@ pub(crate) enum Command {
     /// Show what follows from the formulas of a family
     ///
     /// The functions in factored and expanded form, the derivatives of a curve at both ends as combinations of its
-    /// control points, and the shape values at which the functions are linearly dependent.
+    /// control points, the shape values at which the functions are linearly dependent, and the largest ranges of the shape parameters on
+    /// which all functions stay nonnegative.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
 }

@@ -67,6 +67,13 @@ fn text(family: &Family) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
+    let ranges = explain::nonnegative_ranges(family);
+    if !ranges.is_empty() {
+        text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";
+        for range in ranges {
+            text += &format!("    {range}\n");
+        }
+    }
     text
 }
 

@@ -14,6 +14,7 @@ fn the_quartic_family() {
         "C'(0)  = (3 + λ)*(-P[0] + P[1])",
         "C''(1) = 6*(P[1] - (2 + λ)*P[2] + (1 + λ)*P[3])",
         "dependent at λ = -3",
+        "    -3 <= λ <= 1\n",
     ] {
         assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
     }

@@ -5,8 +5,9 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::gcd;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
+use crate::decide::{self, Budget, Coordinate, LargestRange};
 use crate::generate::form::{FunctionForm, IntervalForm};
-use crate::model::Family;
+use crate::model::{Family, Parameter};
 
 /// One function in its two forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +63,31 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
         }
     }
     lines
+}
+
+/// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the other
+/// parameters on their declared ranges; empty for families on a simplex or with denominators.
+pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
+    let polys: Option<Vec<Poly>> = family.functions.iter().map(|f| f.value.as_poly().cloned()).collect();
+    let (Some(polys), false) = (polys, family.is_simplex()) else { return Vec::new() };
+    let line = |shape: &Parameter| {
+        let name = &shape.name;
+        let mut budget = Budget::scaled(family.budget);
+        match decide::largest_range(&polys, shape.var, &family.region(), &mut budget) {
+            LargestRange::Between(low, high) => {
+                let end = |c: &Coordinate| match c {
+                    Coordinate::Rational(x) => x.to_string(),
+                    Coordinate::Algebraic(x) => format!("({})", x.describe(name)),
+                };
+                let low = low.map_or_else(String::new, |c| format!("{} <= ", end(&c)));
+                let high = high.map_or_else(String::new, |c| format!(" <= {}", end(&c)));
+                format!("{low}{name}{high}")
+            }
+            LargestRange::Negative => format!("{name}: a function is negative on the declared ranges"),
+            LargestRange::Undecided(left) => format!("{name}: undecided: {left}"),
+        }
+    };
+    family.shapes.iter().map(line).collect()
 }
 
 /// Σ weight·P[i] with common factors taken out.

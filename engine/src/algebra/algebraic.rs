@@ -3,6 +3,7 @@
 use core::cmp::Ordering;
 use core::fmt;
 
+use super::factor::rational_roots;
 use super::poly::Var;
 use super::rational::Rational;
 use super::roots::{Root, isolate};
@@ -69,6 +70,39 @@ impl Algebraic {
         Some(())
     }
 
+    /// The same number as root of a polynomial without rational roots, if it is irrational, in an interval inside the old
+    /// one whose ends are short decimals; `None` when the work is spent.
+    pub fn tidy(&self, work: &mut Work) -> Option<Self> {
+        let mut polynomial = self.polynomial.clone();
+        for root in rational_roots(&polynomial, work)? {
+            if self.compare(&root) != Ordering::Equal {
+                polynomial = polynomial.div_exact(&Univariate::linear(&root))?.normalized();
+            }
+        }
+        Self { polynomial, low: self.low.clone(), high: self.high.clone() }.shortened(work)
+    }
+
+    fn shortened(&self, work: &mut Work) -> Option<Self> {
+        for digits in [3, 6, 9, 12] {
+            let scale = Rational::from(10_i64.pow(digits));
+            let unit = scale.recip()?;
+            let mut number = self.clone();
+            number.refine_below(&unit, work)?;
+            let mut low = &(number.low() * &scale).floor() * &unit;
+            if number.compare(&(&low + &unit)) == Ordering::Greater {
+                low += &unit;
+            }
+            let high = &low + &unit;
+            if low >= self.low
+                && high <= self.high
+                && self.polynomial.sign_at(&low) * self.polynomial.sign_at(&high) == -1
+            {
+                return Some(Self { polynomial: self.polynomial.clone(), low, high });
+            }
+        }
+        Some(self.clone())
+    }
+
     /// How the number compares with a rational one.
     pub fn compare(&self, x: &Rational) -> Ordering {
         if x <= &self.low {
@@ -81,6 +115,31 @@ impl Algebraic {
             0 => Ordering::Equal,
             sign if sign == self.polynomial.sign_at(&self.low) => Ordering::Greater,
             _ => Ordering::Less,
+        }
+    }
+
+    /// How the number compares with another one; `None` when the work is spent.
+    ///
+    /// Equal exactly when the common divisor of the polynomials has its root in both intervals.
+    pub fn compare_with(&self, other: &Self, work: &mut Work) -> Option<Ordering> {
+        let common = self.polynomial.gcd(&other.polynomial, work)?;
+        let (mut a, mut b) = (self.clone(), other.clone());
+        loop {
+            if a.high <= b.low {
+                return Some(Ordering::Less);
+            }
+            if b.high <= a.low {
+                return Some(Ordering::Greater);
+            }
+            // The intervals overlap; each contains one root of its own polynomial.
+            let (low, high) = ((&a.low).max(&b.low), (&a.high).min(&b.high));
+            if common.sign_at(low) * common.sign_at(high) == -1 {
+                return Some(Ordering::Equal);
+            }
+            for x in [&mut a, &mut b] {
+                let width = &(&x.high - &x.low) * &Rational::new(2, 3);
+                x.refine_below(&width, work)?;
+            }
         }
     }
 
@@ -113,8 +172,22 @@ impl Algebraic {
     pub fn describe(&self, name: &str) -> String {
         let names = [name.to_string()];
         let p = self.polynomial.to_poly(Var(0));
-        format!("root of {} between {} and {}", p.display(&names), self.low, self.high)
+        format!("root of {} between {} and {}", p.display(&names), decimal(&self.low), decimal(&self.high))
     }
+}
+
+/// A number as a decimal if three, six or nine digits are enough and the fraction would be longer.
+fn decimal(x: &Rational) -> String {
+    for digits in [3_usize, 6, 9] {
+        let scaled = x * &Rational::from(10_i64.pow(digits as u32));
+        if x.denom() > Rational::from(9) && scaled.is_integer() {
+            let text = format!("{:0>width$}", scaled.abs().to_string(), width = digits + 1);
+            let (whole, fraction) = text.split_at(text.len() - digits);
+            let sign = if x.is_negative() { "-" } else { "" };
+            return format!("{sign}{whole}.{}", fraction.trim_end_matches('0'));
+        }
+    }
+    x.to_string()
 }
 
 impl fmt::Display for Algebraic {
@@ -150,13 +223,31 @@ mod tests {
         assert_eq!(x.compare(&Rational::new(7, 5)), Ordering::Greater);
         assert_eq!(x.compare(&Rational::new(3, 2)), Ordering::Less);
         x.refine_below(&Rational::new(1, 100), &mut Work::unlimited());
-        assert_eq!(x.to_string(), "root of -2 + x^2 between 181/128 and 91/64");
+        assert_eq!(x.to_string(), "root of -2 + x^2 between 1.4140625 and 1.421875");
+        let tidy = sqrt2().tidy(&mut Work::unlimited()).expect("unlimited");
+        assert_eq!(tidy.to_string(), "root of -2 + x^2 between 1.414 and 1.415");
+        assert_eq!((tidy.low(), tidy.high()), (&Rational::new(707, 500), &Rational::new(283, 200)));
         // A rational number in disguise is never hit by an end.
         let mut half = Algebraic::new(&p(&[-1, 2]), Rational::ZERO, Rational::ONE).expect("opposite signs");
         half.refine();
         assert_eq!((half.low(), half.high()), (&Rational::new(1, 4), &Rational::new(3, 4)));
         assert_eq!(half.compare(&Rational::new(1, 2)), Ordering::Equal);
         assert_eq!(Algebraic::new(&p(&[-2, 0, 1]), Rational::from(2), Rational::from(3)), None);
+    }
+
+    #[test]
+    fn compares_algebraic_numbers() {
+        let work = &mut Work::unlimited();
+        let root = |c: &[i64], a: i64, b: i64| {
+            Algebraic::new(&p(c), Rational::from(a), Rational::from(b)).expect("opposite signs")
+        };
+        let fourth = root(&[-4, 0, 0, 0, 1], 0, 3); // x⁴ = 4
+        assert_eq!(sqrt2().compare_with(&fourth, work), Some(Ordering::Equal));
+        assert_eq!(sqrt2().compare_with(&root(&[-3, 0, 1], 1, 2), work), Some(Ordering::Less));
+        assert_eq!(sqrt2().compare_with(&root(&[-1414, 1000, 0, 0], 1, 2), work), Some(Ordering::Greater));
+        let other = p(&[-2, 0, 1]).mul(&p(&[-5, 0, 1]));
+        let five = Algebraic::new(&other, Rational::from(2), Rational::from(3)).expect("opposite signs");
+        assert_eq!(five.compare_with(&sqrt2(), work), Some(Ordering::Greater));
     }
 
     #[test]

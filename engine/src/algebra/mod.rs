@@ -5,9 +5,11 @@
 pub mod algebraic;
 pub mod bernstein;
 pub mod elimination;
+pub mod factor;
 pub mod fibre;
 pub mod fraction;
 pub mod gcd;
+pub mod matrix;
 pub mod modular;
 pub mod poly;
 pub mod range;

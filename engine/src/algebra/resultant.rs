@@ -167,38 +167,68 @@ fn evaluate(quantity: &Quantity, var: Var, work: &mut Work) -> Option<Poly> {
     interpolate(&nodes, &values, other, work)
 }
 
-/// The polynomial of lowest degree in `var` with the given values at the given different nodes.
+/// The polynomial of lowest degree in `var` with the given values at the given different whole numbers; `None` when the
+/// work is spent.
+///
+/// Lagrange's formula Σ vₖ ∏ (x − xⱼ)/(xₖ − xⱼ), brought to one denominator so that whole values need no fractions.
 pub fn interpolate(nodes: &[Rational], values: &[Poly], var: Var, work: &mut Work) -> Option<Poly> {
+    let n = nodes.len();
+    work.spend((n * n * (2 + n / 20)) as u64)?;
+    let mut product = vec![Rational::ONE];
+    for x in nodes {
+        product = times_linear(&product, x);
+    }
+    let weight = |k: usize| {
+        let others = nodes.iter().enumerate().filter(|(j, _)| *j != k);
+        others.fold(Rational::ONE, |w, (_, x)| &w * &(&nodes[k] - x))
+    };
+    let weights: Vec<Rational> = (0..n).map(weight).collect();
+    let denominator = weights.iter().fold(Rational::ONE, |l, w| &(&l * &w.abs()) / &l.gcd(w));
+    let basis: Vec<Vec<Rational>> = nodes
+        .iter()
+        .zip(&weights)
+        .map(|(x, w)| {
+            let factor = &denominator / w;
+            by_linear(&product, x).iter().map(|c| c * &factor).collect()
+        })
+        .collect();
     let mut columns: BTreeMap<Monomial, Vec<Rational>> = BTreeMap::new();
-    for (k, value) in values.iter().enumerate() {
+    for (value, lagrange) in values.iter().zip(&basis) {
+        let words = (value.max_bits() + denominator.bits()) / 64 + 1;
+        work.spend(2 * (value.len() * n) as u64 * words)?;
         for (m, c) in value.terms() {
-            columns.entry(m.clone()).or_insert_with(|| vec![Rational::ZERO; nodes.len()])[k] = c.clone();
-        }
-    }
-    let mut result = Poly::zero();
-    for (monomial, mut column) in columns {
-        let size = column.iter().map(Rational::bits).max().unwrap_or(0) / 64 + 1;
-        work.spend(2 * (nodes.len() * nodes.len()) as u64 * size)?;
-        // Newton's divided differences …
-        for step in 1..nodes.len() {
-            for k in (step..nodes.len()).rev() {
-                column[k] = &(&column[k] - &column[k - 1]) / &(&nodes[k] - &nodes[k - step]);
+            let column = columns.entry(m.clone()).or_insert_with(|| vec![Rational::ZERO; n]);
+            for (sum, l) in column.iter_mut().zip(lagrange) {
+                *sum += &(c * l);
             }
         }
-        // … and Horner's scheme for (x − x₀)(…).
-        let mut coefficients: Vec<Rational> = Vec::new();
-        for (node, difference) in nodes.iter().zip(&column).rev() {
-            coefficients.insert(0, difference.clone());
-            for k in 0..coefficients.len() - 1 {
-                let shifted = &coefficients[k + 1] * node;
-                coefficients[k] -= &shifted;
-            }
-        }
-        for (k, c) in coefficients.iter().enumerate() {
-            result.add_term(monomial.with_exponent(var, k as u16), c);
-        }
     }
-    Some(result)
+    let terms = columns.iter().flat_map(|(monomial, column)| {
+        let term = |(k, c): (usize, &Rational)| (monomial.with_exponent(var, k as u16), c / &denominator);
+        column.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(term).collect::<Vec<_>>()
+    });
+    Some(Poly::from_terms(terms))
+}
+
+/// p·(x − a).
+fn times_linear(p: &[Rational], a: &Rational) -> Vec<Rational> {
+    let mut result = vec![Rational::ZERO; p.len() + 1];
+    for (k, c) in p.iter().enumerate() {
+        result[k + 1] += c;
+        result[k] -= &(c * a);
+    }
+    result
+}
+
+/// p/(x − a) for a root a of p.
+fn by_linear(p: &[Rational], a: &Rational) -> Vec<Rational> {
+    let mut result = vec![Rational::ZERO; p.len() - 1];
+    let mut above = Rational::ZERO;
+    for k in (0..result.len()).rev() {
+        above = &p[k + 1] + &(&above * a);
+        result[k] = above.clone();
+    }
+    result
 }
 
 /// The resultant of polynomials with whole coefficients, by subresultants.

@@ -4,7 +4,7 @@ use super::Method;
 use crate::algebra::work::Work;
 
 /// Units of work for one decision: about a second of an unoptimised build.
-const UNITS: u64 = 8_000_000;
+const UNITS: u64 = 5_000_000;
 
 /// The work that a decision may still do, counted in operations and never in time, so that one claim gets one
 /// verdict on every machine.

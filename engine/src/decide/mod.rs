@@ -19,7 +19,11 @@ mod cascade;
 mod cells;
 mod certificate;
 mod corners;
+mod exceptional;
 mod factors;
+mod independence;
+mod largest;
+mod pieces;
 mod problem;
 mod projection;
 mod slices;
@@ -32,7 +36,10 @@ use core::fmt;
 
 pub use budget::Budget;
 pub use certificate::{Base, Cells, Certificate, Factor, Sample, Section, Slices, Subdivision};
-pub use verify::verify;
+pub use exceptional::{Exceptional, ExceptionalSet, exceptional_set};
+pub use independence::{Dependence, Exception, Independence, Piece, Values, dependent, independent};
+pub use largest::{LargestRange, largest_range};
+pub use verify::{verify, verify_independence};
 
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::poly::{Poly, Var};

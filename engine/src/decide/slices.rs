@@ -130,8 +130,11 @@ fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
             Some(Near::Positive(ends)) => boxes.push(ends),
             Some(Near::Negative(point)) => return Some(Outcome::Refuted(rational(point))),
             Some(Near::Zero(point)) => {
-                let point = point.into_iter().map(|(v, x)| (v, Coordinate::Algebraic(x)));
-                return Some(Outcome::Refuted(point.collect()));
+                let tidy = point
+                    .into_iter()
+                    .map(|(v, x)| Some((v, Coordinate::Algebraic(x.tidy(&mut budget.work)?))));
+                let tidy: Option<Point> = tidy.collect();
+                return Some(tidy.map_or_else(|| spent(problem, "irrational points"), Outcome::Refuted));
             }
             None => return Some(spent(problem, "irrational points")),
         }
@@ -189,6 +192,7 @@ fn base(problem: &Problem, var: Var, budget: &mut Budget) -> Sliced {
             },
             Root::Between(a, b) => {
                 let Some(x) = Algebraic::new(&polys[*k], a.clone(), b.clone()) else { return out_of_work() };
+                // The interval of the root as it is: short ones are for the point of a witness only.
                 irrational.push(x);
                 sections.push(Section::Between(a.clone(), b.clone()));
             }

@@ -49,14 +49,15 @@ fn simplest_root(p: &Univariate, roots: &mut [Root], work: &mut Work) -> Option<
     }
     let exact = roots.iter().filter(|r| matches!(r, Root::Exact(_)));
     let best = exact.min_by_key(|r| (r.low().denom(), r.low().abs())).or(roots.first())?;
-    coordinate(p, best)
+    let best = best.clone();
+    coordinate(p, &best, work)
 }
 
-/// A root as a coordinate.
-pub(super) fn coordinate(p: &Univariate, root: &Root) -> Option<Coordinate> {
+/// A root as a coordinate, with a short interval if it is not rational.
+pub(super) fn coordinate(p: &Univariate, root: &Root, work: &mut Work) -> Option<Coordinate> {
     Some(match number(p, root)? {
         Ok(x) => Coordinate::Rational(x),
-        Err(x) => Coordinate::Algebraic(x),
+        Err(x) => Coordinate::Algebraic(x.tidy(work)?),
     })
 }
 

@@ -1,6 +1,8 @@
 //! What must be decided, and how.
 
 mod examples;
+mod independence;
+mod random;
 mod text;
 
 use super::*;

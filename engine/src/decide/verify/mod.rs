@@ -5,9 +5,12 @@
 
 mod bernstein;
 mod elimination;
+mod independence;
 mod levels;
 mod slices;
 mod sturm;
+
+pub use independence::verify_independence;
 
 use super::Relation;
 use super::certificate::{Certificate, Factor};
@@ -164,8 +167,8 @@ impl Claim {
             .ranges
             .iter()
             .map(|(_, range)| {
-                let included = [&range.low, &range.high].into_iter().filter(|end| end.is_included());
-                core::iter::once(None).chain(included.map(End::value)).collect()
+                let ends = [&range.low, &range.high].into_iter().filter(|e| e.is_included()).map(End::value);
+                [None].into_iter().chain(ends).collect()
             })
             .collect();
         let count = choices.iter().try_fold(1_usize, |n, c| n.checked_mul(c.len()));

@@ -76,13 +76,11 @@ fn sequence(p: Coefficients) -> Vec<Coefficients> {
 
 /// The changes of sign of a sequence at a number, or below or above all roots.
 fn variations(sequence: &[Coefficients], x: Option<&Rational>, up: bool) -> usize {
-    let sign = |p: &Coefficients| match x {
-        Some(x) => value(p, x).signum(),
-        None => {
-            let lead = p.last().map_or(0, Rational::signum);
-            if up || p.len() % 2 == 1 { lead } else { -lead }
-        }
+    let far = |p: &Coefficients| {
+        let lead = p.last().map_or(0, Rational::signum);
+        if up || p.len() % 2 == 1 { lead } else { -lead }
     };
+    let sign = |p: &Coefficients| x.map_or_else(|| far(p), |x| value(p, x).signum());
     let signs: Vec<i32> = sequence.iter().map(sign).filter(|s| *s != 0).collect();
     signs.windows(2).filter(|w| w[0] != w[1]).count()
 }

@@ -1,0 +1,413 @@
+//! Matrices of numbers and of polynomials: rank, determinants, combinations of rows that vanish.
+
+use super::gcd::{checked_product, gcd_all};
+use super::poly::Poly;
+use super::rational::Rational;
+use super::work::Work;
+
+/// A matrix by rows.
+pub type Rows<T> = Vec<Vec<T>>;
+
+/// The columns in which an elimination of numbers finds its pivots: as many as the rank.
+pub fn pivot_columns(rows: &[Vec<Rational>]) -> Vec<usize> {
+    let mut rows = rows.to_vec();
+    let mut columns = Vec::new();
+    let width = rows.first().map_or(0, Vec::len);
+    for column in 0..width {
+        let done = columns.len();
+        let Some(pivot) = (done..rows.len()).find(|r| !rows[*r][column].is_zero()) else { continue };
+        rows.swap(done, pivot);
+        let (upper, lower) = rows.split_at_mut(done + 1);
+        eliminate(&upper[done], lower.iter_mut(), column);
+        columns.push(column);
+    }
+    columns
+}
+
+/// Subtracts multiples of a row, so that a column becomes zero in the others.
+fn eliminate<'a>(pivot: &[Rational], others: impl Iterator<Item = &'a mut Vec<Rational>>, column: usize) {
+    for row in others {
+        if row[column].is_zero() {
+            continue;
+        }
+        let factor = &row[column] / &pivot[column];
+        for (x, p) in row.iter_mut().zip(pivot) {
+            if !p.is_zero() {
+                *x -= &(p * &factor);
+            }
+        }
+    }
+}
+
+/// Whole numbers cᵢ without common factor, not all zero, with Σ cᵢ rowᵢ = 0; `None` when the rows are independent.
+///
+/// The first of them that is not zero is positive; of several combinations the one with the fewest and smallest numbers
+/// that the elimination finds.
+pub fn vanishing_combination(rows: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+    // Each row is extended by its unit vector, which records the operations.
+    let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+    let unit = |i: usize| (0..height).map(move |k| if k == i { Rational::ONE } else { Rational::ZERO });
+    let mut rows: Rows<Rational> =
+        rows.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).collect()).collect();
+    let mut done = 0;
+    for column in 0..width {
+        let Some(pivot) = (done..height).find(|r| !rows[*r][column].is_zero()) else { continue };
+        rows.swap(done, pivot);
+        let (upper, lower) = rows.split_at_mut(done + 1);
+        eliminate(&upper[done], lower.iter_mut(), column);
+        done += 1;
+    }
+    // What is left of the other rows are independent combinations; reduced among themselves they are simple.
+    let mut combinations: Rows<Rational> =
+        rows.split_off(done).into_iter().map(|row| row[width..].to_vec()).collect();
+    let mut reduced = 0;
+    for column in 0..height {
+        let Some(pivot) = (reduced..combinations.len()).find(|r| !combinations[*r][column].is_zero()) else {
+            continue;
+        };
+        combinations.swap(reduced, pivot);
+        let row = combinations[reduced].clone();
+        let others = combinations.iter_mut().enumerate().filter(|(k, _)| *k != reduced).map(|(_, r)| r);
+        eliminate(&row, others, column);
+        reduced += 1;
+    }
+    let whole = |row: &Vec<Rational>| {
+        let content = row.iter().fold(Rational::ZERO, |g, c| g.gcd(c));
+        let lead = row.iter().find(|c| !c.is_zero())?;
+        let factor = if lead.is_negative() { -content } else { content }.recip()?;
+        Some(row.iter().map(|c| c * &factor).collect::<Vec<_>>())
+    };
+    let size = |row: &Vec<Rational>| {
+        let count = row.iter().filter(|c| !c.is_zero()).count();
+        (count, row.iter().fold(Rational::ZERO, |sum, c| &sum + &c.abs()))
+    };
+    combinations.iter().filter_map(whole).min_by_key(size)
+}
+
+/// The determinant of the square matrix of some columns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Minor {
+    /// The columns, in increasing order, as many as there are rows.
+    pub columns: Vec<usize>,
+    /// The determinant, up to its sign.
+    pub value: Poly,
+}
+
+/// Maximal minors that are not the zero polynomial, the simplest first: those that differ in one column, the one that
+/// elimination takes last. None when the rows are dependent for all values of the parameters; `None` when the work is
+/// spent.
+pub fn nonzero_minors(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Minor>> {
+    let mut elimination = Elimination::new(rows);
+    elimination.run(work)?;
+    if elimination.columns.len() < rows.len() {
+        return Some(Vec::new());
+    }
+    // After Bareiss a pivot is the determinant up to the factors that were taken out.
+    let fixed = elimination.columns.split_last().map_or(&[][..], |(_, fixed)| fixed);
+    let mut minors = Vec::new();
+    for (column, pivot) in &elimination.last_choices {
+        let mut columns = [fixed, &[*column]].concat();
+        columns.sort_unstable();
+        let value =
+            elimination.factors.iter().try_fold(pivot.clone(), |d, f| checked_product(&d, f, work))?;
+        minors.push(Minor { columns, value });
+    }
+    if rows.is_empty() {
+        minors.push(Minor { columns: Vec::new(), value: Poly::one() });
+    }
+    minors.sort_by_key(|m| (m.value.total_degree(), m.value.len()));
+    Some(minors)
+}
+
+/// The determinant of the columns of a matrix, up to its sign; `None` when the work is spent or there are not as many
+/// columns as rows.
+pub fn minor(rows: &[Vec<Poly>], columns: &[usize], work: &mut Work) -> Option<Poly> {
+    let square: Option<Rows<Poly>> =
+        rows.iter().map(|row| columns.iter().map(|c| row.get(*c).cloned()).collect()).collect();
+    if columns.len() != rows.len() {
+        return None;
+    }
+    Some(nonzero_minors(&square?, work)?.pop().map_or_else(Poly::zero, |m| m.value))
+}
+
+/// The rank over the rational functions of the parameters: the rank for all values but exceptional ones.
+pub fn generic_rank(rows: &[Vec<Poly>], work: &mut Work) -> Option<usize> {
+    let mut elimination = Elimination::new(rows);
+    elimination.run(work)?;
+    Some(elimination.columns.len())
+}
+
+/// Polynomials cᵢ without common factor, not all zero, with Σ cᵢ rowᵢ = 0; none when the rows are independent.
+///
+/// `None` when the work is spent.
+pub fn polynomial_combination(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Poly>> {
+    let height = rows.len();
+    let width = rows.first().map_or(0, Vec::len);
+    let unit = |i: usize| (0..height).map(move |k| if k == i { Poly::one() } else { Poly::zero() });
+    let extended: Rows<Poly> =
+        rows.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).collect()).collect();
+    let mut elimination = Elimination::new(&extended);
+    elimination.width = width;
+    elimination.run(work)?;
+    let Some(row) = elimination.left.first() else { return Some(Vec::new()) };
+    let combination = &elimination.rows[*row][width..];
+    let common = gcd_all(combination, work)?;
+    let divided: Option<Vec<Poly>> = combination.iter().map(|p| p.div_exact(&common)).collect();
+    let divided = divided?;
+    let negative = divided.iter().find_map(Poly::leading_term).is_some_and(|(_, c)| c.is_negative());
+    Some(if negative { divided.iter().map(|p| -p).collect() } else { divided })
+}
+
+/// What is known about a linear system over the rational functions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Solution {
+    /// There is none.
+    Unsolvable,
+    /// xⱼ = numeratorⱼ / denominator; unknowns that the equations leave free are zero.
+    Solved {
+        /// The numerators.
+        numerators: Vec<Poly>,
+        /// The denominator, not zero.
+        denominator: Poly,
+    },
+}
+
+/// Solves Σⱼ aᵢⱼ xⱼ = bᵢ for all i; `None` when the work is spent.
+pub fn solve(a: &[Vec<Poly>], b: &[Poly], work: &mut Work) -> Option<Solution> {
+    // Independent columns of a, and a combination of them and of b that vanishes.
+    let width = a.first().map_or(0, Vec::len);
+    let mut basis: Rows<Poly> = Vec::new();
+    let mut unknowns = Vec::new();
+    for j in 0..width {
+        basis.push(a.iter().map(|row| row[j].clone()).collect());
+        if generic_rank(&basis, work)? < basis.len() {
+            basis.pop();
+        } else {
+            unknowns.push(j);
+        }
+    }
+    basis.push(b.to_vec());
+    let combination = polynomial_combination(&basis, work)?;
+    let Some((denominator, parts)) = combination.split_last() else { return Some(Solution::Unsolvable) };
+    let mut numerators = vec![Poly::zero(); width];
+    for (j, c) in unknowns.iter().zip(parts) {
+        numerators[*j] = -c;
+    }
+    Some(Solution::Solved { numerators, denominator: denominator.clone() })
+}
+
+/// An elimination in progress.
+struct Elimination {
+    rows: Rows<Poly>,
+    /// The columns in which pivots are looked for.
+    width: usize,
+    /// The rows without a pivot so far.
+    left: Vec<usize>,
+    /// The columns of the pivots.
+    columns: Vec<usize>,
+    /// Factors of the determinant that were taken out of rows, and pivots that are numbers.
+    factors: Vec<Poly>,
+    /// The last pivot of the fraction-free part.
+    last: Poly,
+    /// The columns that could be that of the last pivot, with what it would be.
+    last_choices: Vec<(usize, Poly)>,
+}
+
+impl Elimination {
+    fn new(rows: &[Vec<Poly>]) -> Self {
+        Self {
+            rows: rows.to_vec(),
+            width: rows.first().map_or(0, Vec::len),
+            left: (0..rows.len()).collect(),
+            columns: Vec::new(),
+            factors: Vec::new(),
+            last: Poly::one(),
+            last_choices: Vec::new(),
+        }
+    }
+
+    /// Eliminates until no pivot is left: first with pivots that are numbers, which make no entries grow, then by the
+    /// fraction-free scheme of Bareiss.
+    fn run(&mut self, work: &mut Work) -> Option<()> {
+        while let Some((row, column)) = self.best_pivot(|p| p.as_constant().is_some()) {
+            self.plain_step(row, column, work)?;
+        }
+        for row in self.left.clone() {
+            self.take_content(row, work)?;
+        }
+        while let Some((row, column)) = self.best_pivot(|_| true) {
+            self.bareiss_step(row, column, work)?;
+        }
+        Some(())
+    }
+
+    /// The entry among those allowed that is not zero and leads to the least work.
+    fn best_pivot(&self, allowed: impl Fn(&Poly) -> bool) -> Option<(usize, usize)> {
+        let free: Vec<usize> = (0..self.width).filter(|c| !self.columns.contains(c)).collect();
+        let in_column: Vec<usize> = (0..self.width)
+            .map(|c| self.left.iter().filter(|r| !self.rows[**r][c].is_zero()).count())
+            .collect();
+        let mut best = None;
+        for row in &self.left {
+            let in_row = free.iter().filter(|c| !self.rows[*row][**c].is_zero()).count();
+            for column in &free {
+                let entry = &self.rows[*row][*column];
+                if !entry.is_zero() && allowed(entry) {
+                    let cost = (entry.len(), entry.total_degree(), (in_row - 1) * (in_column[*column] - 1));
+                    if best.as_ref().is_none_or(|(c, _)| cost < *c) {
+                        best = Some((cost, (*row, *column)));
+                    }
+                }
+            }
+        }
+        best.map(|(_, place)| place)
+    }
+
+    fn use_pivot(&mut self, row: usize, column: usize) -> Vec<Poly> {
+        self.left.retain(|r| *r != row);
+        self.columns.push(column);
+        core::mem::take(&mut self.rows[row])
+    }
+
+    /// row_k := row_k − (a_k/a)·row for a number a.
+    fn plain_step(&mut self, row: usize, column: usize, work: &mut Work) -> Option<()> {
+        let inverse = self.rows[row][column].as_constant()?.recip()?;
+        let pivot = self.use_pivot(row, column);
+        if self.left.is_empty() {
+            self.last_choices = vec![(column, pivot[column].clone())];
+            return Some(());
+        }
+        self.factors.push(pivot[column].clone());
+        for k in &self.left {
+            let factor = self.rows[*k][column].scale(&inverse);
+            if factor.is_zero() {
+                continue;
+            }
+            for (x, p) in self.rows[*k].iter_mut().zip(&pivot) {
+                if !p.is_zero() {
+                    *x = &*x - &checked_product(p, &factor, work)?;
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// Divides a row by the common factor of its entries.
+    fn take_content(&mut self, row: usize, work: &mut Work) -> Option<()> {
+        let common = gcd_all(&self.rows[row], work)?;
+        if !common.is_zero() && !common.is_one() {
+            for x in &mut self.rows[row] {
+                *x = x.div_exact(&common)?;
+            }
+            self.factors.push(common);
+        }
+        Some(())
+    }
+
+    /// row_k := (a·row_k − a_k·row)/last, which is a polynomial.
+    fn bareiss_step(&mut self, row: usize, column: usize, work: &mut Work) -> Option<()> {
+        let pivot = self.use_pivot(row, column);
+        if self.left.is_empty() {
+            let free = (0..self.width).filter(|c| *c == column || !self.columns.contains(c));
+            self.last_choices =
+                free.filter(|c| !pivot[*c].is_zero()).map(|c| (c, pivot[c].clone())).collect();
+            return Some(());
+        }
+        for k in &self.left {
+            let factor = self.rows[*k][column].clone();
+            for (x, p) in self.rows[*k].iter_mut().zip(&pivot) {
+                if x.is_zero() && (p.is_zero() || factor.is_zero()) {
+                    continue;
+                }
+                let scaled = checked_product(x, &pivot[column], work)?;
+                let difference = &scaled - &checked_product(p, &factor, work)?;
+                *x = difference.div_exact(&self.last)?;
+            }
+        }
+        self.last = pivot[column].clone();
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::poly::Var;
+    use super::*;
+
+    fn x() -> Poly {
+        Poly::var(Var(0))
+    }
+    fn n(k: i64) -> Poly {
+        Poly::integer(k)
+    }
+    fn numbers(rows: &[&[i64]]) -> Rows<Rational> {
+        rows.iter().map(|r| r.iter().map(|c| Rational::from(*c)).collect()).collect()
+    }
+    fn work() -> Work {
+        Work::unlimited()
+    }
+
+    #[test]
+    fn numbers_rank_and_combination() {
+        let m = numbers(&[&[1, 2, 3], &[2, 4, 6], &[0, 0, 5]]);
+        assert_eq!(pivot_columns(&m), vec![0, 2]);
+        let c = vanishing_combination(&m).expect("dependent");
+        assert_eq!(c, [2, -1, 0].map(Rational::from));
+        assert_eq!(vanishing_combination(&numbers(&[&[1, 0], &[0, 2]])), None);
+        assert_eq!(vanishing_combination(&numbers(&[&[0, 0]])), Some(vec![Rational::ONE]));
+        assert_eq!(vanishing_combination(&[]), None);
+    }
+
+    #[test]
+    fn determinants_of_polynomials() {
+        // Vandermonde of x, 2, x²
+        let row = |p: &Poly| vec![n(1), p.clone(), p.pow(2)];
+        let m = vec![row(&x()), row(&n(2)), row(&x().pow(2))];
+        let value = minor(&m, &[0, 1, 2], &mut work()).expect("unlimited");
+        let expected = &(&(&n(2) - &x()) * &(&x().pow(2) - &x())) * &(&x().pow(2) - &n(2));
+        assert_eq!(value.normalized(), expected.normalized());
+        assert_eq!(minor(&m, &[0, 1], &mut work()), None);
+        assert_eq!(minor(&m, &[0, 1, 2], &mut Work::new(10)), None);
+        let dependent = vec![row(&x()), row(&n(2)), row(&x())];
+        assert_eq!(minor(&dependent, &[0, 1, 2], &mut work()), Some(Poly::zero()));
+        assert_eq!(generic_rank(&dependent, &mut work()), Some(2));
+        assert_eq!(nonzero_minors(&dependent, &mut work()), Some(vec![]));
+    }
+
+    #[test]
+    fn determinant_without_numbers_as_entries() {
+        let (a, b, c) = (&x() + &n(1), &x() - &n(3), x().pow(2));
+        let y = Poly::var(Var(1));
+        let m = vec![
+            vec![a.clone(), b.clone(), y.clone()],
+            vec![b.clone(), &c + &y, a.clone()],
+            vec![y.clone(), c.clone(), b.clone()],
+        ];
+        let [p, q, r] = [&m[0], &m[1], &m[2]];
+        let two = |i: usize, j: usize| &(&q[i] * &r[j]) - &(&q[j] * &r[i]);
+        let expected = &(&(&p[0] * &two(1, 2)) - &(&p[1] * &two(0, 2))) + &(&p[2] * &two(0, 1));
+        let value = minor(&m, &[0, 1, 2], &mut work()).expect("unlimited");
+        assert_eq!(value.normalized(), expected.normalized());
+        assert_eq!(value.numeric_content(), expected.numeric_content());
+    }
+
+    #[test]
+    fn combinations_and_systems_of_polynomials() {
+        let m = vec![vec![n(1), x()], vec![x(), n(1)], vec![n(1), n(1)]];
+        let c = polynomial_combination(&m, &mut work()).expect("unlimited");
+        let column = |j: usize| m.iter().zip(&c).fold(n(0), |s, (row, c)| &s + &(c * &row[j]));
+        assert!(column(0).is_zero() && column(1).is_zero());
+        // (x + 1)·(row 3) = row 1 + row 2
+        assert_eq!(c, vec![n(1), n(1), -&(&x() + &n(1))]);
+        let a = vec![vec![n(1), x()], vec![x(), n(1)]];
+        let b = [n(1), n(0)];
+        let Some(Solution::Solved { numerators: s, denominator: d }) = solve(&a, &b, &mut work()) else {
+            panic!("solvable")
+        };
+        for (row, rhs) in a.iter().zip(&b) {
+            assert_eq!(&(&row[0] * &s[0]) + &(&row[1] * &s[1]), &d * rhs);
+        }
+        let singular = vec![vec![n(1), x()], vec![n(2), x().scale(&2.into())]];
+        assert_eq!(solve(&singular, &b, &mut work()), Some(Solution::Unsolvable));
+    }
+}
