@@ -57,6 +57,8 @@ mod error;
 mod form;
 mod point;
 mod scalar;
+#[allow(dead_code)] // surfaces and patches are about to use all of it
+mod vector;
 
 pub use basis::{Array, Basis};
 pub use basis_macros::basis;
@@ -65,3 +67,4 @@ pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
 pub use point::Point;
 pub use scalar::{FUSED_HERE, Scalar};
+pub use vector::Point3;

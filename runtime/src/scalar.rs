@@ -41,6 +41,10 @@ pub trait Scalar:
     const ZERO: Self;
     /// One.
     const ONE: Self;
+    /// The distance from 1 to the next larger number.
+    const EPSILON: Self;
+    /// A full half-turn, π.
+    const PI: Self;
 
     /// The scalar nearest to `value`.
     fn of(value: f64) -> Self;
@@ -53,6 +57,21 @@ pub trait Scalar:
 
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// Whether the number is NaN.
+    fn is_nan(self) -> bool;
+
+    /// The absolute value.
+    fn abs(self) -> Self;
+
+    /// The square root; NaN of a negative number.
+    fn sqrt(self) -> Self;
+
+    /// The sine and the cosine of an angle in radians.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// The angle of the point `(x, self)` in radians, from -π to π.
+    fn atan2(self, x: Self) -> Self;
 
     /// `self * factor + addend`, rounded once if `FUSED` and twice otherwise.
     ///
@@ -68,10 +87,12 @@ mod sealed {
 }
 
 macro_rules! scalars {
-    ($($scalar:ident)+) => {$(
+    ($($scalar:ident: $sqrt:ident $sincos:ident $atan2:ident;)+) => {$(
         impl Scalar for $scalar {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const EPSILON: Self = $scalar::EPSILON;
+            const PI: Self = core::$scalar::consts::PI;
 
             #[inline]
             fn of(value: f64) -> Self {
@@ -94,6 +115,40 @@ macro_rules! scalars {
             }
 
             #[inline]
+            fn is_nan(self) -> bool {
+                self.is_nan()
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                self.abs()
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                #[cfg(feature = "std")]
+                return self.sqrt();
+                #[cfg(not(feature = "std"))]
+                return libm::$sqrt(self);
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                #[cfg(feature = "std")]
+                return self.sin_cos();
+                #[cfg(not(feature = "std"))]
+                return libm::$sincos(self);
+            }
+
+            #[inline]
+            fn atan2(self, x: Self) -> Self {
+                #[cfg(feature = "std")]
+                return self.atan2(x);
+                #[cfg(not(feature = "std"))]
+                return libm::$atan2(self, x);
+            }
+
+            #[inline]
             fn fma<const FUSED: bool>(self, factor: Self, addend: Self) -> Self {
                 #[cfg(feature = "std")]
                 if FUSED {
@@ -104,4 +159,7 @@ macro_rules! scalars {
         }
     )+};
 }
-scalars!(f32 f64);
+scalars! {
+    f32: sqrtf sincosf atan2f;
+    f64: sqrt sincos atan2;
+}

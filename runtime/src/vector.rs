@@ -1,0 +1,133 @@
+//! Lengths, products and directions of vectors, given as points.
+
+use crate::{Point, Scalar};
+
+/// A point of three-dimensional space, where surfaces have normals.
+///
+/// Implemented for `[S; 3]`, with the feature `glam` for `Vec3`, `Vec3A` and `DVec3`, and with the feature `nalgebra` for
+/// `Vector3` and `Point3`. A type of your own needs one line, and `DIM = 3`:
+///
+/// ```
+/// use basis_runtime::{Point, Point3};
+///
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Position([f32; 3]);
+///
+/// impl Point for Position {
+///     type Scalar = f32;
+///     const DIM: usize = 3;
+///     fn from_components(component: impl FnMut(usize) -> f32) -> Self {
+///         Position(<[f32; 3]>::from_components(component))
+///     }
+///     fn component(&self, index: usize) -> f32 {
+///         self.0[index]
+///     }
+/// }
+/// impl Point3 for Position {}
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a point of three-dimensional space",
+    note = "normals exist for points with three components, such as `[f64; 3]` or `glam::Vec3`"
+)]
+pub trait Point3: Point {}
+
+impl<S: Scalar> Point3 for [S; 3] {}
+
+#[cfg(feature = "glam")]
+mod glam {
+    impl super::Point3 for glam::Vec3 {}
+    impl super::Point3 for glam::Vec3A {}
+    impl super::Point3 for glam::DVec3 {}
+}
+
+#[cfg(feature = "nalgebra")]
+mod nalgebra {
+    use super::Scalar;
+
+    impl<S: Scalar> super::Point3 for nalgebra::SVector<S, 3> {}
+    impl<S: Scalar> super::Point3 for nalgebra::Point<S, 3> {}
+}
+
+/// The scalar product `Σ a_i b_i`.
+#[inline]
+pub(crate) fn dot<P: Point>(a: P, b: P) -> P::Scalar {
+    (0..P::DIM).fold(P::Scalar::ZERO, |sum, i| sum + a.component(i) * b.component(i))
+}
+
+/// The vector product `a × b`.
+#[inline]
+pub(crate) fn cross<P: Point3>(a: P, b: P) -> P {
+    const { assert!(P::DIM == 3, "a type that implements Point3 has three components") };
+    P::from_components(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a.component(j) * b.component(k) - a.component(k) * b.component(j)
+    })
+}
+
+/// The Euclidean length; infinite or NaN if a component is. Neither the square of a large component overflows nor that of
+/// a small one vanishes.
+#[inline]
+pub(crate) fn length<P: Point>(vector: P) -> P::Scalar {
+    let largest = largest_component(vector);
+    if largest == P::Scalar::ZERO || !largest.is_finite() {
+        return largest;
+    }
+    let scaled = P::from_components(|i| vector.component(i) / largest);
+    dot(scaled, scaled).sqrt() * largest
+}
+
+/// The vector of length one in that direction; `None` if the vector is zero, infinite or NaN.
+#[inline]
+pub(crate) fn direction<P: Point>(vector: P) -> Option<P> {
+    let largest = largest_component(vector);
+    if largest == P::Scalar::ZERO || !largest.is_finite() {
+        return None;
+    }
+    // Divided, not multiplied by the inverse, which is infinite for a subnormal component.
+    let scaled = P::from_components(|i| vector.component(i) / largest);
+    let length = dot(scaled, scaled).sqrt();
+    Some(P::from_components(|i| scaled.component(i) / length))
+}
+
+/// The largest absolute value of a component; NaN if one is NaN.
+#[inline]
+pub(crate) fn largest_component<P: Point>(vector: P) -> P::Scalar {
+    (0..P::DIM).map(|i| vector.component(i).abs()).fold(P::Scalar::ZERO, |largest, component| {
+        // Written so that NaN, once met, stays.
+        if component <= largest || largest.is_nan() { largest } else { component }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{cross, direction, dot, length};
+
+    #[test]
+    fn products() {
+        assert_eq!(dot([1.0, 2.0, 3.0], [4.0, -5.0, 6.0]), 12.0);
+        assert_eq!(cross([1.0, 2.0, 3.0], [4.0, -5.0, 6.0]), [27.0, 6.0, -13.0]);
+    }
+
+    #[test]
+    fn lengths_of_any_size() {
+        assert_eq!(length([3.0, -4.0]), 5.0);
+        assert_eq!(length([3e300, -4e300]), 5e300);
+        assert_eq!(length([3e-300, 4e-300]), 5e-300);
+        assert_eq!(length([0.0_f32; 3]), 0.0);
+        assert_eq!(length([f64::NEG_INFINITY, 1.0]), f64::INFINITY);
+        assert!(length([1.0, f64::NAN, 2.0]).is_nan());
+        assert!(length([f64::INFINITY, f64::NAN]).is_nan());
+    }
+
+    #[test]
+    fn directions_of_any_size() {
+        for size in [5e-324, 1e-300, 1.0, 1e300] {
+            assert_eq!(direction([0.0, -size, 0.0]), Some([0.0, -1.0, 0.0]));
+        }
+        let smallest = f32::from_bits(1);
+        assert_eq!(direction([3.0 * smallest, 4.0 * smallest]), direction([3.0_f32, 4.0]));
+        assert_eq!(direction([0.0; 3]), None);
+        assert_eq!(direction([f64::INFINITY, 0.0]), None);
+        assert_eq!(direction([f64::NAN, 1.0]), None);
+    }
+}
