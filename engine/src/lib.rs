@@ -22,10 +22,12 @@
 pub mod algebra;
 pub mod decide;
 pub mod diagnostic;
+#[cfg(any(test, feature = "tools"))]
 pub mod explain;
 pub mod generate;
 pub mod model;
 pub mod prove;
+mod sorting;
 pub mod source;
 pub mod syntax;
 mod words;

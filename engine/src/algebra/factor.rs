@@ -6,6 +6,7 @@ use super::rational::Rational;
 use super::roots::{Root, isolate};
 use super::univariate::Univariate;
 use super::work::Work;
+use crate::sorting::sort_by;
 
 /// The work that [`factor`] may take.
 const WORK: u64 = 1_000_000;
@@ -36,7 +37,7 @@ pub fn checked_factor(p: &Poly, work: &mut Work) -> Option<(Rational, Vec<(Poly,
             waiting.extend(parts);
         }
     }
-    factors.sort_by(|a, b| {
+    sort_by(&mut factors, |a, b| {
         (a.0.total_degree(), a.0.len(), a.1, &a.0).cmp(&(b.0.total_degree(), b.0.len(), b.1, &b.0))
     });
     Some((quotient(p, factors.iter().map(|(f, e)| (f, *e))), factors))

@@ -4,6 +4,7 @@ use super::modular::common_degree;
 use super::poly::{Monomial, Poly, Var};
 use super::univariate::Univariate;
 use super::work::Work;
+use crate::sorting::sort_by;
 
 /// The greatest common divisor, with whole coefficients without common factor and a positive leading one; 0 for
 /// gcd(0, 0).
@@ -29,7 +30,7 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
 /// The greatest common divisor of several polynomials; 0 for none.
 pub fn gcd_all<'a>(polys: impl IntoIterator<Item = &'a Poly>, work: &mut Work) -> Option<Poly> {
     let mut polys: Vec<&Poly> = polys.into_iter().collect();
-    polys.sort_by_key(|p| (p.total_degree(), p.len())); // the simplest first, for an early end
+    sort_by(&mut polys, |p, q| (p.total_degree(), p.len()).cmp(&(q.total_degree(), q.len()))); // the simplest first, for an early end
     let mut common = Poly::zero();
     for p in polys {
         common = checked_gcd(&common, p, work)?;
@@ -204,7 +205,7 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
         yun(&primitive, var, &mut factors, work)?;
         rest = lower;
     }
-    factors.sort_by(|a, b| (a.1, a.0.total_degree(), &a.0).cmp(&(b.1, b.0.total_degree(), &b.0)));
+    sort_by(&mut factors, |a, b| (a.1, a.0.total_degree(), &a.0).cmp(&(b.1, b.0.total_degree(), &b.0)));
     Some(factors)
 }
 

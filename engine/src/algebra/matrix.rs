@@ -4,6 +4,7 @@ use super::gcd::{checked_product, gcd_all};
 use super::poly::Poly;
 use super::rational::Rational;
 use super::work::Work;
+use crate::sorting::sort_by;
 
 /// A matrix by rows.
 pub type Rows<T> = Vec<Vec<T>>;
@@ -115,7 +116,9 @@ pub fn nonzero_minors(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Minor>>
     if rows.is_empty() {
         minors.push(Minor { columns: Vec::new(), value: Poly::one() });
     }
-    minors.sort_by_key(|m| (m.value.total_degree(), m.value.len()));
+    sort_by(&mut minors, |m, n| {
+        (m.value.total_degree(), m.value.len()).cmp(&(n.value.total_degree(), n.value.len()))
+    });
     Some(minors)
 }
 

@@ -26,6 +26,7 @@ enum Repr {
     /// For more variables or higher exponents; no trailing zeros.
     Wide(Vec<u16>),
 }
+use crate::sorting::sort_by;
 use Repr::{Packed, Wide};
 
 /// How many variables fit in a packed monomial.
@@ -570,7 +571,7 @@ impl fmt::Display for DisplayPoly<'_> {
     /// Terms by increasing total degree, as in `1 + λ*t^2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut terms: Vec<_> = self.poly.terms().collect();
-        terms.sort_by(|(m, _), (n, _)| m.total_degree().cmp(&n.total_degree()).then_with(|| n.cmp(m)));
+        sort_by(&mut terms, |(m, _), (n, _)| m.total_degree().cmp(&n.total_degree()).then_with(|| n.cmp(m)));
         if terms.is_empty() {
             return write!(f, "0");
         }

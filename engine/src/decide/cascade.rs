@@ -9,6 +9,7 @@ use super::{cells, corners, factors, slices, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use crate::sorting::sort_by;
 
 /// What is known about a part of a claim.
 pub(super) enum Outcome {
@@ -65,7 +66,7 @@ fn explicit(p: &Poly, problem: &Problem, relation: Relation, region: &Region, po
             point.push((var, Coordinate::Rational(Rational::ZERO)));
         }
     }
-    point.sort_by_key(|(v, _)| *v);
+    sort_by(&mut point, |a, b| a.0.cmp(&b.0));
     let value = as_rational(&point).map_or(Rational::ZERO, |exact| super::problem::value(p, &exact));
     Witness { point, value }
 }

@@ -11,6 +11,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Region};
 use crate::algebra::roots::isolate;
 use crate::algebra::univariate::Univariate;
+use crate::sorting::{sort_by, sort_unique};
 
 /// The exceptional set of functions on a region: where they are dependent.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -53,8 +54,7 @@ pub fn exceptional_set(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget)
         return set;
     }
     let mut parameters: Vec<Var> = rows.iter().flatten().flat_map(Poly::variables).collect();
-    parameters.sort();
-    parameters.dedup();
+    sort_unique(&mut parameters);
     match &parameters[..] {
         [] => {}
         [only] => {
@@ -113,7 +113,7 @@ fn one_parameter(
         Coordinate::Rational(x) => x.clone(),
         Coordinate::Algebraic(x) => x.low().clone(),
     };
-    found.sort_by_key(key);
+    sort_by(found, |a, b| key(a).cmp(&key(b)));
     Some(())
 }
 
@@ -123,7 +123,7 @@ fn several_parameters(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget, 
     while flats.len() < MAX_EXCEPTIONS {
         let point = match independent(rows, &flats, region, budget) {
             Independence::Proved(_) => {
-                flats.sort();
+                sort_by(&mut flats, Ord::cmp);
                 return;
             }
             Independence::Undecided(left) => {

@@ -18,6 +18,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::sorting::sort_by;
 
 /// Values of some parameters, the others free.
 pub type Values = Vec<(Var, Rational)>;
@@ -87,7 +88,7 @@ pub(super) fn complete(rows: &[Vec<Poly>], region: &Region) -> Region {
             region.ranges.push((var, Range::all()));
         }
     }
-    region.ranges.sort_by_key(|(v, _)| *v);
+    sort_by(&mut region.ranges, |a, b| a.0.cmp(&b.0));
     region
 }
 
@@ -308,6 +309,6 @@ pub fn dependent(rows: &[Vec<Poly>], values: &Values, region: &Region, budget: &
             point.push((*v, simple(r)));
         }
     }
-    point.sort_by_key(|(v, _)| *v);
+    sort_by(&mut point, |a, b| a.0.cmp(&b.0));
     Exception::Independent(point)
 }

@@ -10,7 +10,7 @@
 //! 6. open cylindrical decomposition (complete for p ≥ 0); for p > 0 the faces of the box one by one, and on each
 //!    open face the slices in which p can have a zero (complete for one and two variables).
 //!
-//! A proof carries a [`Certificate`], which [`verify`] checks on its own; a refutation is a point with the exact
+//! A proof carries a [`Certificate`], which `verify` checks on its own; a refutation is a point with the exact
 //! value there. Nothing here knows of specs.
 
 mod bernstein;
@@ -22,12 +22,14 @@ mod corners;
 mod exceptional;
 mod factors;
 mod independence;
+#[cfg(any(test, feature = "tools"))]
 mod largest;
 mod pieces;
 mod problem;
 mod projection;
 mod slices;
 mod univariate;
+#[cfg(any(test, feature = "tools"))]
 mod verify;
 mod witness;
 mod zeros;
@@ -38,7 +40,9 @@ pub use budget::Budget;
 pub use certificate::{Base, Cells, Certificate, Factor, Sample, Section, Slices, Subdivision};
 pub use exceptional::{Exceptional, ExceptionalSet, exceptional_set};
 pub use independence::{Dependence, Exception, Independence, Piece, Values, dependent, independent};
+#[cfg(any(test, feature = "tools"))]
 pub use largest::{LargestRange, largest_range};
+#[cfg(any(test, feature = "tools"))]
 pub use verify::{verify, verify_independence};
 
 use crate::algebra::algebraic::Algebraic;

@@ -4,6 +4,7 @@ use super::independence::Values;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
+use crate::sorting::sort_by;
 
 /// The parts of a box in which no point has all values of one of the exceptions; none of them empty.
 pub(super) fn pieces(region: &Region, except: &[Values]) -> Vec<Region> {
@@ -40,6 +41,6 @@ pub(super) fn with(region: &Region, var: Var, range: Range) -> Region {
     let mut result = region.clone();
     result.ranges.retain(|(v, _)| *v != var);
     result.ranges.push((var, range));
-    result.ranges.sort_by_key(|(v, _)| *v);
+    sort_by(&mut result.ranges, |a, b| a.0.cmp(&b.0));
     result
 }

@@ -8,6 +8,7 @@ use crate::algebra::resultant::{discriminant, resultant};
 use crate::algebra::roots::{Root, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::sorting::sort_by;
 
 /// A sequence of projections.
 #[derive(Clone, Debug)]
@@ -126,7 +127,7 @@ fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
             }
         }
     }
-    result.sort_by(|a, b| (a.total_degree(), a.len(), a).cmp(&(b.total_degree(), b.len(), b)));
+    sort_by(&mut result, |a, b| (a.total_degree(), a.len(), a).cmp(&(b.total_degree(), b.len(), b)));
     Some(result)
 }
 
@@ -139,7 +140,7 @@ pub(super) fn all_roots(polys: &[Univariate], range: &Range, work: &mut Work) ->
         roots.extend(found.into_iter().map(|root| (k, root)));
     }
     loop {
-        roots.sort_by(|(_, a), (_, b)| (a.low(), a.high()).cmp(&(b.low(), b.high())));
+        sort_by(&mut roots, |(_, a), (_, b)| (a.low(), a.high()).cmp(&(b.low(), b.high())));
         let mut apart = true;
         for k in 1..roots.len() {
             let (left, right) = roots.split_at_mut(k);

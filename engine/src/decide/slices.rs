@@ -18,6 +18,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
+use crate::sorting::sort_by;
 
 /// The most faces of a box.
 const MAX_FACES: usize = 1000;
@@ -92,7 +93,7 @@ fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
     }
     let mut order: Vec<Var> = problem.ranges.iter().map(|(v, _)| *v).collect();
     // Variables of low degree are better projected away.
-    order.sort_by_key(|v| core::cmp::Reverse(problem.poly.degree(*v)));
+    sort_by(&mut order, |v, w| problem.poly.degree(*w).cmp(&problem.poly.degree(*v)));
     let mut bases = Vec::new();
     let mut unknown = None;
     for var in order {
@@ -109,7 +110,7 @@ fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
     if let Some(left) = unknown {
         return Some(Outcome::Unknown(left));
     }
-    bases.sort_by_key(|(var, _, _)| *var);
+    sort_by(&mut bases, |a, b| a.0.cmp(&b.0));
     let mut combinations: Vec<Vec<(Var, Algebraic)>> = vec![Vec::new()];
     for (var, _, irrational) in &bases {
         let extended = combinations.iter().flat_map(|c| {

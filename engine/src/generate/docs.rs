@@ -1,7 +1,7 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
 use super::form::IntervalForm;
-use crate::explain::factored;
+use super::formula::factored;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 

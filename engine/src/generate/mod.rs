@@ -6,6 +6,7 @@
 
 mod docs;
 pub mod form;
+mod formula;
 mod names;
 mod scalar;
 
@@ -19,6 +20,8 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 use form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use formula::factored;
 pub use names::ascii;
 use scalar::ScalarCode;
 
