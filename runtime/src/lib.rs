@@ -38,12 +38,16 @@
 //!
 //! | feature | default | |
 //! | --- | --- | --- |
-//! | `std` | yes | uses fused multiply-add on targets that have it; the crate is `no_std` without |
+//! | `std` | yes | fused multiply-add and vector instructions where there are any; the crate is `no_std` without; enables `alloc` |
+//! | `alloc` | yes | everything that returns a vector |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` are points |
+//! | `serde` | no | public data can be written and read |
 
 #![no_std]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
@@ -51,6 +55,7 @@ extern crate std;
 #[path = "private.rs"]
 pub mod __private;
 mod basis;
+pub mod bernstein;
 mod curve;
 mod domain;
 mod error;

@@ -45,6 +45,12 @@ pub trait Scalar:
     const EPSILON: Self;
     /// A full half-turn, π.
     const PI: Self;
+    /// The smallest positive number that still has all its digits.
+    const MIN_POSITIVE: Self;
+    /// Positive infinity.
+    const INFINITY: Self;
+    /// Not a number.
+    const NAN: Self;
 
     /// The scalar nearest to `value`.
     fn of(value: f64) -> Self;
@@ -63,6 +69,12 @@ pub trait Scalar:
 
     /// The absolute value.
     fn abs(self) -> Self;
+
+    /// The smaller of both; the other one if one of them is NaN.
+    fn min(self, other: Self) -> Self;
+
+    /// The larger of both; the other one if one of them is NaN.
+    fn max(self, other: Self) -> Self;
 
     /// The square root; NaN of a negative number.
     fn sqrt(self) -> Self;
@@ -93,6 +105,9 @@ macro_rules! scalars {
             const ONE: Self = 1.0;
             const EPSILON: Self = $scalar::EPSILON;
             const PI: Self = core::$scalar::consts::PI;
+            const MIN_POSITIVE: Self = $scalar::MIN_POSITIVE;
+            const INFINITY: Self = $scalar::INFINITY;
+            const NAN: Self = $scalar::NAN;
 
             #[inline]
             fn of(value: f64) -> Self {
@@ -122,6 +137,16 @@ macro_rules! scalars {
             #[inline]
             fn abs(self) -> Self {
                 self.abs()
+            }
+
+            #[inline]
+            fn min(self, other: Self) -> Self {
+                self.min(other)
+            }
+
+            #[inline]
+            fn max(self, other: Self) -> Self {
+                self.max(other)
             }
 
             #[inline]

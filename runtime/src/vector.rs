@@ -68,6 +68,15 @@ pub(crate) fn cross<P: Point3>(a: P, b: P) -> P {
 /// a small one vanishes.
 #[inline]
 pub(crate) fn length<P: Point>(vector: P) -> P::Scalar {
+    let square = dot(vector, vector);
+    if square > P::Scalar::MIN_POSITIVE / P::Scalar::EPSILON && square.is_finite() {
+        return square.sqrt();
+    }
+    scaled_length(vector)
+}
+
+#[cold]
+fn scaled_length<P: Point>(vector: P) -> P::Scalar {
     let largest = largest_component(vector);
     if largest == P::Scalar::ZERO || !largest.is_finite() {
         return largest;
@@ -87,6 +96,30 @@ pub(crate) fn direction<P: Point>(vector: P) -> Option<P> {
     let scaled = P::from_components(|i| vector.component(i) / largest);
     let length = dot(scaled, scaled).sqrt();
     Some(P::from_components(|i| scaled.component(i) / length))
+}
+
+/// The distance of two points, `|a - b|`.
+#[inline]
+pub(crate) fn distance<P: Point>(a: P, b: P) -> P::Scalar {
+    length(a.minus(b))
+}
+
+/// The point `(1 - x) a + x b`.
+#[inline]
+pub(crate) fn lerp<P: Point>(a: P, b: P, x: P::Scalar) -> P {
+    a.scale(P::Scalar::ONE - x).add_scaled(b, x)
+}
+
+/// Whether all components are finite.
+#[inline]
+pub(crate) fn is_finite<P: Point>(point: P) -> bool {
+    (0..P::DIM).all(|i| point.component(i).is_finite())
+}
+
+/// The component `a_i b_j - a_j b_i` of the exterior product.
+#[inline]
+pub(crate) fn wedge<P: Point>(a: P, b: P, i: usize, j: usize) -> P::Scalar {
+    a.component(i) * b.component(j) - a.component(j) * b.component(i)
 }
 
 /// The largest absolute value of a component; NaN if one is NaN.

@@ -3,6 +3,7 @@
 #![allow(unreachable_pub, clippy::unused_self, clippy::trivially_copy_pass_by_ref)]
 
 mod accuracy;
+mod bernstein;
 mod derivatives;
 mod domain;
 mod ends;

@@ -1,0 +1,32 @@
+//! Polynomials in Bernstein form, as slices of coefficients or control points.
+//!
+//! A slice `c` of length `n + 1` is the polynomial, or the Bézier curve, of degree `n`
+//!
+//! ```text
+//! p(x) = Σ_i binomial(n, i) (1-x)^(n-i) x^i c[i],   0 <= x <= 1
+//! ```
+//!
+//! Everything works on slices and in place, for any [`Point`](crate::Point); numbers are points of dimension one. These are
+//! the tools of which curves, surfaces and patches are made; the empty slice is the polynomial 0.
+//!
+//! | | |
+//! | --- | --- |
+//! | [`eval`], [`eval_with_derivs`] | value and derivatives at `x` |
+//! | [`split`], [`keep_left`], [`keep_right`], [`restrict`] | the same polynomial on a part of the interval |
+//! | [`elevate`] | the same polynomial with more coefficients |
+//! | [`differentiate`] | the derivative |
+//! | [`multiply`], [`dot`] | products |
+//! | [`bounds`] | the smallest and the largest coefficient, between which the polynomial stays |
+//! | [`roots`] | the zeros on `[0, 1]`, isolated by sign changes |
+
+mod casteljau;
+mod degree;
+mod product;
+#[cfg(feature = "alloc")]
+mod roots;
+
+pub use casteljau::{eval, eval_with_derivs, keep_left, keep_right, restrict, split};
+pub use degree::{differentiate, elevate};
+pub use product::{bounds, dot, multiply};
+#[cfg(feature = "alloc")]
+pub use roots::{Root, roots};

@@ -1,0 +1,267 @@
+//! The real zeros of a polynomial in Bernstein form, isolated by Descartes' rule of signs.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use super::{eval, restrict, split};
+use crate::Scalar;
+
+/// Below this depth a piece is narrower than the distance of two floats.
+const DEPTH: u32 = 56;
+
+/// A zero of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Root<S> {
+    /// Where the zero is.
+    pub x: S,
+    /// Whether the polynomial has different signs on both sides; `false` at the ends of the interval.
+    pub crosses: bool,
+}
+
+/// The zeros on `[0, 1]`, in increasing order.
+///
+/// A piece whose coefficients have one sign holds no zero, one with a single change of sign holds exactly one; the others
+/// are halved (Descartes' rule in Bernstein form). A piece on which the polynomial is as small as its rounding error counts
+/// as one zero: so a zero of even order is found, once. None for the zero polynomial, and none if a coefficient is not
+/// finite.
+///
+/// ```
+/// use basis_runtime::bernstein::roots;
+///
+/// let p = [2.0, -3.0, 2.0]; // (10 x² - 10 x + 2)
+/// let [a, b] = roots(&p).try_into().unwrap();
+/// assert!((a.x - 0.276393202250021).abs() < 1e-15 && (b.x - 0.723606797749979).abs() < 1e-15);
+/// assert!(a.crosses && b.crosses);
+/// ```
+pub fn roots<S: Scalar>(coefficients: &[S]) -> Vec<Root<S>> {
+    let finite = coefficients.iter().all(|c| c.is_finite());
+    let largest = coefficients.iter().fold(S::ZERO, |largest, c| largest.max(c.abs()));
+    if !finite || largest == S::ZERO {
+        return Vec::new();
+    }
+    let noise = largest * S::EPSILON * S::from_usize(coefficients.len());
+    let mut found = Found { zeros: Vec::new(), cluster: None };
+    let mut pieces = vec![Piece { coefficients: coefficients.to_vec(), from: S::ZERO, to: S::ONE, depth: 0 }];
+    while let Some(piece) = pieces.pop() {
+        piece.search(noise, &mut pieces, &mut found);
+    }
+    found.close_cluster();
+    if coefficients[coefficients.len() - 1] == S::ZERO {
+        found.add(S::ONE);
+    }
+    crossings(coefficients, &merged(coefficients, &found.zeros, noise))
+}
+
+/// Zeros between which the polynomial never leaves its rounding error are one.
+fn merged<S: Scalar>(coefficients: &[S], zeros: &[S], noise: S) -> Vec<S> {
+    let mut groups: Vec<[S; 2]> = Vec::new();
+    let mut between = coefficients.to_vec();
+    for &x in zeros {
+        if let Some([_, last]) = groups.last_mut() {
+            between.copy_from_slice(coefficients);
+            restrict(&mut between, *last, x);
+            if between.iter().all(|c| c.abs() <= S::of(4.0) * noise) {
+                *last = x;
+                continue;
+            }
+        }
+        groups.push([x; 2]);
+    }
+    let centre = |[first, last]: [S; 2]| match (first == S::ZERO, last == S::ONE) {
+        (true, _) => first,
+        (_, true) => last,
+        _ => first + (last - first) * S::of(0.5),
+    };
+    groups.into_iter().map(centre).collect()
+}
+
+/// Marks at which zeros the sign changes, from the values between them.
+fn crossings<S: Scalar>(coefficients: &[S], zeros: &[S]) -> Vec<Root<S>> {
+    let between = |a: S, b: S| eval(coefficients, a + (b - a) * S::of(0.5));
+    let before = |k: usize| if k == 0 { S::ZERO } else { zeros[k - 1] };
+    let after = |k: usize| zeros.get(k + 1).copied().unwrap_or(S::ONE);
+    let inside = |x: S| x > S::ZERO && x < S::ONE;
+    zeros
+        .iter()
+        .enumerate()
+        .map(|(k, &x)| {
+            let crosses = inside(x) && (between(before(k), x) < S::ZERO) != (between(x, after(k)) < S::ZERO);
+            Root { x, crosses }
+        })
+        .collect()
+}
+
+struct Found<S> {
+    zeros: Vec<S>,
+    /// An interval of neighbouring pieces on which the polynomial is zero up to rounding.
+    cluster: Option<[S; 2]>,
+}
+
+impl<S: Scalar> Found<S> {
+    fn add(&mut self, x: S) {
+        self.close_cluster();
+        if self.zeros.last() != Some(&x) {
+            self.zeros.push(x);
+        }
+    }
+
+    fn add_cluster(&mut self, from: S, to: S) {
+        match &mut self.cluster {
+            Some([_, end]) if *end == from => *end = to,
+            _ => {
+                self.close_cluster();
+                self.cluster = Some([from, to]);
+            }
+        }
+    }
+
+    fn close_cluster(&mut self) {
+        if let Some([from, to]) = self.cluster.take() {
+            self.zeros.push(from + (to - from) * S::of(0.5));
+        }
+    }
+}
+
+struct Piece<S> {
+    coefficients: Vec<S>,
+    from: S,
+    to: S,
+    depth: u32,
+}
+
+impl<S: Scalar> Piece<S> {
+    fn search(mut self, noise: S, pieces: &mut Vec<Self>, found: &mut Found<S>) {
+        if self.coefficients.iter().all(|c| c.abs() <= noise) {
+            return found.add_cluster(self.from, self.to);
+        }
+        // A zero at the upper end is the lower end of the next piece.
+        while self.coefficients[0] == S::ZERO {
+            found.add(self.from);
+            self.divide_by_x();
+        }
+        while self.coefficients[self.coefficients.len() - 1] == S::ZERO {
+            self.coefficients.reverse();
+            self.divide_by_x();
+            self.coefficients.reverse();
+        }
+        match changes_of_sign(&self.coefficients) {
+            0 => {}
+            1 => found.add(self.from + (self.to - self.from) * simple_root(&self.coefficients)),
+            _ if self.depth == DEPTH => found.add_cluster(self.from, self.to),
+            _ => {
+                let Self { mut coefficients, from, to, depth } = self;
+                let depth = depth + 1;
+                let middle = from + (to - from) * S::of(0.5);
+                let mut right = coefficients.clone();
+                split(&mut coefficients, S::of(0.5), &mut right);
+                pieces.push(Self { coefficients: right, from: middle, to, depth });
+                pieces.push(Self { coefficients, from, to: middle, depth });
+            }
+        }
+    }
+
+    /// `x q = p` has `q[i] = n / (i + 1) p[i + 1]`.
+    fn divide_by_x(&mut self) {
+        self.coefficients.remove(0);
+        let degree = S::from_usize(self.coefficients.len());
+        for (i, c) in self.coefficients.iter_mut().enumerate() {
+            *c = *c * (degree / S::from_usize(i + 1));
+        }
+    }
+}
+
+fn changes_of_sign<S: Scalar>(coefficients: &[S]) -> usize {
+    let mut signs = coefficients.iter().filter(|&&c| c != S::ZERO).map(|&c| c > S::ZERO);
+    let Some(mut last) = signs.next() else { return 0 };
+    signs.filter(|&sign| core::mem::replace(&mut last, sign) != sign).count()
+}
+
+/// The only zero of a polynomial with different signs at both ends: Newton's method, and halving where it leaves the
+/// bracket or does not halve it.
+pub(crate) fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
+    let half = S::of(0.5);
+    let rising = coefficients[0] < S::ZERO;
+    let mut slopes = coefficients.to_vec();
+    let slopes = super::differentiate(&mut slopes);
+    let [mut lo, mut hi] = [S::ZERO, S::ONE];
+    let [first, last] = [coefficients[0], coefficients[coefficients.len() - 1]];
+    let mut x = first / (first - last); // the zero of the chord
+    let mut step = S::ONE;
+    for _ in 0..200 {
+        let value = eval(coefficients, x);
+        if value == S::ZERO {
+            return x;
+        }
+        if (value < S::ZERO) == rising {
+            lo = x;
+        } else {
+            hi = x;
+        }
+        let newton = x - value / eval(slopes, x);
+        let inside = newton > lo && newton < hi;
+        let next = if inside && (newton - x).abs() <= step * half { newton } else { lo + (hi - lo) * half };
+        step = (next - x).abs();
+        x = next;
+        if step <= S::EPSILON * half * x || hi - lo <= S::EPSILON * hi || next == lo || next == hi {
+            break;
+        }
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec::Vec;
+
+    use super::{Root, roots};
+    use crate::bernstein::multiply;
+
+    /// The product of linear factors with these zeros.
+    fn with_zeros(zeros: &[f64]) -> Vec<f64> {
+        zeros.iter().fold(alloc::vec![1.0], |product, zero| {
+            let mut next = alloc::vec![0.0; product.len() + 1];
+            multiply(&product, &[-zero, 1.0 - zero], &mut next);
+            next
+        })
+    }
+
+    fn assert_roots(zeros: &[f64], expected: &[(f64, bool)], tolerance: f64) {
+        let found = roots(&with_zeros(zeros));
+        assert_eq!(found.len(), expected.len(), "{zeros:?}: {found:?}");
+        for (root, &(x, crosses)) in found.iter().zip(expected) {
+            assert!((root.x - x).abs() <= tolerance, "{zeros:?}: {found:?}");
+            assert_eq!(root.crosses, crosses, "{zeros:?}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn simple_roots_to_the_last_digits() {
+        assert_roots(&[0.125, 0.3, 0.5, 0.9], &[(0.125, true), (0.3, true), (0.5, true), (0.9, true)], 1e-14);
+        assert_roots(&[-0.5, 1.5], &[], 0.0);
+        assert_roots(&[1e-9, 0.5], &[(1e-9, true), (0.5, true)], 1e-15);
+    }
+
+    #[test]
+    fn roots_at_the_ends() {
+        assert_roots(&[0.0, 0.0, 1.0], &[(0.0, false), (1.0, false)], 0.0);
+        assert_roots(&[0.0, 0.25, 1.0], &[(0.0, false), (0.25, true), (1.0, false)], 1e-15);
+    }
+
+    #[test]
+    fn multiple_roots_count_once() {
+        assert_roots(&[0.5, 0.5], &[(0.5, false)], 1e-7);
+        assert_roots(&[0.5, 0.5, 0.5], &[(0.5, true)], 1e-4);
+        assert_roots(&[0.25, 0.25, 0.25, 0.25, 0.75], &[(0.25, false), (0.75, true)], 1e-3);
+    }
+
+    #[test]
+    fn nothing_to_be_found() {
+        let none: [Root<f64>; 0] = [];
+        assert_eq!(roots::<f64>(&[]), none);
+        assert_eq!(roots(&[0.0, 0.0]), none);
+        assert_eq!(roots(&[1.0]), none);
+        assert_eq!(roots(&[-1.0, f64::NAN, 1.0]), none);
+        assert_eq!(roots(&[-1.0, f64::INFINITY]), none);
+    }
+}
