@@ -1,8 +1,8 @@
-//! Curves over families of polynomial basis functions, with or without shape parameters.
+//! Curves and surfaces over families of polynomial basis functions, with or without shape parameters.
 //!
 //! A family is written down as a spec; [`basis!`] proves its claims while the crate that uses it is compiled and turns it
 //! into a small type that implements [`Basis`]. This crate holds everything that does not depend on the family: the types
-//! of points and scalars, and the curves.
+//! of points and scalars, the curves and the surfaces.
 //!
 //! ```
 //! # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -62,7 +62,8 @@ mod error;
 mod form;
 mod point;
 mod scalar;
-#[allow(dead_code)] // surfaces and patches are about to use all of it
+mod surface;
+#[allow(dead_code)] // some of it only with some features
 mod vector;
 
 pub use basis::{Array, Basis};
@@ -72,4 +73,5 @@ pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
 pub use point::Point;
 pub use scalar::{FUSED_HERE, Scalar};
+pub use surface::{Curvature, ScalarOf, Surface, TensorSurface};
 pub use vector::Point3;

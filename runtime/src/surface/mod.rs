@@ -1,0 +1,97 @@
+//! Surfaces over a rectangle of two parameters.
+
+mod curvature;
+mod limit;
+mod tensor;
+
+pub use curvature::Curvature;
+pub use tensor::TensorSurface;
+
+use crate::vector::{cross, direction, largest_component};
+use crate::{Point, Point3, Scalar};
+use limit::{Side, limit_normal, rounding};
+
+/// A smooth surface `S(u, v)` over the rectangle `lo_u <= u <= hi_u`, `lo_v <= v <= hi_v`.
+///
+/// Parameters are not clamped: outside of the rectangle the formula is continued. If a parameter is NaN so is the point.
+pub trait Surface {
+    /// The type of the points of the surface.
+    type Point: Point;
+
+    /// The rectangle `[[lo_u, hi_u], [lo_v, hi_v]]`.
+    fn domain(&self) -> [[ScalarOf<Self>; 2]; 2];
+
+    /// The point `S(u, v)`.
+    fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point;
+
+    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < K`; `[0][0]` is the point.
+    fn eval_with_partials<const K: usize>(
+        &self,
+        u: ScalarOf<Self>,
+        v: ScalarOf<Self>,
+    ) -> [[Self::Point; K]; K];
+
+    /// The unit normal at `(u, v)`: the direction of `S_u × S_v`, or where that vanishes, its limit.
+    ///
+    /// At a pole, where a whole edge of the rectangle is one point, the product vanishes and the limit is that over all
+    /// parameters near `(u, v)` in the rectangle. `None` if there is no limit: at the apex where two such edges meet, in
+    /// general; on a surface that has shrunk to a curve or a point; on a fold across which the normal flips; and where the
+    /// surface is infinite or NaN. The limit is found from the Taylor polynomial of `S_u × S_v` up to the fourth order, and
+    /// what vanishes to a higher order has no normal here. The point at which the product vanishes is recognised up to
+    /// rounding errors.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+    /// # fn main() -> Result<(), basis_runtime::ShapeError> {
+    /// use basis_runtime::{Surface, TensorSurface};
+    ///
+    /// // All of the first row is one point, a pole.
+    /// let net: [[[f64; 3]; 4]; 4] = core::array::from_fn(|i| core::array::from_fn(|j| {
+    ///     let (i, j) = (i as f64, j as f64);
+    ///     [i, i * (j - 1.5), 0.0]
+    /// }));
+    /// let fan = TensorSurface::new(QuarticBernstein::new(0.5)?, QuarticBernstein::new(0.0)?, net);
+    /// let [[_, along_the_pole], _] = fan.eval_with_partials(0.0, 0.3);
+    /// assert_eq!(along_the_pole, [0.0; 3]);
+    /// assert_eq!(fan.normal(0.0, 0.3), Some([0.0, 0.0, 1.0]));
+    /// # Ok(())
+    /// # }
+    /// ```
+    fn normal(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Option<Self::Point>
+    where
+        Self::Point: Point3,
+    {
+        let widths = self.domain().map(|[lo, hi]| hi - lo);
+        let first = self.eval_with_partials::<2>(u, v);
+        regular_normal(&first, widths).or_else(|| {
+            let [u_range, v_range] = self.domain();
+            let sides = [Side::of(u, u_range), Side::of(v, v_range)];
+            limit_normal(&self.eval_with_partials::<6>(u, v), widths, sides)
+        })
+    }
+
+    /// How the surface bends at `(u, v)`; `None` where `S_u × S_v` vanishes or anything is not finite.
+    fn curvature(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Option<Curvature<Self::Point>>
+    where
+        Self::Point: Point3,
+    {
+        let widths = self.domain().map(|[lo, hi]| hi - lo);
+        let partials = self.eval_with_partials::<3>(u, v);
+        let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
+        Curvature::new(&partials, regular_normal(&first, widths)?)
+    }
+}
+
+/// The scalar type of a surface.
+pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;
+
+/// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or may overflow.
+fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
+    let (along_u, along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
+    let product = cross(along_u, along_v);
+    let [size, u_size, v_size] = [first[0][0], along_u, along_v].map(largest_component);
+    let size = [size, u_size, v_size].into_iter().fold(P::Scalar::ZERO, |a, b| if b > a { b } else { a });
+    let in_range = size > P::Scalar::of(1e-18) && size < P::Scalar::of(1e18);
+    let error = rounding(size) * (u_size + v_size);
+    if in_range && largest_component(product) > error { direction(product) } else { None }
+}
