@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
-use crate::{Point, Scalar};
+use crate::{BernsteinBasis, Point, Scalar};
 
 /// An array `[T; N]` of a length that a [`Basis`] has fixed.
 ///
@@ -14,12 +14,16 @@ pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> + sealed::Sealed {
     /// The number of elements.
     const LEN: usize;
 
+    /// The Bernstein basis with as many functions as the array has elements.
+    type Basis<S: Scalar>: Basis<Scalar = S> + Default;
+
     /// The array `[element(0), …, element(LEN - 1)]`.
     fn from_fn(element: impl FnMut(usize) -> T) -> Self;
 }
 
 impl<T: Copy, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
+    type Basis<S: Scalar> = BernsteinBasis<S, N>;
 
     #[inline]
     fn from_fn(element: impl FnMut(usize) -> T) -> Self {

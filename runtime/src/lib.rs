@@ -68,7 +68,8 @@ mod vector;
 
 pub use basis::{Array, Basis};
 pub use basis_macros::basis;
-pub use curve::Curve;
+pub use bernstein::{BernsteinBasis, BernsteinOf};
+pub use curve::{Bezier, BezierOf, Curve, CurveError};
 pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
 pub use point::Point;

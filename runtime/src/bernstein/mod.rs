@@ -19,12 +19,14 @@
 //! | [`bounds`] | the smallest and the largest coefficient, between which the polynomial stays |
 //! | [`roots`] | the zeros on `[0, 1]`, isolated by sign changes |
 
+mod basis;
 mod casteljau;
 mod degree;
 mod product;
 #[cfg(feature = "alloc")]
 mod roots;
 
+pub use basis::{BernsteinBasis, BernsteinOf};
 pub use casteljau::{eval, eval_with_derivs, keep_left, keep_right, restrict, split};
 pub use degree::{differentiate, elevate};
 pub use product::{bounds, dot, multiply};

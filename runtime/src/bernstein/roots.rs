@@ -29,7 +29,7 @@ pub struct Root<S> {
 /// ```
 /// use basis_runtime::bernstein::roots;
 ///
-/// let p = [2.0, -3.0, 2.0]; // (10 x² - 10 x + 2)
+/// let p = [2.0_f64, -3.0, 2.0]; // 10 x² - 10 x + 2
 /// let [a, b] = roots(&p).try_into().unwrap();
 /// assert!((a.x - 0.276393202250021).abs() < 1e-15 && (b.x - 0.723606797749979).abs() < 1e-15);
 /// assert!(a.crosses && b.crosses);

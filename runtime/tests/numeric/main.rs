@@ -11,6 +11,7 @@ mod extrapolation;
 mod families;
 mod infer;
 mod not_a_number;
+mod parts;
 mod points;
 mod random;
 mod reference;

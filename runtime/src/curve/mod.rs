@@ -1,9 +1,17 @@
 //! Curves: control points bound to a basis.
 
+mod error;
+mod parts;
+
 use core::fmt::{self, Debug, Formatter};
 
+use crate::bernstein;
 use crate::domain::{inverse_width, unit};
+use crate::form::bernstein_derivative;
 use crate::{Basis, Form, Point, Scalar};
+
+pub use error::CurveError;
+pub use parts::{Bezier, BezierOf};
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]`.
 ///
@@ -47,6 +55,34 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         self.form.eval(x)
     }
 
+    /// The point `C(t)`, if `t` lies in the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN.
+    #[inline]
+    pub fn eval_checked(&self, t: B::Scalar) -> Result<P, CurveError> {
+        let [lo, hi] = B::domain();
+        if t >= lo && t <= hi {
+            Ok(self.eval(t))
+        } else {
+            Err(CurveError::Parameter { value: t.to_f64(), domain: [lo.to_f64(), hi.to_f64()] })
+        }
+    }
+
+    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain. If `t` is NaN so is the point.
+    #[inline]
+    pub fn eval_clamped(&self, t: B::Scalar) -> P {
+        let [lo, hi] = B::domain();
+        // Comparisons that keep NaN.
+        self.eval(if t < lo {
+            lo
+        } else if t > hi {
+            hi
+        } else {
+            t
+        })
+    }
+
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
     ///
     /// `K` is their number: `let [p, v, a] = curve.eval_with_derivs(t);` gives the point, its velocity and acceleration.
@@ -61,6 +97,34 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             *derivative = derivative.scale(scale);
         }
         derivatives
+    }
+
+    /// The derivative of that order with respect to `t`, `dᵏC/dtᵏ`, `k = order`; the point for order 0, zero above the degree.
+    ///
+    /// All of them at once: [`eval_with_derivs`](Self::eval_with_derivs) for a number known to the compiler,
+    /// [`derivatives_into`](Self::derivatives_into) for any.
+    pub fn derivative(&self, t: B::Scalar, order: usize) -> P {
+        if order == 0 {
+            return self.eval(t);
+        }
+        let [s, x] = unit(B::domain(), t);
+        let inverse_width = inverse_width(B::domain());
+        let scale = (0..order.min(B::DEGREE)).fold(B::Scalar::ONE, |scale, _| scale * inverse_width);
+        bernstein_derivative(self.to_bernstein().as_mut(), order, s, x).scale(scale)
+    }
+
+    /// The point and its derivatives with respect to `t`, as many as the slice has places; zero above the degree.
+    pub fn derivatives_into(&self, t: B::Scalar, derivatives: &mut [P]) {
+        let [_, x] = unit(B::domain(), t);
+        let inverse_width = inverse_width(B::domain());
+        let points = self.to_bernstein();
+        let mut scratch = points;
+        bernstein::eval_with_derivs(points.as_ref(), x, scratch.as_mut(), derivatives);
+        let mut scale = B::Scalar::ONE;
+        for (k, derivative) in derivatives.iter_mut().enumerate().take(B::DEGREE + 1) {
+            *derivative = if k == 0 { self.eval(t) } else { derivative.scale(scale) };
+            scale = scale * inverse_width;
+        }
     }
 
     /// The point at the lower end of the domain.

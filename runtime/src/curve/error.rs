@@ -1,0 +1,107 @@
+//! What can be wrong with a question about a curve.
+
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+/// A question about a curve that has no answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CurveError {
+    /// A parameter is NaN or outside of the domain.
+    Parameter {
+        /// The parameter.
+        value: f64,
+        /// The two ends of the domain.
+        domain: [f64; 2],
+    },
+    /// A tolerance is not a positive, finite number.
+    Tolerance {
+        /// The tolerance.
+        value: f64,
+    },
+    /// A control point is infinite or NaN.
+    NotFinite,
+    /// Two slices that belong together have different lengths.
+    Length {
+        /// The length that is needed.
+        expected: usize,
+        /// The length that was given.
+        found: usize,
+    },
+    /// The answer exists only for points with another number of components.
+    Dimension {
+        /// The number of components that is needed.
+        expected: usize,
+        /// The number of components of the points.
+        found: usize,
+    },
+    /// The degree of the curve is too high to be written in that type.
+    Degree {
+        /// The highest degree that can be written.
+        most: usize,
+        /// The degree of the curve.
+        found: usize,
+    },
+    /// The curve has no direction: all of its control points coincide.
+    NoTangent,
+    /// The curve is straight or has a cusp there, so that no normal is distinguished.
+    NoNormal {
+        /// The parameter.
+        parameter: f64,
+    },
+    /// A curve of several segments needs at least one.
+    NoSegments,
+    /// The first control points of the next segment do not determine its derivatives at its start.
+    Join {
+        /// The number of derivatives that were to be met, the value included.
+        conditions: usize,
+        /// The number of control points of the segment.
+        points: usize,
+    },
+    /// The tolerance asks for more points than can be made.
+    TooManyPoints {
+        /// The number of points that would be needed.
+        needed: f64,
+    },
+}
+
+impl Display for CurveError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Parameter { value, domain: [lo, hi] } => {
+                write!(f, "the parameter {value} is outside of the domain {lo} <= t <= {hi}")
+            }
+            Self::Tolerance { value } => {
+                write!(f, "the tolerance {value} is not a positive, finite number")
+            }
+            Self::NotFinite => write!(f, "a control point is infinite or NaN"),
+            Self::Length { expected, found } => {
+                write!(f, "a slice of length {expected} is needed, this one has length {found}")
+            }
+            Self::Dimension { expected, found } => {
+                write!(f, "points with {expected} components are needed, these have {found}")
+            }
+            Self::Degree { most, found } => {
+                write!(f, "the degree of the curve is {found}, at most {most} can be written")
+            }
+            Self::NoTangent => write!(f, "all control points coincide: the curve has no tangent"),
+            Self::NoNormal { parameter } => {
+                write!(
+                    f,
+                    "the curve is straight or has a cusp at {parameter}: it has no principal normal there"
+                )
+            }
+            Self::NoSegments => write!(f, "a curve needs at least one segment"),
+            Self::Join { conditions, points } => write!(
+                f,
+                "the first of the {points} control points do not determine {conditions} derivatives at the start \
+                 of the segment: choose other shape values or a lower order of contact"
+            ),
+            Self::TooManyPoints { needed } => {
+                write!(f, "the tolerance asks for {needed:.0} points: choose a larger one")
+            }
+        }
+    }
+}
+
+impl Error for CurveError {}
