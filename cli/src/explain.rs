@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use basis_engine::{Disk, Family, Library, Selected, Severity, explain, prove};
+use basis_engine::{Disk, Family, Library, Selected, Severity, explain};
 
 use crate::args::ExplainArguments;
 use crate::output::{self, Status, complain};
@@ -57,12 +57,19 @@ fn text(family: &Family) -> String {
     section(&mut text, "Expanded", formulas.iter().map(|f| (f.label.clone(), f.expanded.clone())));
     let ends = explain::end_derivatives(family, ORDER);
     section(&mut text, "A curve with the control points P at both ends", ends.into_iter());
-    let independence = match prove::exceptional_set(family) {
-        None => vec![String::from("undecided: the minors of the coefficient table are too large")],
-        Some(values) if values.is_empty() => vec![String::from("independent for all shape values")],
-        Some(values) if values.len() == 1 && values[0].starts_with("dependent") => values,
-        Some(values) => values.into_iter().map(|v| format!("dependent at {v}")).collect(),
-    };
+    let set = explain::exceptional_set(family);
+    let mut independence: Vec<String> = set
+        .exceptions
+        .iter()
+        .map(|e| format!("dependent at {}", explain::describe_exception(family, e)))
+        .collect();
+    match set.open {
+        Some(left) => independence.push(format!("undecided: {left}")),
+        None if independence.is_empty() => {
+            independence.push(String::from("independent for all shape values"));
+        }
+        None => {}
+    }
     text += "\n  Linear independence\n";
     for line in independence {
         text += &format!("    {line}\n");

@@ -5,10 +5,11 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::gcd;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
-use crate::decide::{self, Budget, Coordinate, LargestRange};
+use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange};
 use crate::generate::factored;
 use crate::generate::form::IntervalForm;
 use crate::model::{Family, Parameter};
+use crate::prove;
 
 /// One function in its two forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -89,6 +90,28 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         }
     };
     family.shapes.iter().map(line).collect()
+}
+
+/// The shape values at which the functions of a family are dependent, and what is left open.
+pub fn exceptional_set(family: &Family) -> ExceptionalSet {
+    let table = prove::coefficient_table(family);
+    decide::exceptional_set(&table, &family.shape_region(), &mut Budget::scaled(family.budget))
+}
+
+/// What an element of the exceptional set says, such as `λ = -3: b[1] - b[2] = 0`.
+pub fn describe_exception(family: &Family, exception: &decide::Exceptional) -> String {
+    let values: Vec<String> = exception.values.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
+    let at = if values.is_empty() { String::from("all shape values") } else { values.join(", ") };
+    let Some(combination) = &exception.combination else { return at };
+    let fixed = |p: &Poly| {
+        exception.values.iter().fold(p.clone(), |p, (v, c)| match c {
+            Coordinate::Rational(x) => p.at(*v, x),
+            Coordinate::Algebraic(_) => p,
+        })
+    };
+    let scaled: Vec<Poly> =
+        combination.iter().zip(&family.functions).map(|(c, f)| c * &fixed(f.value.denom())).collect();
+    format!("{at}: {} = 0", prove::combination_text(family, &scaled))
 }
 
 /// Σ weight·P[i] with common factors taken out.

@@ -40,11 +40,39 @@ fn eliminate<'a>(pivot: &[Rational], others: impl Iterator<Item = &'a mut Vec<Ra
     }
 }
 
+/// The determinant of a square matrix of numbers.
+pub fn determinant(mut rows: Rows<Rational>) -> Rational {
+    let mut result = Rational::ONE;
+    for column in 0..rows.len() {
+        let Some(pivot) = (column..rows.len()).find(|r| !rows[*r][column].is_zero()) else {
+            return Rational::ZERO;
+        };
+        if pivot != column {
+            rows.swap(pivot, column);
+            result = -result;
+        }
+        result *= &rows[column][column];
+        let (upper, lower) = rows.split_at_mut(column + 1);
+        eliminate(&upper[column], lower.iter_mut(), column);
+    }
+    result
+}
+
 /// Whole numbers cᵢ without common factor, not all zero, with Σ cᵢ rowᵢ = 0; `None` when the rows are independent.
 ///
 /// The first of them that is not zero is positive; of several combinations the one with the fewest and smallest numbers
 /// that the elimination finds.
 pub fn vanishing_combination(rows: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+    let size = |row: &Vec<Rational>| {
+        let count = row.iter().filter(|c| !c.is_zero()).count();
+        (count, row.iter().fold(Rational::ZERO, |sum, c| &sum + &c.abs()))
+    };
+    vanishing_combinations(rows).into_iter().min_by_key(size)
+}
+
+/// A basis of all combinations cᵢ with Σ cᵢ rowᵢ = 0, in reduced echelon form; each of whole numbers without common
+/// factor, the first that is not zero positive.
+pub fn vanishing_combinations(rows: &[Vec<Rational>]) -> Rows<Rational> {
     // Each row is extended by its unit vector, which records the operations.
     let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
     let unit = |i: usize| (0..height).map(move |k| if k == i { Rational::ONE } else { Rational::ZERO });
@@ -78,11 +106,7 @@ pub fn vanishing_combination(rows: &[Vec<Rational>]) -> Option<Vec<Rational>> {
         let factor = if lead.is_negative() { -content } else { content }.recip()?;
         Some(row.iter().map(|c| c * &factor).collect::<Vec<_>>())
     };
-    let size = |row: &Vec<Rational>| {
-        let count = row.iter().filter(|c| !c.is_zero()).count();
-        (count, row.iter().fold(Rational::ZERO, |sum, c| &sum + &c.abs()))
-    };
-    combinations.iter().filter_map(whole).min_by_key(size)
+    combinations.iter().filter_map(whole).collect()
 }
 
 /// The determinant of the square matrix of some columns.
@@ -359,6 +383,8 @@ mod tests {
         assert_eq!(vanishing_combination(&numbers(&[&[1, 0], &[0, 2]])), None);
         assert_eq!(vanishing_combination(&numbers(&[&[0, 0]])), Some(vec![Rational::ONE]));
         assert_eq!(vanishing_combination(&[]), None);
+        assert_eq!(determinant(numbers(&[&[0, 2, 1], &[1, 0, 3], &[2, 1, 0]])), Rational::from(13));
+        assert_eq!(determinant(numbers(&[&[1, 2], &[2, 4]])), Rational::ZERO);
     }
 
     #[test]

@@ -4,7 +4,6 @@
 
 pub mod algebraic;
 pub mod bernstein;
-pub mod elimination;
 pub mod factor;
 pub mod fibre;
 pub mod fraction;

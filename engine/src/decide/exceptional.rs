@@ -2,15 +2,18 @@
 
 use super::budget::Budget;
 use super::independence::{
-    Exception, Independence, Irrational, Values, at, complete, dependent, independent, irrational,
+    Cut, Exception, Generic, Independence, Irrational, Table, Values, at, complete, dependent, generic,
+    independent, irrational,
 };
 use super::problem::as_rational;
 use super::{Coordinate, univariate};
-use crate::algebra::matrix::{nonzero_minors, polynomial_combination, vanishing_combination};
+use crate::algebra::matrix::{nonzero_minors, vanishing_combination};
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{End, Region};
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
 use crate::algebra::roots::isolate;
 use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
 use crate::sorting::{sort_by, sort_unique};
 
 /// The exceptional set of functions on a region: where they are dependent.
@@ -39,64 +42,50 @@ const MAX_EXCEPTIONS: usize = 24;
 ///
 /// Complete for one parameter; for several as long as the zeros are flats on which some of them have fixed rational
 /// values, else `open` says what is left.
-pub fn exceptional_set(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> ExceptionalSet {
+pub fn exceptional_set(table: &Table, region: &Region, budget: &mut Budget) -> ExceptionalSet {
+    let rows = &table.rows;
     let region = complete(rows, region);
     let mut set = ExceptionalSet::default();
     if region.ranges.iter().any(|(_, r)| r.is_empty()) {
         return set;
     }
-    let Some(combination) = polynomial_combination(rows, &mut budget.work) else {
-        set.open = Some(String::from("the budget is spent on the rank of the coefficients"));
-        return set;
-    };
-    if !combination.is_empty() {
-        set.exceptions.push(Exceptional { values: Vec::new(), combination: Some(combination) });
-        return set;
+    match generic(rows, &region, &mut budget.work) {
+        Some(Generic::Independent(_)) => {}
+        Some(Generic::Dependent(combination)) => {
+            set.exceptions.push(Exceptional { values: Vec::new(), combination: Some(combination) });
+            return set;
+        }
+        None => {
+            set.open = Some(String::from("the budget is spent on the rank of the coefficients"));
+            return set;
+        }
     }
     let mut parameters: Vec<Var> = rows.iter().flatten().flat_map(Poly::variables).collect();
     sort_unique(&mut parameters);
     match &parameters[..] {
         [] => {}
         [only] => {
-            if one_parameter(rows, *only, &region, budget, &mut set.exceptions).is_none() {
+            if one_parameter(table, *only, &region, budget, &mut set.exceptions).is_none() {
                 set.open =
                     Some(String::from("the budget is spent on the zeros of a minor of the coefficients"));
             }
         }
-        _ => several_parameters(rows, &region, budget, &mut set),
+        _ => several_parameters(table, &region, budget, &mut set),
     }
     set
 }
 
 /// The zeros of one minor are finitely many: each is tested. `None` when the work is spent.
 fn one_parameter(
-    rows: &[Vec<Poly>],
+    table: &Table,
     var: Var,
     region: &Region,
     budget: &mut Budget,
     found: &mut Vec<Exceptional>,
 ) -> Option<()> {
-    let minor = nonzero_minors(rows, &mut budget.work)?.into_iter().next()?;
-    let minor = Univariate::from_poly(&minor.value, var)?;
+    let rows = &table.rows;
     let range = region.range(var);
-    let mut points: Vec<Coordinate> = Vec::new();
-    let mut push_end = |end: &End| {
-        if let Some(x) = end.value().filter(|x| range.contains(x) && minor.sign_at(x) == 0) {
-            points.push(Coordinate::Rational(x.clone()));
-        }
-    };
-    push_end(&range.low);
-    if range.low != range.high {
-        push_end(&range.high);
-    }
-    if !minor.is_constant() {
-        let square_free = minor.square_free_part(&mut budget.work)?;
-        for mut root in isolate(&square_free, range.low.value(), range.high.value(), &mut budget.work)? {
-            root.detect_rational(&square_free, &mut budget.work)?;
-            points.push(univariate::coordinate(&square_free, &root, &mut budget.work)?);
-        }
-    }
-    for point in points {
+    for point in candidates(table, var, &range, &mut budget.work)? {
         let combination = match &point {
             Coordinate::Rational(x) => match vanishing_combination(&at(rows, &[(var, x.clone())])) {
                 Some(c) => Some(c.into_iter().map(Poly::constant).collect()),
@@ -117,11 +106,47 @@ fn one_parameter(
     Some(())
 }
 
+/// The values in a range at which a minor vanishes, each once: rows that are dependent are so at one of them.
+fn candidates(table: &Table, var: Var, range: &Range, work: &mut Work) -> Option<Vec<Coordinate>> {
+    // The product of one minor of each block is a minor of the whole, or a combination of minors.
+    let of_blocks = Cut::new(&table.rows, &table.symmetries).and_then(|cut| {
+        let first =
+            |rows: &[Vec<Poly>], work: &mut Work| Some(nonzero_minors(rows, work)?.into_iter().next()?.value);
+        cut.blocks.iter().map(|b| first(&cut.block(b), work)).collect::<Option<Vec<Poly>>>()
+    });
+    let minors = match of_blocks {
+        Some(minors) => minors,
+        None => vec![nonzero_minors(&table.rows, work)?.into_iter().next()?.value],
+    };
+    let mut product = Univariate::new(vec![Rational::ONE]);
+    for minor in minors {
+        let minor = Univariate::from_poly(&minor, var)?;
+        if !minor.is_constant() {
+            let minor = minor.square_free_part(work)?;
+            let both = &product.to_poly(var) * &minor.to_poly(var);
+            product = Univariate::from_poly(&both, var)?.square_free_part(work)?;
+        }
+    }
+    let mut points: Vec<Coordinate> = Vec::new();
+    if product.is_constant() {
+        return Some(points);
+    }
+    let mut ends: Vec<&Rational> = [range.low.value(), range.high.value()].into_iter().flatten().collect();
+    ends.dedup();
+    let zero = |x: &&&Rational| range.contains(x) && product.sign_at(x) == 0;
+    points.extend(ends.iter().filter(zero).map(|x| Coordinate::Rational((*x).clone())));
+    for mut root in isolate(&product, range.low.value(), range.high.value(), work)? {
+        root.detect_rational(&product, work)?;
+        points.push(univariate::coordinate(&product, &root, work)?);
+    }
+    Some(points)
+}
+
 /// Takes a flat out of the region for each dependence that is found, until independence is proved.
-fn several_parameters(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget, set: &mut ExceptionalSet) {
+fn several_parameters(table: &Table, region: &Region, budget: &mut Budget, set: &mut ExceptionalSet) {
     let mut flats: Vec<Values> = Vec::new();
     while flats.len() < MAX_EXCEPTIONS {
-        let point = match independent(rows, &flats, region, budget) {
+        let point = match independent(table, &flats, region, budget) {
             Independence::Proved(_) => {
                 sort_by(&mut flats, Ord::cmp);
                 return;
@@ -138,7 +163,7 @@ fn several_parameters(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget, 
                 Some(String::from("there is a dependence at irrational values, and there may be others"));
             return;
         };
-        let (flat, combination) = largest_flat(rows, &exact, region, budget);
+        let (flat, combination) = largest_flat(table, &exact, region, budget);
         let values = flat.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
         set.exceptions.push(Exceptional { values, combination });
         flats.push(flat);
@@ -148,7 +173,7 @@ fn several_parameters(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget, 
 
 /// As few of the coordinates of a point as make the functions dependent.
 fn largest_flat(
-    rows: &[Vec<Poly>],
+    table: &Table,
     point: &Values,
     region: &Region,
     budget: &mut Budget,
@@ -158,7 +183,7 @@ fn largest_flat(
         // The subsets of the first coordinates, as bits.
         for subset in (1_u32..1 << n).filter(|s| s.count_ones() as usize == size) {
             let flat: Values = (0..n).filter(|k| subset >> k & 1 == 1).map(|k| point[k].clone()).collect();
-            if let Exception::Dependent(combination) = dependent(rows, &flat, region, budget) {
+            if let Exception::Dependent(combination) = dependent(table, &flat, region, budget) {
                 return (flat, Some(combination));
             }
         }

@@ -1,13 +1,16 @@
 //! Linear independence of functions whose coefficients depend on parameters.
 //!
 //! The functions are the rows of a matrix of polynomials in the parameters. They are independent at a point exactly when
-//! one of the maximal minors is not zero there. A few minors are enough: as long as those that are known vanish together
-//! at some point of the region, either the rank drops at that point, or a minor that does not vanish there joins them.
+//! one of the maximal minors is not zero there. The matrix is cut into blocks first, by its symmetries and by the places of
+//! its zeros. Of a block a few minors are enough: as long as those that are known vanish together at some point of the
+//! region, either the rank drops at that point, or a minor that does not vanish there joins them.
 
+use super::blocks::{Block, triangular};
 use super::budget::Budget;
 use super::certificate::Certificate;
 use super::pieces::pieces;
-use super::problem::{Problem, as_rational, rational, simple, value};
+use super::problem::{Problem, as_rational, inner, rational, simple, value};
+use super::symmetry::{ChangeOfBasis, Symmetries};
 use super::zeros::is_zero;
 use super::{Coordinate, Decision, Relation, decide};
 use crate::algebra::algebraic::Algebraic;
@@ -18,10 +21,32 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::sorting::sort_by;
+use crate::sorting::{sort_by, sort_unique};
 
 /// Values of some parameters, the others free.
 pub type Values = Vec<(Var, Rational)>;
+
+/// Functions as the rows of a matrix of their coefficients.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Table {
+    /// One row for each function, all of one length.
+    pub rows: Vec<Vec<Poly>>,
+    /// What is known to leave the matrix unchanged: a help, no more.
+    pub symmetries: Symmetries,
+}
+
+impl Table {
+    /// A table without known symmetries.
+    pub const fn new(rows: Vec<Vec<Poly>>) -> Self {
+        Self { rows, symmetries: Vec::new() }
+    }
+
+    /// With numbers in place of some parameters.
+    fn fix(&self, values: &[(Var, Rational)]) -> Vec<Vec<Poly>> {
+        let at = |p: &Poly| values.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
+        self.rows.iter().map(|row| row.iter().map(at).collect()).collect()
+    }
+}
 
 /// What is known about the independence of functions.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,13 +59,25 @@ pub enum Independence {
     Undecided(String),
 }
 
-/// A part of the region with minors that do not vanish together on it.
+/// A part of the region on which functions are independent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Piece {
     /// The part; together with the exceptions the parts cover the region.
     pub region: Region,
-    /// The columns of the minors.
-    pub minors: Vec<Vec<usize>>,
+    /// The bases in which the matrix is cut into blocks, if they are not the given ones.
+    pub change: Option<ChangeOfBasis>,
+    /// The blocks, with all rows, each of them in one block: the rows of a block are zero in the columns of the minors of all
+    /// later blocks.
+    pub blocks: Vec<Minors>,
+}
+
+/// Rows of a matrix with minors that do not vanish together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Minors {
+    /// The rows.
+    pub rows: Vec<usize>,
+    /// For each minor its columns, as many as there are rows.
+    pub columns: Vec<Vec<usize>>,
     /// For a single minor: that it or its negative is positive on the part; for several: that the sum of their squares is.
     pub certificate: Certificate,
 }
@@ -54,25 +91,22 @@ pub struct Dependence {
     pub combination: Option<Vec<Rational>>,
 }
 
-/// The most minors that are taken into account.
+/// The most minors of a block that are taken into account.
 const MAX_MINORS: usize = 12;
 /// The work for the sign of a single minor that may be dispensable.
 const SINGLE_MINOR: u64 = 50_000;
+/// Blocks of so many rows are cut further with the help of symmetries.
+const LARGE: usize = 4;
 
 /// Decides whether the rows of a matrix are linearly independent at every point of a region that does not have the values
 /// of one of the exceptions.
 ///
 /// That the rows are dependent at the exceptions is another claim: see [`dependent`].
-pub fn independent(
-    rows: &[Vec<Poly>],
-    except: &[Values],
-    region: &Region,
-    budget: &mut Budget,
-) -> Independence {
+pub fn independent(table: &Table, except: &[Values], region: &Region, budget: &mut Budget) -> Independence {
     let mut proved = Vec::new();
-    for region in pieces(&complete(rows, region), except) {
-        match on_piece(rows, &region, budget) {
-            Ok((minors, certificate)) => proved.push(Piece { region, minors, certificate }),
+    for region in pieces(&complete(&table.rows, region), except) {
+        match on_piece(table, region, budget) {
+            Ok(piece) => proved.push(piece),
             Err(Failure::Dependent(dependence)) => return Independence::Refuted(dependence),
             Err(Failure::Undecided(left)) => return Independence::Undecided(left),
         }
@@ -102,29 +136,147 @@ fn spent(rows: &[Vec<Poly>]) -> Failure {
 }
 
 /// Proves independence on a region that is not empty.
-fn on_piece(
-    rows: &[Vec<Poly>],
-    region: &Region,
-    budget: &mut Budget,
-) -> Result<(Vec<Vec<usize>>, Certificate), Failure> {
-    let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
-    if let Some(combination) = vanishing_combination(&at(rows, &start)) {
-        return Err(Failure::Dependent(Dependence {
-            point: rational(start),
-            combination: Some(combination),
-        }));
+fn on_piece(table: &Table, region: Region, budget: &mut Budget) -> Result<Piece, Failure> {
+    // Numbers in place of parameters with a single value.
+    let single = |r: &Range| r.finite().filter(|(a, b)| a == b).map(|(a, _)| a.clone());
+    let single: Values = region.ranges.iter().filter_map(|(v, r)| Some((*v, single(r)?))).collect();
+    let rows = table.fix(&single);
+    let Some(cut) = Cut::new(&rows, &table.symmetries) else {
+        let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
+        let combination = vanishing_combination(&at(&rows, &start));
+        return Err(Failure::Dependent(Dependence { point: rational(start), combination }));
+    };
+    match cut.minors(&region, budget) {
+        Ok(blocks) => return Ok(Piece { region, change: cut.change, blocks }),
+        Err(Failed::Undecided(left)) => return Err(Failure::Undecided(left)),
+        Err(Failed::Everywhere(point)) if as_rational(&point).is_none() => {
+            return Err(Failure::Dependent(Dependence { point, combination: None }));
+        }
+        Err(Failed::Everywhere(point) | Failed::Point(point)) => {
+            if let Some(dependence) = dependence_at(&rows, point, &mut budget.work) {
+                return Err(Failure::Dependent(dependence));
+            }
+        }
     }
-    // Numbers in place of parameters with a single value; then the columns of the most convenient minor.
-    let single: Values = region
-        .ranges
-        .iter()
-        .filter_map(|(v, r)| r.finite().filter(|(a, b)| a == b).map(|(a, _)| (*v, a.clone())))
-        .collect();
-    let rows: Vec<Vec<Poly>> = rows
-        .iter()
-        .map(|row| row.iter().map(|p| single.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x))).collect())
-        .collect();
-    let choices = nonzero_minors(&rows, &mut budget.work).ok_or_else(|| spent(&rows))?;
+    // Dependent in its own columns, a block of few rows may still be independent in all of them.
+    match whole(&rows).minors(&region, budget) {
+        Ok(blocks) => Ok(Piece { region, change: None, blocks }),
+        Err(Failed::Undecided(left)) => Err(Failure::Undecided(left)),
+        Err(Failed::Everywhere(point) | Failed::Point(point)) => {
+            let found = dependence_at(&rows, point, &mut budget.work);
+            Err(found.map_or_else(|| spent(&rows), Failure::Dependent))
+        }
+    }
+}
+
+/// A matrix in blocks.
+pub(super) struct Cut {
+    change: Option<ChangeOfBasis>,
+    rows: Vec<Vec<Poly>>,
+    pub(super) blocks: Vec<Block>,
+}
+
+/// All rows and columns as one block.
+fn whole(rows: &[Vec<Poly>]) -> Cut {
+    let block =
+        Block { rows: (0..rows.len()).collect(), columns: (0..rows.first().map_or(0, Vec::len)).collect() };
+    Cut { change: None, rows: rows.to_vec(), blocks: vec![block] }
+}
+
+/// The columns of minors of a block, with the certificate that they do not vanish together.
+type Known = (Vec<Vec<usize>>, Certificate);
+
+/// Why there are no minors.
+enum Failed {
+    /// At this point the rows of a block are dependent in the columns of the block.
+    Point(Vec<(Var, Coordinate)>),
+    /// At this point the rows of the whole matrix are dependent.
+    Everywhere(Vec<(Var, Coordinate)>),
+    Undecided(String),
+}
+
+impl Cut {
+    /// By the places of the zeros, and if that leaves large blocks by symmetries; `None` when the rows are dependent whatever
+    /// the parameters are.
+    pub(super) fn new(rows: &[Vec<Poly>], symmetries: &Symmetries) -> Option<Self> {
+        let plain = Self { change: None, rows: rows.to_vec(), blocks: triangular(rows)? };
+        let large = |b: &Block| b.rows.len() > LARGE && !plain.is_constant(b);
+        if !plain.blocks.iter().any(large) {
+            return Some(plain);
+        }
+        let Some(change) = ChangeOfBasis::adapted(rows, symmetries) else { return Some(plain) };
+        let rows = change.apply(rows);
+        let blocks = triangular(&rows)?;
+        Some(Self { change: Some(change), rows, blocks })
+    }
+
+    pub(super) fn block(&self, block: &Block) -> Vec<Vec<Poly>> {
+        let row = |r: &usize| block.columns.iter().map(|c| self.rows[*r][*c].clone()).collect();
+        block.rows.iter().map(row).collect()
+    }
+
+    fn is_constant(&self, block: &Block) -> bool {
+        let mut entries = block.rows.iter().flat_map(|r| block.columns.iter().map(|c| &self.rows[*r][*c]));
+        entries.all(|p| p.is_zero() || p.as_constant().is_some())
+    }
+
+    fn minors(&self, region: &Region, budget: &mut Budget) -> Result<Vec<Minors>, Failed> {
+        let mut known: Vec<(Vec<Vec<Poly>>, Known)> = Vec::new();
+        let mut all = Vec::new();
+        let mut square = true;
+        for block in &self.blocks {
+            let rows = self.block(block);
+            // The rows up to here have no other columns than those up to here: if these are as many, a determinant vanishes.
+            square &= block.rows.len() == block.columns.len();
+            // Equal blocks, which symmetries make, have equal proofs.
+            let (columns, certificate) = match known.iter().find(|(r, _)| *r == rows) {
+                Some((_, known)) => known.clone(),
+                None => {
+                    let found = block_minors(&rows, region, budget);
+                    let (columns, certificate) = found.map_err(|failed| match failed {
+                        Failed::Point(point) if square => Failed::Everywhere(point),
+                        other => other,
+                    })?;
+                    known.push((rows, (columns.clone(), certificate.clone())));
+                    (columns, certificate)
+                }
+            };
+            let columns = columns.iter().map(|m| m.iter().map(|c| block.columns[*c]).collect()).collect();
+            all.push(Minors { rows: block.rows.clone(), columns, certificate });
+        }
+        Ok(all)
+    }
+}
+
+/// The functions at a point at which they may be dependent.
+fn dependence_at(rows: &[Vec<Poly>], point: Vec<(Var, Coordinate)>, work: &mut Work) -> Option<Dependence> {
+    match as_rational(&point) {
+        Some(exact) => {
+            let combination = Some(vanishing_combination(&at(rows, &exact))?);
+            Some(Dependence { point, combination })
+        }
+        None => match irrational(rows, &point, work)? {
+            Irrational::Independent(_) => None,
+            Irrational::Dependent => Some(Dependence { point, combination: None }),
+        },
+    }
+}
+
+/// Minors of a block that do not vanish together, and why.
+fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Result<Known, Failed> {
+    let spent = || {
+        Failed::Undecided(format!("the budget is spent on the minors of a table of {} functions", rows.len()))
+    };
+    let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
+    let numbers = at(rows, &start);
+    let pivots = pivot_columns(&numbers);
+    if pivots.len() < rows.len() {
+        return Err(Failed::Point(rational(start)));
+    }
+    if rows.iter().flatten().all(|p| p.is_zero() || p.as_constant().is_some()) {
+        return Ok((vec![pivots], Certificate::Constant));
+    }
+    let choices = nonzero_minors(rows, &mut budget.work).ok_or_else(spent)?;
     for choice in choices.iter().take(MAX_MINORS) {
         // Often one of them vanishes nowhere.
         let claim = positive_claim(core::slice::from_ref(&choice.value), &start);
@@ -135,7 +287,7 @@ fn on_piece(
             return Ok((vec![choice.columns.clone()], proof.certificate));
         }
     }
-    let Some(first) = choices.into_iter().next() else { return Err(spent(&rows)) };
+    let first = choices.into_iter().next().ok_or_else(spent)?;
     let mut columns = vec![first.columns];
     let mut minors = vec![first.value];
     loop {
@@ -143,36 +295,32 @@ fn on_piece(
         let point = match decide(&claim, Relation::Positive, region, budget) {
             Decision::Proved(proof) => return Ok((columns, proof.certificate)),
             Decision::Undecided(left) => {
-                return Err(Failure::Undecided(format!("minors of the coefficients: {left}")));
+                return Err(Failed::Undecided(format!("minors of the coefficients: {left}")));
             }
             Decision::Refuted(witness) if !witness.value.is_zero() => {
                 // A minor that changes its sign: look at its zeros.
                 let square = &claim * &claim;
                 match decide(&square, Relation::Positive, region, budget) {
                     Decision::Refuted(witness) => witness.point,
-                    _ => return Err(spent(&rows)),
+                    _ => return Err(spent()),
                 }
             }
             Decision::Refuted(witness) => witness.point,
         };
         let more = match as_rational(&point) {
-            Some(exact) => match vanishing_combination(&at(&rows, &exact)) {
-                Some(combination) => {
-                    return Err(Failure::Dependent(Dependence { point, combination: Some(combination) }));
-                }
-                None => pivot_columns(&at(&rows, &exact)),
-            },
-            None => match irrational(&rows, &point, &mut budget.work).ok_or_else(|| spent(&rows))? {
+            Some(exact) => pivot_columns(&at(rows, &exact)),
+            None => match irrational(rows, &point, &mut budget.work).ok_or_else(spent)? {
                 Irrational::Independent(columns) => columns,
-                Irrational::Dependent => {
-                    return Err(Failure::Dependent(Dependence { point, combination: None }));
-                }
+                Irrational::Dependent => Vec::new(),
             },
         };
-        if columns.len() == MAX_MINORS || columns.contains(&more) {
-            return Err(spent(&rows));
+        if more.len() < rows.len() {
+            return Err(Failed::Point(point));
         }
-        minors.push(minor(&rows, &more, &mut budget.work).ok_or_else(|| spent(&rows))?);
+        if columns.len() == MAX_MINORS || columns.contains(&more) {
+            return Err(spent());
+        }
+        minors.push(minor(rows, &more, &mut budget.work).ok_or_else(spent)?);
         columns.push(more);
     }
 }
@@ -231,6 +379,10 @@ pub(super) fn irrational(
     if !is_zero(&candidate, &algebraic, work)? {
         return Some(Irrational::Independent(columns));
     }
+    if rows.first().is_some_and(|r| r.len() == rows.len()) {
+        // There is no other minor.
+        return Some(Irrational::Dependent);
+    }
     // The sum of the squares of all minors is the determinant of the matrix times its transpose (Cauchy–Binet).
     let product =
         |a: &Vec<Poly>, b: &Vec<Poly>| a.iter().zip(b).fold(Poly::zero(), |s, (x, y)| &s + &(x * y));
@@ -257,17 +409,16 @@ fn largest_pivots(mut rows: Vec<Vec<Rational>>) -> Vec<usize> {
         }
         columns.push(j);
     }
-    columns.sort_unstable();
+    sort_unique(&mut columns);
     columns
 }
 
-/// Whether the rows are dependent wherever some parameters have the given values; where not, a point of the region with
-/// these values at which they are independent, or the region when it contains no such point.
+/// Whether the rows are dependent wherever some parameters have the given values.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Exception {
     /// The rows are dependent: polynomials cᵢ in the other parameters, without common factor, with Σ cᵢ fᵢ = 0.
     Dependent(Vec<Poly>),
-    /// They are independent at this point.
+    /// They are independent at this point of the region, which has the values.
     Independent(Vec<(Var, Rational)>),
     /// The region contains no point with these values.
     Outside,
@@ -276,39 +427,62 @@ pub enum Exception {
 }
 
 /// Decides whether values of some parameters are an exception from independence on a region.
-pub fn dependent(rows: &[Vec<Poly>], values: &Values, region: &Region, budget: &mut Budget) -> Exception {
-    let region = complete(rows, region);
-    if values.iter().any(|(v, x)| !region.range(*v).contains(x)) {
+pub fn dependent(table: &Table, values: &Values, region: &Region, budget: &mut Budget) -> Exception {
+    let mut region = complete(&table.rows, region);
+    for (v, x) in values {
+        match region.ranges.iter_mut().find(|(w, _)| w == v) {
+            Some((_, r)) if r.contains(x) => *r = Range::closed(x.clone(), x.clone()),
+            Some(_) => return Exception::Outside,
+            None => region.ranges.push((*v, Range::closed(x.clone(), x.clone()))),
+        }
+    }
+    sort_by(&mut region.ranges, |a, b| a.0.cmp(&b.0));
+    if region.ranges.iter().any(|(_, r)| r.is_empty()) {
         return Exception::Outside;
     }
-    let fixed: Vec<Vec<Poly>> = rows
-        .iter()
-        .map(|row| row.iter().map(|p| values.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x))).collect())
-        .collect();
-    let spent =
-        || Exception::Undecided(String::from("the budget is spent on a combination of the functions"));
-    let Some(combination) = polynomial_combination(&fixed, &mut budget.work) else { return spent() };
-    if !combination.is_empty() {
-        return Exception::Dependent(combination);
+    let fixed = table.fix(values);
+    match generic(&fixed, &region, &mut budget.work) {
+        Some(Generic::Independent(point)) => Exception::Independent(point),
+        Some(Generic::Dependent(combination)) => Exception::Dependent(combination),
+        None => Exception::Undecided(String::from("the budget is spent on a combination of the functions")),
     }
-    // Independent in general, and so at most points: at one where a minor is not zero.
-    let Some(minor) = nonzero_minors(&fixed, &mut budget.work).and_then(|m| m.into_iter().next()) else {
-        return spent();
-    };
+}
+
+/// Whether rows are independent at some point of a region.
+pub(super) enum Generic {
+    /// At this one.
+    Independent(Values),
+    /// Nowhere, by this combination.
+    Dependent(Vec<Poly>),
+}
+
+/// Whether the rows are independent at some point of a region that is not empty; `None` when the work is spent.
+pub(super) fn generic(rows: &[Vec<Poly>], region: &Region, work: &mut Work) -> Option<Generic> {
+    // If they are at all, nearly every point will do.
+    for k in 0..3 {
+        let number = |r: &Range| match r.finite() {
+            Some((a, b)) if a == b => a.clone(),
+            _ => inner(r, k + 1).pop().unwrap_or_else(|| simple(r)),
+        };
+        let point: Values = region.ranges.iter().map(|(v, r)| (*v, number(r))).collect();
+        if pivot_columns(&at(rows, &point)).len() == rows.len() {
+            return Some(Generic::Independent(point));
+        }
+    }
+    let combination = polynomial_combination(rows, work)?;
+    if !combination.is_empty() {
+        return Some(Generic::Dependent(combination));
+    }
+    let minor = nonzero_minors(rows, work)?.into_iter().next()?;
     let mut free = region.clone();
-    free.ranges.retain(|(v, _)| values.iter().all(|(w, _)| w != v));
+    free.ranges.retain(|(_, r)| r.finite().is_none_or(|(a, b)| a != b));
     let problem = Problem::new(&minor.value, &free);
-    let Some(mut point) = problem.nonzero_point(&problem.poly) else {
-        return Exception::Undecided(String::from(
-            "the functions are dependent on a part of the region only",
-        ));
-    };
-    point.extend(values.iter().cloned());
+    let mut point = problem.nonzero_point(&problem.poly)?;
     for (v, r) in &region.ranges {
         if !point.iter().any(|(w, _)| w == v) {
             point.push((*v, simple(r)));
         }
     }
     sort_by(&mut point, |a, b| a.0.cmp(&b.0));
-    Exception::Independent(point)
+    Some(Generic::Independent(point))
 }

@@ -14,11 +14,13 @@
 //! value there. Nothing here knows of specs.
 
 mod bernstein;
+mod blocks;
 mod budget;
 mod cascade;
 mod cells;
 mod certificate;
 mod corners;
+#[cfg(any(test, feature = "tools"))]
 mod exceptional;
 mod factors;
 mod independence;
@@ -28,6 +30,7 @@ mod pieces;
 mod problem;
 mod projection;
 mod slices;
+mod symmetry;
 mod univariate;
 #[cfg(any(test, feature = "tools"))]
 mod verify;
@@ -38,10 +41,14 @@ use core::fmt;
 
 pub use budget::Budget;
 pub use certificate::{Base, Cells, Certificate, Factor, Sample, Section, Slices, Subdivision};
+#[cfg(any(test, feature = "tools"))]
 pub use exceptional::{Exceptional, ExceptionalSet, exceptional_set};
-pub use independence::{Dependence, Exception, Independence, Piece, Values, dependent, independent};
+pub use independence::{
+    Dependence, Exception, Independence, Minors, Piece, Table, Values, dependent, independent,
+};
 #[cfg(any(test, feature = "tools"))]
 pub use largest::{LargestRange, largest_range};
+pub use symmetry::{ChangeOfBasis, Combination, Symmetries, Symmetry};
 #[cfg(any(test, feature = "tools"))]
 pub use verify::{verify, verify_independence};
 

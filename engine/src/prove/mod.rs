@@ -62,7 +62,9 @@ pub enum StepProof {
     Independence(independent::RankProof),
 }
 
-pub use independent::{RankProof, exceptional_set};
+#[cfg(feature = "tools")]
+pub(crate) use independent::combination_text;
+pub use independent::{RankProof, coefficient_table};
 
 /// A point at which a claim fails.
 #[derive(Clone, Debug)]

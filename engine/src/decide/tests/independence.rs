@@ -4,27 +4,29 @@ use super::*;
 use text::var;
 
 /// The coefficients of polynomials in t.
-fn rows(functions: &[&str]) -> Vec<Vec<Poly>> {
+fn rows(functions: &[&str]) -> Table {
     let all: Vec<Vec<Poly>> = functions.iter().map(|f| poly(f).coefficients_in(var("t"))).collect();
     let width = all.iter().map(Vec::len).max().unwrap_or(0);
-    all.into_iter()
-        .map(|mut r| {
-            r.resize(width, Poly::zero());
-            r
-        })
-        .collect()
+    let filled = all.into_iter().map(|mut r| {
+        r.resize(width, Poly::zero());
+        r
+    });
+    Table::new(filled.collect())
 }
 
 const QUARTIC: [&str; 4] =
     ["(1 - λ*t)*(1 - t)^3", "(3 + λ - λ*t)*t*(1 - t)^2", "(3 + λ*t)*t^2*(1 - t)", "(1 - λ + λ*t)*t^3"];
 const QUADRATIC: [&str; 3] = ["(1 - λ*t)*(1 - t)^2", "(2 + λ)*(1 - t)*t", "(1 - λ + λ*t)*t^2"];
 
-fn check(rows: &[Vec<Poly>], except: &[Values], ranges: &str) -> String {
+fn check(table: &Table, except: &[Values], ranges: &str) -> String {
     let region = region(ranges);
-    match independent(rows, except, &region, &mut Budget::default()) {
+    match independent(table, except, &region, &mut Budget::default()) {
         Independence::Proved(pieces) => {
-            assert_eq!(verify_independence(rows, except, &region, &pieces), Ok(()));
-            format!("proved with {:?}", pieces.iter().map(|p| p.minors.len()).collect::<Vec<_>>())
+            assert_eq!(verify_independence(&table.rows, except, &region, &pieces), Ok(()));
+            let minors = |p: &Piece| {
+                p.blocks.iter().map(|b| b.columns.len().to_string()).collect::<Vec<_>>().join("+")
+            };
+            format!("proved with {}", pieces.iter().map(minors).collect::<Vec<_>>().join(", "))
         }
         Independence::Refuted(d) => {
             let point: Vec<String> = d.point.iter().map(|(v, c)| c.describe(NAMES[v.0])).collect();
@@ -34,8 +36,8 @@ fn check(rows: &[Vec<Poly>], except: &[Values], ranges: &str) -> String {
     }
 }
 
-fn exceptions(rows: &[Vec<Poly>], ranges: &str) -> Vec<String> {
-    let set = exceptional_set(rows, &region(ranges), &mut Budget::default());
+fn exceptions(table: &Table, ranges: &str) -> Vec<String> {
+    let set = exceptional_set(table, &region(ranges), &mut Budget::default());
     let names = NAMES.map(String::from);
     let one = |e: &Exceptional| {
         let values: Vec<String> = e.values.iter().map(|(v, c)| c.describe(NAMES[v.0])).collect();
@@ -54,10 +56,10 @@ fn exceptions(rows: &[Vec<Poly>], ranges: &str) -> Vec<String> {
 fn quartic_family() {
     let rows = rows(&QUARTIC);
     assert_eq!(check(&rows, &[], "-3<=λ<=1"), "dependent at λ = -3: Some([0, 1, -1, 0])");
-    assert_eq!(check(&rows, &[], "-3<λ<=1"), "proved with [2]");
+    assert_eq!(check(&rows, &[], "-3<λ<=1"), "proved with 2+1+1+1");
     let at = vec![(var("λ"), Rational::from(-3))];
-    assert_eq!(check(&rows, core::slice::from_ref(&at), "-3<=λ<=1"), "proved with [2]");
-    assert_eq!(check(&rows, core::slice::from_ref(&at), ""), "proved with [1, 2]");
+    assert_eq!(check(&rows, core::slice::from_ref(&at), "-3<=λ<=1"), "proved with 2+1+1+1");
+    assert_eq!(check(&rows, core::slice::from_ref(&at), ""), "proved with 1+1+1+1, 2+1+1+1");
     assert_eq!(exceptions(&rows, "-3<=λ<=1"), ["λ = -3: 0 1 -1 0"]);
     assert_eq!(exceptions(&rows, "-2<=λ<=1"), [""; 0]);
     let work = &mut Budget::default();
@@ -71,17 +73,17 @@ fn quartic_family() {
 fn quadratic_family() {
     let rows = rows(&QUADRATIC);
     assert_eq!(check(&rows, &[], "-2<=λ<=1"), "dependent at λ = -2: Some([0, 1, 0])");
-    assert_eq!(check(&rows, &[], "-2<λ"), "proved with [2]");
+    assert_eq!(check(&rows, &[], "-2<λ"), "proved with 2");
     assert_eq!(exceptions(&rows, ""), ["λ = -2: 0 1 0"]);
 }
 
 #[test]
 fn exceptions_that_need_several_minors() {
     // Rank 1 rows: every minor vanishes somewhere, all of them nowhere …
-    assert_eq!(check(&rows(&["λ + (λ - 1)*t"]), &[], ""), "proved with [2]");
+    assert_eq!(check(&rows(&["λ + (λ - 1)*t"]), &[], ""), "proved with 2");
     // … and here at √2 only.
     let irrational = rows(&["(λ^2 - 2)*(λ + (λ - 1)*t)"]);
-    assert_eq!(check(&irrational, &[], "0<=λ<=1"), "proved with [2]");
+    assert_eq!(check(&irrational, &[], "0<=λ<=1"), "proved with 2");
     assert_eq!(
         check(&irrational, &[], "0<=λ"),
         "dependent at λ = root of -2 + λ^2 between 1.414 and 1.415: None"
@@ -90,10 +92,10 @@ fn exceptions_that_need_several_minors() {
     // The minors λ, μ and λ μ vanish together at the origin only.
     let origin = rows(&["λ + μ*t"]);
     assert_eq!(check(&origin, &[], "0<=λ<=1, 0<=μ<=1"), "dependent at λ = 0, μ = 0: Some([1])");
-    assert_eq!(check(&origin, &[], "0<=λ<=1, 0<μ<=1"), "proved with [1]");
+    assert_eq!(check(&origin, &[], "0<=λ<=1, 0<μ<=1"), "proved with 1");
     assert_eq!(exceptions(&origin, "0<=λ<=1, 0<=μ<=1"), ["λ = 0, μ = 0: 1"]);
     let both = vec![(var("λ"), Rational::ZERO), (var("μ"), Rational::ZERO)];
-    assert_eq!(check(&origin, &[both], ""), "proved with [1, 1, 1, 1]");
+    assert_eq!(check(&origin, &[both], ""), "proved with 1, 1, 1, 1");
 }
 
 #[test]
@@ -103,7 +105,7 @@ fn flats_of_exceptions() {
     let found = exceptions(&table, "0<=λ<=1, 0<=μ<=1");
     assert_eq!(found, ["λ = 0: 1 -1 0", "μ = 1: 1 -1 0"]);
     let except = [vec![(var("λ"), Rational::ZERO)], vec![(var("μ"), Rational::ONE)]];
-    assert_eq!(check(&table, &except, "0<=λ<=1, 0<=μ<=1"), "proved with [1]");
+    assert_eq!(check(&table, &except, "0<=λ<=1, 0<=μ<=1"), "proved with 1+1+1");
     assert_eq!(exceptions(&rows(&["1 + λ*t", "λ + λ^2*t"]), ""), [": λ -1"]);
 }
 

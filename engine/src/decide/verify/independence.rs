@@ -5,7 +5,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::decide::Relation;
-use crate::decide::independence::{Piece, Values};
+use crate::decide::independence::{Minors, Piece, Values};
+use crate::decide::symmetry::{ChangeOfBasis, Combination};
 
 /// The most cells into which the ends of ranges and exceptions cut the region.
 const MAX_CELLS: usize = 100_000;
@@ -21,26 +22,104 @@ pub fn verify_independence(
     region: &Region,
     pieces: &[Piece],
 ) -> Result<(), String> {
+    let width = rows.first().map_or(0, Vec::len);
+    check(rows.iter().all(|r| r.len() == width), || "the rows have different lengths".into())?;
     covered(rows, except, region, pieces)?;
-    for Piece { region, minors, certificate } in pieces {
-        let mut values = Vec::new();
-        for columns in minors {
-            values.push(minor(rows, columns)?);
-        }
-        let claim = match &values[..] {
-            [] => return Err("there is no minor".into()),
-            [only] => {
-                // With one of the two signs.
-                if verify(only, Relation::Positive, region, certificate).is_ok() {
-                    continue;
-                }
-                -only
-            }
-            _ => values.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
+    for piece in pieces {
+        let changed = match &piece.change {
+            None => None,
+            Some(change) => Some(changed(rows, change)?),
         };
-        verify(&claim, Relation::Positive, region, certificate)?;
+        blocks(changed.as_deref().unwrap_or(rows), piece)?;
     }
     Ok(())
+}
+
+/// The rows in other bases; the new rows must span the old ones.
+fn changed(rows: &[Vec<Poly>], change: &ChangeOfBasis) -> Result<Vec<Vec<Poly>>, String> {
+    let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+    check(change.rows.len() == height, || "the new basis has not as many rows".into())?;
+    check(change.columns.len() <= width, || "the new basis has more columns".into())?;
+    let known = |c: &Combination, len: usize| c.iter().all(|(k, _)| *k < len);
+    let all = change.rows.iter().all(|c| known(c, height)) && change.columns.iter().all(|c| known(c, width));
+    check(all, || "a basis combines a row or column that does not exist".into())?;
+    check(spans(&change.rows), || "the rows of the new basis are dependent".into())?;
+    let mut result = Vec::new();
+    for row in &change.rows {
+        let mut combined = vec![Poly::zero(); width];
+        for (k, factor) in row {
+            for (x, p) in combined.iter_mut().zip(&rows[*k]) {
+                *x = &*x + &p.scale(factor);
+            }
+        }
+        let column = |c: &Combination| c.iter().fold(Poly::zero(), |s, (k, f)| &s + &combined[*k].scale(f));
+        result.push(change.columns.iter().map(column).collect());
+    }
+    Ok(result)
+}
+
+/// Whether as many combinations of as many things are independent.
+fn spans(combinations: &[Combination]) -> bool {
+    let mut rows: Vec<Vec<Rational>> = combinations
+        .iter()
+        .map(|c| {
+            let mut row = vec![Rational::ZERO; combinations.len()];
+            for (k, x) in c {
+                row[*k] += x;
+            }
+            row
+        })
+        .collect();
+    let mut columns: Vec<usize> = (0..rows.len()).collect();
+    while let Some(pivot) = rows.pop() {
+        let Some(place) = columns.iter().position(|c| !pivot[*c].is_zero()) else { return false };
+        let column = columns.swap_remove(place);
+        for row in rows.iter_mut().filter(|r| !r[column].is_zero()) {
+            let factor = &row[column] / &pivot[column];
+            for (x, p) in row.iter_mut().zip(&pivot).filter(|(_, p)| !p.is_zero()) {
+                *x -= &(p * &factor);
+            }
+        }
+    }
+    true
+}
+
+/// Checks the blocks of a part: all rows, zero in the columns of later blocks, and not dependent in their own.
+fn blocks(rows: &[Vec<Poly>], piece: &Piece) -> Result<(), String> {
+    let mut all: Vec<usize> = piece.blocks.iter().flat_map(|b| b.rows.iter().copied()).collect();
+    all.sort_unstable();
+    check(all.iter().copied().eq(0..rows.len()), || "a function is in no block or in several".into())?;
+    let width = rows.first().map_or(0, Vec::len);
+    for (k, block) in piece.blocks.iter().enumerate() {
+        let columns = || block.columns.iter().flatten();
+        check(columns().all(|c| *c < width), || "a minor has a column that does not exist".into())?;
+        let mut earlier = piece.blocks[..k].iter().flat_map(|b| &b.rows);
+        check(earlier.all(|r| columns().all(|c| rows[*r][*c].is_zero())), || {
+            "a function is not zero in the columns of a later block".into()
+        })?;
+        minors(&block.rows.iter().map(|r| &rows[*r][..]).collect::<Vec<_>>(), block, &piece.region)?;
+    }
+    Ok(())
+}
+
+/// Checks that minors do not vanish together.
+fn minors(rows: &[&[Poly]], block: &Minors, region: &Region) -> Result<(), String> {
+    let mut values = Vec::new();
+    for columns in &block.columns {
+        values.push(minor(rows, columns)?);
+    }
+    let claim = match &values[..] {
+        [] => return Err("there is no minor".into()),
+        [only] => {
+            // With one of the two signs.
+            if verify(only, Relation::Positive, region, &block.certificate).is_ok() {
+                return Ok(());
+            }
+            -only
+        }
+        _ => values.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
+    };
+    verify(&claim, Relation::Positive, region, &block.certificate)
 }
 
 /// Checks that every point of the region is in a part or is an exception.
@@ -82,7 +161,7 @@ fn covered(rows: &[Vec<Poly>], except: &[Values], region: &Region, pieces: &[Pie
 }
 
 /// The determinant of some columns, up to its sign.
-fn minor(rows: &[Vec<Poly>], columns: &[usize]) -> Result<Poly, String> {
+fn minor(rows: &[&[Poly]], columns: &[usize]) -> Result<Poly, String> {
     check(columns.len() == rows.len(), || "a minor has not as many columns as there are functions".into())?;
     let mut matrix: Vec<Vec<Poly>> = Vec::new();
     for row in rows {

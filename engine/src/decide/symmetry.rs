@@ -1,0 +1,212 @@
+//! Symmetric matrices of functions fall apart: bases of rows and columns that are adapted to a group of permutations.
+
+use crate::algebra::matrix::vanishing_combinations;
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::sorting::sort_unique;
+
+/// A permutation of the rows together with one of the columns under which a matrix does not change: the entry at
+/// (`rows[i]`, `columns[j]`) is that at (i, j).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Symmetry {
+    /// By row the row to which it moves.
+    pub rows: Vec<usize>,
+    /// By column the column to which it moves.
+    pub columns: Vec<usize>,
+}
+
+/// Sums of symmetries of order 2, such that any two of the sums commute.
+///
+/// Of a reflection the reflection itself; of all permutations of m things the Jucys–Murphy elements: for each k the sum of
+/// the exchanges of k with all that stand before it. Their eigenvalues are whole numbers, and their common eigenspaces are
+/// small (A. Jucys 1974; A. Okounkov and A. Vershik, "A new approach to representation theory of symmetric groups", 1996).
+pub type Symmetries = Vec<Vec<Symmetry>>;
+
+/// A linear combination of rows, or of columns: indices with their factors, none of them zero.
+pub type Combination = Vec<(usize, Rational)>;
+
+/// Other bases for the rows and the columns of a matrix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChangeOfBasis {
+    /// The new rows as combinations of the old ones.
+    pub rows: Vec<Combination>,
+    /// The new columns as combinations of the old ones.
+    pub columns: Vec<Combination>,
+}
+
+impl ChangeOfBasis {
+    /// The bases of common eigenvectors, in which a symmetric matrix is zero wherever eigenvalues differ; `None` when the
+    /// permutations are no symmetries of the matrix, or when there are none.
+    pub(super) fn adapted(rows: &[Vec<Poly>], symmetries: &Symmetries) -> Option<Self> {
+        let width = rows.first().map_or(0, Vec::len);
+        let all = symmetries.iter().flatten();
+        if symmetries.is_empty() || !all.clone().all(|s| leaves_unchanged(rows, s)) {
+            return None;
+        }
+        let by_rows: Vec<Vec<&[usize]>> =
+            symmetries.iter().map(|sum| sum.iter().map(|s| &s.rows[..]).collect()).collect();
+        let by_columns: Vec<Vec<&[usize]>> =
+            symmetries.iter().map(|sum| sum.iter().map(|s| &s.columns[..]).collect()).collect();
+        Some(Self { rows: eigenvectors(rows.len(), &by_rows)?, columns: eigenvectors(width, &by_columns)? })
+    }
+
+    /// The matrix in the new bases.
+    pub(super) fn apply(&self, rows: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
+        let width = rows.first().map_or(0, Vec::len);
+        let combined = self
+            .rows
+            .iter()
+            .map(|combination| (0..width).map(|c| sum(combination, |r| &rows[r][c])).collect::<Vec<Poly>>());
+        combined
+            .map(|row| self.columns.iter().map(|combination| sum(combination, |c| &row[c])).collect())
+            .collect()
+    }
+}
+
+fn sum<'a>(combination: &[(usize, Rational)], entry: impl Fn(usize) -> &'a Poly) -> Poly {
+    let mut result = Poly::zero();
+    for (k, factor) in combination {
+        for (m, c) in entry(*k).terms() {
+            result.add_term(m.clone(), &(c * factor));
+        }
+    }
+    result
+}
+
+fn leaves_unchanged(rows: &[Vec<Poly>], symmetry: &Symmetry) -> bool {
+    let width = rows.first().map_or(0, Vec::len);
+    is_involution(&symmetry.rows, rows.len())
+        && is_involution(&symmetry.columns, width)
+        && rows.iter().zip(&symmetry.rows).all(|(row, to)| {
+            row.iter().zip(&symmetry.columns).all(|(entry, column)| *entry == rows[*to][*column])
+        })
+}
+
+/// Whether numbers are a permutation of 0..len that is its own inverse.
+fn is_involution(permutation: &[usize], len: usize) -> bool {
+    permutation.len() == len
+        && permutation.iter().enumerate().all(|(from, to)| permutation.get(*to) == Some(&from))
+}
+
+/// A basis of 0..len of common eigenvectors of sums of permutations; `None` when there is none with whole eigenvalues.
+fn eigenvectors(len: usize, sums: &[Vec<&[usize]>]) -> Option<Vec<Combination>> {
+    let mut basis = Vec::with_capacity(len);
+    let mut seen = vec![false; len];
+    for start in 0..len {
+        // What the permutations make of one index spans a space that they leave as it is.
+        let mut orbit = Vec::new();
+        let mut waiting = vec![start];
+        while let Some(k) = waiting.pop() {
+            if !core::mem::replace(&mut seen[k], true) {
+                orbit.push(k);
+                waiting.extend(sums.iter().flatten().map(|p| p[k]));
+            }
+        }
+        sort_unique(&mut orbit);
+        let unit = |i: usize| {
+            (0..orbit.len()).map(|k| if k == i { Rational::ONE } else { Rational::ZERO }).collect()
+        };
+        let mut spaces: Vec<Vec<Vec<Rational>>> = vec![(0..orbit.len()).map(unit).collect()];
+        for sum in sums {
+            spaces = spaces.into_iter().flat_map(|space| split(&space, &orbit, sum)).collect();
+        }
+        if spaces.iter().map(Vec::len).sum::<usize>() != orbit.len() {
+            return None;
+        }
+        for vector in spaces.into_iter().flatten() {
+            let entries = orbit.iter().copied().zip(vector);
+            basis.push(entries.filter(|(_, x)| !x.is_zero()).collect());
+        }
+    }
+    Some(basis)
+}
+
+/// The parts of a space that belong to the whole eigenvalues of a sum of permutations.
+fn split(space: &[Vec<Rational>], orbit: &[usize], sum: &[&[usize]]) -> Vec<Vec<Vec<Rational>>> {
+    // An orbit is sorted, and closed under the permutations.
+    let place = |k: usize| orbit.binary_search(&k).unwrap_or(0);
+    let largest = sum.len() as i64;
+    let parts = (-largest..=largest).rev().map(|eigenvalue| {
+        let moved = space.iter().map(|vector| {
+            let mut image: Vec<Rational> =
+                vector.iter().map(|x| -&(x * &Rational::from(eigenvalue))).collect();
+            for permutation in sum {
+                for (k, x) in orbit.iter().zip(vector) {
+                    image[place(permutation[*k])] += x;
+                }
+            }
+            image
+        });
+        let combinations = vanishing_combinations(&moved.collect::<Vec<_>>());
+        let combine = |factors: Vec<Rational>| {
+            let mut vector = vec![Rational::ZERO; orbit.len()];
+            for (factor, of) in factors.iter().zip(space) {
+                for (x, y) in vector.iter_mut().zip(of) {
+                    *x += &(factor * y);
+                }
+            }
+            vector
+        };
+        combinations.into_iter().map(combine).collect::<Vec<_>>()
+    });
+    parts.filter(|part| !part.is_empty()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::poly::Var;
+
+    #[test]
+    fn a_reflection_splits_into_even_and_odd() {
+        let x = Poly::var(Var(0));
+        let n = Poly::integer;
+        let rows = vec![vec![n(1), x.clone(), n(0)], vec![n(2), n(3), n(2)], vec![n(0), x.clone(), n(1)]];
+        let reflection = Symmetry { rows: vec![2, 1, 0], columns: vec![2, 1, 0] };
+        let change = ChangeOfBasis::adapted(&rows, &vec![vec![reflection]]).expect("symmetric");
+        let one = |k: usize, c: i64| (k, Rational::from(c));
+        assert_eq!(change.rows, [vec![one(0, 1), one(2, 1)], vec![one(0, 1), one(2, -1)], vec![one(1, 1)]]);
+        let adapted = change.apply(&rows);
+        // Even: (row 0 + row 2, row 1) in (column 0 + column 2, column 1); odd: what is left.
+        assert_eq!(adapted[0], [n(2), n(0), x.scale(&2.into())]);
+        assert_eq!(adapted[1], [n(0), n(2), n(0)]);
+        assert_eq!(adapted[2], [n(4), n(0), n(3)]);
+        let wrong = Symmetry { rows: vec![1, 0, 2], columns: vec![2, 1, 0] };
+        assert_eq!(ChangeOfBasis::adapted(&rows, &vec![vec![wrong]]), None);
+    }
+
+    #[test]
+    fn all_permutations_of_three() {
+        // The exchanges of three things as permutations of their six orders.
+        let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+        let exchange = |a: usize, b: usize| -> Vec<usize> {
+            let moved = orders.map(|o| {
+                o.map(|x| {
+                    if x == a {
+                        b
+                    } else if x == b {
+                        a
+                    } else {
+                        x
+                    }
+                })
+            });
+            moved.iter().map(|m| orders.iter().position(|o| o == m).expect("an order")).collect()
+        };
+        let (p, q, r) = (exchange(0, 1), exchange(0, 2), exchange(1, 2));
+        let basis = eigenvectors(6, &[vec![&p], vec![&q, &r]]).expect("whole eigenvalues");
+        assert_eq!(basis.len(), 6);
+        assert!(basis[0].iter().all(|(_, x)| x.is_one()) && basis[0].len() == 6);
+        let dense: Vec<Vec<Rational>> = basis
+            .iter()
+            .map(|v| {
+                let mut row = vec![Rational::ZERO; 6];
+                for (k, x) in v {
+                    row[*k] = x.clone();
+                }
+                row
+            })
+            .collect();
+        assert!(vanishing_combinations(&dense).is_empty());
+    }
+}
