@@ -61,6 +61,7 @@ mod domain;
 mod error;
 mod form;
 mod point;
+mod revolution;
 mod scalar;
 mod surface;
 #[allow(dead_code)] // some of it only with some features
@@ -73,6 +74,9 @@ pub use curve::{Bezier, BezierOf, Curve, CurveError};
 pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
 pub use point::Point;
+#[cfg(feature = "alloc")]
+pub use revolution::RevolutionPatch;
+pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
-pub use surface::{Curvature, ScalarOf, Surface, TensorSurface};
+pub use surface::{Curvature, RationalSurface, ScalarOf, Surface, TensorSurface};
 pub use vector::Point3;

@@ -2,9 +2,11 @@
 
 mod curvature;
 mod limit;
+mod rational;
 mod tensor;
 
 pub use curvature::Curvature;
+pub use rational::RationalSurface;
 pub use tensor::TensorSurface;
 
 use crate::vector::{cross, direction, largest_component};

@@ -8,4 +8,5 @@ mod partials;
 #[allow(dead_code)] // shared with other tests
 #[path = "../numeric/random.rs"]
 mod random;
+mod revolution;
 mod values;

@@ -1,0 +1,155 @@
+//! Surfaces of revolution.
+
+mod circle;
+mod error;
+#[cfg(feature = "alloc")]
+mod rational;
+
+use crate::vector::{cross, direction, dot, is_finite};
+use crate::{Array, Basis, Curve, Point3, Scalar, Surface};
+pub use circle::half_turn_parameter;
+pub use error::RevolutionError;
+#[cfg(feature = "alloc")]
+pub use rational::RevolutionPatch;
+
+/// The surface that a curve, the generatrix `C`, sweeps while it turns about an axis.
+///
+/// With the axis through `O` in the unit direction `d`, and `C(u) = O + h(u) d + r(u)` with `r` perpendicular to `d`,
+///
+/// ```text
+/// S(u, v) = O + h(u) d + cos v r(u) + sin v (d × r(u)),   0 <= v <= θ
+/// ```
+///
+/// `u` is the parameter of the generatrix and `v` the angle in radians, so that equal steps in `v` are equal angles. The turn
+/// is right-handed about `d`. A generatrix may be any curve in space, may touch the axis (the surface has a pole there, with
+/// a normal by continuity) or cross it. After a full turn, `θ = 2π`, the surface closes exactly.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use basis_runtime::{Curve, Surface, SurfaceOfRevolution};
+///
+/// let generatrix = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 1.0], [1.0, 2.0], [2.0, 2.0], [3.0, 1.0]]);
+/// let vase = SurfaceOfRevolution::about_x(&generatrix, 2.0 * std::f64::consts::PI)?;
+/// assert_eq!(vase.eval(1.0, 0.0), [3.0, 1.0, 0.0]);
+/// let [x, y, z] = vase.eval(1.0, std::f64::consts::FRAC_PI_2);
+/// assert!(x == 3.0 && y.abs() < 1e-15 && z == 1.0);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceOfRevolution<B: Basis, P: Point3<Scalar = B::Scalar>> {
+    /// `O + h d`, the centres of the circles.
+    centres: Curve<B, P>,
+    /// `r`, from the centre to the point at angle 0.
+    radii: Curve<B, P>,
+    /// `d × r`, from the centre to the point at a right angle.
+    quarters: Curve<B, P>,
+    angle: B::Scalar,
+}
+
+impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
+    /// The surface of a generatrix about the axis through a point in a direction, by an angle in radians,
+    /// `0 < angle <= 2π`. A full turn is `2.0 * PI` in the scalar type.
+    ///
+    /// # Errors
+    /// When the angle is not in that range, the direction is zero, or anything is infinite or NaN.
+    pub fn new(
+        generatrix: &Curve<B, P>,
+        point: P,
+        axis: P,
+        angle: B::Scalar,
+    ) -> Result<Self, RevolutionError> {
+        // Written so that NaN is refused.
+        if !(angle > B::Scalar::ZERO && angle <= B::Scalar::of(2.0) * B::Scalar::PI) {
+            return Err(RevolutionError::Angle { value: angle.to_f64() });
+        }
+        let axis = direction(axis).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
+        let points = generatrix.control_points();
+        if !points.iter().all(|&p| is_finite(p)) {
+            return Err(RevolutionError::NotFinite);
+        }
+        let basis = generatrix.basis();
+        let curve = |of: &dyn Fn(P, P) -> P| {
+            Curve::new(
+                basis,
+                B::Points::from_fn(|i| {
+                    let offset = points[i].minus(point);
+                    let along = axis.scale(dot(offset, axis));
+                    of(along, offset.minus(along))
+                }),
+            )
+        };
+        Ok(Self {
+            centres: curve(&|along, _| point.add_scaled(along, B::Scalar::ONE)),
+            radii: curve(&|_, radius| radius),
+            quarters: curve(&|_, radius| cross(axis, radius)),
+            angle,
+        })
+    }
+
+    /// The angle `θ` in radians.
+    #[inline]
+    pub fn angle(&self) -> B::Scalar {
+        self.angle
+    }
+
+    /// Whether the surface is a full turn.
+    #[inline]
+    pub fn is_closed(&self) -> bool {
+        self.angle == B::Scalar::of(2.0) * B::Scalar::PI
+    }
+
+    /// The meridian at the angle `v`: the generatrix, turned by that angle.
+    pub fn meridian(&self, v: B::Scalar) -> Curve<B, P> {
+        let [cos, sin] = circle::direction(v);
+        let [centres, radii, quarters] =
+            [&self.centres, &self.radii, &self.quarters].map(Curve::control_points);
+        let point = |i: usize| centres[i].add_scaled(radii[i], cos).add_scaled(quarters[i], sin);
+        Curve::new(self.centres.basis(), B::Points::from_fn(point))
+    }
+}
+
+impl<B: Basis> SurfaceOfRevolution<B, [B::Scalar; 3]> {
+    /// The surface `(x(u), y(u) cos v, y(u) sin v)` of a plane curve `(x, y)` about the x axis.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn about_x(generatrix: &Curve<B, [B::Scalar; 2]>, angle: B::Scalar) -> Result<Self, RevolutionError> {
+        let (zero, one) = (B::Scalar::ZERO, B::Scalar::ONE);
+        let [x, y] = [0, 1].map(|c| move |i: usize| generatrix.control_points()[i][c]);
+        let in_space = Curve::new(generatrix.basis(), B::Points::from_fn(|i| [x(i), y(i), zero]));
+        Self::new(&in_space, [zero; 3], [one, zero, zero], angle)
+    }
+}
+
+impl<B: Basis, P: Point3<Scalar = B::Scalar>> Surface for SurfaceOfRevolution<B, P> {
+    type Point = P;
+
+    #[inline]
+    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+        [B::domain(), [P::Scalar::ZERO, self.angle]]
+    }
+
+    #[inline]
+    fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        let [cos, sin] = circle::direction(v);
+        self.centres.eval(u).add_scaled(self.radii.eval(u), cos).add_scaled(self.quarters.eval(u), sin)
+    }
+
+    #[inline]
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+        let centres = self.centres.eval_with_derivs::<K>(u);
+        let radii = self.radii.eval_with_derivs::<K>(u);
+        let quarters = self.quarters.eval_with_derivs::<K>(u);
+        let [cos, sin] = circle::direction(v);
+        core::array::from_fn(|i| {
+            core::array::from_fn(|j| {
+                // Derivatives of cosine and sine go round.
+                let [c, s] = [[cos, sin], [-sin, cos], [-cos, -sin], [sin, -cos]][j % 4];
+                let centre = if j == 0 { centres[i] } else { P::zero() };
+                centre.add_scaled(radii[i], c).add_scaled(quarters[i], s)
+            })
+        })
+    }
+}

@@ -1,0 +1,134 @@
+//! Rational tensor surfaces.
+
+use crate::{Array, Basis, Point, Scalar, Surface, TensorSurface};
+
+/// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
+///
+/// With control points `P[i][j]` of weights `w[i][j]`, `N` has the net `w[i][j] P[i][j]` and `w` the net `w[i][j]`. A weight
+/// of zero stands for a control point at infinity, whose direction is then in `N`.
+///
+/// ```
+/// use basis_runtime::{BernsteinBasis, RationalSurface, Surface};
+///
+/// // A quarter of the unit cylinder.
+/// let half = 0.5_f64.sqrt();
+/// let arc = |x: f64| [[x, 1.0, 0.0], [x, 1.0, 1.0], [x, 0.0, 1.0]];
+/// let cylinder = RationalSurface::new(
+///     BernsteinBasis::<_, 2>::new(),
+///     BernsteinBasis::<_, 3>::new(),
+///     [arc(0.0), arc(2.0)],
+///     [[1.0, half, 1.0]; 2],
+/// );
+/// let [x, y, z] = cylinder.eval(0.5, 0.3);
+/// assert!(x == 1.0 && (y * y + z * z - 1.0).abs() < 1e-15);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RationalSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    numerator: TensorSurface<U, V, P>,
+    weight: TensorSurface<U, V, U::Scalar>,
+}
+
+impl<U, V, P> RationalSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    /// The surface over these control points with these weights.
+    pub fn new(
+        u_basis: U,
+        v_basis: V,
+        net: U::Points<V::Points<P>>,
+        weights: U::Points<V::Points<P::Scalar>>,
+    ) -> Self {
+        let scaled = U::Points::from_fn(|i| {
+            V::Points::from_fn(|j| net.as_ref()[i].as_ref()[j].scale(weights.as_ref()[i].as_ref()[j]))
+        });
+        Self::from_homogeneous(
+            TensorSurface::new(u_basis, v_basis, scaled),
+            TensorSurface::new(u_basis, v_basis, weights),
+        )
+    }
+
+    /// The surface `numerator / weight`.
+    pub fn from_homogeneous(
+        numerator: TensorSurface<U, V, P>,
+        weight: TensorSurface<U, V, P::Scalar>,
+    ) -> Self {
+        Self { numerator, weight }
+    }
+
+    /// The numerator `N`, whose control points are `w[i][j] P[i][j]`.
+    pub fn numerator(&self) -> &TensorSurface<U, V, P> {
+        &self.numerator
+    }
+
+    /// The denominator `w`, whose control points are the weights.
+    pub fn weight(&self) -> &TensorSurface<U, V, P::Scalar> {
+        &self.weight
+    }
+
+    /// The control point `P[i][j]` with its weight; `None` outside of the net, and for a point at infinity.
+    pub fn control_point(&self, i: usize, j: usize) -> Option<(P, P::Scalar)> {
+        let (point, weight) = (self.numerator.control_point(i, j)?, self.weight.control_point(i, j)?);
+        (weight != P::Scalar::ZERO).then(|| (P::from_components(|c| point.component(c) / weight), weight))
+    }
+}
+
+impl<U, V, P> Surface for RationalSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    type Point = P;
+
+    #[inline]
+    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+        self.numerator.domain()
+    }
+
+    #[inline]
+    fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        let (point, weight) = (self.numerator.eval(u, v), self.weight.eval(u, v));
+        P::from_components(|c| point.component(c) / weight)
+    }
+
+    /// By Leibniz' rule for `N = w S`, solved for the highest derivative of `S`.
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+        let mut partials = self.numerator.eval_with_partials::<K>(u, v);
+        let weights = self.weight.eval_with_partials::<K>(u, v);
+        let binomials = binomials::<P::Scalar, K>();
+        for i in 0..K {
+            for j in 0..K {
+                let mut sum = partials[i][j];
+                for a in 0..=i {
+                    for b in 0..=j {
+                        if a + b > 0 {
+                            let factor = binomials[i][a] * binomials[j][b] * weights[a][b];
+                            sum = sum.add_scaled(partials[i - a][j - b], -factor);
+                        }
+                    }
+                }
+                partials[i][j] = P::from_components(|c| sum.component(c) / weights[0][0]);
+            }
+        }
+        partials
+    }
+}
+
+/// Pascal's triangle.
+fn binomials<S: Scalar, const K: usize>() -> [[S; K]; K] {
+    let mut rows = [[S::ZERO; K]; K];
+    for n in 0..K {
+        for k in 0..=n {
+            rows[n][k] = if k == 0 { S::ONE } else { rows[n - 1][k - 1] + rows[n - 1][k] };
+        }
+    }
+    rows
+}
