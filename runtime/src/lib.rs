@@ -39,7 +39,7 @@
 //! | feature | default | |
 //! | --- | --- | --- |
 //! | `std` | yes | fused multiply-add and vector instructions where there are any; the crate is `no_std` without; enables `alloc` |
-//! | `alloc` | yes | everything that returns a vector |
+//! | `alloc` | yes | everything that returns a vector, and [`bspline`] |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` are points |
 //! | `serde` | no | public data can be written and read |
@@ -56,6 +56,8 @@ extern crate std;
 pub mod __private;
 mod basis;
 pub mod bernstein;
+#[cfg(feature = "alloc")]
+pub mod bspline;
 mod curve;
 mod domain;
 mod error;

@@ -1,0 +1,273 @@
+//! B-spline curves.
+
+use alloc::vec::Vec;
+
+use super::rows::{self, Rows};
+use super::{KnotError, KnotVector, SplineError};
+use crate::{Point, Scalar};
+
+/// The curve `C(t) = Σ N[i,k](t) P[i]` over a knot vector.
+///
+/// Outside of the domain [`eval`](Self::eval) continues the first and the last polynomial piece; at a knot where the curve
+/// or a derivative jumps it takes the piece on the right, at the end of the domain the last piece. If `t` is NaN so is the
+/// point.
+///
+/// ```
+/// use basis_runtime::bspline::{BSplineCurve, KnotVector};
+///
+/// let knots = KnotVector::clamped(2, &[0.0, 1.0, 3.0])?;
+/// let curve = BSplineCurve::new(knots, [[0.0_f64, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]])?;
+/// assert_eq!(curve.eval(3.0), [4.0, 0.0]);
+///
+/// let [point, velocity] = curve.eval_with_derivs(0.0);
+/// assert_eq!((point, velocity), ([0.0, 0.0], [2.0, 4.0]));
+///
+/// let finer = curve.insert_knots(&[0.5, 2.0])?;
+/// assert_eq!(finer.control_points().len(), 6);
+/// assert!((finer.eval(0.7)[0] - curve.eval(0.7)[0]).abs() < 1e-15);
+/// # Ok::<(), basis_runtime::bspline::SplineError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct BSplineCurve<P: Point> {
+    knots: KnotVector<P::Scalar>,
+    points: Vec<P>,
+}
+
+/// One polynomial piece of a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BezierPiece<P: Point> {
+    /// The ends of its span.
+    pub domain: [P::Scalar; 2],
+    /// Its control points as a Bézier curve, `k + 1` of them.
+    pub points: Vec<P>,
+}
+
+impl<P: Point> BSplineCurve<P> {
+    /// The curve with these control points, one for each basis function.
+    ///
+    /// # Errors
+    /// [`SplineError::Count`] if their number is not that of the basis functions.
+    pub fn new(knots: KnotVector<P::Scalar>, points: impl Into<Vec<P>>) -> Result<Self, SplineError> {
+        let points = points.into();
+        let (expected, found) = (knots.functions(), points.len());
+        if expected != found {
+            return Err(SplineError::Count { expected, found });
+        }
+        Ok(Self { knots, points })
+    }
+
+    /// The Bézier curve with these control points over `0 <= t <= 1`.
+    ///
+    /// # Errors
+    /// [`SplineError::Count`] if there is no point, [`KnotError::Degree`] if there are too many.
+    pub fn from_bezier(points: impl Into<Vec<P>>) -> Result<Self, SplineError> {
+        let points = points.into();
+        let degree = points.len().checked_sub(1).ok_or(SplineError::Count { expected: 1, found: 0 })?;
+        Self::new(KnotVector::uniform(degree, 1)?, points)
+    }
+
+    /// Control points that are known to be as many as the basis functions.
+    pub(super) fn trusted(knots: KnotVector<P::Scalar>, points: Vec<P>) -> Self {
+        debug_assert_eq!(knots.functions(), points.len());
+        Self { knots, points }
+    }
+
+    fn from_rows(rows: Rows<P::Scalar, P>) -> Self {
+        Self { knots: rows.knots, points: rows.points }
+    }
+
+    fn to_rows(&self) -> Rows<P::Scalar, P> {
+        Rows { knots: self.knots.clone(), points: self.points.clone(), lanes: 1 }
+    }
+
+    /// The degree `k`.
+    #[inline]
+    pub fn degree(&self) -> usize {
+        self.knots.degree()
+    }
+
+    /// The knots.
+    #[inline]
+    pub fn knots(&self) -> &KnotVector<P::Scalar> {
+        &self.knots
+    }
+
+    /// The control points.
+    #[inline]
+    pub fn control_points(&self) -> &[P] {
+        &self.points
+    }
+
+    /// The control points, to be changed in place.
+    #[inline]
+    pub fn control_points_mut(&mut self) -> &mut [P] {
+        &mut self.points
+    }
+
+    /// The ends of the domain.
+    #[inline]
+    pub fn domain(&self) -> [P::Scalar; 2] {
+        self.knots.domain()
+    }
+
+    /// The point at the lower end of the domain.
+    pub fn start(&self) -> P {
+        self.eval(self.domain()[0])
+    }
+
+    /// The point at the upper end of the domain.
+    pub fn end(&self) -> P {
+        self.eval(self.domain()[1])
+    }
+
+    /// The point `C(t)`.
+    ///
+    /// Exactly the first and last control point at the ends of a clamped curve.
+    #[inline]
+    pub fn eval(&self, t: P::Scalar) -> P {
+        let span = self.knots.span(t);
+        let k = self.degree();
+        combine(&self.knots.values_on(span, t), &self.points[span - k..=span])
+    }
+
+    /// The point `C(t)` for `t` in the domain.
+    ///
+    /// # Errors
+    /// [`KnotError::Outside`], also if `t` is NaN.
+    pub fn eval_checked(&self, t: P::Scalar) -> Result<P, KnotError> {
+        self.knots.check(t).map(|t| self.eval(t))
+    }
+
+    /// The point at the parameter of the domain that is nearest to `t`.
+    pub fn eval_clamped(&self, t: P::Scalar) -> P {
+        self.eval(self.knots.clamp(t))
+    }
+
+    /// The points at many parameters.
+    ///
+    /// As many as the shorter of the two lists has.
+    pub fn eval_into(&self, parameters: &[P::Scalar], points: &mut [P]) {
+        for (&t, point) in parameters.iter().zip(points) {
+            *point = self.eval(t);
+        }
+    }
+
+    /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
+    #[inline]
+    pub fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+        let span = self.knots.span(t);
+        core::array::from_fn(|order| self.derivative_on(span, t, order))
+    }
+
+    /// The derivative of that order at `t`; the point itself at order 0.
+    #[inline]
+    pub fn derivative(&self, t: P::Scalar, order: usize) -> P {
+        self.derivative_on(self.knots.span(t), t, order)
+    }
+
+    fn derivative_on(&self, span: usize, t: P::Scalar, order: usize) -> P {
+        let k = self.degree();
+        combine(&self.knots.derivatives_on(span, t, order), &self.points[span - k..=span])
+    }
+
+    /// The same curve over the knots and all of `knots`, in any order, repeated ones as often as they are listed.
+    ///
+    /// # Errors
+    /// If a knot is outside of the domain, or would occur more than `degree + 1` times.
+    pub fn insert_knots(&self, knots: &[P::Scalar]) -> Result<Self, KnotError> {
+        rows::insert(&self.to_rows(), knots).map(Self::from_rows)
+    }
+
+    /// The same curve with the middle of each span as a new knot.
+    pub fn refined(&self) -> Self {
+        rows::insert(&self.to_rows(), &middles(&self.knots)).map_or_else(|_| self.clone(), Self::from_rows)
+    }
+
+    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
+    /// curve and how often the knot was removed.
+    ///
+    /// # Errors
+    /// [`KnotError::NoInnerKnot`].
+    pub fn remove_knot(
+        &self,
+        knot: P::Scalar,
+        times: usize,
+        tolerance: P::Scalar,
+    ) -> Result<(Self, usize), KnotError> {
+        let (rows, removed) = rows::remove(&self.to_rows(), knot, times, tolerance)?;
+        Ok((Self::from_rows(rows), removed))
+    }
+
+    /// The same curve as one of degree `k + 1`. It is clamped, and each of its knots occurs once more.
+    ///
+    /// # Errors
+    /// [`KnotError::Degree`] above [`MAX_DEGREE`](super::MAX_DEGREE).
+    pub fn elevate(&self) -> Result<Self, KnotError> {
+        rows::elevate(&self.to_rows()).map(Self::from_rows)
+    }
+
+    /// The same curve with knots of multiplicity `k + 1` at both ends of the domain and none outside of it.
+    pub fn clamped(&self) -> Self {
+        Self::from_rows(rows::clamp(&self.to_rows()))
+    }
+
+    /// The parts below and above `t`.
+    ///
+    /// # Errors
+    /// If `t` is outside of the domain or at its end.
+    pub fn split(&self, t: P::Scalar) -> Result<[Self; 2], KnotError> {
+        Ok(rows::split(&self.to_rows(), t)?.map(Self::from_rows))
+    }
+
+    /// The polynomial pieces, one for each span, as Bézier curves.
+    pub fn to_bezier(&self) -> Vec<BezierPiece<P>> {
+        let pieces = rows::bezier(&self.to_rows()).into_iter();
+        pieces.map(|(domain, points)| BezierPiece { domain, points }).collect()
+    }
+
+    /// Two curves over one clamped knot vector: degrees are raised and knots inserted, no point changes.
+    ///
+    /// # Errors
+    /// [`KnotError::Domains`] if the domains differ.
+    pub fn merged(&self, other: &Self) -> Result<[Self; 2], KnotError> {
+        let mut pair = [rows::clamp(&self.to_rows()), rows::clamp(&other.to_rows())];
+        rows::missing(&pair[0].knots, &pair[1].knots)?;
+        let degree = self.degree().max(other.degree());
+        for rows in &mut pair {
+            while rows.knots.degree() < degree {
+                *rows = rows::elevate(rows)?;
+            }
+        }
+        let [a, b] = pair;
+        let finer = rows::insert(&a, &rows::missing(&a.knots, &b.knots)?)?;
+        let other = rows::insert(&b, &rows::missing(&b.knots, &a.knots)?)?;
+        Ok([finer, other].map(Self::from_rows))
+    }
+
+    /// The same curve with the opposite direction, over the same domain.
+    ///
+    /// # Errors
+    /// If knots that are next to each other coincide after rounding.
+    pub fn reversed(&self) -> Result<Self, KnotError> {
+        let points = self.points.iter().rev().copied().collect();
+        Ok(Self { knots: self.knots.reversed()?, points })
+    }
+}
+
+/// `Σ factors[i] points[i]`.
+#[inline]
+pub(super) fn combine<P: Point>(factors: &[P::Scalar], points: &[P]) -> P {
+    let sum = |sum: P, (&factor, &point): (&P::Scalar, &P)| sum.add_scaled(point, factor);
+    factors.iter().zip(points).fold(P::zero(), sum)
+}
+
+/// The middle of each span; none where it would coincide with an end of the span.
+pub(super) fn middles<S: Scalar>(knots: &KnotVector<S>) -> Vec<S> {
+    let all = knots.as_slice();
+    let middle = |span: usize| {
+        let (lo, hi) = (all[span], all[span + 1]);
+        let middle = lo + (hi - lo) * S::of(0.5);
+        (middle > lo && middle < hi).then_some(middle)
+    };
+    knots.spans().filter_map(middle).collect()
+}

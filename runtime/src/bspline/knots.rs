@@ -1,0 +1,266 @@
+//! Knot vectors: validated on construction, so that nothing after it can fail.
+
+use alloc::vec::Vec;
+
+use super::KnotError;
+use crate::Scalar;
+
+/// The highest degree of a spline, far above what floating-point numbers can make use of.
+pub const MAX_DEGREE: usize = 1023;
+
+/// A knot vector `t[0] <= t[1] <= …` together with the degree `k` of the splines over it.
+///
+/// There are `n = knots - k - 1` basis functions; the domain is `t[k] <= t <= t[n]`. Knots outside of the domain are
+/// allowed (the vector is then *unclamped* at that end), and so are inner knots of multiplicity up to `k + 1`, at which a
+/// spline may jump.
+///
+/// ```
+/// use basis_runtime::bspline::{KnotError, KnotVector};
+///
+/// let knots = KnotVector::new(3, [0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0])?;
+/// assert_eq!(knots.functions(), 5);
+/// assert_eq!(knots.domain(), [0.0, 1.0]);
+/// assert_eq!(knots, KnotVector::clamped(3, &[0.0, 0.4, 1.0])?);
+///
+/// let error = KnotVector::new(1, [0.0, 1.0, 0.5, 2.0]).unwrap_err();
+/// assert_eq!(error, KnotError::Decreasing { index: 2 });
+/// # Ok::<(), KnotError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnotVector<S> {
+    degree: usize,
+    knots: Vec<S>,
+}
+
+impl<S: Scalar> KnotVector<S> {
+    /// The knot vector of that degree with these knots.
+    ///
+    /// # Errors
+    /// If a knot is not finite, is smaller than the one before it or occurs more than `degree + 1` times, if there are
+    /// fewer than `2 (degree + 1)` knots, or if the domain has no length.
+    pub fn new(degree: usize, knots: impl Into<Vec<S>>) -> Result<Self, KnotError> {
+        let knots = knots.into();
+        if degree > MAX_DEGREE {
+            return Err(KnotError::Degree { degree });
+        }
+        if let Some(index) = knots.iter().position(|knot| !knot.is_finite()) {
+            return Err(KnotError::NotFinite { index });
+        }
+        if let Some(index) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
+            return Err(KnotError::Decreasing { index: index + 1 });
+        }
+        let found = knots.len();
+        if found / 2 <= degree {
+            return Err(KnotError::TooFew { found, degree });
+        }
+        for group in knots.chunk_by(|a, b| a == b) {
+            if group.len() > degree + 1 {
+                return Err(KnotError::Multiplicity {
+                    knot: group[0].to_f64(),
+                    multiplicity: group.len(),
+                    degree,
+                });
+            }
+        }
+        let (lo, hi) = (knots[degree], knots[found - degree - 1]);
+        // Where subnormal numbers are flushed the difference of different knots can be 0.
+        if lo >= hi || hi - lo <= S::ZERO {
+            return Err(KnotError::EmptyDomain { at: lo.to_f64() });
+        }
+        if !(knots[found - 1] - knots[0]).is_finite() {
+            return Err(KnotError::Overflow);
+        }
+        Ok(Self { degree, knots })
+    }
+
+    /// The clamped knot vector with these breakpoints: each end `degree + 1` times, each inner one as often as it is listed.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); no breakpoint at all counts as [`KnotError::TooFew`].
+    pub fn clamped(degree: usize, breakpoints: &[S]) -> Result<Self, KnotError> {
+        let [first, inner @ .., last] = breakpoints else {
+            return Err(KnotError::TooFew { found: breakpoints.len(), degree });
+        };
+        if degree > MAX_DEGREE {
+            return Err(KnotError::Degree { degree });
+        }
+        let ends = degree + 1;
+        let mut knots = Vec::with_capacity(2 * ends + inner.len());
+        knots.extend(core::iter::repeat_n(*first, ends));
+        knots.extend_from_slice(inner);
+        knots.extend(core::iter::repeat_n(*last, ends));
+        Self::new(degree, knots)
+    }
+
+    /// The clamped knot vector over `0 <= t <= 1` with that many spans of equal length.
+    ///
+    /// # Errors
+    /// [`KnotError::EmptyDomain`] if `spans` is 0; [`KnotError::Degree`] above [`MAX_DEGREE`]; [`KnotError::Memory`].
+    pub fn uniform(degree: usize, spans: usize) -> Result<Self, KnotError> {
+        if spans == 0 {
+            return Err(KnotError::EmptyDomain { at: 0.0 });
+        }
+        let mut breakpoints = Vec::new();
+        if breakpoints.try_reserve_exact(spans.saturating_add(1)).is_err() {
+            return Err(KnotError::Memory);
+        }
+        breakpoints.extend((0..=spans).map(|i| S::from_usize(i) / S::from_usize(spans)));
+        Self::clamped(degree, &breakpoints)
+    }
+
+    /// A vector that is known to be valid.
+    pub(super) fn trusted(degree: usize, knots: Vec<S>) -> Self {
+        debug_assert!(Self::new(degree, knots.clone()).is_ok(), "invalid knots: {knots:?}");
+        Self { degree, knots }
+    }
+
+    /// The degree.
+    #[inline]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// The knots.
+    #[inline]
+    pub fn as_slice(&self) -> &[S] {
+        &self.knots
+    }
+
+    /// The number of basis functions, and so of control points: `knots - degree - 1`.
+    #[inline]
+    pub fn functions(&self) -> usize {
+        self.knots.len() - self.degree - 1
+    }
+
+    /// The ends `[t[k], t[n]]` of the domain.
+    #[inline]
+    pub fn domain(&self) -> [S; 2] {
+        [self.knots[self.degree], self.knots[self.functions()]]
+    }
+
+    /// The different knots of the domain, both ends included, in increasing order.
+    pub fn breakpoints(&self) -> Vec<S> {
+        let mut breakpoints = self.knots[self.degree..=self.functions()].to_vec();
+        breakpoints.dedup();
+        breakpoints
+    }
+
+    /// The indices `i` of the spans `t[i] < t[i + 1]` of the domain that have a length, in increasing order.
+    pub fn spans(&self) -> impl Iterator<Item = usize> + '_ {
+        (self.degree..self.functions()).filter(|&i| self.knots[i] < self.knots[i + 1])
+    }
+
+    /// How often the number occurs among the knots.
+    pub fn multiplicity(&self, knot: S) -> usize {
+        let below = self.knots.partition_point(|&other| other < knot);
+        self.knots[below..].iter().take_while(|&&other| other == knot).count()
+    }
+
+    /// The index `i` of the span with `t[i] <= t < t[i + 1]`, by bisection.
+    ///
+    /// The last span includes its right end. Below the domain it is the first span, above it the last one; for NaN the
+    /// first.
+    #[inline]
+    pub fn span(&self, t: S) -> usize {
+        let (k, n) = (self.degree, self.functions());
+        let mut span = k + self.knots[k + 1..n].partition_point(|&knot| knot <= t);
+        // At the ends of unclamped vectors the span that was found may have no length.
+        while span > k && self.knots[span] == self.knots[n] {
+            span -= 1;
+        }
+        while span + 1 < n && self.knots[span + 1] == self.knots[k] {
+            span += 1;
+        }
+        span
+    }
+
+    /// The Greville abscissa of each basis function, the mean of its inner knots: `(t[i+1] + … + t[i+k]) / k`.
+    ///
+    /// At degree 0 it is the middle of the function's span. Always inside of the domain for clamped vectors.
+    pub fn greville(&self) -> Vec<S> {
+        let k = self.degree;
+        let mean = |knots: &[S]| {
+            // The mean of equal numbers is the number itself, so that both ends of a clamped vector are met exactly.
+            let first = knots[0];
+            let sum = knots.iter().fold(S::ZERO, |sum, &knot| sum + (knot - first));
+            first + sum / S::from_usize(knots.len())
+        };
+        (0..self.functions())
+            .map(|i| if k == 0 { mean(&self.knots[i..i + 2]) } else { mean(&self.knots[i + 1..=i + k]) })
+            .collect()
+    }
+
+    /// Whether both ends of the domain have the multiplicity `k + 1`.
+    pub fn is_clamped(&self) -> bool {
+        let (k, n) = (self.degree, self.functions());
+        self.knots[0] == self.knots[k] && self.knots[n] == self.knots[n + k]
+    }
+
+    /// The same knots mapped so that the domain becomes `[lo, hi]`, both of them exactly.
+    ///
+    /// # Errors
+    /// If `lo` or `hi` is not finite or `lo >= hi`, or if different knots coincide after rounding so often that their
+    /// multiplicity becomes too large.
+    pub fn mapped(&self, [lo, hi]: [S; 2]) -> Result<Self, KnotError> {
+        let [a, b] = self.domain();
+        let map = |knot: S| {
+            let mapped = lo + (hi - lo) * ((knot - a) / (b - a));
+            if knot == b {
+                hi
+            } else if knot > a && knot < b {
+                clamp(mapped, lo, hi)
+            } else {
+                mapped
+            }
+        };
+        Self::new(self.degree, self.knots.iter().map(|&knot| map(knot)).collect::<Vec<_>>())
+    }
+
+    /// The knots of the mirrored parameter `lo + hi - t`, where `[lo, hi]` is the domain, which stays the same.
+    ///
+    /// # Errors
+    /// If different knots coincide after rounding so often that their multiplicity becomes too large.
+    pub fn reversed(&self) -> Result<Self, KnotError> {
+        let [lo, hi] = self.domain();
+        let mirror = |knot: S| {
+            if knot == lo {
+                hi
+            } else if knot > lo && knot < hi {
+                clamp(lo + (hi - knot), lo, hi)
+            } else {
+                lo + (hi - knot)
+            }
+        };
+        Self::new(self.degree, self.knots.iter().rev().map(|&knot| mirror(knot)).collect::<Vec<_>>())
+    }
+
+    /// The number, if it is inside of the domain.
+    ///
+    /// # Errors
+    /// [`KnotError::Outside`], also for NaN.
+    pub fn check(&self, t: S) -> Result<S, KnotError> {
+        let [lo, hi] = self.domain();
+        if t >= lo && t <= hi {
+            Ok(t)
+        } else {
+            Err(KnotError::Outside { parameter: t.to_f64(), domain: [lo.to_f64(), hi.to_f64()] })
+        }
+    }
+
+    /// The nearest number of the domain; NaN stays NaN.
+    #[inline]
+    pub fn clamp(&self, t: S) -> S {
+        let [lo, hi] = self.domain();
+        clamp(t, lo, hi)
+    }
+}
+
+fn clamp<S: Scalar>(t: S, lo: S, hi: S) -> S {
+    if t < lo {
+        lo
+    } else if t > hi {
+        hi
+    } else {
+        t
+    }
+}

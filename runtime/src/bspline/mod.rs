@@ -1,0 +1,33 @@
+//! B-spline curves and surfaces over arbitrary knot vectors, polynomial and rational.
+//!
+//! | | polynomial | rational |
+//! | --- | --- | --- |
+//! | curves | [`BSplineCurve`] | [`NurbsCurve`] |
+//! | surfaces | [`BSplineSurface`] | [`NurbsSurface`] |
+//!
+//! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for their
+//! sake. A rational curve is a polynomial one of [`Homogeneous`] points. Insertion, removal, degree elevation, splitting,
+//! Bézier extraction and merging are the same code for all four.
+//!
+//! The control points are any [`Point`](crate::Point); `f32` and `f64` both work.
+
+mod buffer;
+mod curve;
+mod error;
+mod functions;
+mod homogeneous;
+mod knots;
+mod net;
+mod nurbs_curve;
+mod nurbs_surface;
+mod rows;
+mod surface;
+
+pub use curve::{BSplineCurve, BezierPiece};
+pub use error::{KnotError, SplineError};
+pub use homogeneous::Homogeneous;
+pub use knots::{KnotVector, MAX_DEGREE};
+pub use net::Net;
+pub use nurbs_curve::NurbsCurve;
+pub use nurbs_surface::NurbsSurface;
+pub use surface::{BSplineSurface, BezierPatch, Direction, Edge};

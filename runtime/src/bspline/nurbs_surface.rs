@@ -1,0 +1,258 @@
+//! Rational B-spline surfaces.
+
+use alloc::vec::Vec;
+
+use super::homogeneous::{binomial, check_weights};
+use super::nurbs_curve::homogeneous_tolerance;
+use super::{
+    BSplineSurface, BezierPatch, Direction, Homogeneous, KnotError, KnotVector, Net, NurbsCurve, SplineError,
+};
+use crate::vector::{cross, direction};
+use crate::{Point, Point3, Scalar};
+
+/// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
+///
+/// It is kept as a [`BSplineSurface`] of [`Homogeneous`] points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NurbsSurface<P: Point> {
+    homogeneous: BSplineSurface<Homogeneous<P>>,
+}
+
+impl<P: Point> NurbsSurface<P> {
+    /// The surface with this net and these weights.
+    ///
+    /// # Errors
+    /// If a size does not fit the knots, or a weight is not positive and finite.
+    pub fn new(
+        u: KnotVector<P::Scalar>,
+        v: KnotVector<P::Scalar>,
+        net: &Net<P>,
+        weights: &Net<P::Scalar>,
+    ) -> Result<Self, SplineError> {
+        let (expected, found) = ([net.rows(), net.columns()], [weights.rows(), weights.columns()]);
+        if expected != found {
+            return Err(SplineError::Size { expected, found });
+        }
+        check_weights(weights.as_slice(), net.as_slice().len())?;
+        let points = net.as_slice().iter().zip(weights.as_slice());
+        let points = points.map(|(&point, &weight)| Homogeneous::new(point, weight)).collect();
+        Ok(Self { homogeneous: BSplineSurface::new(u, v, Net::trusted(points, net.columns()))? })
+    }
+
+    /// The surface that this polynomial surface over homogeneous points stands for.
+    ///
+    /// # Errors
+    /// [`SplineError::Weight`] if a weight is not positive and finite.
+    pub fn from_homogeneous(homogeneous: BSplineSurface<Homogeneous<P>>) -> Result<Self, SplineError> {
+        let weights: Vec<_> = homogeneous.net().as_slice().iter().map(|point| point.weight).collect();
+        check_weights(&weights, weights.len())?;
+        Ok(Self { homogeneous })
+    }
+
+    /// The same surface over homogeneous points.
+    #[inline]
+    pub fn homogeneous(&self) -> &BSplineSurface<Homogeneous<P>> {
+        &self.homogeneous
+    }
+
+    /// The degrees in both directions.
+    #[inline]
+    pub fn degrees(&self) -> [usize; 2] {
+        self.homogeneous.degrees()
+    }
+
+    /// The knots in one direction.
+    #[inline]
+    pub fn knots(&self, direction: Direction) -> &KnotVector<P::Scalar> {
+        self.homogeneous.knots(direction)
+    }
+
+    /// The control points, without their weights.
+    pub fn net(&self) -> Net<P> {
+        self.homogeneous.net().map(|point| point.project())
+    }
+
+    /// The weights.
+    pub fn weights(&self) -> Net<P::Scalar> {
+        self.homogeneous.net().map(|point| point.weight)
+    }
+
+    /// The ends of the domain of each parameter.
+    #[inline]
+    pub fn domain(&self) -> [[P::Scalar; 2]; 2] {
+        self.homogeneous.domain()
+    }
+
+    /// The point `S(u, v)`.
+    #[inline]
+    pub fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        self.homogeneous.eval(u, v).project()
+    }
+
+    /// The point `S(u, v)` for parameters in the domain.
+    ///
+    /// # Errors
+    /// [`KnotError::Outside`], also for NaN.
+    pub fn eval_checked(&self, u: P::Scalar, v: P::Scalar) -> Result<P, KnotError> {
+        self.homogeneous.eval_checked(u, v).map(|point| point.project())
+    }
+
+    /// All partial derivatives up to the order `R - 1` in `u` and `C - 1` in `v`: entry `[r][c]` is `∂^(r+c) S / ∂u^r ∂v^c`.
+    ///
+    /// Leibniz' rule for `A = w S`, solved for the derivative of the highest order.
+    pub fn partials<const R: usize, const C: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; C]; R] {
+        let parts = self.homogeneous.partials::<R, C>(u, v);
+        let mut partials = [[P::zero(); C]; R];
+        for r in 0..R {
+            for c in 0..C {
+                let mut numerator = parts[r][c].scaled;
+                for i in 0..=r {
+                    for j in 0..=c {
+                        if i + j > 0 {
+                            let ways = binomial::<P::Scalar>(r, i) * binomial::<P::Scalar>(c, j);
+                            let factor = ways * parts[i][j].weight;
+                            numerator = numerator.add_scaled(partials[r - i][c - j], -factor);
+                        }
+                    }
+                }
+                partials[r][c] = Homogeneous { scaled: numerator, weight: parts[0][0].weight }.project();
+            }
+        }
+        partials
+    }
+
+    /// The same surface over the knots of one direction and all of `knots`.
+    ///
+    /// # Errors
+    /// As [`BSplineSurface::insert_knots`].
+    pub fn insert_knots(&self, direction: Direction, knots: &[P::Scalar]) -> Result<Self, KnotError> {
+        Ok(Self { homogeneous: self.homogeneous.insert_knots(direction, knots)? })
+    }
+
+    /// The same surface with a degree that is higher by one in that direction.
+    ///
+    /// # Errors
+    /// As [`BSplineSurface::elevate`].
+    pub fn elevate(&self, direction: Direction) -> Result<Self, KnotError> {
+        Ok(Self { homogeneous: self.homogeneous.elevate(direction)? })
+    }
+
+    /// The parts below and above a parameter of one direction.
+    ///
+    /// # Errors
+    /// As [`BSplineSurface::split`].
+    pub fn split(&self, direction: Direction, at: P::Scalar) -> Result<[Self; 2], KnotError> {
+        Ok(self.homogeneous.split(direction, at)?.map(|homogeneous| Self { homogeneous }))
+    }
+
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
+    /// surface and how often the knot was removed.
+    ///
+    /// # Errors
+    /// [`KnotError::NoInnerKnot`].
+    pub fn remove_knot(
+        &self,
+        direction: Direction,
+        knot: P::Scalar,
+        times: usize,
+        tolerance: P::Scalar,
+    ) -> Result<(Self, usize), KnotError> {
+        let tolerance = homogeneous_tolerance(self.homogeneous.net().as_slice(), tolerance);
+        let (homogeneous, removed) = self.homogeneous.remove_knot(direction, knot, times, tolerance)?;
+        Ok(Self::from_homogeneous(homogeneous).map_or((self.clone(), 0), |surface| (surface, removed)))
+    }
+
+    /// The pieces, one for each pair of spans, as rational Bézier surfaces; those with the lowest `u` first.
+    pub fn to_bezier(&self) -> Vec<BezierPatch<Homogeneous<P>>> {
+        self.homogeneous.to_bezier()
+    }
+
+    /// The curve on which one parameter is constant; `direction` is that of the constant parameter.
+    pub fn isocurve(&self, direction: Direction, at: P::Scalar) -> NurbsCurve<P> {
+        let homogeneous = self.homogeneous.isocurve(direction, at);
+        NurbsCurve::trusted(homogeneous)
+    }
+}
+
+impl<P: Point3> NurbsSurface<P> {
+    /// The unit normal, `S_u × S_v` divided by its length; `None` where it is zero or not finite.
+    pub fn normal(&self, u: P::Scalar, v: P::Scalar) -> Option<P> {
+        let [[_, along_v], [along_u, _]] = self.partials::<2, 2>(u, v);
+        direction(cross(direction(along_u)?, direction(along_v)?))
+    }
+
+    /// The surface that a curve sweeps when it turns about an axis: exactly, for any angle.
+    ///
+    /// The axis passes through `origin` in the direction `axis`; the turn follows the right hand. The first parameter is
+    /// the angle in radians at the ends of the arcs into which the turn is divided, `0 <= u <= angle` (between them a
+    /// rational function of it); the second one is that of the curve. Each arc of the angle `δ <= π/2` is a rational
+    /// quadratic with the weights `1, cos(δ/2), 1`.
+    ///
+    /// # Errors
+    /// [`SplineError::Angle`] if the angle is not in `0 < angle <= 2π`; [`SplineError::Axis`] if the axis is zero or not
+    /// finite.
+    pub fn revolved(
+        curve: &NurbsCurve<P>,
+        origin: P,
+        axis: P,
+        angle: P::Scalar,
+    ) -> Result<Self, SplineError> {
+        let zero = P::Scalar::ZERO;
+        let turn = P::Scalar::PI + P::Scalar::PI;
+        if !(angle > zero && angle <= turn) {
+            return Err(SplineError::Angle { angle: angle.to_f64() });
+        }
+        let axis = direction(axis).ok_or(SplineError::Axis)?;
+        let mut arcs = 1;
+        while P::Scalar::from_usize(arcs) * P::Scalar::PI * P::Scalar::of(0.5) < angle && arcs < 4 {
+            arcs += 1;
+        }
+        let step = angle / P::Scalar::from_usize(arcs);
+        let middle_weight = (step * P::Scalar::of(0.5)).sin_cos().1;
+        let (mut breakpoints, mut rows) = (alloc::vec![zero], Vec::new());
+        for half in 0..=2 * arcs {
+            if half % 2 == 0 && half > 0 {
+                let end = if half == 2 * arcs { angle } else { step * P::Scalar::from_usize(half / 2) };
+                breakpoints.push(end);
+                if half < 2 * arcs {
+                    breakpoints.push(end);
+                }
+            }
+            // A full turn ends exactly where it began.
+            let closed = half == 2 * arcs && angle >= turn;
+            let turned_by = step * P::Scalar::of(0.5) * P::Scalar::from_usize(half);
+            let (sin, cos) = if closed { (zero, P::Scalar::ONE) } else { turned_by.sin_cos() };
+            let (weight, stretch) = if half % 2 == 0 {
+                (P::Scalar::ONE, P::Scalar::ONE)
+            } else {
+                (middle_weight, P::Scalar::ONE / middle_weight)
+            };
+            let row: Vec<_> = curve
+                .homogeneous()
+                .control_points()
+                .iter()
+                .map(|point| {
+                    // The components along the axis, away from it, and in the direction of the turn.
+                    let from = point.project().minus(origin);
+                    let along = axis.scale(crate::vector::dot(axis, from));
+                    let away = from.minus(along);
+                    let turned = away.scale(cos).add_scaled(cross(axis, away), sin);
+                    let place = origin.add_scaled(along, P::Scalar::ONE).add_scaled(turned, stretch);
+                    Homogeneous::new(place, point.weight * weight)
+                })
+                .collect();
+            rows.push(row);
+        }
+        let u = KnotVector::clamped(2, &breakpoints)?;
+        let net = Net::from_rows(rows)?;
+        Self::from_homogeneous(BSplineSurface::new(u, curve.knots().clone(), net)?)
+    }
+}
+
+impl<P: Point> From<BSplineSurface<P>> for NurbsSurface<P> {
+    /// The same surface, with all weights 1.
+    fn from(surface: BSplineSurface<P>) -> Self {
+        let homogeneous = surface.map_points(|point| Homogeneous::new(point, P::Scalar::ONE));
+        Self { homogeneous }
+    }
+}

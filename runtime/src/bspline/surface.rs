@@ -1,0 +1,406 @@
+//! B-spline surfaces.
+
+use alloc::vec::Vec;
+
+use super::curve::{combine, middles};
+use super::rows::{self, Rows};
+use super::{BSplineCurve, KnotError, KnotVector, Net, SplineError};
+use crate::vector::{cross, direction};
+use crate::{Point, Point3};
+
+/// One of the two parameter directions of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// The first parameter, which runs through the rows of the net.
+    U,
+    /// The second parameter, which runs through the columns of the net.
+    V,
+}
+
+/// One of the four edges of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Edge {
+    /// The edge at the lower end of `u`: the first row of the net.
+    UStart,
+    /// The edge at the upper end of `u`: the last row of the net.
+    UEnd,
+    /// The edge at the lower end of `v`: the first column of the net.
+    VStart,
+    /// The edge at the upper end of `v`: the last column of the net.
+    VEnd,
+}
+
+impl Edge {
+    /// All four.
+    pub const ALL: [Self; 4] = [Self::UStart, Self::UEnd, Self::VStart, Self::VEnd];
+
+    /// The parameter that is constant on the edge.
+    pub fn across(self) -> Direction {
+        match self {
+            Self::UStart | Self::UEnd => Direction::U,
+            Self::VStart | Self::VEnd => Direction::V,
+        }
+    }
+
+    /// Whether the constant parameter is at its upper end.
+    pub fn is_end(self) -> bool {
+        matches!(self, Self::UEnd | Self::VEnd)
+    }
+
+    /// The edge on the other side of the surface.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::UStart => Self::UEnd,
+            Self::UEnd => Self::UStart,
+            Self::VStart => Self::VEnd,
+            Self::VEnd => Self::VStart,
+        }
+    }
+}
+
+/// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
+///
+/// Outside of the domain, at jumps and for NaN it behaves as [`BSplineCurve`] does.
+///
+/// ```
+/// use basis_runtime::bspline::{BSplineSurface, Direction, KnotVector, Net};
+///
+/// let u = KnotVector::uniform(2, 3)?;
+/// let v = KnotVector::uniform(3, 2)?;
+/// let net = Net::from_fn(5, 5, |i, j| [i as f64, j as f64, (i * j) as f64])?;
+/// let surface = BSplineSurface::new(u, v, net)?;
+/// assert_eq!(surface.eval(0.0, 1.0), [0.0, 4.0, 0.0]);
+///
+/// let finer = surface.insert_knots(Direction::V, &[0.25])?;
+/// assert_eq!(finer.net().columns(), 6);
+/// # Ok::<(), basis_runtime::bspline::SplineError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct BSplineSurface<P: Point> {
+    u: KnotVector<P::Scalar>,
+    v: KnotVector<P::Scalar>,
+    net: Net<P>,
+}
+
+/// One polynomial piece of a surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BezierPatch<P: Point> {
+    /// The ends of its spans, in `u` and in `v`.
+    pub domain: [[P::Scalar; 2]; 2],
+    /// Its net as a Bézier surface.
+    pub net: Net<P>,
+}
+
+impl<P: Point> BSplineSurface<P> {
+    /// The surface with this net: a row for each basis function of `u`, a column for each of `v`.
+    ///
+    /// # Errors
+    /// [`SplineError::Size`] if the net has another size.
+    pub fn new(u: KnotVector<P::Scalar>, v: KnotVector<P::Scalar>, net: Net<P>) -> Result<Self, SplineError> {
+        let (expected, found) = ([u.functions(), v.functions()], [net.rows(), net.columns()]);
+        if expected == found { Ok(Self { u, v, net }) } else { Err(SplineError::Size { expected, found }) }
+    }
+
+    /// The Bézier surface with this net over the unit square.
+    ///
+    /// # Errors
+    /// [`KnotError::Degree`] if a side of the net has too many points.
+    pub fn from_bezier(net: Net<P>) -> Result<Self, SplineError> {
+        let u = KnotVector::uniform(net.rows() - 1, 1)?;
+        let v = KnotVector::uniform(net.columns() - 1, 1)?;
+        Self::new(u, v, net)
+    }
+
+    /// The surface over the same knots with the images of all control points.
+    pub fn map_points<Q: Point<Scalar = P::Scalar>>(&self, image: impl FnMut(P) -> Q) -> BSplineSurface<Q> {
+        BSplineSurface { u: self.u.clone(), v: self.v.clone(), net: self.net.map(image) }
+    }
+
+    /// The degrees in both directions.
+    #[inline]
+    pub fn degrees(&self) -> [usize; 2] {
+        [self.u.degree(), self.v.degree()]
+    }
+
+    /// The knots in one direction.
+    #[inline]
+    pub fn knots(&self, direction: Direction) -> &KnotVector<P::Scalar> {
+        match direction {
+            Direction::U => &self.u,
+            Direction::V => &self.v,
+        }
+    }
+
+    /// The net of control points.
+    #[inline]
+    pub fn net(&self) -> &Net<P> {
+        &self.net
+    }
+
+    /// The control points, row by row, to be changed in place.
+    #[inline]
+    pub fn control_points_mut(&mut self) -> &mut [P] {
+        self.net.as_mut_slice()
+    }
+
+    /// The ends of the domain of each parameter.
+    #[inline]
+    pub fn domain(&self) -> [[P::Scalar; 2]; 2] {
+        [self.u.domain(), self.v.domain()]
+    }
+
+    /// The point `S(u, v)`.
+    #[inline]
+    pub fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        self.partial(u, v, [0, 0])
+    }
+
+    /// The point `S(u, v)` for parameters in the domain.
+    ///
+    /// # Errors
+    /// [`KnotError::Outside`], also for NaN.
+    pub fn eval_checked(&self, u: P::Scalar, v: P::Scalar) -> Result<P, KnotError> {
+        Ok(self.eval(self.u.check(u)?, self.v.check(v)?))
+    }
+
+    /// The point at the parameters of the domain that are nearest to `u` and `v`.
+    pub fn eval_clamped(&self, u: P::Scalar, v: P::Scalar) -> P {
+        self.eval(self.u.clamp(u), self.v.clamp(v))
+    }
+
+    /// The partial derivative of these orders in `u` and `v`; the point itself for `[0, 0]`.
+    #[inline]
+    pub fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+        self.partial_on([self.u.span(u), self.v.span(v)], [u, v], orders)
+    }
+
+    /// The partial derivative of the polynomial piece over these spans.
+    #[inline]
+    pub(super) fn partial_on(&self, spans: [usize; 2], at: [P::Scalar; 2], orders: [usize; 2]) -> P {
+        let rows = self.u.derivatives_on(spans[0], at[0], orders[0]);
+        let columns = self.v.derivatives_on(spans[1], at[1], orders[1]);
+        let first = [spans[0] - self.u.degree(), spans[1] - self.v.degree()];
+        rows.iter().enumerate().fold(P::zero(), |sum, (i, &factor)| {
+            let row = &self.net.row(first[0] + i)[first[1]..=spans[1]];
+            sum.add_scaled(combine(&columns, row), factor)
+        })
+    }
+
+    /// All partial derivatives up to the order `R - 1` in `u` and `C - 1` in `v`: entry `[r][c]` is `∂^(r+c) S / ∂u^r ∂v^c`.
+    pub fn partials<const R: usize, const C: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; C]; R] {
+        let spans = [self.u.span(u), self.v.span(v)];
+        core::array::from_fn(|r| core::array::from_fn(|c| self.partial_on(spans, [u, v], [r, c])))
+    }
+
+    /// The points at all pairs of parameters, a row for each `u`: much faster than one by one.
+    ///
+    /// # Errors
+    /// [`SplineError::Ragged`] if one of the lists is empty.
+    pub fn eval_grid(&self, u: &[P::Scalar], v: &[P::Scalar]) -> Result<Net<P>, SplineError> {
+        if u.is_empty() || v.is_empty() {
+            return Err(SplineError::Ragged { row: 0 });
+        }
+        let columns: Vec<_> = v
+            .iter()
+            .map(|&v| {
+                let span = self.v.span(v);
+                (span, self.v.values_on(span, v))
+            })
+            .collect();
+        let mut points = Vec::with_capacity(u.len() * v.len());
+        let mut curve = alloc::vec![P::zero(); self.net.columns()];
+        for &u in u {
+            // The control points of the isoparametric curve, once for all v.
+            let span = self.u.span(u);
+            let first = span - self.u.degree();
+            curve.fill(P::zero());
+            for (i, &factor) in self.u.values_on(span, u).iter().enumerate() {
+                for (sum, &point) in curve.iter_mut().zip(self.net.row(first + i)) {
+                    *sum = sum.add_scaled(point, factor);
+                }
+            }
+            let first = |span: usize| span - self.v.degree();
+            points.extend(columns.iter().map(|(span, values)| combine(values, &curve[first(*span)..=*span])));
+        }
+        Ok(Net::trusted(points, v.len()))
+    }
+
+    /// The curve on which one parameter is constant; `direction` is that of the constant parameter.
+    pub fn isocurve(&self, direction: Direction, at: P::Scalar) -> BSplineCurve<P> {
+        let (constant, free) = match direction {
+            Direction::U => (&self.u, &self.v),
+            Direction::V => (&self.v, &self.u),
+        };
+        let span = constant.span(at);
+        let first = span - constant.degree();
+        let values = constant.values_on(span, at);
+        let points: Vec<P> = (0..free.functions())
+            .map(|j| {
+                values.iter().enumerate().fold(P::zero(), |sum, (i, &factor)| {
+                    let index = match direction {
+                        Direction::U => [first + i, j],
+                        Direction::V => [j, first + i],
+                    };
+                    sum.add_scaled(self.net[index], factor)
+                })
+            })
+            .collect();
+        BSplineCurve::trusted(free.clone(), points)
+    }
+
+    /// The boundary curve along an edge.
+    pub fn boundary(&self, edge: Edge) -> BSplineCurve<P> {
+        let [lo, hi] = self.knots(edge.across()).domain();
+        self.isocurve(edge.across(), if edge.is_end() { hi } else { lo })
+    }
+
+    pub(super) fn to_rows(&self, direction: Direction) -> Rows<P::Scalar, P> {
+        let net = match direction {
+            Direction::U => self.net.clone(),
+            Direction::V => self.net.transposed(),
+        };
+        let (lanes, knots) = (net.columns(), self.knots(direction).clone());
+        Rows { knots, points: net.into_points(), lanes }
+    }
+
+    /// The surface with other rows in one direction.
+    pub(super) fn with_rows(&self, direction: Direction, rows: Rows<P::Scalar, P>) -> Self {
+        let Rows { knots, points, lanes } = rows;
+        let net = Net::trusted(points, lanes);
+        match direction {
+            Direction::U => Self { u: knots, v: self.v.clone(), net },
+            Direction::V => Self { u: self.u.clone(), v: knots, net: net.transposed() },
+        }
+    }
+
+    /// The same surface over the knots of one direction and all of `knots`, in any order.
+    ///
+    /// # Errors
+    /// If a knot is outside of the domain, or would occur more than `degree + 1` times.
+    pub fn insert_knots(&self, direction: Direction, knots: &[P::Scalar]) -> Result<Self, KnotError> {
+        Ok(self.with_rows(direction, rows::insert(&self.to_rows(direction), knots)?))
+    }
+
+    /// The same surface with the middle of each span of one direction as a new knot.
+    pub fn refined(&self, direction: Direction) -> Self {
+        let middles = middles(self.knots(direction));
+        self.insert_knots(direction, &middles).unwrap_or_else(|_| self.clone())
+    }
+
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
+    /// surface and how often the knot was removed.
+    ///
+    /// # Errors
+    /// [`KnotError::NoInnerKnot`].
+    pub fn remove_knot(
+        &self,
+        direction: Direction,
+        knot: P::Scalar,
+        times: usize,
+        tolerance: P::Scalar,
+    ) -> Result<(Self, usize), KnotError> {
+        let (rows, removed) = rows::remove(&self.to_rows(direction), knot, times, tolerance)?;
+        Ok((self.with_rows(direction, rows), removed))
+    }
+
+    /// The same surface with a degree that is higher by one in that direction, in which it is then clamped.
+    ///
+    /// # Errors
+    /// [`KnotError::Degree`] above [`MAX_DEGREE`](super::MAX_DEGREE).
+    pub fn elevate(&self, direction: Direction) -> Result<Self, KnotError> {
+        Ok(self.with_rows(direction, rows::elevate(&self.to_rows(direction))?))
+    }
+
+    /// The same surface with clamped knots in both directions.
+    pub fn clamped(&self) -> Self {
+        let clamp = |surface: &Self, direction| {
+            if surface.knots(direction).is_clamped() {
+                return surface.clone();
+            }
+            surface.with_rows(direction, rows::clamp(&surface.to_rows(direction)))
+        };
+        clamp(&clamp(self, Direction::U), Direction::V)
+    }
+
+    /// The parts below and above a parameter of one direction.
+    ///
+    /// # Errors
+    /// If the parameter is outside of the domain or at its end.
+    pub fn split(&self, direction: Direction, at: P::Scalar) -> Result<[Self; 2], KnotError> {
+        let parts = rows::split(&self.to_rows(direction), at)?;
+        Ok(parts.map(|rows| self.with_rows(direction, rows)))
+    }
+
+    /// The polynomial pieces, one for each pair of spans, as Bézier surfaces; those with the lowest `u` first.
+    pub fn to_bezier(&self) -> Vec<BezierPatch<P>> {
+        let mut patches = Vec::new();
+        for (u, strip) in rows::bezier(&self.to_rows(Direction::U)) {
+            let strip = Net::trusted(strip, self.net.columns()).transposed();
+            let rows = Rows { knots: self.v.clone(), lanes: strip.columns(), points: strip.into_points() };
+            for (v, points) in rows::bezier(&rows) {
+                let net = Net::trusted(points, rows.lanes).transposed();
+                patches.push(BezierPatch { domain: [u, v], net });
+            }
+        }
+        patches
+    }
+
+    /// Two surfaces over the same clamped knot vectors: degrees are raised and knots inserted, no point changes.
+    ///
+    /// # Errors
+    /// [`KnotError::Domains`] if the domains differ.
+    pub fn merged(&self, other: &Self) -> Result<[Self; 2], KnotError> {
+        let mut pair = [self.clamped(), other.clamped()];
+        for direction in [Direction::U, Direction::V] {
+            rows::missing(pair[0].knots(direction), pair[1].knots(direction))?;
+            let degree = pair[0].knots(direction).degree().max(pair[1].knots(direction).degree());
+            for surface in &mut pair {
+                while surface.knots(direction).degree() < degree {
+                    *surface = surface.elevate(direction)?;
+                }
+            }
+            let missing = [
+                rows::missing(pair[0].knots(direction), pair[1].knots(direction))?,
+                rows::missing(pair[1].knots(direction), pair[0].knots(direction))?,
+            ];
+            for (surface, missing) in pair.iter_mut().zip(missing) {
+                *surface = surface.insert_knots(direction, &missing)?;
+            }
+        }
+        Ok(pair)
+    }
+
+    /// The same surface with the two parameters exchanged; its normals turn to the other side.
+    pub fn transposed(&self) -> Self {
+        Self { u: self.v.clone(), v: self.u.clone(), net: self.net.transposed() }
+    }
+
+    /// The same surface with one parameter running the other way; its normals turn to the other side.
+    ///
+    /// # Errors
+    /// If knots that are next to each other coincide after rounding.
+    pub fn reversed(&self, direction: Direction) -> Result<Self, KnotError> {
+        let (rows, columns) = (self.net.rows(), self.net.columns());
+        let point = |i: usize, j: usize| match direction {
+            Direction::U => self.net[[rows - 1 - i, j]],
+            Direction::V => self.net[[i, columns - 1 - j]],
+        };
+        let points = (0..rows).flat_map(|i| (0..columns).map(move |j| point(i, j))).collect();
+        let net = Net::trusted(points, columns);
+        Ok(match direction {
+            Direction::U => Self { u: self.u.reversed()?, v: self.v.clone(), net },
+            Direction::V => Self { u: self.u.clone(), v: self.v.reversed()?, net },
+        })
+    }
+}
+
+impl<P: Point3> BSplineSurface<P> {
+    /// The unit normal, `S_u × S_v` divided by its length; `None` where it is zero or not finite.
+    pub fn normal(&self, u: P::Scalar, v: P::Scalar) -> Option<P> {
+        let spans = [self.u.span(u), self.v.span(v)];
+        let along_u = self.partial_on(spans, [u, v], [1, 0]);
+        let along_v = self.partial_on(spans, [u, v], [0, 1]);
+        // Directions first, so that the lengths of the derivatives cannot overflow the product.
+        direction(cross(direction(along_u)?, direction(along_v)?))
+    }
+}

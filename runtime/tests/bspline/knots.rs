@@ -1,0 +1,113 @@
+//! Knot vectors: what is refused, and with which error; and that nothing hostile panics.
+
+use basis_runtime::bspline::{BSplineCurve, KnotError, KnotVector, MAX_DEGREE, Net, SplineError};
+use proptest::prelude::*;
+
+use crate::support::knots;
+
+#[track_caller]
+fn refused(degree: usize, knots: &[f64], error: KnotError) {
+    assert_eq!(KnotVector::new(degree, knots), Err(error));
+}
+
+#[test]
+fn each_mistake_has_its_error() {
+    refused(1, &[0.0, 0.0, f64::NAN, 1.0, 1.0], KnotError::NotFinite { index: 2 });
+    refused(1, &[0.0, 0.0, 1.0, f64::INFINITY], KnotError::NotFinite { index: 3 });
+    refused(2, &[0.0, 0.0, 0.0, 0.7, 0.3, 1.0, 1.0, 1.0], KnotError::Decreasing { index: 4 });
+    let fourfold = KnotError::Multiplicity { knot: 0.5, multiplicity: 4, degree: 2 };
+    refused(2, &[0.0, 0.0, 0.0, 0.5, 0.5, 0.5, 0.5, 1.0, 1.0, 1.0], fourfold);
+    refused(3, &[0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0], KnotError::TooFew { found: 7, degree: 3 });
+    refused(0, &[], KnotError::TooFew { found: 0, degree: 0 });
+    refused(1, &[0.0, 1.0, 1.0, 2.0], KnotError::EmptyDomain { at: 1.0 });
+    refused(0, &[-f64::MAX, f64::MAX], KnotError::Overflow);
+    refused(usize::MAX, &[0.0, 1.0], KnotError::Degree { degree: usize::MAX });
+    refused(MAX_DEGREE, &[0.0, 1.0], KnotError::TooFew { found: 2, degree: MAX_DEGREE });
+}
+
+#[test]
+fn short_hands_refuse_what_they_cannot_build() {
+    assert!(matches!(KnotVector::<f64>::clamped(3, &[]), Err(KnotError::TooFew { .. })));
+    assert!(matches!(KnotVector::clamped(3, &[1.0]), Err(KnotError::TooFew { .. })));
+    assert_eq!(KnotVector::<f64>::uniform(3, 0), Err(KnotError::EmptyDomain { at: 0.0 }));
+    assert_eq!(KnotVector::<f64>::uniform(3, usize::MAX), Err(KnotError::Memory));
+    assert!(matches!(KnotVector::<f64>::uniform(usize::MAX, 2), Err(KnotError::Degree { .. })));
+    assert!(KnotVector::<f64>::uniform(MAX_DEGREE, 1).is_ok());
+}
+
+#[test]
+fn messages_say_what_to_do() {
+    let text = KnotVector::new(1, [0.0, 1.0, 0.5, 2.0]).unwrap_err().to_string();
+    assert_eq!(text, "knot 2 is smaller than the knot before it; knots must not decrease");
+    let knots = KnotVector::uniform(2, 2).unwrap();
+    let text = BSplineCurve::new(knots, [[0.0; 2]; 3]).unwrap_err().to_string();
+    assert_eq!(text, "3 control points; the knots ask for 4 (knots - degree - 1)");
+    let ragged = Net::from_rows([vec![1.0, 2.0], vec![3.0]]).unwrap_err();
+    assert_eq!(ragged, SplineError::Ragged { row: 1 });
+}
+
+#[test]
+fn parameters_outside_of_the_domain() {
+    let knots = KnotVector::new(1, [0.0, 1.0, 2.0, 3.0]).unwrap();
+    let curve = BSplineCurve::new(knots.clone(), [5.0_f64, 7.0]).unwrap();
+    assert_eq!(curve.domain(), [1.0, 2.0]);
+    for t in [0.5, 2.5, f64::INFINITY] {
+        let error = KnotError::Outside { parameter: t, domain: [1.0, 2.0] };
+        assert_eq!(curve.eval_checked(t), Err(error));
+        assert_eq!(knots.values(t), Err(error));
+    }
+    assert!(matches!(curve.eval_checked(f64::NAN), Err(KnotError::Outside { .. })));
+    assert!(curve.eval(f64::NAN).is_nan());
+    assert_eq!(curve.eval(3.0), 9.0); // the line continued
+    assert_eq!(curve.eval_clamped(3.0), 7.0);
+}
+
+#[test]
+fn spans_at_repeated_ends_of_unclamped_vectors() {
+    // The domain is [1, 2]; both of its ends are repeated inside of it.
+    let knots = KnotVector::new(2, [0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 3.0]).unwrap();
+    assert_eq!(knots.domain(), [1.0, 2.0]);
+    let curve = BSplineCurve::new(knots, [9.0, 1.0, 2.0, 3.0, 9.0]).unwrap();
+    assert_eq!([curve.start(), curve.eval(1.5), curve.end()], [1.0, 2.0, 3.0]);
+}
+
+proptest! {
+    #[test]
+    fn values_are_a_partition_of_unity((knots, t) in (0..=6_usize).prop_flat_map(|k| (knots(k), 0.0..=1.0))) {
+        let (first, values) = knots.values(t).unwrap();
+        prop_assert!(first + values.len() <= knots.functions());
+        prop_assert!(values.iter().all(|&value| value >= 0.0));
+        prop_assert!((values.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+        let (_, slopes) = knots.derivatives(t, 1).unwrap();
+        let size = slopes.iter().fold(1.0, |size: f64, slope| size.max(slope.abs()));
+        prop_assert!(slopes.iter().sum::<f64>().abs() < 1e-13 * size);
+    }
+
+    #[test]
+    fn greville_abscissae_reproduce_the_parameter((knots, t) in (1..=6_usize).prop_flat_map(|k| (knots(k), 0.0..=1.0))) {
+        let line = BSplineCurve::new(knots.clone(), knots.greville()).unwrap();
+        prop_assert!((line.eval(t) - t).abs() < 1e-14);
+    }
+
+    #[test]
+    fn any_numbers_are_accepted_or_refused(
+        degree in prop_oneof![0..6_usize, Just(usize::MAX), Just(1023)],
+        raw in prop::collection::vec(prop_oneof![any::<f64>(), Just(0.0), Just(1.0), Just(2.0), -1.0..3.0], 0..14),
+        t in any::<f64>(),
+        sorted in any::<bool>(),
+    ) {
+        let mut raw = raw;
+        if sorted {
+            raw.sort_by(f64::total_cmp);
+        }
+        if let Ok(knots) = KnotVector::new(degree, raw) {
+            let count = knots.functions();
+            let points: Vec<f64> = (0..count).map(|i| i as f64).collect();
+            let curve = BSplineCurve::new(knots, points).unwrap();
+            let _ = (curve.eval(t), curve.derivative(t, 1), curve.clamped(), curve.elevate(), curve.to_bezier());
+            let _ = (curve.split(t), curve.insert_knots(&[t, t]), curve.remove_knot(t, 3, 1.0), curve.reversed());
+            let _ = (curve.refined(), curve.knots().mapped([t, 2.0]), curve.merged(&curve.clone()));
+            let _ = curve.remove_knot(curve.knots().as_slice()[count / 2], usize::MAX, f64::NAN);
+        }
+    }
+}

@@ -1,0 +1,9 @@
+//! B-splines: values, derivatives and algorithms against scipy, as laws on random input, and on hostile input.
+#![cfg(feature = "std")]
+
+mod golden;
+mod knots;
+mod rational;
+mod refinement;
+mod support;
+mod surfaces;

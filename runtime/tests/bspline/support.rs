@@ -1,0 +1,74 @@
+//! Random knot vectors, curves and surfaces; distances.
+
+use basis_runtime::bspline::{BSplineCurve, BSplineSurface, KnotVector, Net};
+use proptest::prelude::*;
+
+pub(crate) type P3 = [f64; 3];
+
+/// A knot vector over `[0, 1]` with random inner knots of multiplicity up to `degree`, clamped or not.
+pub(crate) fn knots(degree: usize) -> impl Strategy<Value = KnotVector<f64>> {
+    let inner = prop::collection::vec((0.02..1.0, 1..=degree.max(1)), 0..5);
+    let outer = prop::collection::vec(0.01..0.5, 2 * degree);
+    (inner, prop::option::of(outer)).prop_map(move |(inner, outer)| {
+        let mut all = vec![0.0];
+        let mut t = 0.0;
+        let total: f64 = inner.iter().map(|(step, _)| step).sum::<f64>() + 0.3;
+        for (step, times) in inner {
+            t += step / total;
+            all.extend(std::iter::repeat_n(t, times));
+        }
+        all.push(1.0);
+        let (mut lo, mut hi) = (0.0, 1.0);
+        for i in 0..degree {
+            if let Some(outer) = &outer {
+                lo -= outer[i];
+                hi += outer[degree + i];
+            }
+            all.insert(0, lo);
+            all.push(hi);
+        }
+        KnotVector::new(degree, all).expect("a valid vector")
+    })
+}
+
+pub(crate) fn point() -> impl Strategy<Value = P3> {
+    [-10.0..10.0, -10.0..10.0, -10.0..10.0]
+}
+
+pub(crate) fn curve_of(degree: usize) -> impl Strategy<Value = BSplineCurve<P3>> {
+    knots(degree).prop_flat_map(|knots| {
+        let count = knots.functions();
+        prop::collection::vec(point(), count)
+            .prop_map(move |points| BSplineCurve::new(knots.clone(), points).expect("as many points"))
+    })
+}
+
+pub(crate) fn curve() -> impl Strategy<Value = BSplineCurve<P3>> {
+    (1..=5_usize).prop_flat_map(curve_of)
+}
+
+pub(crate) fn surface() -> impl Strategy<Value = BSplineSurface<P3>> {
+    let degrees = (1..=5_usize, 1..=5_usize);
+    let both = degrees.prop_flat_map(|(ku, kv)| (knots(ku), knots(kv)));
+    both.prop_flat_map(|(u, v)| {
+        let (rows, columns) = (u.functions(), v.functions());
+        prop::collection::vec(point(), rows * columns).prop_map(move |points| {
+            let net = Net::from_fn(rows, columns, |i, j| points[i * columns + j]).expect("not empty");
+            BSplineSurface::new(u.clone(), v.clone(), net).expect("the right size")
+        })
+    })
+}
+
+pub(crate) fn distance(a: P3, b: P3) -> f64 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt()
+}
+
+/// Evenly spaced parameters of `[0, 1]`, both ends included.
+pub(crate) fn parameters() -> impl Iterator<Item = f64> {
+    (0..=40).map(|i| f64::from(i) / 40.0)
+}
+
+/// The largest distance between two curves over `[0, 1]`.
+pub(crate) fn largest_distance(a: &BSplineCurve<P3>, b: &BSplineCurve<P3>) -> f64 {
+    parameters().map(|t| distance(a.eval(t), b.eval(t))).fold(0.0, f64::max)
+}
