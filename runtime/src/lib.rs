@@ -65,6 +65,7 @@ mod form;
 mod point;
 mod revolution;
 mod scalar;
+mod simd;
 mod surface;
 #[allow(dead_code)] // some of it only with some features
 mod vector;
@@ -72,7 +73,7 @@ mod vector;
 pub use basis::{Array, Basis};
 pub use basis_macros::basis;
 pub use bernstein::{BernsteinBasis, BernsteinOf};
-pub use curve::{Bezier, BezierOf, Curve, CurveError};
+pub use curve::{Bezier, BezierOf, Curve, CurveError, Samples};
 pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
 pub use point::Point;

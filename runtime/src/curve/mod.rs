@@ -2,6 +2,7 @@
 
 mod error;
 mod parts;
+mod slices;
 
 use core::fmt::{self, Debug, Formatter};
 
@@ -12,6 +13,7 @@ use crate::{Basis, Form, Point, Scalar};
 
 pub use error::CurveError;
 pub use parts::{Bezier, BezierOf};
+pub use slices::Samples;
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]`.
 ///

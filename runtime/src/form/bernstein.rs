@@ -1,6 +1,14 @@
 //! The Bernstein form: control points of a Bézier curve, for high degree.
 
+use super::pointwise;
+use super::slices::{EndpointDerivatives, EndpointPoints, endpoint_coefficients};
+use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
+use crate::simd::{WORTHWHILE, dispatch};
 use crate::{Form, Point, Scalar};
+
+/// Up to so many control points a slice of parameters is evaluated in endpoint form, which is made on the spot; from
+/// more of them it would lose digits.
+const MOST_CENTRED: usize = 8;
 
 /// The Bézier curve of degree `n = N - 1`, `N >= 1`, over its control points
 ///
@@ -68,6 +76,36 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
             *derivative = nested(&differences[..len], &binomials[..len], s, x).scale(factor);
         }
         derivatives
+    }
+
+    fn eval_into(&self, xs: &[P::Scalar], out: &mut [P]) {
+        if xs.len() < WORTHWHILE || (N > MOST_CENTRED && P::DIM > MOST_COMPONENTS) {
+            for (point, &x) in out.iter_mut().zip(xs) {
+                *point = self.eval(x);
+            }
+        } else if N > MOST_CENTRED {
+            dispatch(xs.len(), BernsteinPoints { points: &self.points, xs, out });
+        } else {
+            let (ends, inner) = endpoint_coefficients(&self.points);
+            dispatch(xs.len(), EndpointPoints::<P, _, 2> { ends, inner, xs, out });
+        }
+    }
+
+    fn eval_with_derivs_into<const K: usize>(
+        &self,
+        xs: &[P::Scalar],
+        rate: P::Scalar,
+        mut out: [&mut [P]; K],
+    ) {
+        if xs.len() < WORTHWHILE || (N > MOST_CENTRED && P::DIM > MOST_COMPONENTS) {
+            pointwise(self, xs, rate, &mut out);
+        } else if N > MOST_CENTRED {
+            let points = &mut { self.points };
+            dispatch(xs.len(), BernsteinDerivatives { points, rate, xs, out });
+        } else {
+            let (ends, inner) = endpoint_coefficients(&self.points);
+            dispatch(xs.len(), EndpointDerivatives::<P, _, 2, K> { ends, inner, rate, xs, out });
+        }
     }
 
     #[inline]

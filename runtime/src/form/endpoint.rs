@@ -1,5 +1,7 @@
 //! The endpoint form: a chord and a centred correction, for low degree.
 
+use super::slices::{EndpointDerivatives, EndpointPoints};
+use crate::simd::dispatch;
 use crate::{Form, Point, Scalar};
 
 /// The curve of degree `R + 1`
@@ -95,6 +97,16 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
             derivatives[1] = derivatives[1].add_scaled(self.ends[1].minus(self.ends[0]), P::Scalar::ONE);
         }
         derivatives
+    }
+
+    #[inline]
+    fn eval_into(&self, xs: &[P::Scalar], out: &mut [P]) {
+        dispatch(xs.len(), EndpointPoints::<P, _, 0> { ends: self.ends, inner: self.inner, xs, out });
+    }
+
+    fn eval_with_derivs_into<const K: usize>(&self, xs: &[P::Scalar], rate: P::Scalar, out: [&mut [P]; K]) {
+        let Self { ends, inner } = *self;
+        dispatch(xs.len(), EndpointDerivatives::<P, _, 0, K> { ends, inner, rate, xs, out });
     }
 
     #[inline]

@@ -16,4 +16,5 @@ mod points;
 mod random;
 mod reference;
 mod shape;
+mod slices;
 mod values;
