@@ -486,3 +486,26 @@ pub(super) fn generic(rows: &[Vec<Poly>], region: &Region, work: &mut Work) -> O
     sort_by(&mut point, |a, b| a.0.cmp(&b.0));
     Some(Generic::Independent(point))
 }
+
+/// Whether the rows are dependent at a point with a coordinate for each parameter; `None` when the work is spent.
+#[cfg(any(test, feature = "tools"))]
+pub fn dependent_at(table: &Table, point: &[(Var, Coordinate)], budget: &mut Budget) -> Option<bool> {
+    let rows = &table.rows;
+    if let Some(exact) = as_rational(&point.to_vec()) {
+        return Some(vanishing_combination(&at(rows, &exact)).is_some());
+    }
+    let Some(cut) = Cut::new(rows, &table.symmetries) else { return Some(true) };
+    let mut square = true;
+    for block in &cut.blocks {
+        square &= block.rows.len() == block.columns.len();
+        match irrational(&cut.block(block), point, &mut budget.work)? {
+            Irrational::Independent(_) => {}
+            Irrational::Dependent if square => return Some(true),
+            Irrational::Dependent => {
+                let all = irrational(rows, point, &mut budget.work)?;
+                return Some(matches!(all, Irrational::Dependent));
+            }
+        }
+    }
+    Some(false)
+}

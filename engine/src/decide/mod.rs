@@ -43,6 +43,8 @@ pub use budget::Budget;
 pub use certificate::{Base, Cells, Certificate, Factor, Sample, Section, Slices, Subdivision};
 #[cfg(any(test, feature = "tools"))]
 pub use exceptional::{Exceptional, ExceptionalSet, exceptional_set};
+#[cfg(any(test, feature = "tools"))]
+pub use independence::dependent_at;
 pub use independence::{
     Dependence, Exception, Independence, Minors, Piece, Table, Values, dependent, independent,
 };
@@ -51,6 +53,8 @@ pub use largest::{LargestRange, largest_range};
 pub use symmetry::{ChangeOfBasis, Combination, Symmetries, Symmetry};
 #[cfg(any(test, feature = "tools"))]
 pub use verify::{verify, verify_independence};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use zeros::is_zero;
 
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::poly::{Poly, Var};

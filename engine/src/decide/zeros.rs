@@ -52,7 +52,7 @@ pub(super) fn near(poly: &Poly, mut point: Vec<(Var, Algebraic)>, work: &mut Wor
 ///
 /// The value is a root of W(w) = res(m₁(x₁), res(m₂(x₂), … w − p)), whose roots different from zero are not
 /// arbitrarily small: the value is zero when it is smaller than all of them.
-pub(super) fn is_zero(poly: &Poly, point: &[(Var, Algebraic)], work: &mut Work) -> Option<bool> {
+pub(crate) fn is_zero(poly: &Poly, point: &[(Var, Algebraic)], work: &mut Work) -> Option<bool> {
     let mut rest = poly.clone();
     for (var, x) in point {
         rest = reduce(&rest, *var, x.polynomial(), work)?;

@@ -4,34 +4,22 @@ use super::{Evidence, Step, StepProof, Verdict, Witness, named_point, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::model::{Difference, Family};
+use crate::model::{ClaimKind, Family};
 
 /// Σ bᵢ = 1.
-pub(super) fn partition_of_unity(family: &Family) -> Verdict {
+pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {
     let mut sum = Fraction::zero();
     for function in &family.functions {
         sum = &sum + &function.value;
     }
     let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
-    let of = format!("{} - 1", labels.join(" + "));
-    let difference = &sum - &Fraction::constant(Rational::ONE);
-    match witness(family, of.clone(), &difference, &[]) {
-        None => proved("expansion of the sum", vec![of]),
-        Some(mut witness) => {
-            let value = &witness.value + &Rational::ONE;
-            witness.notes = vec![
-                format!("the sum of the functions is `{}`", sum.display(&family.names)),
-                format!("at {} it is {value}", witness.point()),
-            ];
-            Verdict::Refuted(witness)
-        }
-    }
+    vec![(format!("{} - 1", labels.join(" + ")), &sum - &Fraction::constant(Rational::ONE))]
 }
 
 /// On an interval bᵢ(t) = bₙ₋ᵢ(low + high − t), on a box the same in every variable; on a simplex any two corners
 /// can be exchanged together with their indices, and so all of them.
-pub(super) fn symmetric(family: &Family) -> Verdict {
-    let mut steps = Vec::new();
+pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
+    let mut differences = Vec::new();
     for motion in motions(family) {
         for (k, function) in family.functions.iter().enumerate() {
             let index = motion.index(&function.index);
@@ -43,18 +31,10 @@ pub(super) fn symmetric(family: &Family) -> Verdict {
             let Some(moved) = motion.apply(&family.functions[other].value) else { continue };
             let (this, that) = (family.function_label(k), family.function_label(other));
             let of = format!("{this} - {that}({})", motion.arguments.join(", "));
-            let difference = &function.value - &moved;
-            if let Some(mut witness) = witness(family, of.clone(), &difference, &[]) {
-                witness.notes = vec![
-                    format!("`{of}` is `{}`", difference.display(&family.names)),
-                    format!("at {} it is {}", witness.point(), witness.value),
-                ];
-                return Verdict::Refuted(witness);
-            }
-            steps.push(of);
+            differences.push((of, &function.value - &moved));
         }
     }
-    proved("expansion of the moved functions", steps)
+    differences
 }
 
 /// A motion of the domain onto itself with what it does to the indices.
@@ -151,9 +131,9 @@ fn motions(family: &Family) -> Vec<Motion> {
 /// Neighbouring segments over control points P[0], P[1], … and P[1], P[2], … have the same derivatives of every order
 /// up to `order` where they meet: b[i] at the lower end is b[i + 1] at the upper end, and what has no partner
 /// vanishes.
-pub(super) fn continuity(family: &Family, order: u32) -> Verdict {
-    let mut steps = Vec::new();
-    let Some((var, low, high)) = family.interval() else { return proved("", steps) };
+pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)> {
+    let mut differences = Vec::new();
+    let Some((var, low, high)) = family.interval() else { return differences };
     let len = family.functions.len();
     let at = |k: usize, order: u32, end: &Rational| {
         let value = (0..order).fold(family.functions[k].value.clone(), |f, _| f.derivative(var));
@@ -181,57 +161,79 @@ pub(super) fn continuity(family: &Family, order: u32) -> Verdict {
                 parts.push(name(k, order, high));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
-            if let Some(mut witness) = witness(family, of.clone(), &difference, &[]) {
-                witness.notes = vec![
-                    format!(
-                        "the derivatives of order {order} of neighbouring segments differ where they meet"
-                    ),
-                    format!("`{of}` is `{}`", difference.display(&family.names)),
-                ];
-                return Verdict::Refuted(witness);
-            }
-            steps.push(of);
+            differences.push((of, difference));
         }
     }
-    proved("expansion of the derivatives at the ends", steps)
+    differences
 }
 
-/// Equations between expressions: every difference must vanish identically.
-pub(super) fn equations(family: &Family, differences: &[Difference], fixed: &[(Var, Fraction)]) -> Verdict {
+/// Expands, subtracts, and looks whether something is left of one of the differences.
+pub(super) fn decide(family: &Family, kind: &ClaimKind, differences: Vec<(String, Fraction)>) -> Verdict {
+    let fixed = super::fixed(kind);
+    let method = match kind {
+        ClaimKind::PartitionOfUnity => "expansion of the sum",
+        ClaimKind::Symmetric => "expansion of the moved functions",
+        ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
+        _ => "expansion of both sides",
+    };
     let mut steps = Vec::new();
-    for difference in differences {
-        let of = difference.text.clone();
-        if let Some(mut witness) = witness(family, of.clone(), &difference.value, fixed) {
-            let shown = if fixed.is_empty() {
+    for (k, (of, difference)) in differences.into_iter().enumerate() {
+        if let Some(mut witness) = witness(family, of.clone(), &difference, fixed) {
+            witness.notes = notes(family, kind, k, &difference, &witness);
+            return Verdict::Refuted(witness);
+        }
+        steps.push(Step { of, proof: StepProof::Identity });
+    }
+    Verdict::Proved(Evidence { method: method.to_string(), steps })
+}
+
+/// What it means that the difference at position k is not zero.
+fn notes(
+    family: &Family,
+    kind: &ClaimKind,
+    k: usize,
+    difference: &Fraction,
+    witness: &Witness,
+) -> Vec<String> {
+    let of = &witness.of;
+    let shown = difference.display(&family.names);
+    let here = witness.point();
+    match kind {
+        ClaimKind::PartitionOfUnity => {
+            let one = Fraction::constant(Rational::ONE);
+            vec![
+                format!("the sum of the functions is `{}`", (difference + &one).display(&family.names)),
+                format!("at {here} it is {}", &witness.value + &Rational::ONE),
+            ]
+        }
+        ClaimKind::Continuity(_) => {
+            let order = k / (family.functions.len() + 1);
+            vec![
+                format!("the derivatives of order {order} of neighbouring segments differ where they meet"),
+                format!("`{of}` is `{shown}`"),
+            ]
+        }
+        ClaimKind::Relation { differences, fixed, .. } => {
+            let at = if fixed.is_empty() {
                 String::new()
             } else {
                 format!(" at {}", describe_fixed(family, fixed))
             };
-            witness.notes = vec![
-                format!(
-                    "`{}`{shown} differs from `{}` by `{}`",
-                    difference.left,
-                    difference.right,
-                    difference.value.display(&family.names)
-                ),
-                format!("at {} the difference is {}", witness.point(), witness.value),
-            ];
-            return Verdict::Refuted(witness);
+            let sides = differences.get(k).map(|d| (d.left.as_str(), d.right.as_str()));
+            let (left, right) = sides.unwrap_or_default();
+            vec![
+                format!("`{left}`{at} differs from `{right}` by `{shown}`"),
+                format!("at {here} the difference is {}", witness.value),
+            ]
         }
-        steps.push(of);
+        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value)],
     }
-    proved("expansion of both sides", steps)
 }
 
 fn describe_fixed(family: &Family, fixed: &[(Var, Fraction)]) -> String {
     let parts: Vec<String> =
         fixed.iter().map(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names))).collect();
     parts.join(", ")
-}
-
-fn proved(method: &str, steps: Vec<String>) -> Verdict {
-    let steps = steps.into_iter().map(|of| Step { of, proof: StepProof::Identity }).collect();
-    Verdict::Proved(Evidence { method: method.to_string(), steps })
 }
 
 /// A point at which the difference is not zero, if there is one.

@@ -21,6 +21,9 @@ pub struct RankProof {
     pub exceptions: Vec<Vec<Poly>>,
 }
 
+/// What the claim is about, in place of an expression.
+pub(super) const COEFFICIENTS: &str = "table of coefficients";
+
 /// Independence on the declared ranges except for the listed shape values; at each of these the functions must be
 /// dependent.
 pub(super) fn independent(family: &Family, except: &[Values]) -> Verdict {
@@ -42,7 +45,7 @@ pub(super) fn independent(family: &Family, except: &[Values]) -> Verdict {
     match decide::independent(&table, except, &region, &mut budget()) {
         Independence::Proved(pieces) => {
             let proof = StepProof::Independence(RankProof { pieces, exceptions });
-            let steps = vec![Step { of: String::from("coefficients"), proof }];
+            let steps = vec![Step { of: String::from(COEFFICIENTS), proof }];
             Verdict::Proved(Evidence { method: String::from("minors"), steps })
         }
         Independence::Refuted(dependence) => Verdict::Refuted(dependent_at(family, &dependence)),
@@ -163,10 +166,10 @@ fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) 
 }
 
 /// What is evaluated where there is no combination to show.
-const SQUARES: &str = "sum of the squares of the maximal minors";
+pub(super) const SQUARES: &str = "sum of the squares of the maximal minors";
 
 /// The combination of the functions that vanishes at a point of the shape parameters.
-fn dependent_at(family: &Family, dependence: &decide::Dependence) -> Witness {
+pub(super) fn dependent_at(family: &Family, dependence: &decide::Dependence) -> Witness {
     let point = &dependence.point;
     let coordinates = point::coordinates(point, family.names.len());
     let described: Vec<String> = point

@@ -6,75 +6,89 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
-use crate::model::{Comparison, Difference, Family};
+use crate::model::{ClaimKind, Comparison, Family};
 
-/// bᵢ ≥ 0 for every function.
-pub(super) fn nonnegative(family: &Family) -> Verdict {
-    let parts: Vec<(String, Fraction)> = family
-        .functions
-        .iter()
-        .enumerate()
-        .map(|(k, f)| (family.function_label(k), f.value.clone()))
-        .collect();
-    all(family, &parts, Relation::NonNegative, false, &[])
+/// An inequality `sign`·x ≥ 0 or > 0 between an expression x and zero as one of a polynomial on a box.
+pub(super) struct Inequality<'a> {
+    family: &'a Family,
+    chart: Chart,
+    pub(super) relation: Relation,
+    /// Whether −x ≥ 0 (> 0) is meant.
+    pub(super) negate: bool,
 }
 
-/// An inequality between two sides, for every component.
-pub(super) fn relation(
-    family: &Family,
-    comparison: Comparison,
-    differences: &[Difference],
-    fixed: &[(Var, Fraction)],
-) -> Verdict {
-    let (relation, negate) = match comparison {
-        Comparison::Greater => (Relation::Positive, false),
-        Comparison::Less => (Relation::Positive, true),
-        Comparison::LessEqual => (Relation::NonNegative, true),
-        _ => (Relation::NonNegative, false),
-    };
-    let parts: Vec<(String, Fraction)> =
-        differences.iter().map(|d| (d.text.clone(), d.value.clone())).collect();
-    all(family, &parts, relation, negate, fixed)
-}
-
-/// Decides every part; the first failure is the witness.
-fn all(
-    family: &Family,
-    parts: &[(String, Fraction)],
-    relation: Relation,
-    negate: bool,
-    fixed: &[(Var, Fraction)],
-) -> Verdict {
-    let chart = Chart::new(family, fixed);
-    let region = &chart.region;
-    let mut steps = Vec::new();
-    let mut hardest: Option<decide::Method> = None;
-    let mut undecided = None;
-    for (of, value) in parts {
-        let signed = if negate { -value } else { value.clone() };
-        let polynomial = chart.pull_back(&numerator_with_sign(&signed, family));
-        match decide::decide(&polynomial, relation, region, &mut Budget::scaled(family.budget)) {
-            Decision::Proved(proof) => {
-                hardest = Some(hardest.map_or(proof.method, |m| m.max(proof.method)));
-                let proof = StepProof::Sign { polynomial, relation, region: region.clone(), proof };
-                steps.push(Step { of: of.clone(), proof });
-            }
-            Decision::Refuted(witness) => match chart.point(&witness.point) {
-                Some(point) => {
-                    return Verdict::Refuted(refutation(family, of, value, &point, &witness.value, fixed));
-                }
-                None => {
-                    undecided =
-                        undecided.or(Some(format!("`{of}` fails at an irrational point of the simplex")));
-                }
+impl<'a> Inequality<'a> {
+    /// What a claim says of each of its expressions; `None` for equations and independence.
+    pub(super) fn of(family: &'a Family, kind: &ClaimKind) -> Option<Self> {
+        let (relation, negate) = match kind {
+            ClaimKind::Nonnegative => (Relation::NonNegative, false),
+            ClaimKind::Relation { comparison, .. } => match comparison {
+                Comparison::Equal | Comparison::NotEqual => return None,
+                Comparison::Greater => (Relation::Positive, false),
+                Comparison::GreaterEqual => (Relation::NonNegative, false),
+                Comparison::Less => (Relation::Positive, true),
+                Comparison::LessEqual => (Relation::NonNegative, true),
             },
-            Decision::Undecided(left) => undecided = undecided.or(Some(format!("`{of}`: {left}"))),
-        }
+            _ => return None,
+        };
+        Some(Self { family, chart: Chart::new(family, super::fixed(kind)), relation, negate })
     }
-    match undecided {
-        Some(left) => Verdict::Undecided(left),
-        None => {
-            Verdict::Proved(Evidence { method: hardest.map_or_else(String::new, |m| m.to_string()), steps })
+
+    /// The box.
+    pub(super) const fn region(&self) -> &Region {
+        &self.chart.region
+    }
+
+    /// The polynomial whose sign on the box is that of the expression.
+    pub(super) fn polynomial(&self, value: &Fraction) -> Poly {
+        let signed = if self.negate { -value } else { value.clone() };
+        self.chart.pull_back(&numerator_with_sign(&signed, self.family))
+    }
+
+    /// Decides every expression; the first failure is the witness.
+    pub(super) fn decide(&self, kind: &ClaimKind, expressions: Vec<(String, Fraction)>) -> Verdict {
+        let family = self.family;
+        let mut steps = Vec::new();
+        let mut hardest: Option<decide::Method> = None;
+        let mut undecided = None;
+        for (of, value) in expressions {
+            let polynomial = self.polynomial(&value);
+            match decide::decide(
+                &polynomial,
+                self.relation,
+                self.region(),
+                &mut Budget::scaled(family.budget),
+            ) {
+                Decision::Proved(proof) => {
+                    hardest = Some(hardest.map_or(proof.method, |m| m.max(proof.method)));
+                    steps.push(Step { of, proof: StepProof::Sign(proof) });
+                }
+                Decision::Refuted(witness) => match self.chart.point(&witness.point) {
+                    Some(point) => {
+                        let fixed = super::fixed(kind);
+                        return Verdict::Refuted(refutation(
+                            family,
+                            &of,
+                            &value,
+                            &point,
+                            &witness.value,
+                            fixed,
+                        ));
+                    }
+                    None => {
+                        undecided =
+                            undecided.or(Some(format!("`{of}` fails at an irrational point of the simplex")));
+                    }
+                },
+                Decision::Undecided(left) => undecided = undecided.or(Some(format!("`{of}`: {left}"))),
+            }
+        }
+        match undecided {
+            Some(left) => Verdict::Undecided(left),
+            None => Verdict::Proved(Evidence {
+                method: hardest.map_or_else(String::new, |m| m.to_string()),
+                steps,
+            }),
         }
     }
 }

@@ -1,17 +1,22 @@
 //! Decides claims: every kind of claim has a file, and every verdict its certificate or its witness.
 
+#[cfg(any(test, feature = "tools"))]
+pub mod check;
 mod identity;
 mod independent;
 mod inequality;
 mod point;
 mod report;
 
+use inequality::Inequality;
 pub use report::diagnose;
 
-use crate::algebra::poly::Var;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
-use crate::decide::{Coordinate, Proof};
-use crate::model::{Claim, ClaimKind, Comparison, Expected, Family};
+use crate::decide::{Coordinate, Proof, Relation, Table, Values};
+use crate::model::{Claim, ClaimKind, Expected, Family};
 
 /// What is known about a claim.
 #[derive(Clone, Debug)]
@@ -45,21 +50,46 @@ pub struct Step {
 /// The kinds of proofs.
 #[derive(Clone, Debug)]
 pub enum StepProof {
-    /// After expansion nothing is left.
+    /// After expansion nothing is left: whoever expands anew has checked it.
     Identity,
     /// The sign of a polynomial on the declared ranges.
-    Sign {
-        /// The polynomial.
-        polynomial: crate::algebra::poly::Poly,
-        /// What is proved of it.
-        relation: crate::decide::Relation,
-        /// Where.
-        region: crate::algebra::range::Region,
-        /// The proof.
-        proof: Proof,
-    },
+    Sign(Proof),
     /// The rank of the coefficient table.
-    Independence(independent::RankProof),
+    Independence(RankProof),
+}
+
+/// What has to be shown for a claim to be true.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// The expression as text, such as `b[1]`.
+    pub of: String,
+    /// What has to be shown of it.
+    pub assertion: Assertion,
+}
+
+/// The kinds of statements, each about polynomials alone.
+#[derive(Clone, Debug)]
+pub enum Assertion {
+    /// The expression is zero.
+    Zero(Fraction),
+    /// A polynomial, with the sign of the expression, is ≥ 0 or > 0 on a box.
+    Sign {
+        /// The polynomial; on a simplex in the coordinates of the box that is mapped to it.
+        polynomial: Poly,
+        /// What is claimed of it.
+        relation: Relation,
+        /// The box.
+        region: Region,
+    },
+    /// The rows of a table are independent at all points of a box but the exceptions, and dependent at these.
+    Independent {
+        /// The coefficients of the functions, up to denominators, which vanish nowhere.
+        table: Table,
+        /// The exceptions.
+        except: Vec<Values>,
+        /// The box.
+        region: Region,
+    },
 }
 
 #[cfg(feature = "tools")]
@@ -89,18 +119,59 @@ impl Witness {
 
 /// Decides a claim about a family.
 pub fn claim(family: &Family, claim: &Claim) -> Verdict {
+    if let ClaimKind::Independent(except) = &claim.kind {
+        return independent::independent(family, except);
+    }
+    let expressions = expressions(family, claim);
+    match Inequality::of(family, &claim.kind) {
+        Some(inequality) => inequality.decide(&claim.kind, expressions),
+        None => identity::decide(family, &claim.kind, expressions),
+    }
+}
+
+/// The expressions that a claim compares with zero, as text and as quotients of polynomials.
+pub fn expressions(family: &Family, claim: &Claim) -> Vec<(String, Fraction)> {
     match &claim.kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family),
         ClaimKind::Symmetric => identity::symmetric(family),
         ClaimKind::Continuity(order) => identity::continuity(family, *order),
-        ClaimKind::Nonnegative => inequality::nonnegative(family),
-        ClaimKind::Independent(except) => independent::independent(family, except),
-        ClaimKind::Relation { comparison: Comparison::Equal, differences, fixed } => {
-            identity::equations(family, differences, fixed)
+        ClaimKind::Nonnegative => {
+            let functions = family.functions.iter().enumerate();
+            functions.map(|(k, f)| (family.function_label(k), f.value.clone())).collect()
         }
-        ClaimKind::Relation { comparison, differences, fixed } => {
-            inequality::relation(family, *comparison, differences, fixed)
+        ClaimKind::Independent(_) => Vec::new(),
+        ClaimKind::Relation { differences, .. } => {
+            differences.iter().map(|d| (d.text.clone(), d.value.clone())).collect()
         }
+    }
+}
+
+/// What has to be shown for a claim to be true: the same statements, in the same order, as the steps of a proof.
+pub fn statements(family: &Family, claim: &Claim) -> Vec<Statement> {
+    if let ClaimKind::Independent(except) = &claim.kind {
+        let table = coefficient_table(family);
+        let assertion =
+            Assertion::Independent { table, except: except.clone(), region: family.shape_region() };
+        return vec![Statement { of: String::from(independent::COEFFICIENTS), assertion }];
+    }
+    let inequality = Inequality::of(family, &claim.kind);
+    let assertion = |value: Fraction| match &inequality {
+        None => Assertion::Zero(value),
+        Some(inequality) => Assertion::Sign {
+            polynomial: inequality.polynomial(&value),
+            relation: inequality.relation,
+            region: inequality.region().clone(),
+        },
+    };
+    let all = expressions(family, claim).into_iter();
+    all.map(|(of, value)| Statement { of, assertion: assertion(value) }).collect()
+}
+
+/// The variables that an `at` block fixes.
+fn fixed(kind: &ClaimKind) -> &[(Var, Fraction)] {
+    match kind {
+        ClaimKind::Relation { fixed, .. } => fixed,
+        _ => &[],
     }
 }
 
@@ -116,7 +187,7 @@ pub const fn as_declared(expected: Expected, verdict: &Verdict) -> bool {
 fn named_point(
     family: &Family,
     point: &[(Var, Coordinate)],
-    fixed: &[(Var, crate::algebra::fraction::Fraction)],
+    fixed: &[(Var, Fraction)],
 ) -> Vec<(String, Coordinate)> {
     let mut rational = vec![Rational::ZERO; family.names.len()];
     for (var, c) in point {

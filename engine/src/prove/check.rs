@@ -1,0 +1,258 @@
+//! Checks verdicts without the search that found them: proofs against statements, witnesses against expressions.
+
+use super::{Assertion, Evidence, RankProof, Statement, StepProof, Witness, expressions, fixed, statements};
+use super::{Inequality, independent};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::matrix::determinant;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
+use crate::decide::{Coordinate, Table, Values, verify, verify_independence};
+use crate::model::{Claim, ClaimKind, Family};
+
+/// Checks that evidence proves a claim.
+///
+/// # Errors
+/// What is wrong with it, in a sentence.
+pub fn evidence(family: &Family, claim: &Claim, evidence: &Evidence) -> Result<(), String> {
+    let statements = statements(family, claim);
+    if statements.len() != evidence.steps.len() {
+        return Err(format!("there are {} proofs for {} statements", evidence.steps.len(), statements.len()));
+    }
+    for (statement, step) in statements.iter().zip(&evidence.steps) {
+        if statement.of != step.of {
+            return Err(format!(
+                "the proof of `{}` stands in the place of that of `{}`",
+                step.of, statement.of
+            ));
+        }
+        proof(statement, &step.proof).map_err(|e| format!("`{}`: {e}", step.of))?;
+    }
+    Ok(())
+}
+
+/// Checks that a proof shows a statement, about which nothing else is known.
+///
+/// # Errors
+/// What is wrong with it, in a sentence.
+pub fn proof(statement: &Statement, proof: &StepProof) -> Result<(), String> {
+    match (&statement.assertion, proof) {
+        (Assertion::Zero(value), StepProof::Identity) => {
+            if value.is_zero() {
+                Ok(())
+            } else {
+                Err(String::from("the expanded difference is not zero"))
+            }
+        }
+        (Assertion::Sign { polynomial, relation, region }, StepProof::Sign(proof)) => {
+            verify(polynomial, *relation, region, &proof.certificate)
+        }
+        (Assertion::Independent { table, except, region }, StepProof::Independence(proof)) => {
+            exceptions(table, except, region, proof)?;
+            verify_independence(&table.rows, except, region, &proof.pieces)
+        }
+        _ => Err(String::from("the proof is one of another kind of statement")),
+    }
+}
+
+/// Checks that the rows are dependent wherever the parameters have the values of an exception.
+fn exceptions(
+    table: &Table,
+    except: &[Values],
+    region: &crate::algebra::range::Region,
+    proof: &RankProof,
+) -> Result<(), String> {
+    if proof.exceptions.len() != except.len() {
+        return Err(String::from("there is not one combination for each exception"));
+    }
+    for (values, combination) in except.iter().zip(&proof.exceptions) {
+        if values.iter().any(|(v, x)| !region.range(*v).contains(x)) {
+            if !combination.is_empty() {
+                return Err(String::from("there is a combination for an exception outside of the ranges"));
+            }
+            continue;
+        }
+        let at = |p: &Poly| values.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
+        if combination.len() != table.rows.len() || combination.iter().any(|p| at(p) != *p) {
+            return Err(String::from("a combination has not one factor for each function"));
+        }
+        if combination.iter().all(Poly::is_zero) {
+            return Err(String::from("all factors of a combination are zero"));
+        }
+        let width = table.rows.first().map_or(0, Vec::len);
+        for column in 0..width {
+            let terms = combination.iter().zip(&table.rows).map(|(c, row)| c * &at(&row[column]));
+            if !terms.fold(Poly::zero(), |sum, p| &sum + &p).is_zero() {
+                return Err(String::from("a combination of the functions does not vanish at its exception"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Checks that a claim fails at a witness as it says.
+///
+/// # Errors
+/// What is wrong with it, in a sentence.
+pub fn witness(family: &Family, claim: &Claim, witness: &Witness) -> Result<(), String> {
+    let point = point(family, claim, witness)?;
+    if let ClaimKind::Independent(except) = &claim.kind {
+        return dependence(family, except, witness, &point);
+    }
+    let expressions = expressions(family, claim);
+    let Some((_, value)) = expressions.iter().find(|(of, _)| *of == witness.of) else {
+        return Err(format!("the claim says nothing of `{}`", witness.of));
+    };
+    let found = match point.exact() {
+        Some(exact) => value.eval(&exact).ok_or("a denominator vanishes at the point")?,
+        None if vanishes(value, &point) => Rational::ZERO,
+        None => return Err(format!("`{}` is not shown to be zero at the irrational point", witness.of)),
+    };
+    if found != witness.value {
+        return Err(format!("the value of `{}` is {found}", witness.of));
+    }
+    let holds = match Inequality::of(family, &claim.kind) {
+        None => found.is_zero(),
+        Some(i) => i.relation.holds(&if i.negate { -&found } else { found }),
+    };
+    if holds { Err(format!("`{}` is as claimed at the point", witness.of)) } else { Ok(()) }
+}
+
+/// Coordinates by variable.
+struct Point(Vec<Coordinate>);
+
+impl Point {
+    /// The coordinates, if all are rational.
+    fn exact(&self) -> Option<Vec<Rational>> {
+        let rational = |c: &Coordinate| match c {
+            Coordinate::Rational(x) => Some(x.clone()),
+            Coordinate::Algebraic(_) => None,
+        };
+        self.0.iter().map(rational).collect()
+    }
+}
+
+/// The point of a witness, which must name every variable and lie in all ranges.
+fn point(family: &Family, claim: &Claim, witness: &Witness) -> Result<Point, String> {
+    let parameters: Vec<_> = family.shapes.iter().chain(family.domain_variables()).collect();
+    let names = witness.at.iter().map(|(name, _)| name);
+    // An irrational point of a simplex has no last coordinate.
+    let independent = family.names.len();
+    let complete = names.clone().eq(parameters.iter().map(|p| &p.name))
+        || names.clone().eq(parameters[..independent].iter().map(|p| &p.name));
+    if !complete {
+        return Err(String::from("the point has other coordinates than the family has variables"));
+    }
+    for ((name, c), parameter) in witness.at.iter().zip(&parameters) {
+        let range = &parameter.range;
+        let inside = match c {
+            Coordinate::Rational(x) => range.contains(x),
+            Coordinate::Algebraic(x) => range.contains(x.low()) && range.contains(x.high()),
+        };
+        if !inside {
+            return Err(format!("`{name}` is outside of its range"));
+        }
+    }
+    let point = Point(witness.at.iter().take(independent).map(|(_, c)| c.clone()).collect());
+    if let Some(exact) = point.exact() {
+        if let Some((_, Coordinate::Rational(last))) = witness.at.get(independent) {
+            let sum = exact[family.shapes.len()..].iter().fold(last.clone(), |sum, x| &sum + x);
+            if !sum.is_one() {
+                return Err(String::from("the barycentric coordinates do not sum to 1"));
+            }
+        }
+        for (var, value) in fixed(&claim.kind) {
+            if value.eval(&exact).as_ref() != exact.get(var.0) {
+                return Err(format!("`{}` is not what the claim fixes", family.names[var.0]));
+            }
+        }
+    }
+    Ok(point)
+}
+
+/// Whether a quotient is zero at a point with one irrational coordinate: whether its numerator and the polynomial of the
+/// coordinate have a common factor with a root in the interval, in which the polynomial has only the one.
+fn vanishes(value: &Fraction, point: &Point) -> bool {
+    let mut rest = value.numer().clone();
+    let mut irrational = None;
+    for (k, c) in point.0.iter().enumerate() {
+        match c {
+            Coordinate::Rational(x) => rest = rest.at(Var(k), x),
+            Coordinate::Algebraic(_) if !rest.depends_on(Var(k)) => {}
+            Coordinate::Algebraic(x) if irrational.is_none() => irrational = Some((Var(k), x)),
+            Coordinate::Algebraic(_) => return several(value, point),
+        }
+    }
+    let Some((var, x)) = irrational else { return rest.is_zero() };
+    let Some(p) = Univariate::from_poly(&rest, var) else { return false };
+    if p.is_zero() {
+        return true;
+    }
+    let Some(common) = p.gcd(x.polynomial(), &mut Work::unlimited()) else { return false };
+    common.sign_at(x.low()) * common.sign_at(x.high()) == -1
+}
+
+/// The same for several irrational coordinates.
+fn several(value: &Fraction, point: &Point) -> bool {
+    let mut rest = value.numer().clone();
+    let mut irrational = Vec::new();
+    for (k, c) in point.0.iter().enumerate() {
+        match c {
+            Coordinate::Rational(x) => rest = rest.at(Var(k), x),
+            Coordinate::Algebraic(x) => irrational.push((Var(k), x.clone())),
+        }
+    }
+    crate::decide::is_zero(&rest, &irrational, &mut Work::new(ALGEBRAIC)) == Some(true)
+}
+
+/// The work for exact values at points with several irrational coordinates.
+const ALGEBRAIC: u64 = 50_000_000;
+
+/// Checks a witness against independence: a combination that vanishes, or a listed exception that is none.
+fn dependence(family: &Family, except: &[Values], witness: &Witness, point: &Point) -> Result<(), String> {
+    let table = super::coefficient_table(family);
+    let shapes = &point.0[..family.shapes.len()];
+    let listed = |values: &Values| {
+        values.iter().all(|(v, x)| matches!(shapes.get(v.0), Some(Coordinate::Rational(y)) if x == y))
+    };
+    let Some(exact) = point.exact() else {
+        // Linear algebra over an extension of the rational numbers is left to the search.
+        let mut budget = crate::decide::Budget::scaled(family.budget);
+        let here: Vec<(Var, Coordinate)> =
+            shapes.iter().cloned().enumerate().map(|(k, c)| (Var(k), c)).collect();
+        let dependent = crate::decide::dependent_at(&table, &here, &mut budget) == Some(true);
+        let as_said =
+            witness.of == independent::SQUARES && witness.value.is_zero() && !except.iter().any(listed);
+        return if dependent && as_said {
+            Ok(())
+        } else {
+            Err(String::from("the functions are not shown to be dependent at the irrational point"))
+        };
+    };
+    let rows: Vec<Vec<Rational>> =
+        table.rows.iter().map(|row| row.iter().map(|p| p.eval(&exact)).collect()).collect();
+    let product =
+        |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
+    let squares = determinant(rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect());
+    if witness.of == independent::SQUARES {
+        return if squares == witness.value && !squares.is_zero() && except.iter().any(listed) {
+            Ok(())
+        } else {
+            Err(format!("the sum of the squares of the maximal minors is {squares}"))
+        };
+    }
+    if !squares.is_zero() || except.iter().any(listed) {
+        return Err(String::from("the point does not contradict independence"));
+    }
+    let dependence = crate::decide::Dependence {
+        point: shapes.iter().cloned().enumerate().map(|(k, c)| (Var(k), c)).collect(),
+        combination: crate::algebra::matrix::vanishing_combination(&rows),
+    };
+    let expected = independent::dependent_at(family, &dependence);
+    if expected.of == witness.of && witness.value.is_zero() {
+        Ok(())
+    } else {
+        Err(format!("the combination that vanishes is `{}`", expected.of))
+    }
+}
