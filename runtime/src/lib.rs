@@ -81,5 +81,8 @@ pub use point::Point;
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
-pub use surface::{Curvature, RationalSurface, ScalarOf, Surface, TensorSurface};
+pub use surface::{
+    BezierPatchOf, Curvature, Edge, EdgeContinuity, JoinError, RationalSurface, ScalarOf, Surface,
+    TensorSurface, edge_continuity,
+};
 pub use vector::Point3;

@@ -1,11 +1,20 @@
 //! Surfaces over a rectangle of two parameters.
 
+mod bounds;
 mod curvature;
+mod edge;
+mod join;
 mod limit;
+#[cfg(feature = "alloc")]
+mod net;
+mod parts;
 mod rational;
 mod tensor;
 
 pub use curvature::Curvature;
+pub use edge::{Edge, EdgeContinuity, edge_continuity};
+pub use join::JoinError;
+pub use parts::BezierPatchOf;
 pub use rational::RationalSurface;
 pub use tensor::TensorSurface;
 

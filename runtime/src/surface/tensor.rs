@@ -62,6 +62,11 @@ where
         Self { u_basis, rows: U::Points::from_fn(|i| Curve::new(v_bases.as_ref()[i], net.as_ref()[i])) }
     }
 
+    #[inline]
+    pub(super) fn from_rows(u_basis: U, rows: U::Points<Curve<V, P>>) -> Self {
+        Self { u_basis, rows }
+    }
+
     /// The family in `u`, with its shape values.
     #[inline]
     pub fn u_basis(&self) -> U {

@@ -1,10 +1,13 @@
 //! Surfaces over the shipped families: one module for each behaviour.
 #![allow(unreachable_pub)]
 
+mod boxes;
 mod curvature;
 mod families;
+mod joins;
 mod normals;
 mod partials;
+mod parts;
 #[allow(dead_code)] // shared with other tests
 #[path = "../numeric/random.rs"]
 mod random;

@@ -1,0 +1,195 @@
+//! The four edges of a surface, and how smoothly two surfaces meet along one.
+
+use super::{ScalarOf, Surface};
+use crate::vector::{cross, direction, distance, dot, length};
+use crate::{Curvature, Point, Point3, Scalar};
+
+/// An edge of the parameter rectangle of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Edge {
+    /// `u = lo`; runs along `v`.
+    UStart,
+    /// `u = hi`; runs along `v`.
+    UEnd,
+    /// `v = lo`; runs along `u`.
+    VStart,
+    /// `v = hi`; runs along `u`.
+    VEnd,
+}
+
+impl Edge {
+    /// All four.
+    pub const ALL: [Self; 4] = [Self::UStart, Self::UEnd, Self::VStart, Self::VEnd];
+
+    /// The parameters `(u, v)` at `x` along the edge, `0 <= x <= 1`. Exact at both ends.
+    pub fn parameters<S: Scalar>(self, [[u_lo, u_hi], [v_lo, v_hi]]: [[S; 2]; 2], x: S) -> (S, S) {
+        let along = |lo: S, hi: S| lo * (S::ONE - x) + hi * x;
+        match self {
+            Self::UStart => (u_lo, along(v_lo, v_hi)),
+            Self::UEnd => (u_hi, along(v_lo, v_hi)),
+            Self::VStart => (along(u_lo, u_hi), v_lo),
+            Self::VEnd => (along(u_lo, u_hi), v_hi),
+        }
+    }
+
+    /// Whether the edge runs along `u`.
+    pub fn runs_along_u(self) -> bool {
+        matches!(self, Self::VStart | Self::VEnd)
+    }
+
+    /// Whether, seen from the side to which the normal points, the surface is to the right of the edge.
+    fn surface_on_the_right(self) -> bool {
+        matches!(self, Self::UStart | Self::VEnd)
+    }
+
+    /// The derivatives along the edge and across it, out of the surface.
+    fn derivatives<P: Point>(self, along_u: P, along_v: P) -> [P; 2] {
+        let back = |p: P| p.scale(-P::Scalar::ONE);
+        match self {
+            Self::UStart => [along_v, back(along_u)],
+            Self::UEnd => [along_v, along_u],
+            Self::VStart => [along_u, back(along_v)],
+            Self::VEnd => [along_u, along_v],
+        }
+    }
+}
+
+/// How two surfaces meet along an edge, measured by [`edge_continuity`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EdgeContinuity<S> {
+    /// The largest distance of two points that belong together.
+    pub gap: S,
+    /// The largest angle in radians by which the surfaces do not continue each other: 0 where the join is smooth, π where one
+    /// folds back on the other. NaN if nowhere on the edge both surfaces have a normal.
+    pub angle: S,
+    /// The largest difference of the normal curvatures, over all tangent directions; NaN where a curvature does not exist.
+    pub curvature: S,
+    /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from which
+    /// edges are joined in which direction.
+    pub same_side: bool,
+    /// The number of samples at which a surface has no normal, which do not count for the angle.
+    pub without_normal: usize,
+}
+
+impl<S: Scalar> EdgeContinuity<S> {
+    /// The order of geometric continuity that the measured numbers allow: 0, 1 or 2, or `None` if there is a gap.
+    ///
+    /// The tolerances are in the unit of length, in radians, and in the inverse of the unit of length.
+    pub fn order(&self, gap: S, angle: S, curvature: S) -> Option<usize> {
+        // A comparison with NaN is false, so that NaN counts as too large.
+        if self.gap <= gap {
+            let smooth = [self.angle <= angle, self.curvature <= curvature];
+            Some(smooth.into_iter().take_while(|&is_small| is_small).count())
+        } else {
+            None
+        }
+    }
+}
+
+/// Measures how smoothly two surfaces meet along an edge, at `samples` evenly spaced parameters (at least two).
+///
+/// The parameters along the edges correspond by the affine map, with `reversed` against each other. Between samples the
+/// numbers may be larger; those of polynomial surfaces of low degree differ little from the largest with 65 samples.
+///
+/// ```
+/// use basis_runtime::{BernsteinBasis, Edge, TensorSurface, edge_continuity};
+///
+/// // Two sides of a roof.
+/// let linear = BernsteinBasis::<f64, 2>::new();
+/// let left = TensorSurface::new(linear, linear, [[[0.0, 0.0, 0.0], [0.0, 1.0, 1.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
+/// let right = TensorSurface::new(linear, linear, [[[0.0, 1.0, 1.0], [0.0, 2.0, 0.0]], [[1.0, 1.0, 1.0], [1.0, 2.0, 0.0]]]);
+/// let ridge = edge_continuity(&left, Edge::VEnd, &right, Edge::VStart, false, 9);
+/// assert_eq!(ridge.gap, 0.0);
+/// assert!((ridge.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && ridge.same_side);
+/// assert_eq!(ridge.order(1e-9, 1e-6, 1e-3), Some(0));
+/// ```
+pub fn edge_continuity<A, B>(
+    first: &A,
+    first_edge: Edge,
+    second: &B,
+    second_edge: Edge,
+    reversed: bool,
+    samples: usize,
+) -> EdgeContinuity<ScalarOf<A>>
+where
+    A: Surface,
+    A::Point: Point3,
+    B: Surface<Point = A::Point>,
+{
+    let zero = ScalarOf::<A>::ZERO;
+    let one = ScalarOf::<A>::ONE;
+    let last = samples.max(2) - 1;
+    let (mut gap, mut angle, mut curvature) = (zero, zero, zero);
+    // Two faces have one orientation if they are on different sides of their common edge.
+    let same_side = first_edge.surface_on_the_right() ^ second_edge.surface_on_the_right() ^ reversed;
+    let mut without_normal = 0;
+    for k in 0..=last {
+        let x = ScalarOf::<A>::from_usize(k) / ScalarOf::<A>::from_usize(last);
+        let (u, v) = first_edge.parameters(first.domain(), x);
+        let (s, t) = second_edge.parameters(second.domain(), if reversed { one - x } else { x });
+        gap = larger(gap, distance(first.eval(u, v), second.eval(s, t)));
+        let (Some(n), Some(m)) = (first.normal(u, v), second.normal(s, t)) else {
+            without_normal += 1;
+            continue;
+        };
+        let outwards = conormal(first, first_edge, u, v, n).zip(conormal(second, second_edge, s, t, m));
+        let here = match outwards {
+            // One continues the other if it goes in where the other goes out.
+            Some((out, other)) => length(cross(out, other)).atan2(-dot(out, other)),
+            // On an edge that is one point there is only the plane.
+            None => length(cross(n, m)).atan2(dot(n, m).abs()),
+        };
+        angle = larger(angle, here);
+        let difference = match (first.curvature(u, v), second.curvature(s, t)) {
+            (Some(a), Some(b)) => curvature_difference(&a, &b, if same_side { one } else { -one }),
+            _ => ScalarOf::<A>::NAN,
+        };
+        curvature = larger(curvature, difference);
+    }
+    if without_normal > last {
+        (angle, curvature) = (ScalarOf::<A>::NAN, ScalarOf::<A>::NAN);
+    }
+    EdgeContinuity { gap, angle, curvature, same_side, without_normal }
+}
+
+/// The larger one; NaN stays.
+fn larger<S: Scalar>(a: S, b: S) -> S {
+    if b <= a || a.is_nan() { a } else { b }
+}
+
+/// The unit tangent that is perpendicular to the edge and points out of the surface.
+fn conormal<A: Surface>(
+    surface: &A,
+    edge: Edge,
+    u: ScalarOf<A>,
+    v: ScalarOf<A>,
+    normal: A::Point,
+) -> Option<A::Point>
+where
+    A::Point: Point3,
+{
+    let [[_, along_v], [along_u, _]] = surface.eval_with_partials::<2>(u, v);
+    let [along, out] = edge.derivatives(along_u, along_v);
+    let perpendicular = direction(cross(direction(along)?, normal))?;
+    let height = dot(perpendicular, direction(out)?);
+    // Where the derivative across the edge vanishes up to rounding it has no side.
+    (height.abs() > ScalarOf::<A>::EPSILON.sqrt()).then(|| {
+        if height > ScalarOf::<A>::ZERO { perpendicular } else { perpendicular.scale(-ScalarOf::<A>::ONE) }
+    })
+}
+
+/// The largest absolute value of the difference of two quadratic forms on the tangent plane of the first.
+fn curvature_difference<P: Point3>(a: &Curvature<P>, b: &Curvature<P>, sign: P::Scalar) -> P::Scalar {
+    let entry = |i: usize, j: usize| {
+        let mine = if i == j { a.principal[i] } else { P::Scalar::ZERO };
+        (0..2).fold(mine, |sum, k| {
+            let projected = dot(a.directions[i], b.directions[k]) * dot(a.directions[j], b.directions[k]);
+            sum - sign * b.principal[k] * projected
+        })
+    };
+    let (p, q, r) = (entry(0, 0), entry(0, 1), entry(1, 1));
+    let half = P::Scalar::of(0.5);
+    ((p + r) * half).abs() + ((p - r) * half * ((p - r) * half) + q * q).sqrt()
+}

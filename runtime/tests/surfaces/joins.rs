@@ -1,0 +1,206 @@
+//! Joined surfaces have the order of contact asked for, and the measurement sees it.
+
+use basis_runtime::{Edge, JoinError, Surface, TensorSurface, edge_continuity};
+
+use crate::families::{
+    Cubic, FiveParameters, QuarticBernstein, bicubic, graph, random_quartic, random_surface,
+};
+use crate::random::Random;
+
+type Net = [[[f64; 3]; 4]; 4];
+
+fn net(surface: &FiveParameters<[f64; 3]>) -> Net {
+    core::array::from_fn(|i| core::array::from_fn(|j| surface.control_point(i, j).unwrap()))
+}
+
+/// A random surface near the graph of a plane, so that normals exist and curvatures are of moderate size.
+fn sheet(random: &mut Random, x: f64, y: f64) -> Net {
+    core::array::from_fn(|i| {
+        core::array::from_fn(|j| {
+            let mut wobble = || random.between::<f64>(-0.3, 0.3);
+            [x + i as f64 + wobble(), y + j as f64 + wobble(), wobble()]
+        })
+    })
+}
+
+#[test]
+fn u_u() {
+    let random = &mut Random::new(71);
+    for _ in 0..30 {
+        let lambda = random_quartic(random);
+        let gammas = core::array::from_fn(|_| random_quartic(random));
+        let first = TensorSurface::with_rows(lambda, gammas, sheet(random, 0.0, 0.0));
+        let gammas = core::array::from_fn(|_| random_quartic(random));
+        let draft = TensorSurface::with_rows(lambda, gammas, sheet(random, 0.0, 3.0));
+        let factor = random.between(0.5, 2.0);
+        for contact in 0..=2 {
+            let next = first.join_uu(&draft, contact, factor).unwrap();
+            let measured = edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 33);
+            assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
+            assert!(measured.same_side);
+            assert_eq!(measured.without_normal, 0);
+            for (i, row) in next.rows().iter().enumerate() {
+                assert_eq!(row.basis(), gammas[i]);
+                assert_eq!(
+                    row.control_points()[contact + 1..],
+                    draft.rows()[i].control_points()[contact + 1..]
+                );
+            }
+            for k in 0..=8 {
+                let u = f64::from(k) / 8.0;
+                let [a, b] =
+                    [first.eval_with_partials::<3>(u, 1.0)[0], next.eval_with_partials::<3>(u, 0.0)[0]];
+                for order in 0..=contact {
+                    for c in 0..3 {
+                        let expected = factor.powi(order as i32) * b[order][c];
+                        assert!((a[order][c] - expected).abs() < 1e-10);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Theorem 1 of the paper, with the factors at the differences to which they belong:
+/// `(3 + γ¹_i) (P¹_i3 - P¹_i2) = f (3 + γ²_i) (P²_i1 - P²_i0)`.
+#[test]
+fn u_u_in_the_papers_terms() {
+    let random = &mut Random::new(72);
+    let first = random_surface::<[f64; 3]>(random);
+    let gammas = core::array::from_fn(|_| random_quartic(random));
+    let draft = TensorSurface::with_rows(first.u_basis(), gammas, sheet(random, 0.0, 0.0));
+    let next = first.join_uu(&draft, 1, 0.8).unwrap();
+    let (p, q) = (net(&first), net(&next));
+    for i in 0..4 {
+        let (before, after) = (first.rows()[i].basis().lambda(), gammas[i].lambda());
+        for c in 0..3 {
+            assert_eq!(q[i][0][c], p[i][3][c]);
+            let left = (3.0 + before) * (p[i][3][c] - p[i][2][c]);
+            assert!((left - 0.8 * (3.0 + after) * (q[i][1][c] - q[i][0][c])).abs() < 1e-13);
+        }
+    }
+}
+
+#[test]
+fn u_v() {
+    let random = &mut Random::new(73);
+    for _ in 0..30 {
+        let lambda = random_quartic(random);
+        let first = TensorSurface::with_rows(
+            lambda,
+            core::array::from_fn(|_| random_quartic(random)),
+            sheet(random, 0.0, 0.0),
+        );
+        // The rows of the next surface run along the edge.
+        let mut points = sheet(random, 0.0, 3.0);
+        points = core::array::from_fn(|i| core::array::from_fn(|j| points[j][i]));
+        for contact in 0..=2 {
+            let other = random_quartic(random);
+            let gammas = core::array::from_fn(|i| if i <= contact { lambda } else { other });
+            let draft = TensorSurface::with_rows(random_quartic(random), gammas, points);
+            let next = first.join_uv(&draft, contact, 1.3).unwrap();
+            let measured = edge_continuity(&first, Edge::VEnd, &next, Edge::UStart, false, 33);
+            assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
+            assert!(!measured.same_side);
+            if contact > 0 {
+                let mut gammas = gammas;
+                gammas[contact] = other;
+                let draft = TensorSurface::with_rows(draft.u_basis(), gammas, points);
+                let error = first.join_uv(&draft, contact, 1.0).unwrap_err();
+                assert_eq!(error, JoinError::SecondShape { row: Some(contact) });
+            }
+        }
+    }
+}
+
+#[test]
+fn v_v() {
+    let random = &mut Random::new(74);
+    for _ in 0..30 {
+        let (edge, other) = (random_quartic(random), random_quartic(random));
+        for contact in 0..=2 {
+            let gammas = core::array::from_fn(|i| if i >= 3 - contact { edge } else { other });
+            let first = TensorSurface::with_rows(random_quartic(random), gammas, sheet(random, 0.0, 0.0));
+            let gammas = core::array::from_fn(|i| if i <= contact { edge } else { other });
+            let draft = TensorSurface::with_rows(random_quartic(random), gammas, sheet(random, 3.0, 0.0));
+            let next = first.join_vv(&draft, contact, 0.7).unwrap();
+            let measured = edge_continuity(&first, Edge::UEnd, &next, Edge::UStart, false, 33);
+            assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
+            assert!(measured.same_side);
+            if contact < 2 {
+                let error = first.join_vv(&draft, contact + 1, 1.0).unwrap_err();
+                assert_eq!(error, JoinError::FirstShape { row: 2 - contact });
+            }
+        }
+    }
+}
+
+#[test]
+fn refused() {
+    let random = &mut Random::new(75);
+    let first = random_surface::<[f64; 3]>(random);
+    let same = TensorSurface::new(first.u_basis(), Cubic::new(), net(&first));
+    assert_eq!(first.join_uu(&same, 4, 1.0), Err(JoinError::Contact { most: 3, found: 4 }));
+    assert!(first.join_uu(&same, 3, 1.0).is_ok());
+    for factor in [0.0, -1.0, f64::INFINITY] {
+        assert_eq!(first.join_uu(&same, 1, factor), Err(JoinError::Factor { value: factor }));
+    }
+    assert!(first.join_uu(&same, 1, f64::NAN).is_err());
+    let other = TensorSurface::new(random_quartic(random), Cubic::new(), net(&first));
+    assert_eq!(first.join_uu(&other, 0, 1.0), Err(JoinError::SecondShape { row: None }));
+    // At γ = -3 the derivative at the end is zero whatever the control points are.
+    let flat = TensorSurface::new(first.u_basis(), QuarticBernstein::new(-3.0).unwrap(), net(&first));
+    assert_eq!(first.join_uu(&flat, 1, 1.0), Err(JoinError::Undetermined));
+    assert!(first.join_uu(&flat, 0, 1.0).is_ok());
+    assert!(JoinError::Undetermined.to_string().contains("shape values"));
+}
+
+/// Half a turn about the edge: the tangent planes agree, but the surface comes back.
+#[test]
+fn a_fold_is_not_smooth() {
+    let left = bicubic(|i, j| [i as f64, j as f64, 0.0]);
+    let back = bicubic(|i, j| [i as f64, 3.0 - j as f64, 0.0]);
+    let on = bicubic(|i, j| [i as f64, 3.0 + j as f64, 0.0]);
+    let measured = edge_continuity(&left, Edge::VEnd, &back, Edge::VStart, false, 9);
+    assert_eq!((measured.gap, measured.angle), (0.0, core::f64::consts::PI));
+    assert_eq!(measured.order(1e-9, 1e-3, 1.0), Some(0));
+    let measured = edge_continuity(&left, Edge::VEnd, &on, Edge::VStart, false, 9);
+    assert_eq!((measured.gap, measured.angle, measured.curvature), (0.0, 0.0, 0.0));
+}
+
+/// The same surface cut in four: every edge against its neighbour, in both directions.
+#[test]
+fn of_parts_of_one_surface() {
+    let bowl = graph(|u, v| u * u + 0.5 * v * v - u * v);
+    let [left, right] = bowl.split_u(0.25);
+    let measured = edge_continuity(&left, Edge::UEnd, &right, Edge::UStart, false, 17);
+    assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
+    let turned = bowl.subpatch(0.25..1.0, 1.0..-1.0);
+    let measured = edge_continuity(&left, Edge::UEnd, &turned, Edge::UStart, true, 17);
+    assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
+    assert!(!measured.same_side);
+    let apart = edge_continuity(&left, Edge::UEnd, &turned, Edge::UStart, false, 17);
+    assert_eq!(apart.order(1e-3, 1.0, 1.0), None);
+}
+
+/// The difference of curvature is measured: a parabola continued by its tangent plane.
+#[test]
+fn differences_of_curvature() {
+    let parabola = graph(|u, _| (u - 1.0) * (u - 1.0));
+    let flat = bicubic(|i, j| [1.0 + i as f64, 2.0 * j as f64 / 3.0 - 1.0, 0.0]);
+    let measured = edge_continuity(&parabola, Edge::UEnd, &flat, Edge::UStart, false, 9);
+    assert!(measured.angle < 1e-15 && (measured.curvature - 2.0).abs() < 1e-13, "{measured:?}");
+}
+
+#[test]
+fn along_an_edge_that_is_a_point() {
+    let pole = |side: f64| bicubic(|i, j| [side * i as f64, i as f64 * (j as f64 - 1.5), 0.0]);
+    let measured = edge_continuity(&pole(1.0), Edge::UStart, &pole(-1.0), Edge::UStart, false, 9);
+    assert_eq!((measured.gap, measured.without_normal), (0.0, 0));
+    assert!(measured.angle < 1e-15);
+    let point = bicubic(|_, _| [0.0; 3]);
+    let measured = edge_continuity(&point, Edge::UStart, &point, Edge::UStart, false, 0);
+    assert_eq!(measured.without_normal, 2);
+    assert!(measured.angle.is_nan());
+    assert_eq!(measured.order(1.0, 1.0, 1.0), Some(0));
+}

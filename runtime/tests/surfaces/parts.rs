@@ -1,0 +1,97 @@
+//! Isocurves, boundaries and parts are the same surface.
+
+use basis_runtime::{Surface, TensorSurface};
+
+use crate::families::{QuarticBernstein, UniformBSpline, graph, random_quartic, random_surface};
+use crate::random::Random;
+
+fn near(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < 2e-15)
+}
+
+#[test]
+fn isocurves() {
+    let random = &mut Random::new(51);
+    for _ in 0..50 {
+        let surface = random_surface::<[f64; 3]>(random);
+        let (u, v): (f64, f64) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
+        assert!(near(surface.isocurve_u(v).eval(u), surface.eval(u, v)));
+        assert!(near(surface.isocurve_v_bezier(u).eval(v), surface.eval(u, v)));
+        // With five different shape values the curve in v is none of the family.
+        assert_eq!(surface.isocurve_v(u), None);
+
+        let gamma = random_quartic(random);
+        let net = core::array::from_fn(|i| core::array::from_fn(|j| surface.control_point(i, j).unwrap()));
+        let plain = TensorSurface::new(surface.u_basis(), gamma, net);
+        assert!(near(plain.isocurve_v(u).unwrap().eval(v), plain.eval(u, v)));
+    }
+}
+
+/// The boundaries belong to the outer rows: along v with the shape value of the row, along u with λ.
+#[test]
+fn boundaries_are_those_of_the_outer_rows() {
+    let random = &mut Random::new(52);
+    let surface = random_surface::<[f64; 3]>(random);
+    let [start, end] = surface.boundary_v().map(Option::unwrap);
+    assert_eq!(start, surface.rows()[0]);
+    assert_eq!(end, surface.rows()[3]);
+    let [start, end] = surface.boundary_u();
+    assert_eq!((start.basis(), end.basis()), (surface.u_basis(), surface.u_basis()));
+    for i in 0..4 {
+        assert_eq!(start.control_points()[i], surface.control_point(i, 0).unwrap());
+        assert_eq!(end.control_points()[i], surface.control_point(i, 3).unwrap());
+    }
+}
+
+/// A family that does not interpolate its end points.
+#[test]
+fn boundaries_of_a_bspline() {
+    let net = core::array::from_fn(|i| core::array::from_fn(|j| [i as f64, j as f64, (i * j) as f64]));
+    let surface = TensorSurface::new(UniformBSpline::new(), UniformBSpline::new(), net);
+    let boundary = surface.boundary_v()[1].unwrap();
+    assert!(near(boundary.eval(0.25), surface.eval(1.0, 0.25)));
+}
+
+#[test]
+fn parts() {
+    let random = &mut Random::new(53);
+    for _ in 0..20 {
+        let surface = random_surface::<[f64; 3]>(random);
+        let (u, v): (f64, f64) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
+        let (s, t): (f64, f64) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
+        let [before, after] = surface.split_u(u);
+        assert!(near(before.eval(s, t), surface.eval(u * s, t)));
+        assert!(near(after.eval(s, t), surface.eval(u + (1.0 - u) * s, t)));
+        assert_eq!(before.boundary_v()[1], after.boundary_v()[0]);
+        let [before, after] = surface.split_v(v);
+        assert!(near(before.eval(s, t), surface.eval(s, v * t)));
+        assert!(near(after.eval(s, t), surface.eval(s, v + (1.0 - v) * t)));
+        assert_eq!(before.boundary_u()[1], after.boundary_u()[0]);
+        let part = surface.subpatch(0.75..0.25, 0.0..v);
+        assert!(near(part.eval(s, t), surface.eval(0.75 - 0.5 * s, v * t)));
+        assert_eq!(surface.subpatch(0.0..1.0, 0.0..1.0), surface.to_bezier());
+    }
+}
+
+#[test]
+fn parts_on_another_domain() {
+    let surface = graph(|u, v| u * u * v);
+    let part = surface.subpatch(-0.5..0.5, 0.0..1.0);
+    assert!(near(part.eval(0.75, 0.5), surface.eval(0.25, 0.5)));
+    let [before, _] = surface.split_u(0.0);
+    assert!(near(before.eval(0.5, 0.5), surface.eval(-0.5, 0.0)));
+}
+
+/// The Bézier form of one family is that of the paper's cubic at λ = 0.
+#[test]
+fn bezier_form() {
+    let zero = QuarticBernstein::new(0.0).unwrap();
+    let net: [[[f64; 1]; 4]; 4] =
+        core::array::from_fn(|i| core::array::from_fn(|j| [if (i, j) == (1, 1) { 16.0 } else { 0.0 }]));
+    let bezier = TensorSurface::new(zero, zero, net).to_bezier();
+    // Degree elevation of a cubic: 3/4 and 1/2 of the inner point.
+    assert_eq!(bezier.control_point(1, 1), Some([9.0]));
+    assert_eq!(bezier.control_point(1, 2), Some([6.0]));
+    assert_eq!(bezier.control_point(2, 2), Some([4.0]));
+    assert_eq!(bezier.control_point(3, 3), Some([0.0]));
+}
