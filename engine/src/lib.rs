@@ -37,6 +37,7 @@ use std::rc::Rc;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use diagnostic::{Diagnostic, Severity};
+pub use model::theorem::{Theorem, TheoremClaim};
 pub use model::{Claim, Family, Item, Library, Selected};
 pub use prove::{Verdict, Witness};
 pub use source::{Disk, Files, Source, Sources};
@@ -51,11 +52,22 @@ pub struct Checked {
     pub claims: Vec<(Claim, Verdict)>,
 }
 
+/// A theorem or a join with the verdicts of its claims.
+#[derive(Clone, Debug)]
+pub struct CheckedTheorem {
+    /// The theorem.
+    pub theorem: Theorem,
+    /// A verdict for each of its claims.
+    pub verdicts: Vec<Verdict>,
+}
+
 /// Everything that checking a spec gives.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// The families without errors, in every order of their declared ranges.
     pub items: Vec<Checked>,
+    /// The theorems and joins without errors.
+    pub theorems: Vec<CheckedTheorem>,
     /// Errors and warnings, also for claims whose verdict is not the declared one.
     pub diagnostics: Vec<Diagnostic>,
     /// The specs that were read, for showing places.
@@ -66,9 +78,24 @@ pub struct Report {
 pub fn check(source: Source) -> Report {
     let library = Library::from_source(&Disk, source);
     let items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide_claims).collect();
+    let theorems: Vec<CheckedTheorem> = library.theorems().into_iter().map(decide_theorem).collect();
     let mut diagnostics = library.diagnostics();
     diagnostics.extend(items.iter().flat_map(contradictions));
-    Report { items, diagnostics, sources: library.sources().clone() }
+    diagnostics.extend(theorems.iter().flat_map(theorem_contradictions));
+    Report { items, theorems, diagnostics, sources: library.sources().clone() }
+}
+
+/// Decides all claims of a theorem.
+pub fn decide_theorem(theorem: Theorem) -> CheckedTheorem {
+    let verdicts = theorem.claims.iter().map(|claim| prove::theorem_claim(&theorem, claim)).collect();
+    CheckedTheorem { theorem, verdicts }
+}
+
+/// The errors for the claims of a theorem whose verdict is not the declared one.
+pub fn theorem_contradictions(checked: &CheckedTheorem) -> Vec<Diagnostic> {
+    let CheckedTheorem { theorem, verdicts } = checked;
+    let claims = theorem.claims.iter().zip(verdicts);
+    claims.filter_map(|(claim, verdict)| prove::diagnose_theorem(theorem, claim, verdict)).collect()
 }
 
 /// Decides all claims of a family.
@@ -145,6 +172,12 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
             let message = "every family of the spec has index parameters, and no order is chosen";
             let help = format!("name the families with their orders: `basis!(\"…\", {name}(3))`");
             diagnostics.push(Diagnostic::error(place, message).help(help));
+        }
+    }
+    // A list of families is about these families only.
+    if request.families.is_empty() {
+        for theorem in library.theorems() {
+            diagnostics.extend(theorem_contradictions(&decide_theorem(theorem)));
         }
     }
     for (item, name) in items {

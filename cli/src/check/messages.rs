@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use basis_engine::{Diagnostic, prove};
+use basis_engine::Diagnostic;
 
 use super::orders;
 use super::prove::Outcome;
@@ -32,23 +32,23 @@ impl Printer {
 
 /// The first of the claims of each statement that fail in the same way, and how many more there are.
 fn claims(outcome: &Outcome) -> Vec<Diagnostic> {
-    let families = outcome.items.chunk_by(|a, b| a.family.name == b.family.name);
+    let families = outcome.items.chunk_by(|a, b| a.subject.is_same(&b.subject));
     let failures = families.flat_map(statements).flatten();
     failures.filter_map(|(_, entries)| first_of(&entries)).collect()
 }
 
 fn first_of(entries: &[Entry<'_>]) -> Option<Diagnostic> {
     let [first, others @ ..] = entries else { return None };
-    let order = &first.item.family.order;
-    let mut diagnostic = prove::diagnose(&first.item.family, &first.decided.claim, &first.decided.verdict)?;
+    let order = first.item.subject.order();
+    let mut diagnostic = first.decided.error.clone()?;
     let (here, elsewhere): (Vec<&Entry<'_>>, Vec<&Entry<'_>>) =
-        others.iter().partition(|e| e.item.family.order == *order);
+        others.iter().partition(|e| e.item.subject.order() == order);
     if !here.is_empty() {
         let more = count(here.len(), "more claim");
         diagnostic = diagnostic.note(format!("{more} of this statement: the same verdict"));
     }
     if !elsewhere.is_empty() {
-        let orders = orders::describe(elsewhere.iter().map(|e| e.item.family.order.as_slice()));
+        let orders = orders::describe(elsewhere.iter().map(|e| e.item.subject.order()));
         diagnostic = diagnostic.note(format!("for {orders}: the same verdict"));
     }
     Some(diagnostic)

@@ -4,7 +4,11 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use basis_engine::diagnostic::Place;
-use basis_engine::{Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Sources, Verdict, prove};
+use basis_engine::model::Expected;
+use basis_engine::{
+    Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Sources, Theorem, TheoremClaim, Verdict,
+    prove,
+};
 
 use super::files::Entry;
 use crate::output::Status;
@@ -15,7 +19,7 @@ use crate::spec;
 pub(crate) struct Outcome {
     /// The path as the user wrote it.
     pub(crate) path: String,
-    /// The families of the file, in every order.
+    /// The families of the file, in every order, then its theorems and joins.
     pub(crate) items: Vec<Decided>,
     /// What is wrong with the spec apart from its claims.
     pub(crate) diagnostics: Vec<Diagnostic>,
@@ -25,22 +29,78 @@ pub(crate) struct Outcome {
     pub(crate) readable: bool,
 }
 
-/// A family with its claims.
+/// A family of one order, a theorem or a join, with its claims.
 #[derive(Debug)]
 pub(crate) struct Decided {
-    /// The family.
-    pub(crate) family: Rc<Family>,
+    /// What the claims are about.
+    pub(crate) subject: Subject,
     /// The claims in the order in which they are written.
     pub(crate) claims: Vec<DecidedClaim>,
+}
+
+/// What claims are about.
+#[derive(Debug)]
+pub(crate) enum Subject {
+    /// A family of one order.
+    Family(Rc<Family>),
+    /// A theorem or a join.
+    Theorem(Box<Theorem>),
+}
+
+impl Subject {
+    /// `family`, `theorem` or `join`.
+    pub(crate) const fn kind(&self) -> &'static str {
+        match self {
+            Self::Family(_) => "family",
+            Self::Theorem(theorem) => theorem.kind.keyword(),
+        }
+    }
+
+    /// The name.
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Self::Family(family) => &family.name,
+            Self::Theorem(theorem) => &theorem.name,
+        }
+    }
+
+    /// The doc comment.
+    pub(crate) fn doc(&self) -> &[String] {
+        match self {
+            Self::Family(family) => &family.doc,
+            Self::Theorem(theorem) => &theorem.doc,
+        }
+    }
+
+    /// The values of the index parameters; theorems have none.
+    pub(crate) fn order(&self) -> &[(String, i64)] {
+        match self {
+            Self::Family(family) => &family.order,
+            Self::Theorem(_) => &[],
+        }
+    }
+
+    /// Whether two subjects are the same family in perhaps different orders.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        self.kind() == other.kind() && self.name() == other.name()
+    }
 }
 
 /// A claim with its verdict.
 #[derive(Debug)]
 pub(crate) struct DecidedClaim {
-    /// The claim.
-    pub(crate) claim: Claim,
+    /// The claim as text.
+    pub(crate) text: String,
+    /// Its doc comment.
+    pub(crate) doc: Vec<String>,
+    /// Whether it is declared true or false.
+    pub(crate) expected: Expected,
+    /// Where it stands.
+    pub(crate) place: Place,
     /// Whether it is true.
     pub(crate) verdict: Verdict,
+    /// The error, if the verdict is not the declared one.
+    pub(crate) error: Option<Diagnostic>,
     /// How long it took to find out.
     pub(crate) time: Duration,
 }
@@ -48,7 +108,7 @@ pub(crate) struct DecidedClaim {
 impl DecidedClaim {
     /// Whether the verdict is the declared one.
     pub(crate) fn as_declared(&self) -> bool {
-        prove::as_declared(self.claim.expected, &self.verdict)
+        prove::as_declared(self.expected, &self.verdict)
     }
 }
 
@@ -68,9 +128,7 @@ impl Outcome {
 
     /// Everything that is wrong, claims that are not as declared included.
     pub(crate) fn all_diagnostics(&self) -> Vec<Diagnostic> {
-        let claims = self.items.iter().flat_map(|item| {
-            item.claims.iter().filter_map(|c| prove::diagnose(&item.family, &c.claim, &c.verdict))
-        });
+        let claims = self.items.iter().flat_map(|item| &item.claims).filter_map(|c| c.error.clone());
         self.diagnostics.iter().cloned().chain(claims).collect()
     }
 
@@ -103,11 +161,15 @@ pub(crate) fn file(entry: Entry) -> Outcome {
         }
     };
     let library = Library::from_source(&Disk, source);
-    let items = library.items(Selected::EveryOrder).into_iter().map(|item| {
+    let families = library.items(Selected::EveryOrder).into_iter().map(|item| {
         let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim)).collect();
-        Decided { family: item.family, claims }
+        Decided { subject: Subject::Family(item.family), claims }
     });
-    let items = items.collect();
+    let mut items: Vec<Decided> = families.collect();
+    items.extend(library.theorems().into_iter().map(|theorem| {
+        let claims = theorem.claims.iter().map(|claim| decide_theorem(&theorem, claim)).collect();
+        Decided { subject: Subject::Theorem(Box::new(theorem)), claims }
+    }));
     Outcome {
         path,
         items,
@@ -120,5 +182,17 @@ pub(crate) fn file(entry: Entry) -> Outcome {
 fn decide(family: &Family, claim: Claim) -> DecidedClaim {
     let start = Instant::now();
     let verdict = prove::claim(family, &claim);
-    DecidedClaim { claim, verdict, time: start.elapsed() }
+    let time = start.elapsed();
+    let error = prove::diagnose(family, &claim, &verdict);
+    let Claim { text, doc, expected, place, .. } = claim;
+    DecidedClaim { text, doc, expected, place, verdict, error, time }
+}
+
+fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
+    let start = Instant::now();
+    let verdict = prove::theorem_claim(theorem, claim);
+    let time = start.elapsed();
+    let error = prove::diagnose_theorem(theorem, claim, &verdict);
+    let TheoremClaim { text, doc, expected, place, .. } = claim.clone();
+    DecidedClaim { text, doc, expected, place, verdict, error, time }
 }

@@ -1,6 +1,6 @@
 //! The verdicts as JSON.
 
-use basis_engine::{Diagnostic, Severity, Verdict, Witness};
+use basis_engine::{Diagnostic, Severity, Verdict, Witness, prove};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -26,12 +26,12 @@ pub(crate) struct File {
     status: Status,
 }
 
-/// A family of one order; joins and theorems will be items too.
+/// A family of one order, a theorem or a join.
 #[derive(Debug, Serialize)]
 struct Item {
     kind: &'static str,
     name: String,
-    /// The values of the index parameters; `null` for a family without.
+    /// The values of the index parameters; `null` without any.
     order: Option<Map<String, Value>>,
     claims: Vec<Claim>,
 }
@@ -91,10 +91,10 @@ impl File {
 }
 
 fn item(outcome: &Outcome, decided: &Decided) -> Item {
-    let order = &decided.family.order;
+    let order = decided.subject.order();
     Item {
-        kind: "family",
-        name: decided.family.name.clone(),
+        kind: decided.subject.kind(),
+        name: decided.subject.name().to_string(),
         order: (!order.is_empty()).then(|| order.iter().map(|(n, v)| (n.clone(), Value::from(*v))).collect()),
         claims: decided.claims.iter().map(|c| claim(outcome, c)).collect(),
     }
@@ -107,9 +107,9 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
         Verdict::Undecided(_) => ("undecided", None, None),
     };
     Claim {
-        text: decided.claim.text.clone(),
-        line: outcome.line(&decided.claim.place),
-        declared: decided.claim.expected.keyword(),
+        text: decided.text.clone(),
+        line: outcome.line(&decided.place),
+        declared: decided.expected.keyword(),
         verdict,
         method,
         witness,
@@ -124,7 +124,8 @@ fn counterexample(witness: &Witness) -> Counterexample {
         let value = text.strip_prefix(&format!("{name} = ")).unwrap_or(&text);
         (name.clone(), Value::from(value))
     });
-    Counterexample { at: at.collect(), value: witness.value.to_string(), of: witness.of.clone() }
+    let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(prove::point_text(place))));
+    Counterexample { at: at.chain(net).collect(), value: witness.value.to_string(), of: witness.of.clone() }
 }
 
 fn message(outcome: &Outcome, diagnostic: &Diagnostic) -> Message {

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use basis_engine::diagnostic::Place;
-use basis_engine::{Sources, Verdict};
+use basis_engine::{Sources, Verdict, Witness};
 
 use super::orders;
 use super::prove::{Decided, DecidedClaim};
@@ -13,6 +13,9 @@ use super::statements::{Entry, Kind, statements};
 
 /// So many claims of one statement, made by a `for`, are still shown one by one.
 const FEW: usize = 8;
+
+/// Nets with more points are not printed in tables.
+const MAX_POINTS: usize = 8;
 
 /// A row: claims of one statement with one verdict.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,9 +39,7 @@ pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
         let statement: Vec<Entry<'_>> = verdicts.values().flatten().copied().collect();
         for (kind, part) in verdicts {
             if items.len() == 1 && part.len() <= FEW {
-                rows.extend(
-                    part.iter().map(|e| row(kind, e.decided.claim.text.clone(), reason(e.decided), &[*e])),
-                );
+                rows.extend(part.iter().map(|e| row(kind, e.decided.text.clone(), reason(e.decided), &[*e])));
             } else {
                 let claim = describe(items, &common_text(&statement, sources), &part);
                 rows.push(row(kind, claim, reasons(items, &part), &part));
@@ -58,8 +59,8 @@ fn describe(items: &[Decided], text: &str, part: &[Entry<'_>]) -> String {
     let mut text = String::from(text);
     let mut facts = Vec::new();
     // The claims of one order are neighbours.
-    let orders = part.chunk_by(|a, b| a.item.family.order == b.item.family.order);
-    let orders: Vec<&[(String, i64)]> = orders.map(|chunk| chunk[0].item.family.order.as_slice()).collect();
+    let orders = part.chunk_by(|a, b| a.item.subject.order() == b.item.subject.order());
+    let orders: Vec<&[(String, i64)]> = orders.map(|chunk| chunk[0].item.subject.order()).collect();
     if orders.len() < items.len() {
         facts.push(orders::describe(orders.iter().copied()));
     }
@@ -75,14 +76,14 @@ fn describe(items: &[Decided], text: &str, part: &[Entry<'_>]) -> String {
 /// The text that the claims of a statement share, or else the statement as it is written.
 fn common_text(statement: &[Entry<'_>], sources: &Sources) -> String {
     let Some(first) = statement.first() else { return String::new() };
-    let text = &first.decided.claim.text;
-    if statement.iter().all(|e| e.decided.claim.text == *text) {
+    let text = &first.decided.text;
+    if statement.iter().all(|e| e.decided.text == *text) {
         return text.clone();
     }
-    let written = as_written(&first.decided.claim.place, sources).unwrap_or_else(|| format!("{text}, …"));
+    let written = as_written(&first.decided.place, sources).unwrap_or_else(|| format!("{text}, …"));
     // An equation in an `at` block stands alone in the file.
     let at = |entry: &Entry<'_>| {
-        entry.decided.claim.text.strip_prefix("at ").and_then(|t| t.split_once(": ")).map(|t| t.0.to_string())
+        entry.decided.text.strip_prefix("at ").and_then(|t| t.split_once(": ")).map(|t| t.0.to_string())
     };
     match at(first) {
         Some(point) if statement.iter().all(|e| at(e).as_ref() == Some(&point)) => {
@@ -109,12 +110,26 @@ fn reason(decided: &DecidedClaim) -> String {
     match &decided.verdict {
         Verdict::Proved(evidence) => evidence.method.clone(),
         Verdict::Refuted(witness) => {
-            let point = witness.point();
+            let point = short_point(witness);
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
             format!("{} = {}{place}", witness.of, witness.value)
         }
         Verdict::Undecided(left) => left.clone(),
     }
+}
+
+/// The point of a counterexample; large nets are left to the JSON output.
+fn short_point(witness: &Witness) -> String {
+    if witness.net.len() <= MAX_POINTS {
+        return witness.point();
+    }
+    let short = Witness { net: Vec::new(), ..witness.clone() };
+    let more = format!("a net of {}", crate::name::count(witness.net.len(), "point"));
+    let mut point = short.point();
+    if !point.is_empty() {
+        point += ", ";
+    }
+    point + &more
 }
 
 /// The methods of all proofs; of other verdicts the first reason, and the order to which it belongs.
@@ -130,7 +145,7 @@ fn reasons(items: &[Decided], part: &[Entry<'_>]) -> String {
     match (all.as_slice(), part.first()) {
         ([first, _, ..], Some(entry)) if !proved => {
             if items.len() > 1 && part.len() > 1 {
-                format!("{}: {first}", orders::values(&entry.item.family.order))
+                format!("{}: {first}", orders::values(entry.item.subject.order()))
             } else {
                 format!("{first}, …")
             }

@@ -9,10 +9,10 @@ use basis_engine::model::Expected;
 
 use super::prove::{Decided, DecidedClaim};
 
-/// A claim with the family, of one order, that it is about.
+/// A claim with what it is about.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry<'a> {
-    /// The family.
+    /// The family, of one order, or the theorem.
     pub(crate) item: &'a Decided,
     /// The claim.
     pub(crate) decided: &'a DecidedClaim,
@@ -36,7 +36,7 @@ pub(crate) enum Kind {
 impl Kind {
     /// The verdict of a claim beside its declaration.
     pub(crate) const fn of(decided: &DecidedClaim) -> Self {
-        match (decided.claim.expected, &decided.verdict) {
+        match (decided.expected, &decided.verdict) {
             (Expected::True, Verdict::Proved(_)) => Self::Proved,
             (Expected::False, Verdict::Refuted(_)) => Self::Refuted,
             (Expected::True, Verdict::Refuted(_)) => Self::False,
@@ -52,7 +52,7 @@ pub(crate) fn statements(items: &[Decided]) -> Vec<BTreeMap<Kind, Vec<Entry<'_>>
     let mut statements: BTreeMap<(usize, usize), BTreeMap<Kind, Vec<Entry<'_>>>> = BTreeMap::new();
     for item in items {
         for decided in &item.claims {
-            let place = match &decided.claim.place {
+            let place = match &decided.place {
                 Place::Text(_, range) => (range.start, range.end),
                 Place::Token(_) => (0, 0),
             };

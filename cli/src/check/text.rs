@@ -6,7 +6,7 @@ use std::time::Duration;
 use basis_engine::Family;
 
 use super::orders;
-use super::prove::{Decided, Outcome};
+use super::prove::{Decided, Outcome, Subject};
 use super::rows::rows;
 use super::statements::Kind;
 use crate::domain;
@@ -16,7 +16,7 @@ use crate::table::{self, BAD, FAINT, GOOD, Mark, OPEN, Row, STRONG, styled};
 /// One file: its path, and a table for each family.
 pub(crate) fn file(outcome: &Outcome, width: Option<u16>) -> String {
     let mut text = format!("{}\n\n", styled(FAINT, &outcome.path));
-    for items in outcome.items.chunk_by(|a, b| a.family.name == b.family.name) {
+    for items in outcome.items.chunk_by(|a, b| a.subject.is_same(&b.subject)) {
         text += &family(items, outcome, width);
         text.push('\n');
     }
@@ -59,36 +59,58 @@ const fn verdict(kind: Kind) -> (Mark, &'static str) {
     }
 }
 
-/// The name with its orders, how many functions there are, of which degree, and the ranges.
+/// The name, with the orders, functions and ranges of a family, or the curves and surfaces of a theorem.
 fn heading(items: &[Decided]) -> String {
     let Some(first) = items.first() else { return String::new() };
-    let family = &first.family;
+    if let Subject::Theorem(theorem) = &first.subject {
+        let patches = theorem.patches.iter().map(|p| format!("{} = {}", p.name, p.written));
+        let scalars = theorem.scalars.iter().map(|p| p.range.display(&p.name).to_string());
+        let facts: Vec<String> =
+            [patches.collect::<Vec<_>>().join(", "), scalars.collect::<Vec<_>>().join(", ")]
+                .into_iter()
+                .filter(|fact| !fact.is_empty())
+                .collect();
+        return format!("{}: {}\n", styled(STRONG, &theorem.title()), facts.join("; "));
+    }
+    let families: Vec<&Family> = items
+        .iter()
+        .filter_map(|item| match &item.subject {
+            Subject::Family(family) => Some(&**family),
+            Subject::Theorem(_) => None,
+        })
+        .collect();
+    family_heading(&families)
+}
+
+/// The name with its orders, how many functions there are, of which degree, and the ranges.
+fn family_heading(families: &[&Family]) -> String {
+    let Some(family) = families.first() else { return String::new() };
     let mut title = family.name.clone();
     if !family.order.is_empty() {
         let names: Vec<&str> = family.order.iter().map(|(name, _)| name.as_str()).collect();
-        let orders = orders::describe(items.iter().map(|item| item.family.order.as_slice()));
+        let orders = orders::describe(families.iter().map(|family| family.order.as_slice()));
         let _ = write!(title, "({}), {orders}", names.join(", "));
     }
-    let functions = range(items, |family| family.functions.len());
+    let functions = range(families, |family| family.functions.len());
     let noun = if functions == "1" { "function" } else { "functions" };
     let several = domain::degrees(family);
     let degrees: Vec<String> = (0..several.len())
-        .map(|k| range(items, |f| domain::degrees(f).get(k).copied().unwrap_or(0)))
+        .map(|k| range(families, |f| domain::degrees(f).get(k).copied().unwrap_or(0)))
         .collect();
     let degrees = if degrees.len() == 1 { degrees.concat() } else { format!("({})", degrees.join(", ")) };
     let mut facts = vec![
         format!("{functions} {noun} of degree {degrees}"),
-        format!("domain {}", same(items, domain::describe)),
+        format!("domain {}", same(families, domain::describe)),
     ];
     if !family.shapes.is_empty() {
-        facts.push(format!("shape {}", same(items, shapes)));
+        facts.push(format!("shape {}", same(families, shapes)));
     }
     format!("{}: {}\n", styled(STRONG, &title), facts.join("; "))
 }
 
 /// `4`, or `2 to 31` where the orders differ.
-fn range<T: Ord + ToString>(items: &[Decided], measure: impl Fn(&Family) -> T) -> String {
-    let values = || items.iter().map(|item| measure(&item.family));
+fn range<T: Ord + ToString>(families: &[&Family], measure: impl Fn(&Family) -> T) -> String {
+    let values = || families.iter().map(|family| measure(family));
     match (values().min(), values().max()) {
         (Some(low), Some(high)) if low < high => format!("{} to {}", low.to_string(), high.to_string()),
         (Some(low), _) => low.to_string(),
@@ -103,13 +125,13 @@ fn shapes(family: &Family) -> String {
 }
 
 /// A text that may depend on the order; if it does, that of the first one.
-fn same(items: &[Decided], text: impl Fn(&Family) -> String) -> String {
-    let Some(first) = items.first() else { return String::new() };
-    let first_text = text(&first.family);
-    if items.iter().all(|item| text(&item.family) == first_text) {
+fn same(families: &[&Family], text: impl Fn(&Family) -> String) -> String {
+    let Some(first) = families.first() else { return String::new() };
+    let first_text = text(first);
+    if families.iter().all(|family| text(family) == first_text) {
         first_text
     } else {
-        format!("{first_text} (for {})", orders::values(&first.family.order))
+        format!("{first_text} (for {})", orders::values(&first.order))
     }
 }
 
@@ -131,6 +153,7 @@ pub(crate) struct Summary {
     files: usize,
     unreadable: usize,
     families: usize,
+    theorems: usize,
     orders: usize,
     claims: usize,
     proved: usize,
@@ -150,8 +173,11 @@ impl Summary {
         } else {
             self.unreadable += 1;
         }
-        self.families += outcome.items.chunk_by(|a, b| a.family.name == b.family.name).count();
-        self.orders += outcome.items.len();
+        let subjects = || outcome.items.chunk_by(|a, b| a.subject.is_same(&b.subject));
+        let is_family = |items: &&[Decided]| matches!(items[0].subject, Subject::Family(_));
+        self.families += subjects().filter(is_family).count();
+        self.theorems += subjects().filter(|items| !is_family(items)).count();
+        self.orders += outcome.items.iter().filter(|item| is_family(&core::slice::from_ref(item))).count();
         for decided in outcome.items.iter().flat_map(|item| &item.claims) {
             self.claims += 1;
             *match Kind::of(decided) {
@@ -171,6 +197,10 @@ impl Summary {
         let mut families = count(self.families, "family");
         if self.orders > self.families {
             let _ = write!(families, " in {}", count(self.orders, "order"));
+        }
+        if self.theorems > 0 {
+            let theorems = count(self.theorems, "theorem");
+            families = if self.families > 0 { format!("{families}, {theorems}") } else { theorems };
         }
         let counted = format!("{}, {families}, {}", count(self.files, "file"), count(self.claims, "claim"));
         let parts = [

@@ -6,7 +6,7 @@ use super::divisors::{self, Zero};
 use super::scope::Scope;
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range};
+use crate::algebra::range::{End, Range, Region};
 use crate::diagnostic::Diagnostic;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
@@ -64,7 +64,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         functions,
         budget,
     };
-    check_divisors(scope, &family);
+    check_divisors(scope, &family.names, &family.shape_region(), family.budget);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
     }
@@ -185,21 +185,34 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     let mut budget = 1;
     for statement in &written.statements {
         let StatementKind::Budget(value) = &statement.kind else { continue };
-        match scope.whole(value, "the budget") {
-            Some(n @ 1..=10_000) => budget = n as u32,
-            Some(_) => scope.report(
-                scope
-                    .error(value.span, "the budget is from 1 to 10000")
-                    .help("`budget 10;` allows ten times the usual work"),
-            ),
-            None => {}
-        }
+        budget = budget_value(scope, value).unwrap_or(budget);
     }
     budget
 }
 
+/// How many times the usual work `budget …;` allows.
+pub(super) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
+    if let n @ 1..=10_000 = scope.whole(value, "the budget")? {
+        return Some(n as u32);
+    }
+    let error = scope.error(value.span, "the budget is from 1 to 10000");
+    scope.report(error.help("`budget 10;` allows ten times the usual work"));
+    None
+}
+
 /// The declared range, with exact ends.
 fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
+    range_of(scope, decl.name.span, &decl.low, &decl.high, &|| decl.name.text.clone())
+}
+
+/// A range from its ends as they are written; the name is for messages.
+pub(super) fn range_of(
+    scope: &mut Scope<'_>,
+    span: Span,
+    low: &Option<(Expr, bool)>,
+    high: &Option<(Expr, bool)>,
+    name: &dyn Fn() -> String,
+) -> Option<Range> {
     let end = |scope: &mut Scope<'_>, end: &Option<(Expr, bool)>| match end {
         None => Some(End::Infinite),
         Some((value, included)) => {
@@ -207,13 +220,13 @@ fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
             Some(if *included { End::Included(value) } else { End::Excluded(value) })
         }
     };
-    let (low, high) = (end(scope, &decl.low), end(scope, &decl.high));
+    let (low, high) = (end(scope, low), end(scope, high));
     let range = Range { low: low?, high: high? };
     if !range.is_empty() {
         return Some(range);
     }
-    let name = &decl.name.text;
-    let error = scope.error(decl.name.span, format!("the range of `{name}` is empty"));
+    let name = name();
+    let error = scope.error(span, format!("the range of `{name}` is empty"));
     let reversed = range.finite().is_some_and(|(a, b)| a > b);
     scope.report(match range.finite() {
         Some((a, b)) if reversed => error
@@ -225,18 +238,18 @@ fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
 }
 
 /// A denominator must not vanish anywhere on the declared ranges.
-pub(super) fn check_divisors(scope: &Scope<'_>, family: &Family) {
+pub(super) fn check_divisors(scope: &Scope<'_>, names: &[String], region: &Region, budget: u32) {
     let mut seen = Vec::new();
     for (divisor, place) in &scope.divisors {
         if seen.contains(&divisor) {
             continue;
         }
         seen.push(divisor);
-        let shown = divisor.display(&family.names);
-        let error = match divisors::zero(divisor, &family.shape_region(), family.budget) {
+        let shown = divisor.display(names);
+        let error = match divisors::zero(divisor, region, budget) {
             Zero::Nowhere => continue,
             Zero::At(point) => {
-                let parts: Vec<String> = point.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
+                let parts: Vec<String> = point.iter().map(|(v, c)| c.describe(&names[v.0])).collect();
                 Diagnostic::error(place.clone(), format!("the denominator vanishes at {}", parts.join(", ")))
                     .label(format!("this is {shown}"))
                     .help("narrow the ranges of the shape parameters so that they leave this value out")

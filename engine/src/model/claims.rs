@@ -29,12 +29,16 @@ pub(super) fn claims(
             }
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
+                let first = all.len();
                 one(&mut scope, family, claim, statement.span, &mut all);
+                for claim in &mut all[first..] {
+                    claim.doc.clone_from(&statement.doc);
+                }
             }
             _ => {}
         }
     }
-    super::build::check_divisors(&scope, family);
+    super::build::check_divisors(&scope, &family.names, &family.shape_region(), family.budget);
     (all, scope.diagnostics.into_inner())
 }
 
@@ -50,7 +54,7 @@ pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family,
 /// Appends the claims that one statement makes.
 fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
     let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
-        all.push(Claim { text, expected: claim.expected, place: scope.place(span), kind });
+        all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place: scope.place(span), kind });
     };
     match &claim.kind {
         syntax::ClaimKind::PartitionOfUnity => {

@@ -69,6 +69,11 @@ impl Scope<'_> {
                 }
                 Some(Value::List(list))
             }
+            ExprKind::Tuple(_) => {
+                let error = self.error(expr.span, "points have no meaning in a family");
+                self.report(error.help("write a list of functions with square brackets, `[x, y]`"));
+                None
+            }
             ExprKind::Each(body, loops) => {
                 let list = self.collect(body, loops)?;
                 Some(Value::List(list.into_iter().enumerate().map(|(k, f)| (vec![k as i64], f)).collect()))
@@ -213,7 +218,7 @@ impl Scope<'_> {
     }
 
     /// Only numbers and shape parameters may divide; that they do not vanish on their ranges is proved later.
-    fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
+    pub(super) fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
         if divisor.is_zero() {
             self.report(self.error(span, "division by zero"));
             return None;
@@ -408,7 +413,7 @@ impl Scope<'_> {
         Some(result)
     }
 
-    fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
+    pub(super) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
         if !f.depends_on(var) {
             return Some(f.clone());
         }

@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use proc_macro2::{Span, TokenStream};
 
+use super::theorem::{self, Theorem};
 use super::{Claim, Family, build, claims};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::source::{self, Files, Source, SourceId, Sources};
@@ -127,7 +128,7 @@ impl<'f> Library<'f> {
             .iter()
             .filter_map(|item| match item {
                 syntax::Item::Use(u) => Some((u.path.clone(), u.span)),
-                syntax::Item::Family(_) => None,
+                syntax::Item::Family(_) | syntax::Item::Theorem(_) => None,
             })
             .collect();
         self.units.push(Unit { source, spec, uses: Vec::new() });
@@ -183,6 +184,18 @@ impl<'f> Library<'f> {
     fn check_doubled(&self, unit: usize) {
         let mut seen: BTreeMap<&str, Span> = BTreeMap::new();
         let source = self.units[unit].source;
+        for theorem in self.theorems_of(unit) {
+            if let Some(first) = seen.insert(&theorem.name.text, theorem.name.span) {
+                let place = self.place(source, theorem.name.span);
+                let message = format!("`{}` is stated twice", theorem.name.text);
+                self.report(
+                    Diagnostic::error(place, message)
+                        .label("stated again here")
+                        .also(self.place(source, first), "first stated here"),
+                );
+            }
+        }
+        seen.clear();
         for family in self.families_of(unit) {
             if super::scope::BUILTINS.contains(&family.name.text.as_str()) {
                 let place = self.place(source, family.name.span);
@@ -203,8 +216,27 @@ impl<'f> Library<'f> {
     fn families_of(&self, unit: usize) -> impl Iterator<Item = &syntax::Family> {
         self.units[unit].spec.items.iter().filter_map(|item| match item {
             syntax::Item::Family(family) => Some(family),
-            syntax::Item::Use(_) => None,
+            syntax::Item::Use(_) | syntax::Item::Theorem(_) => None,
         })
+    }
+
+    fn theorems_of(&self, unit: usize) -> impl Iterator<Item = &syntax::Theorem> {
+        self.units[unit].spec.items.iter().filter_map(|item| match item {
+            syntax::Item::Theorem(theorem) => Some(theorem),
+            syntax::Item::Use(_) | syntax::Item::Family(_) => None,
+        })
+    }
+
+    /// The theorems and joins of the spec that was asked for; those with errors are left out.
+    pub fn theorems(&self) -> Vec<Theorem> {
+        let mut theorems = Vec::new();
+        for written in self.theorems_of(MAIN) {
+            let (theorem, diagnostics) = theorem::theorem(self, MAIN, self.units[MAIN].source, written);
+            let clean = diagnostics.is_empty();
+            self.report_all(diagnostics);
+            theorems.extend(theorem.filter(|_| clean));
+        }
+        theorems
     }
 
     /// The units in which a spec looks for a family: itself, what it uses, the prelude.

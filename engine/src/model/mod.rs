@@ -10,6 +10,7 @@ mod functions;
 mod library;
 mod print;
 mod scope;
+pub mod theorem;
 
 pub use library::{Item, Library, Selected};
 
@@ -133,6 +134,8 @@ pub(crate) fn label(name: &str, index: &[i64]) -> String {
 pub struct Claim {
     /// The claim as text, index variables replaced by their values.
     pub text: String,
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
     /// Whether it is declared true or false.
     pub expected: Expected,
     /// Where it stands; of an equation in a block, where that equation stands.

@@ -119,6 +119,7 @@ impl Printer<'_> {
                 },
                 None => (format!("[{}]", self.list(parts, ", ")), Binding::Atom),
             },
+            ExprKind::Tuple(parts) => (format!("({})", self.list(parts, ", ")), Binding::Atom),
             ExprKind::Each(body, loops) => {
                 let range = |g: &Generator| match g {
                     Generator::Range(g) => {

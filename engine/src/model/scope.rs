@@ -303,7 +303,7 @@ impl Scope<'_> {
             ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
                 self.mentions_variable(base) || rest.iter().any(|e| self.mentions_variable(e))
             }
-            ExprKind::List(parts) => parts.iter().any(|e| self.mentions_variable(e)),
+            ExprKind::List(parts) | ExprKind::Tuple(parts) => parts.iter().any(|e| self.mentions_variable(e)),
         }
     }
 }

@@ -244,5 +244,5 @@ fn witness(family: &Family, of: String, difference: &Fraction, fixed: &[(Var, Fr
     // The denominator vanishes nowhere on the declared ranges.
     let point = point::nonzero(family, difference.numer())?;
     let value = difference.eval(&point::coordinates(&point, family.names.len()))?;
-    Some(Witness { of, at: named_point(family, &point, fixed), value, notes: Vec::new() })
+    Some(Witness { of, at: named_point(family, &point, fixed), value, net: Vec::new(), notes: Vec::new() })
 }

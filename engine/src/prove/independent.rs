@@ -160,6 +160,7 @@ fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) 
     Witness {
         of: String::from(SQUARES),
         at: named_point(family, &point, &[]),
+        net: Vec::new(),
         value,
         notes: vec![format!("at {} the functions are independent: it is no exception", described.join(", "))],
     }
@@ -192,7 +193,8 @@ pub(super) fn dependent_at(family: &Family, dependence: &decide::Dependence) -> 
         }
         None => (String::from(SQUARES), format!("the functions are linearly dependent{at}")),
     };
-    Witness { of, at: named_point(family, point, &[]), value: Rational::ZERO, notes: vec![note] }
+    let at = named_point(family, point, &[]);
+    Witness { of, at, net: Vec::new(), value: Rational::ZERO, notes: vec![note] }
 }
 
 /// `b[1] - 2*b[2]`, numbers made whole; factors of several terms in brackets.

@@ -117,7 +117,7 @@ fn refutation(
     // At an irrational point the value is an exact zero.
     let shown = shown.unwrap_or_else(|| zero.clone());
     let at = named_point(family, point, fixed);
-    let mut result = Witness { of: of.to_string(), at, value: shown, notes: Vec::new() };
+    let mut result = Witness { of: of.to_string(), at, value: shown, net: Vec::new(), notes: Vec::new() };
     result.notes.push(format!("`{of}` is {} at {}", result.value, result.point()));
     result
 }

@@ -5,11 +5,14 @@ pub mod check;
 mod identity;
 mod independent;
 mod inequality;
+mod net;
 mod point;
 mod report;
+mod theorem;
 
 use inequality::Inequality;
-pub use report::diagnose;
+pub use report::{diagnose, diagnose_theorem};
+pub use theorem::theorem_claim;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -103,6 +106,8 @@ pub struct Witness {
     pub of: String,
     /// The point: every shape parameter and domain variable.
     pub at: Vec<(String, Coordinate)>,
+    /// For claims of theorems: the control points with their coordinates.
+    pub net: Vec<(String, Vec<Rational>)>,
     /// The exact value of the expression there.
     pub value: Rational,
     /// What it means, in one line each.
@@ -110,11 +115,18 @@ pub struct Witness {
 }
 
 impl Witness {
-    /// The point as text, such as `λ = 1, t = 1/2`.
+    /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
-        let parts: Vec<String> = self.at.iter().map(|(name, c)| c.describe(name)).collect();
+        let mut parts: Vec<String> = self.at.iter().map(|(name, c)| c.describe(name)).collect();
+        parts.extend(self.net.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
         parts.join(", ")
     }
+}
+
+/// The coordinates of a point as they are written in a spec, `(1, 1/2)`.
+pub fn point_text(place: &[Rational]) -> String {
+    let parts: Vec<String> = place.iter().map(Rational::to_string).collect();
+    format!("({})", parts.join(", "))
 }
 
 /// Decides a claim about a family.

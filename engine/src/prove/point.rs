@@ -12,7 +12,7 @@ pub(super) fn simple(range: &Range) -> Rational {
 }
 
 /// At least `count` different numbers inside a range, simple ones first; the ends of short ranges come last.
-fn candidates(range: &Range, count: u32) -> Vec<Rational> {
+pub(super) fn candidates(range: &Range, count: u32) -> Vec<Rational> {
     let mut list: Vec<Rational> = Vec::new();
     let mut push = |x: Rational| {
         if range.contains(&x) && !list.contains(&x) {

@@ -196,6 +196,11 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             let content;
             syn::parenthesized!(content in input);
             let mut inner = sum(&content, depth + 1)?;
+            if content.peek(Token![,]) {
+                content.parse::<Token![,]>()?;
+                let parts = core::iter::once(inner).chain(list(&content, depth + 1)?).collect();
+                return Ok(Expr { span: g.span(), kind: ExprKind::Tuple(parts) });
+            }
             if !content.is_empty() {
                 return Err(unexpected(&content, "`)` or an operator"));
             }

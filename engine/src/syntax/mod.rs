@@ -8,6 +8,7 @@ mod expr;
 mod glyphs;
 mod parse;
 mod statements;
+mod theorems;
 
 pub use error::{SyntaxError, SyntaxPlace};
 pub use parse::{parse_text, parse_tokens};
@@ -19,6 +20,8 @@ use crate::algebra::rational::Rational;
 /// A whole spec.
 #[derive(Debug, Default)]
 pub struct Spec {
+    /// The doc comment of the whole file, `//! …`, one string a line.
+    pub doc: Vec<String>,
     /// The items in the order in which they are written.
     pub items: Vec<Item>,
 }
@@ -30,6 +33,8 @@ pub enum Item {
     Use(Use),
     /// `family Name { … }`
     Family(Family),
+    /// `theorem Name { … }` or `join Name { … }`
+    Theorem(Theorem),
 }
 
 /// The families of another file are visible here.
@@ -108,6 +113,118 @@ pub struct RangeDecl {
     pub low: Option<(Expr, bool)>,
     /// The upper end and whether it is included.
     pub high: Option<(Expr, bool)>,
+}
+
+/// Claims about curves and surfaces over families, as they are written.
+#[derive(Debug)]
+pub struct Theorem {
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// Whether it is to become a function.
+    pub kind: TheoremKind,
+    /// The name.
+    pub name: Name,
+    /// What stands between the braces.
+    pub statements: Vec<TheoremStatement>,
+    /// Whether a statement could not be read and is left out.
+    pub incomplete: bool,
+}
+
+/// What a theorem is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TheoremKind {
+    /// Its claims are decided.
+    Theorem,
+    /// Besides, it becomes a function that computes the control points that it determines.
+    Join,
+}
+
+impl TheoremKind {
+    /// The word in front of the name.
+    pub const fn keyword(self) -> &'static str {
+        match self {
+            Self::Theorem => "theorem",
+            Self::Join => "join",
+        }
+    }
+}
+
+/// One statement of a theorem, with its doc comment.
+#[derive(Debug)]
+pub struct TheoremStatement {
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// The whole statement.
+    pub span: Span,
+    /// What it says.
+    pub kind: TheoremStatementKind,
+}
+
+/// The kinds of statements of a theorem.
+#[derive(Debug)]
+pub enum TheoremStatementKind {
+    /// `curve P = Family(λ);`, `true`, or `surface S = F(λ)(u) * F(γ[i])(v);`, `false`; control points may follow in
+    /// brackets.
+    Patch(bool, Name, Expr),
+    /// `scalar 0 < δ;`
+    Scalar(Bounds, Loops),
+    /// `assume λ > -2;`: a range is narrowed.
+    Assume(Bounds, Loops),
+    /// `let c = …;` or `let Q[1] = … for …;`
+    Let(Expr, Expr, Loops),
+    /// `dimension 2;`: points have so many coordinates.
+    Dimension(Expr),
+    /// `prove …;` or `refute …;`
+    Claim(Assertion),
+    /// `budget 10;`
+    Budget(Expr),
+}
+
+/// A name, perhaps with an index, and its range.
+#[derive(Debug)]
+pub struct Bounds {
+    /// The name.
+    pub target: Expr,
+    /// The lower end and whether it is included.
+    pub low: Option<(Expr, bool)>,
+    /// The upper end and whether it is included.
+    pub high: Option<(Expr, bool)>,
+}
+
+/// A claim of a theorem as it is written.
+#[derive(Debug)]
+pub struct Assertion {
+    /// Whether it is declared true or false.
+    pub expected: Expected,
+    /// The left side.
+    pub left: Expr,
+    /// What stands between the sides.
+    pub relation: TheoremRelation,
+    /// The right side.
+    pub right: Expr,
+    /// What index variables run over.
+    pub loops: Loops,
+    /// Both sides.
+    pub span: Span,
+}
+
+/// What is claimed of two sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TheoremRelation {
+    /// They compare in this way.
+    Compare(Comparison),
+    /// One is a positive multiple of the other.
+    Parallel,
+}
+
+impl TheoremRelation {
+    /// The sign or word as it is written.
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Compare(sign) => sign.symbol(),
+            Self::Parallel => "parallel",
+        }
+    }
 }
 
 /// `name[indices] = value for …`.
@@ -290,6 +407,8 @@ pub enum ExprKind {
     Call(Box<Expr>, Vec<Expr>),
     /// [x, y, z].
     List(Vec<Expr>),
+    /// (x, y): a point by its coordinates.
+    Tuple(Vec<Expr>),
     /// An expression for each value of index variables: the argument of `sum` and `product`, or a list.
     Each(Box<Expr>, Loops),
 }

@@ -9,7 +9,10 @@ use super::statements::{at_word, doc, family, take_word};
 use super::{Item, Spec, Use, glyphs};
 
 /// The words that begin an item.
-const ITEMS: [&str; 2] = ["family", "use"];
+const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];
+
+const ITEM_HELP: &str =
+    "an item is `family Name { … }`, `theorem Name { … }`, `join Name { … }` or `use \"file.basis\";`";
 
 /// More tokens than this are refused.
 const MAX_TOKENS_BYTES: usize = 1 << 20;
@@ -79,7 +82,7 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError
     let mut errors = Vec::new();
     let mut spec = Spec::default();
     let read = |input: ParseStream<'_>| -> syn::Result<()> {
-        doc(input, true)?;
+        spec.doc = doc(input, true)?;
         if input.is_empty() && complain_if_empty {
             return Err(error(input.span(), "the spec is empty", "write `family Name { … }`"));
         }
@@ -108,6 +111,9 @@ fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<It
     if at_word(input, "family") {
         return Ok(Item::Family(family(input, doc, errors)?));
     }
+    if at_word(input, "theorem") || at_word(input, "join") {
+        return Ok(Item::Theorem(super::theorems::theorem(input, doc, errors)?));
+    }
     if at_word(input, "use") {
         take_word(input)?;
         let path: syn::LitStr = input.parse().map_err(|e| {
@@ -122,11 +128,12 @@ fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<It
     let help = match input.cursor().ident() {
         Some((word, _)) => match crate::words::closest(&word.to_string(), &ITEMS) {
             Some(near) => format!("did you mean `{near}`?"),
-            None => String::from("an item is `family Name { … }` or `use \"file.basis\";`"),
+            None => String::from(ITEM_HELP),
         },
-        None => String::from("an item is `family Name { … }` or `use \"file.basis\";`"),
+        None => String::from(ITEM_HELP),
     };
-    Err(error(input.span(), super::expr::unexpected(input, "`family` or `use`").to_string(), help))
+    let expected = "`family`, `theorem`, `join` or `use`";
+    Err(error(input.span(), super::expr::unexpected(input, expected).to_string(), help))
 }
 
 /// Goes on at the next word that begins an item, at least one token further.

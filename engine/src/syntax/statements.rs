@@ -8,8 +8,8 @@ use super::claims::claim;
 use super::error::error;
 use super::expr::{comparison, expr, index_range, join, loops, name, unexpected};
 use super::{
-    Binding, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement, StatementKind,
-    SyntaxError,
+    Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
+    StatementKind, SyntaxError,
 };
 
 /// The words that begin a statement.
@@ -78,7 +78,7 @@ fn begins_claim(input: ParseStream<'_>) -> bool {
 }
 
 /// Goes on after the next `;`, or after a block.
-fn skip_statement(input: ParseStream<'_>) {
+pub(super) fn skip_statement(input: ParseStream<'_>) {
     while let Some((token, _)) = input.cursor().token_tree() {
         // The token was seen, so it can be taken.
         let _ = input.parse::<TokenTree>();
@@ -303,6 +303,13 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
 
 /// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
 pub(super) fn range(input: ParseStream<'_>) -> Result<RangeDecl> {
+    let Bounds { target, low, high } = bounds(input, false)?;
+    let ExprKind::Name(text) = target.kind else { return Err(unexpected(input, "a name")) };
+    Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
+}
+
+/// A range as papers write it, whose name may have an index, `-3 < γ[1]`, if that is `indexed`.
+pub(super) fn bounds(input: ParseStream<'_>, indexed: bool) -> Result<Bounds> {
     let start = input.span();
     let mut parts = vec![expr(input)?];
     let mut signs = Vec::new();
@@ -328,22 +335,26 @@ pub(super) fn range(input: ParseStream<'_>) -> Result<RangeDecl> {
             _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
         });
     }
-    let as_name = |e: Expr| match e.kind {
-        ExprKind::Name(text) => Ok(Name { text, span: e.span }),
-        _ => Err(error(e.span, "expected the name whose range this is", help)),
+    let is_target = |e: &Expr| match &e.kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Index(base, _) => indexed && matches!(base.kind, ExprKind::Name(_)),
+        _ => false,
+    };
+    let target = |e: Expr| {
+        if is_target(&e) { Ok(e) } else { Err(error(e.span, "expected the name whose range this is", help)) }
     };
     let mut parts = parts.into_iter();
     match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
-        (Some(only), None, None, []) => Ok(RangeDecl { name: as_name(only)?, low: None, high: None }),
+        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
         (Some(a), Some(b), None, [i]) => {
-            if matches!(b.kind, ExprKind::Name(_)) {
-                Ok(RangeDecl { name: as_name(b)?, low: Some((a, *i)), high: None })
+            if is_target(&b) {
+                Ok(Bounds { target: b, low: Some((a, *i)), high: None })
             } else {
-                Ok(RangeDecl { name: as_name(a)?, low: None, high: Some((b, *i)) })
+                Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
             }
         }
         (Some(a), Some(b), Some(c), [i, j]) => {
-            Ok(RangeDecl { name: as_name(b)?, low: Some((a, *i)), high: Some((c, *j)) })
+            Ok(Bounds { target: target(b)?, low: Some((a, *i)), high: Some((c, *j)) })
         }
         _ => Err(error(start, "a range has at most two ends", help)),
     }

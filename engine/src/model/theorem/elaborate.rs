@@ -1,0 +1,543 @@
+//! Goes through the statements of a theorem in the order in which they are written.
+
+use proc_macro2::Span;
+
+use super::form::Form;
+use super::patch::PatchDef;
+use super::{GivenPoint, Theorem, TheoremClaim, TheoremClaimKind, TheoremRelation};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{End, Range, Region};
+use crate::decide::{self, Decision, Relation};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::model::print::Printer;
+use crate::model::scope::Scope;
+use crate::model::{Comparison, Library, Parameter, build, label};
+use crate::source::SourceId;
+use crate::syntax::{self, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind};
+use crate::words::count;
+
+/// The first variables stand for the parameters of every patch, until arguments take their places.
+pub(super) const OWN: usize = 3;
+
+/// Points have at most so many coordinates.
+const MAX_DIMENSION: i64 = 8;
+
+/// What an expression of a theorem is.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    Scalar(Fraction),
+    Vector(Form),
+    /// An outer product in a space of any dimension.
+    Outer(Form),
+    /// A patch, and the variables by which it is differentiated.
+    Map(usize, Vec<Var>),
+}
+
+/// A shape value that must stay in the range of its family.
+pub(super) struct ShapeValue {
+    pub(super) value: Fraction,
+    pub(super) name: String,
+    pub(super) range: Range,
+    pub(super) family: String,
+    pub(super) place: Place,
+}
+
+/// The names of a theorem while it is read.
+pub(super) struct Elaboration<'a> {
+    pub(super) scope: Scope<'a>,
+    pub(super) scalars: Vec<Parameter>,
+    /// Parameters of patches that are scalars only if something mentions them.
+    pub(super) implicit: Vec<(Var, bool)>,
+    /// Vectors that `let` defined.
+    pub(super) vectors: Vec<(String, Option<Value>)>,
+    pub(super) patches: Vec<PatchDef>,
+    pub(super) points: Vec<GivenPoint>,
+    pub(super) dimension: Option<usize>,
+    pub(super) products: Vec<(Var, (usize, usize))>,
+    pub(super) shape_values: Vec<ShapeValue>,
+}
+
+/// Reads a theorem; `None`, or anything with messages, cannot be used.
+pub(in crate::model) fn theorem(
+    library: &Library<'_>,
+    unit: usize,
+    source: SourceId,
+    written: &syntax::Theorem,
+) -> (Option<Theorem>, Vec<Diagnostic>) {
+    let mut scope = Scope::new(library, unit, source);
+    scope.names = vec![String::new(); OWN];
+    let mut all = Elaboration {
+        scope,
+        scalars: Vec::new(),
+        implicit: Vec::new(),
+        vectors: Vec::new(),
+        patches: Vec::new(),
+        points: Vec::new(),
+        dimension: None,
+        products: Vec::new(),
+        shape_values: Vec::new(),
+    };
+    let theorem = all.theorem(written);
+    (theorem, all.scope.diagnostics.into_inner())
+}
+
+impl Elaboration<'_> {
+    fn theorem(&mut self, written: &syntax::Theorem) -> Option<Theorem> {
+        let mut fine = self.find_dimension(&written.statements);
+        let mut budget = 1;
+        let mut claims = Vec::new();
+        // Claims come last: they see every range as it is narrowed in the end, and every control point.
+        for statement in &written.statements {
+            self.scope.budget.refill();
+            fine &= self.statement(statement, &mut budget).is_some();
+        }
+        // With a statement missing, what it would have said is missed only later.
+        if written.incomplete || !fine {
+            return None;
+        }
+        let region = Region { ranges: self.scalars.iter().map(|p| (p.var, p.range.clone())).collect() };
+        for statement in &written.statements {
+            if let TheoremStatementKind::Claim(assertion) = &statement.kind {
+                self.scope.budget.refill();
+                fine &= self.assertion(statement, assertion, &mut claims).is_some();
+            }
+        }
+        self.check_shape_values(&region, budget);
+        build::check_divisors(&self.scope, &self.scope.names, &region, budget);
+        if !fine {
+            return None;
+        }
+        let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).collect();
+        self.scalars.retain(|p| !silent.contains(&p.var));
+        Some(Theorem {
+            kind: written.kind,
+            name: written.name.text.clone(),
+            doc: written.doc.clone(),
+            source: self.scope.source,
+            place: self.scope.place(written.name.span),
+            names: self.scope.names.clone(),
+            scalars: core::mem::take(&mut self.scalars),
+            dimension: self.dimension,
+            products: core::mem::take(&mut self.products),
+            patches: core::mem::take(&mut self.patches).into_iter().map(PatchDef::finish).collect(),
+            points: core::mem::take(&mut self.points),
+            claims,
+            budget,
+        })
+    }
+
+    /// The number of coordinates: as declared, or that of the points that are written with coordinates.
+    fn find_dimension(&mut self, statements: &[TheoremStatement]) -> bool {
+        let mut declared = None;
+        let mut seen = None;
+        for statement in statements {
+            match &statement.kind {
+                TheoremStatementKind::Dimension(value) => {
+                    let Some(n) = self.scope.whole(value, "the dimension") else { return false };
+                    if !(1..=MAX_DIMENSION).contains(&n) {
+                        let error =
+                            self.scope.error(value.span, format!("the dimension {n} is not supported"));
+                        self.scope.report(error.help(format!("write a number from 1 to {MAX_DIMENSION}")));
+                        return false;
+                    }
+                    declared = Some(n as usize);
+                }
+                TheoremStatementKind::Patch(_, _, value) | TheoremStatementKind::Let(_, value, _) => {
+                    seen = seen.or_else(|| coordinates(value));
+                }
+                TheoremStatementKind::Claim(claim) => {
+                    seen = seen.or_else(|| coordinates(&claim.left)).or_else(|| coordinates(&claim.right));
+                }
+                _ => {}
+            }
+        }
+        self.dimension = declared.or(seen);
+        true
+    }
+
+    fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
+        match &statement.kind {
+            TheoremStatementKind::Patch(curve, name, value) => self.patch(*curve, name, value),
+            TheoremStatementKind::Scalar(bounds, loops) => self.each(loops, &mut |all| {
+                let range = all.range(bounds)?;
+                all.declare(&bounds.target, range, &statement.doc)
+            }),
+            TheoremStatementKind::Assume(bounds, loops) => self.each(loops, &mut |all| all.assume(bounds)),
+            TheoremStatementKind::Let(target, value, loops) => {
+                self.each(loops, &mut |all| all.define(target, value))
+            }
+            TheoremStatementKind::Budget(value) => {
+                *budget = build::budget_value(&mut self.scope, value)?;
+                Some(())
+            }
+            TheoremStatementKind::Dimension(_) | TheoremStatementKind::Claim(_) => Some(()),
+        }
+    }
+
+    /// Runs over all values of index variables.
+    pub(super) fn each(
+        &mut self,
+        loops: &Loops,
+        body: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<()> {
+        let depth = self.scope.constants.len();
+        let mut all = Vec::new();
+        let fine = self.scope.each(loops, &mut |scope| {
+            all.push(scope.constants[depth..].to_vec());
+            true
+        });
+        if !fine {
+            return None;
+        }
+        if let (true, Some(first)) = (all.is_empty(), loops.generators.first()) {
+            let name = match first {
+                syntax::Generator::Range(range) => Some(&range.name),
+                syntax::Generator::Simplex(names, _) => names.first(),
+            };
+            let span = name.map_or_else(Span::call_site, |n| n.span);
+            let error = self.scope.error(span, "the loop is empty");
+            self.scope.report(error.help("write the smaller bound first, `0..=n` includes n"));
+            return None;
+        }
+        for values in all {
+            self.scope.constants.extend(values);
+            let done = body(self);
+            self.scope.constants.truncate(depth);
+            done?;
+        }
+        Some(())
+    }
+
+    /// The name that a name, or a name with an index, stands for, such as `γ[1]`.
+    pub(super) fn target_name(&mut self, target: &Expr) -> Option<String> {
+        match &target.kind {
+            ExprKind::Name(name) => Some(name.clone()),
+            ExprKind::Index(base, indices) => {
+                let ExprKind::Name(name) = &base.kind else { return None };
+                let index = self.indices(indices)?;
+                Some(label(name, &index))
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn indices(&mut self, indices: &[Expr]) -> Option<Vec<i64>> {
+        indices.iter().map(|i| self.scope.whole(i, "an index")).collect()
+    }
+
+    /// What already has this name.
+    pub(super) fn taken(&self, name: &str) -> Option<&'static str> {
+        if ["cross", "dot"].contains(&name) {
+            Some("a function of the language")
+        } else if self.patches.iter().any(|p| p.name == name) {
+            Some("a curve or surface")
+        } else if self.vectors.iter().any(|(n, _)| n == name) {
+            Some("a name given by `let`")
+        } else {
+            // Shape parameters of families are scalars here.
+            self.scope.taken(name).map(|what| if what == "a shape parameter" { "a scalar" } else { what })
+        }
+    }
+
+    pub(super) fn check_free(&self, name: &str, span: Span) -> Option<()> {
+        let Some(what) = self.taken(name) else { return Some(()) };
+        let error = self.scope.error(span, format!("`{name}` is already {what}"));
+        let help = if what == "a scalar" {
+            format!("`assume` narrows the range of a scalar: `assume {name} > 0;`")
+        } else {
+            String::from("choose another name")
+        };
+        self.scope.report(error.label("declared again here").help(help));
+        None
+    }
+
+    /// A new variable that is a scalar.
+    pub(super) fn new_scalar(&mut self, name: &str, range: Range, doc: &[String]) -> Var {
+        let var = self.new_variable(name.to_string());
+        self.scalars.push(Parameter { name: name.to_string(), doc: doc.to_vec(), var, range });
+        var
+    }
+
+    pub(super) fn new_variable(&mut self, name: String) -> Var {
+        self.scope.names.push(name);
+        Var(self.scope.names.len() - 1)
+    }
+
+    /// `scalar …;`
+    fn declare(&mut self, target: &Expr, range: Range, doc: &[String]) -> Option<()> {
+        let name = self.target_name(target)?;
+        // The parameter of a patch may be declared, with a range of its own.
+        if let Some(var) = self.scope.variable(&name)
+            && let Some(at) = self.implicit.iter().position(|(v, _)| *v == var)
+        {
+            self.implicit.remove(at);
+            let scalar = self.scalars.iter_mut().find(|p| p.var == var)?;
+            scalar.range = range;
+            scalar.doc = doc.to_vec();
+            return Some(());
+        }
+        self.check_free(&name, target.span)?;
+        self.new_scalar(&name, range, doc);
+        Some(())
+    }
+
+    /// `assume …;`: the scalar lies in both ranges.
+    fn assume(&mut self, bounds: &Bounds) -> Option<()> {
+        let name = self.target_name(&bounds.target)?;
+        let range = self.range(bounds)?;
+        let Some(at) = self.scope.variable(&name).and_then(|v| self.scalars.iter().position(|p| p.var == v))
+        else {
+            if self.taken(&name).is_some() {
+                let error = self.scope.error(bounds.target.span, format!("`{name}` is not a scalar"));
+                self.scope.report(error.help("`assume` narrows the range of one scalar"));
+            } else {
+                self.unknown(&name, bounds.target.span);
+            }
+            return None;
+        };
+        self.narrow(at, &range, bounds.target.span)
+    }
+
+    pub(super) fn narrow(&mut self, at: usize, range: &Range, span: Span) -> Option<()> {
+        let old = &self.scalars[at];
+        let both = intersection(&old.range, range);
+        if both.is_empty() {
+            let shown = old.range.display(&old.name).to_string();
+            let error = self.scope.error(span, format!("nothing is left of the range `{shown}`"));
+            self.scope.report(error.help("let the ranges have something in common"));
+            return None;
+        }
+        self.scalars[at].range = both;
+        Some(())
+    }
+
+    fn range(&mut self, bounds: &Bounds) -> Option<Range> {
+        build::range_of(&mut self.scope, bounds.target.span, &bounds.low, &bounds.high, &|| {
+            Printer { constants: &[], component: None }.print(&bounds.target)
+        })
+    }
+
+    /// `let name = …;` or `let P[i] = …;`
+    fn define(&mut self, target: &Expr, value: &Expr) -> Option<()> {
+        if let ExprKind::Index(base, indices) = &target.kind
+            && let ExprKind::Name(name) = &base.kind
+            && let Some(patch) = self.patches.iter().position(|p| p.name == *name)
+        {
+            let index = self.indices(indices)?;
+            return self.define_point(patch, &index, target.span, value);
+        }
+        let name = self.target_name(target)?;
+        self.check_free(&name, target.span)?;
+        match self.value(value) {
+            Some(Value::Scalar(f)) => self.scope.lets.push((name, Some(f))),
+            Some(Value::Map(patch, _)) => {
+                let patch = self.patches[patch].name.clone();
+                let error = self.scope.error(value.span, format!("`{patch}` is a curve or surface"));
+                self.scope.report(error.help("say at which parameter, such as `P(0)`"));
+                return None;
+            }
+            other => {
+                let fine = other.is_some();
+                self.vectors.push((name, other));
+                return fine.then_some(());
+            }
+        }
+        Some(())
+    }
+
+    /// One claim, for each value of its index variables.
+    fn assertion(
+        &mut self,
+        statement: &TheoremStatement,
+        written: &Assertion,
+        claims: &mut Vec<TheoremClaim>,
+    ) -> Option<()> {
+        self.each(&written.loops, &mut |all| {
+            let kind = all.claim(written)?;
+            let printer = Printer { constants: &all.scope.constants, component: None };
+            let (left, right) = (printer.print(&written.left), printer.print(&written.right));
+            claims.push(TheoremClaim {
+                text: format!("{left} {} {right}", written.relation.symbol()),
+                doc: statement.doc.clone(),
+                expected: written.expected,
+                place: all.scope.place(statement.span),
+                difference: printer.difference(&written.left, &written.right),
+                kind,
+            });
+            Some(())
+        })
+    }
+
+    fn claim(&mut self, written: &Assertion) -> Option<TheoremClaimKind> {
+        let left = self.value(&written.left)?;
+        let right = self.value(&written.right)?;
+        for (side, value) in [(&written.left, &left), (&written.right, &right)] {
+            if let Value::Map(patch, _) = value {
+                let patch = &self.patches[*patch];
+                let names = patch.parameters.join(", ");
+                let shown = Printer { constants: &[], component: None }.print(side);
+                let error = self.scope.error(side.span, format!("`{shown}` needs a parameter value"));
+                self.scope.report(error.help(format!("write `{shown}({names})` for all of them")));
+                return None;
+            }
+        }
+        let zero = |value: &Value| matches!(value, Value::Scalar(f) if f.is_zero());
+        let comparison = match written.relation {
+            TheoremRelation::Compare(Comparison::NotEqual) => {
+                let error = self.scope.error(written.span, "a claim is an equation or an inequality");
+                self.scope.report(error.help("write `refute … == …;` to say that two things differ"));
+                return None;
+            }
+            TheoremRelation::Compare(comparison) => comparison,
+            TheoremRelation::Parallel => {
+                return match (left, right) {
+                    (Value::Vector(a), Value::Vector(b)) | (Value::Outer(a), Value::Outer(b)) => {
+                        Some(TheoremClaimKind::Parallel(a, b))
+                    }
+                    (a, b) => self.mismatch(written.span, "have a direction in common", &a, &b),
+                };
+            }
+        };
+        let equal = comparison == Comparison::Equal;
+        match (left, right) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let difference = self.scope.budget.sub(&a, &b);
+                Some(TheoremClaimKind::Scalar(comparison, self.fits(difference, written.span)?))
+            }
+            (Value::Vector(a), Value::Vector(b)) | (Value::Outer(a), Value::Outer(b)) if equal => {
+                let mut difference = a;
+                let minus = -&Fraction::constant(crate::algebra::rational::Rational::ONE);
+                let done = difference.add_scaled(&b, &minus, &self.scope.budget);
+                self.fits(done, written.span)?;
+                Some(TheoremClaimKind::Zero(difference))
+            }
+            (Value::Vector(form) | Value::Outer(form), other)
+            | (other, Value::Vector(form) | Value::Outer(form))
+                if equal && zero(&other) =>
+            {
+                Some(TheoremClaimKind::Zero(form))
+            }
+            (a, b) => self.mismatch(written.span, &format!("compare by `{}`", comparison.symbol()), &a, &b),
+        }
+    }
+
+    fn mismatch<T>(&self, span: Span, what: &str, a: &Value, b: &Value) -> Option<T> {
+        let (a, b) = (kind(a), kind(b));
+        let both = if a == b {
+            format!("two {}s", &a[a.find(' ').map_or(0, |k| k + 1)..])
+        } else {
+            format!("{a} and {b}")
+        };
+        let error = self.scope.error(span, format!("{both} do not {what}"));
+        self.scope.report(error.help(
+            "scalars compare by `==`, `<`, `<=`, `>`, `>=`; vectors by `==` and `parallel`; only 0 compares with both",
+        ));
+        None
+    }
+
+    /// Passes on a result, or reports that a formula is too large.
+    pub(super) fn fits<T>(&self, result: Result<T, String>, span: Span) -> Option<T> {
+        result
+            .map_err(|reason| {
+                let error = self.scope.error(span, format!("the formula {reason}"));
+                self.scope.report(error.help("lower the degree, or state the theorem in several steps"));
+            })
+            .ok()
+    }
+
+    /// A shape value that is an expression must stay in the range of the shape parameter.
+    fn check_shape_values(&self, region: &Region, budget: u32) {
+        for shape in &self.shape_values {
+            let ends = [(&shape.range.low, false), (&shape.range.high, true)];
+            for (end, above) in ends {
+                let (bound, relation) = match end {
+                    End::Infinite => continue,
+                    End::Included(x) => (x, Relation::NonNegative),
+                    End::Excluded(x) => (x, Relation::Positive),
+                };
+                let distance = &shape.value - &Fraction::constant(bound.clone());
+                let distance = if above { -&distance } else { distance };
+                // The denominator does not vanish on the ranges: times its square is times a positive number.
+                let sign: Poly = distance.numer() * distance.denom();
+                let name = &shape.name;
+                let range = shape.range.display(name).to_string();
+                let shown = shape.value.display(&self.scope.names);
+                let error = match decide::decide(&sign, relation, region, &mut decide::Budget::scaled(budget))
+                {
+                    Decision::Proved(_) => continue,
+                    Decision::Refuted(witness) if witness.point.is_empty() => Diagnostic::error(
+                        shape.place.clone(),
+                        format!(
+                            "{name} = {shown} is outside of the declared range `{range}` of `{}`",
+                            shape.family
+                        ),
+                    ),
+                    Decision::Refuted(witness) => {
+                        let at: Vec<String> =
+                            witness.point.iter().map(|(v, c)| c.describe(&self.scope.names[v.0])).collect();
+                        Diagnostic::error(
+                            shape.place.clone(),
+                            format!(
+                                "{name} = {shown} leaves the declared range `{range}` of `{}`",
+                                shape.family
+                            ),
+                        )
+                        .label(format!("at {}", at.join(", ")))
+                        .help("narrow the ranges of the scalars with `assume`")
+                    }
+                    Decision::Undecided(left) => Diagnostic::error(
+                        shape.place.clone(),
+                        format!("it is undecided whether {name} = {shown} stays in the range `{range}`"),
+                    )
+                    .note(left)
+                    .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
+                };
+                self.scope.report(error);
+                break;
+            }
+        }
+    }
+}
+
+/// What a value is, with its article.
+pub(super) const fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::Scalar(_) => "a scalar",
+        Value::Vector(_) => "a vector",
+        Value::Outer(_) => "an outer product",
+        Value::Map(..) => "a patch",
+    }
+}
+
+/// The numbers that lie in both ranges.
+fn intersection(a: &Range, b: &Range) -> Range {
+    // The end that leaves less: the inner one, and of two equal ones that which is excluded.
+    let pick = |a: &End, b: &End, high: bool| match (a.value(), b.value()) {
+        (None, _) => b.clone(),
+        (_, None) => a.clone(),
+        (Some(x), Some(y)) if x == y => (if a.is_included() { b } else { a }).clone(),
+        (Some(x), Some(y)) => (if (x > y) == high { b } else { a }).clone(),
+    };
+    Range { low: pick(&a.low, &b.low, false), high: pick(&a.high, &b.high, true) }
+}
+
+/// The number of coordinates of the first point in an expression that is written by its coordinates.
+fn coordinates(expr: &Expr) -> Option<usize> {
+    match &expr.kind {
+        ExprKind::Tuple(parts) => Some(parts.len()),
+        ExprKind::Number(_) | ExprKind::Name(_) => None,
+        ExprKind::Neg(inner) | ExprKind::Each(inner, _) => coordinates(inner),
+        ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Power(base, _) => coordinates(base),
+        ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
+            coordinates(base).or_else(|| rest.iter().find_map(coordinates))
+        }
+        ExprKind::List(parts) => parts.iter().find_map(coordinates),
+    }
+}
+
+/// The points that a patch has, in words.
+pub(super) fn count_points(n: usize) -> String {
+    count(n, "control point")
+}

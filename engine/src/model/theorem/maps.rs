@@ -1,0 +1,204 @@
+//! Curves and surfaces at parameter values, and their derivatives.
+
+use proc_macro2::Span;
+
+use super::elaborate::{Elaboration, OWN, Value, kind};
+use super::form::Form;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::syntax::{Expr, ExprKind};
+use crate::words::count;
+
+impl Elaboration<'_> {
+    /// P(t), D(S, v, 2)(u, 0): Σ of the differentiated functions at the arguments, times the control points.
+    pub(super) fn apply(
+        &mut self,
+        patch: usize,
+        steps: &[Var],
+        arguments: &[Expr],
+        span: Span,
+    ) -> Option<Form> {
+        let def = &self.patches[patch];
+        let (name, own) = (def.name.clone(), def.parameters.len());
+        let all = own + usize::from(def.dependent.is_some());
+        if arguments.len() != all {
+            let (wanted, names) = (count(all, "parameter"), def.parameters.join(", "));
+            let error =
+                self.scope.error(span, format!("`{name}` has {wanted}, here are {}", arguments.len()));
+            self.scope.report(error.help(format!("write `{name}({names})`")));
+            return None;
+        }
+        let mut by = Vec::new();
+        for argument in arguments {
+            by.push(self.scalar(argument)?);
+        }
+        if all > own {
+            let sum = by.iter().fold(Fraction::zero(), |sum, f| &sum + f);
+            if sum != Fraction::constant(Rational::ONE) {
+                let shown = sum.display(&self.scope.names);
+                let error =
+                    self.scope.error(span, format!("the barycentric coordinates sum to {shown}, not to 1"));
+                self.scope.report(error.help("the last coordinate is 1 minus the others"));
+                return None;
+            }
+            by.pop();
+        }
+        self.use_points(patch);
+        let inner = steps.iter().all(|var| var.0 < OWN);
+        let (functions, points) = {
+            let def = &self.patches[patch];
+            (def.functions.clone(), def.points.iter().map(|p| p.value.clone()).collect::<Vec<_>>())
+        };
+        let mut sum = Form::default();
+        for ((_, function), point) in functions.iter().zip(&points) {
+            let mut f = function.clone();
+            if inner {
+                f = self.differentiated(&f, steps, span)?;
+                f = self.at(&f, &by, span)?;
+            }
+            let done = sum.add_scaled(point, &f, &self.scope.budget);
+            self.fits(done, span)?;
+        }
+        if inner {
+            return Some(sum);
+        }
+        // Shape values occur in functions and points: the sum is differentiated, and then the arguments put in.
+        sum.map(&mut |f| {
+            let f = self.differentiated(f, steps, span).ok_or(())?;
+            self.at(&f, &by, span).ok_or(())
+        })
+        .ok()
+    }
+
+    /// The arguments in place of the parameters; they do not contain these variables themselves.
+    fn at(&self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
+        let mut result = f.clone();
+        for (k, value) in by.iter().enumerate() {
+            result = self.scope.put_one(&result, Var(k), value, span)?;
+        }
+        Some(result)
+    }
+
+    fn differentiated(&self, f: &Fraction, steps: &[Var], span: Span) -> Option<Fraction> {
+        let mut f = f.clone();
+        for var in steps {
+            let size = (f.numer().len() + f.denom().len()) as u64;
+            self.fits(self.scope.budget.spend(size), span)?;
+            f = f.derivative(*var);
+        }
+        Some(f)
+    }
+
+    /// `D(P)`, `D(S, v, 2)` of a patch; `D(x, t)` of a scalar or vector.
+    pub(super) fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        let Some((subject, rest)) = arguments.split_first() else {
+            let error = self.scope.error(span, "`D` needs a curve or surface");
+            self.scope.report(error.help("write `D(P)(0)` or `D(S, v, 2)(u, 0)`"));
+            return None;
+        };
+        let value = self.value(subject)?;
+        let mut steps: Vec<Var> = Vec::new();
+        for argument in rest {
+            let name = match &argument.kind {
+                ExprKind::Name(_) | ExprKind::Index(..) => self.target_name(argument),
+                _ => None,
+            };
+            match name.filter(|n| self.scope.constant(n).is_none()) {
+                Some(name) => steps.push(self.step(&value, &name, argument.span)?),
+                None => {
+                    let order = self.scope.whole(argument, "the order of a derivative")?;
+                    if !(0..=100).contains(&order) {
+                        let error = self
+                            .scope
+                            .error(argument.span, format!("{order} is not the order of a derivative"));
+                        self.scope.report(error.help("write a small whole number, such as `D(P, 2)`"));
+                        return None;
+                    }
+                    let var = match steps.pop() {
+                        Some(var) => var,
+                        None => self.only_parameter(&value, span)?,
+                    };
+                    steps.extend((0..order).map(|_| var));
+                }
+            }
+        }
+        if rest.is_empty() {
+            steps.push(self.only_parameter(&value, span)?);
+        }
+        match value {
+            Value::Map(patch, mut before) => {
+                before.extend(steps);
+                Some(Value::Map(patch, before))
+            }
+            Value::Scalar(f) => Some(Value::Scalar(self.differentiated(&f, &steps, span)?)),
+            Value::Vector(form) | Value::Outer(form) if steps.is_empty() => Some(Value::Vector(form)),
+            Value::Vector(form) => {
+                let form = form.map(&mut |f| self.differentiated(f, &steps, span).ok_or(()));
+                form.ok().map(Value::Vector)
+            }
+            Value::Outer(form) => {
+                let form = form.map(&mut |f| self.differentiated(f, &steps, span).ok_or(()));
+                form.ok().map(Value::Outer)
+            }
+        }
+    }
+
+    /// The variable by which a name says to differentiate.
+    fn step(&mut self, value: &Value, name: &str, span: Span) -> Option<Var> {
+        if let Value::Map(patch, _) = value {
+            let def = &self.patches[*patch];
+            if let Some(own) = def.parameters.iter().position(|p| p == name) {
+                return Some(Var(own));
+            }
+            if def.dependent.as_deref() == Some(name) {
+                let first = def.parameters.first().cloned().unwrap_or_default();
+                let error =
+                    self.scope.error(span, format!("`{name}` depends on the other barycentric coordinates"));
+                self.scope.report(error.help(format!(
+                    "`D({}, {first})` is the derivative along the edge from the corner {name} = 1 to {first} = 1",
+                    def.name
+                )));
+                return None;
+            }
+        }
+        if let Some(var) = self.scope.variable(name) {
+            self.mention(var);
+            return Some(var);
+        }
+        let error = self.scope.error(span, format!("`{name}` is not a variable to differentiate by"));
+        self.scope.report(match value {
+            Value::Map(patch, _) => {
+                let def = &self.patches[*patch];
+                error.help(format!(
+                    "the parameters of `{}` are {}",
+                    def.name,
+                    crate::words::list(&def.parameters)
+                ))
+            }
+            _ => error.help("differentiate by a scalar"),
+        });
+        None
+    }
+
+    fn only_parameter(&self, value: &Value, span: Span) -> Option<Var> {
+        let error = match value {
+            Value::Map(patch, _) => match self.patches[*patch].parameters.as_slice() {
+                [_] => return Some(Var(0)),
+                names => {
+                    let name = &self.patches[*patch].name;
+                    let ways: Vec<String> = names.iter().map(|n| format!("`D({name}, {n})`")).collect();
+                    let error = self.scope.error(span, format!("`{name}` has {} parameters", names.len()));
+                    error.help(format!("say by which to differentiate: {}", ways.join(" or ")))
+                }
+            },
+            other => {
+                let error =
+                    self.scope.error(span, format!("by which scalar is {} differentiated?", kind(other)));
+                error.help("differentiate a curve first and then choose the parameter, `D(P)(0)`, or name the scalar, `D(x, t)`")
+            }
+        };
+        self.scope.report(error);
+        None
+    }
+}

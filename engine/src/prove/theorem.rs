@@ -1,0 +1,250 @@
+//! Claims of theorems: identities between linear forms, signs of scalars, directions of vectors.
+
+use super::net::{Net, evaluated, nets, on_net, parts};
+use super::{Evidence, Step, StepProof, Verdict, Witness, point};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::decide::{self, Budget, Coordinate, Decision, Relation};
+use crate::model::Comparison;
+use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind};
+
+/// Decides a claim of a theorem.
+pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
+    let of = &claim.difference;
+    match &claim.kind {
+        TheoremClaimKind::Scalar(Comparison::Equal, f) if f.is_zero() => identity(of),
+        TheoremClaimKind::Zero(form) if form.is_zero() => identity(of),
+        TheoremClaimKind::Scalar(Comparison::Equal, f) => {
+            let found = nets(theorem).iter().find_map(|net| {
+                let value = on_net(theorem, f, net);
+                let at = nonzero(theorem, &value)?;
+                Some(refutation(theorem, net, of.clone(), &value, at))
+            });
+            found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
+        }
+        TheoremClaimKind::Zero(form) => {
+            let found = nets(theorem).iter().find_map(|net| {
+                parts(theorem, form, net).into_iter().find_map(|(label, value)| {
+                    let at = nonzero(theorem, &value)?;
+                    let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
+                    Some(refutation(theorem, net, of, &value, at))
+                })
+            });
+            found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
+        }
+        TheoremClaimKind::Scalar(comparison, f) => sign(theorem, of, *comparison, f),
+        TheoremClaimKind::Parallel(a, b) => parallel(theorem, claim, a, b),
+    }
+}
+
+fn identity(of: &str) -> Verdict {
+    let steps = vec![Step { of: of.to_string(), proof: StepProof::Identity }];
+    Verdict::Proved(Evidence { method: String::from("expansion of both sides"), steps })
+}
+
+fn no_witness() -> Verdict {
+    Verdict::Undecided(String::from(
+        "the two sides are different expressions, but no point was found at which they differ",
+    ))
+}
+
+fn explained(mut witness: Witness, what: &str) -> Verdict {
+    let at = witness.point();
+    let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
+    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
+    Verdict::Refuted(witness)
+}
+
+/// The values of the scalars at which a function is not zero.
+fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
+    let mut rest = value.numer().clone();
+    if rest.is_zero() {
+        return None;
+    }
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    for scalar in &theorem.scalars {
+        let count = rest.degree(scalar.var) + 1;
+        let found = point::candidates(&scalar.range, count)
+            .into_iter()
+            .find(|x| !rest.at(scalar.var, x).is_zero())?;
+        rest = rest.at(scalar.var, &found);
+        at[scalar.var.0] = found;
+    }
+    Some(at)
+}
+
+/// A witness from values of the scalars and a net.
+fn refutation(theorem: &Theorem, net: &Net, of: String, value: &Fraction, at: Vec<Rational>) -> Witness {
+    let value = value.eval(&at).unwrap_or(Rational::ZERO);
+    let named = theorem.scalars.iter().map(|p| (p.name.clone(), Coordinate::Rational(at[p.var.0].clone())));
+    Witness { of, at: named.collect(), net: evaluated(theorem, net, &at), value, notes: Vec::new() }
+}
+
+/// A polynomial with the sign of a quotient: the denominator vanishes nowhere on the ranges, so that its sign at one
+/// point is its sign everywhere.
+fn with_sign(theorem: &Theorem, value: &Fraction) -> Poly {
+    let mut at = vec![Rational::ONE; theorem.names.len()];
+    for scalar in &theorem.scalars {
+        at[scalar.var.0] = point::simple(&scalar.range);
+    }
+    if value.denom().eval(&at).is_negative() { -value.numer() } else { value.numer().clone() }
+}
+
+/// An inequality between a scalar and zero.
+fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -> Verdict {
+    let (relation, negate) = match comparison {
+        Comparison::Greater => (Relation::Positive, false),
+        Comparison::Less => (Relation::Positive, true),
+        Comparison::LessEqual => (Relation::NonNegative, true),
+        _ => (Relation::NonNegative, false),
+    };
+    let decide = |value: &Fraction| {
+        let polynomial = with_sign(theorem, value);
+        let polynomial = if negate { -&polynomial } else { polynomial };
+        decide::decide(&polynomial, relation, &theorem.region(), &mut Budget::scaled(theorem.budget))
+    };
+    let witness = match decide(value) {
+        Decision::Proved(proof) => {
+            let method = proof.method.to_string();
+            let proof = StepProof::Sign(proof);
+            return Verdict::Proved(Evidence { method, steps: vec![Step { of: of.to_string(), proof }] });
+        }
+        Decision::Undecided(left) => return Verdict::Undecided(format!("`{of}`: {left}")),
+        Decision::Refuted(witness) => witness,
+    };
+    if theorem.products.iter().any(|(var, _)| value.depends_on(*var)) {
+        // Dot products are not any numbers: the claim must fail for a net.
+        for net in nets(theorem) {
+            let value = on_net(theorem, value, &net);
+            if let Decision::Refuted(witness) = decide(&value) {
+                return counterexample(theorem, &net, of, &value, &witness);
+            }
+        }
+        return Verdict::Undecided(format!(
+            "`{of}`: nothing is known of the dot products; with coordinates, `dimension 2;`, more can be decided"
+        ));
+    }
+    let at = coordinates(theorem, &witness.point);
+    let net = Net::from_coordinates(theorem, &at);
+    counterexample(theorem, &net, of, value, &witness)
+}
+
+/// The witness of an inequality; at irrational values of scalars the function is exactly zero.
+fn counterexample(
+    theorem: &Theorem,
+    net: &Net,
+    of: &str,
+    value: &Fraction,
+    witness: &decide::Witness,
+) -> Verdict {
+    let at = coordinates(theorem, &witness.point);
+    let mut result = refutation(theorem, net, of.to_string(), value, at);
+    for (var, c) in &witness.point {
+        if let Coordinate::Algebraic(_) = c {
+            let name = &theorem.names[var.0];
+            if let Some(slot) = result.at.iter_mut().find(|(n, _)| n == name) {
+                slot.1 = c.clone();
+            }
+            result.value = witness.value.clone();
+            result.net.clear();
+        }
+    }
+    explained(result, "the value is")
+}
+
+/// The rational values by variable, simple ones for what is left open.
+fn coordinates(theorem: &Theorem, point: &[(Var, Coordinate)]) -> Vec<Rational> {
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    for scalar in &theorem.scalars {
+        at[scalar.var.0] = point::simple(&scalar.range);
+    }
+    for (var, c) in point {
+        if let (Coordinate::Rational(x), Some(slot)) = (c, at.get_mut(var.0)) {
+            *slot = x.clone();
+        }
+    }
+    at
+}
+
+/// a = f·b with f > 0 wherever the two are not both zero.
+///
+/// Where the coordinates of a and b are proportional as functions, f is their quotient n/d in lowest terms, and the claim
+/// is a claim about the sign of n·d; where they are not, some minor aᵢbⱼ − aⱼbᵢ shows it.
+fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verdict {
+    let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
+    let factor = match b.terms.iter().next() {
+        Some((unit, y)) => a.coefficient(*unit).checked_div(y).filter(|f| {
+            let proportional = |(unit, y): (_, &Fraction)| a.coefficient(unit) == f * y;
+            b.terms.iter().all(|(unit, y)| proportional((*unit, y)))
+                && a.terms.keys().all(|unit| b.terms.contains_key(unit))
+        }),
+        None if a.is_zero() => return identity(&claim.difference),
+        None => Some(Fraction::zero()),
+    };
+    let Some(factor) = factor else {
+        return not_proportional(theorem, a, b, left, right);
+    };
+    // With b = 0 everywhere and a ≠ 0, or the other way round, no factor is positive.
+    let product = factor.numer() * factor.denom();
+    let sign =
+        decide::decide(&product, Relation::Positive, &theorem.region(), &mut Budget::scaled(theorem.budget));
+    let witness = match sign {
+        Decision::Proved(proof) => {
+            let shown = factor.display(&theorem.names);
+            let method = format!("expansion with the factor {shown} > 0 ({})", proof.method);
+            let proof = StepProof::Sign(proof);
+            return Verdict::Proved(Evidence { method, steps: vec![Step { of: shown, proof }] });
+        }
+        Decision::Undecided(left) => return Verdict::Undecided(format!("the factor is positive: {left}")),
+        Decision::Refuted(witness) => witness,
+    };
+    let at = coordinates(theorem, &witness.point);
+    let rational = witness.point.iter().all(|(_, c)| matches!(c, Coordinate::Rational(_)));
+    for net in nets(theorem).iter().filter(|_| rational) {
+        let values = |form: &Form| -> Vec<Rational> {
+            parts(theorem, form, net).iter().map(|(_, f)| f.eval(&at).unwrap_or(Rational::ZERO)).collect()
+        };
+        let (x, y) = (values(a), values(b));
+        if x.iter().chain(&y).all(Rational::is_zero) {
+            continue;
+        }
+        let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, (p, q)| &sum + &(p * q));
+        let note = if dot.is_zero() {
+            "one side is zero and the other is not"
+        } else {
+            "the two sides have opposite directions"
+        };
+        let mut result =
+            refutation(theorem, net, format!("dot({left}, {right})"), &Fraction::constant(dot), at.clone());
+        result
+            .notes
+            .push(format!("the left side is ({}) times the right side", factor.display(&theorem.names)));
+        return explained(result, &format!("{note}:"));
+    }
+    Verdict::Undecided(format!(
+        "the left side is ({}) times the right side, and where that is not positive both may be zero",
+        factor.display(&theorem.names)
+    ))
+}
+
+/// A point at which the coordinates of two vectors are not proportional.
+fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &str) -> Verdict {
+    for net in nets(theorem) {
+        let (x, y) = (parts(theorem, a, &net), parts(theorem, b, &net));
+        for i in 0..x.len() {
+            for j in i + 1..x.len().min(y.len()) {
+                let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
+                let Some(at) = nonzero(theorem, &minor) else { continue };
+                let (p, q) = (&x[i].0, &x[j].0);
+                let of = if x.len() == 2 {
+                    format!("cross({left}, {right})")
+                } else {
+                    format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
+                };
+                return explained(refutation(theorem, &net, of, &minor, at), "the directions differ:");
+            }
+        }
+    }
+    no_witness()
+}

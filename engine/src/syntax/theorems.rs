@@ -1,0 +1,155 @@
+//! Statements of theorems and joins.
+
+use proc_macro2::{Delimiter, Span, TokenTree};
+use syn::parse::ParseStream;
+use syn::{Result, Token};
+
+use super::error::error;
+use super::expr::{comparison, expr, join, loops, name, unexpected};
+use super::statements::{at_word, bounds, doc, skip_statement, take_word};
+use super::{
+    Assertion, Comparison, Expected, Expr, ExprKind, SyntaxError, Theorem, TheoremKind, TheoremRelation,
+    TheoremStatement, TheoremStatementKind,
+};
+
+/// The words that begin a statement.
+const STATEMENTS: [&str; 10] =
+    ["curve", "surface", "patch", "scalar", "assume", "let", "dimension", "prove", "refute", "budget"];
+
+/// `theorem Name { … }` or `join Name { … }`, after its doc comment.
+pub(super) fn theorem(
+    input: ParseStream<'_>,
+    doc: Vec<String>,
+    errors: &mut Vec<SyntaxError>,
+) -> Result<Theorem> {
+    let kind = if at_word(input, "join") { TheoremKind::Join } else { TheoremKind::Theorem };
+    take_word(input)?;
+    let name = name(input)?;
+    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
+    {
+        return Err(unexpected(input, &format!("`{{` after `{} {}`", kind.keyword(), name.text)));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut statements = Vec::new();
+    let mut incomplete = false;
+    while !content.is_empty() {
+        match statement(&content) {
+            Ok(statement) => statements.push(statement),
+            Err(e) => {
+                incomplete = true;
+                errors.push(e.into());
+                skip_statement(&content);
+            }
+        }
+    }
+    Ok(Theorem { doc, kind, name, statements, incomplete })
+}
+
+fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
+    let doc = doc(input, false)?;
+    let start = input.span();
+    let Some((word, _)) = input.cursor().ident() else { return Err(unexpected(input, "a statement")) };
+    let word = word.to_string();
+    if !STATEMENTS.contains(&word.as_str()) {
+        let help = match crate::words::closest(&word, &STATEMENTS) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("statements here are `{}`", STATEMENTS.join("`, `")),
+        };
+        return Err(error(start, format!("`{word}` does not begin a statement of a theorem"), help));
+    }
+    take_word(input)?;
+    let kind = match word.as_str() {
+        "scalar" | "assume" => {
+            let bounds = bounds(input, true)?;
+            let loops = loops(input)?;
+            match word.as_str() {
+                "scalar" => TheoremStatementKind::Scalar(bounds, loops),
+                _ => TheoremStatementKind::Assume(bounds, loops),
+            }
+        }
+        "let" => {
+            let target = target(input)?;
+            if comparison(input)? != Some(Comparison::Equal) {
+                return Err(unexpected(input, "`=` and a value"));
+            }
+            let value = expr(input)?;
+            TheoremStatementKind::Let(target, value, loops(input)?)
+        }
+        "dimension" => TheoremStatementKind::Dimension(expr(input)?),
+        "budget" => TheoremStatementKind::Budget(expr(input)?),
+        "prove" | "refute" => {
+            let expected = if word == "prove" { Expected::True } else { Expected::False };
+            TheoremStatementKind::Claim(assertion(input, expected)?)
+        }
+        _ => {
+            let name = name(input)?;
+            if comparison(input)? != Some(Comparison::Equal) {
+                let help = format!("write `{word} {} = Bernstein(3);`", name.text);
+                return Err(error(input.span(), unexpected(input, "`=` and a family").to_string(), help));
+            }
+            TheoremStatementKind::Patch(word == "curve", name, expr(input)?)
+        }
+    };
+    if !input.peek(Token![;]) {
+        let message = unexpected(input, "`;` or an operator").to_string();
+        return Err(error(input.span(), message, "a statement ends with `;`"));
+    }
+    let end = input.parse::<Token![;]>()?.span;
+    Ok(TheoremStatement { doc, span: join(start, end), kind })
+}
+
+/// A name, or a name with indices, that gets a value.
+fn target(input: ParseStream<'_>) -> Result<Expr> {
+    let target = expr(input)?;
+    let fine = match &target.kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Index(base, _) => matches!(base.kind, ExprKind::Name(_)),
+        _ => false,
+    };
+    if fine {
+        return Ok(target);
+    }
+    Err(error(
+        target.span,
+        "`let` gives a value to a name or to a control point",
+        "write `let c = …;` or `let Q[1] = …;`",
+    ))
+}
+
+/// `left == right for …`, with any comparison or `parallel`.
+fn assertion(input: ParseStream<'_>, expected: Expected) -> Result<Assertion> {
+    let start = input.span();
+    let left = expr(input)?;
+    let relation = if at_word(input, "parallel") {
+        take_word(input)?;
+        TheoremRelation::Parallel
+    } else {
+        match comparison(input)? {
+            Some(sign) => TheoremRelation::Compare(sign),
+            None => return Err(no_relation(input, &left)),
+        }
+    };
+    let right = expr(input)?;
+    if at_word(input, "parallel")
+        || matches!(input.cursor().token_tree(), Some((TokenTree::Punct(p), _)) if "<>=".contains(p.as_char()))
+    {
+        return Err(error(input.span(), "a claim has two sides only", "write two claims"));
+    }
+    let loops = loops(input)?;
+    let span: Span = join(start, right.span);
+    Ok(Assertion { expected, left, relation, right, loops, span })
+}
+
+fn no_relation(input: ParseStream<'_>, left: &Expr) -> syn::Error {
+    if let (ExprKind::Name(word), true) = (&left.kind, input.peek(Token![;])) {
+        let message = format!("`{word}` alone is not a claim of a theorem");
+        let help = "properties such as `nonnegative` are claims of families; here write `… == …`, `… > …` or `… parallel …`";
+        return error(left.span, message, help);
+    }
+    error(
+        input.span(),
+        unexpected(input, "`==`, `<=`, `>=`, `<`, `>` or `parallel`").to_string(),
+        "a claim is an equation, an inequality, or says that two vectors have the same direction",
+    )
+}
