@@ -64,14 +64,6 @@ impl Subject {
         }
     }
 
-    /// The doc comment.
-    pub(crate) fn doc(&self) -> &[String] {
-        match self {
-            Self::Family(family) => &family.doc,
-            Self::Theorem(theorem) => &theorem.doc,
-        }
-    }
-
     /// The values of the index parameters; theorems have none.
     pub(crate) fn order(&self) -> &[(String, i64)] {
         match self {
@@ -91,8 +83,6 @@ impl Subject {
 pub(crate) struct DecidedClaim {
     /// The claim as text.
     pub(crate) text: String,
-    /// Its doc comment.
-    pub(crate) doc: Vec<String>,
     /// Whether it is declared true or false.
     pub(crate) expected: Expected,
     /// Where it stands.
@@ -184,8 +174,8 @@ fn decide(family: &Family, claim: Claim) -> DecidedClaim {
     let verdict = prove::claim(family, &claim);
     let time = start.elapsed();
     let error = prove::diagnose(family, &claim, &verdict);
-    let Claim { text, doc, expected, place, .. } = claim;
-    DecidedClaim { text, doc, expected, place, verdict, error, time }
+    let Claim { text, expected, place, .. } = claim;
+    DecidedClaim { text, expected, place, verdict, error, time }
 }
 
 fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
@@ -193,6 +183,6 @@ fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
     let verdict = prove::theorem_claim(theorem, claim);
     let time = start.elapsed();
     let error = prove::diagnose_theorem(theorem, claim, &verdict);
-    let TheoremClaim { text, doc, expected, place, .. } = claim.clone();
-    DecidedClaim { text, doc, expected, place, verdict, error, time }
+    let TheoremClaim { text, expected, place, .. } = claim.clone();
+    DecidedClaim { text, expected, place, verdict, error, time }
 }

@@ -249,7 +249,8 @@ pub(super) fn check_divisors(scope: &Scope<'_>, names: &[String], region: &Regio
         let error = match divisors::zero(divisor, region, budget) {
             Zero::Nowhere => continue,
             Zero::At(point) => {
-                let parts: Vec<String> = point.iter().map(|(v, c)| c.describe(&names[v.0])).collect();
+                let own = point.iter().filter(|(v, _)| divisor.depends_on(*v));
+                let parts: Vec<String> = own.map(|(v, c)| c.describe(&names[v.0])).collect();
                 Diagnostic::error(place.clone(), format!("the denominator vanishes at {}", parts.join(", ")))
                     .label(format!("this is {shown}"))
                     .help("narrow the ranges of the shape parameters so that they leave this value out")

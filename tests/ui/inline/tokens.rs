@@ -9,7 +9,7 @@ basis! {
         b[2] = 0x10;
         b[3] = t % 2;
     }
-    theorem Later {}
+    lemma Later {}
 }
 
 fn main() {}

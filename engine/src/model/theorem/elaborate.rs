@@ -92,8 +92,8 @@ impl Elaboration<'_> {
             self.scope.budget.refill();
             fine &= self.statement(statement, &mut budget).is_some();
         }
-        // With a statement missing, what it would have said is missed only later.
-        if written.incomplete || !fine {
+        // Without a statement that could not be read, claims would complain about names that it declares.
+        if written.incomplete {
             return None;
         }
         let region = Region { ranges: self.scalars.iter().map(|p| (p.var, p.range.clone())).collect() };
@@ -102,6 +102,12 @@ impl Elaboration<'_> {
                 self.scope.budget.refill();
                 fine &= self.assertion(statement, assertion, &mut claims).is_some();
             }
+        }
+        if fine && claims.is_empty() {
+            let what = written.kind.keyword();
+            let message = format!("the {what} `{}` claims nothing", written.name.text);
+            let error = self.scope.error(written.name.span, message);
+            self.scope.report(error.help("write `prove … == …;`"));
         }
         self.check_shape_values(&region, budget);
         build::check_divisors(&self.scope, &self.scope.names, &region, budget);
@@ -158,10 +164,19 @@ impl Elaboration<'_> {
 
     fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
         match &statement.kind {
-            TheoremStatementKind::Patch(curve, name, value) => self.patch(*curve, name, value),
+            TheoremStatementKind::Patch(curve, name, value) => {
+                let done = self.patch(*curve, name, value);
+                if done.is_none() && self.taken(&name.text).is_none() {
+                    // Known without a value, so that nothing more is said about it.
+                    self.vectors.push((name.text.clone(), None));
+                }
+                done
+            }
             TheoremStatementKind::Scalar(bounds, loops) => self.each(loops, &mut |all| {
-                let range = all.range(bounds)?;
-                all.declare(&bounds.target, range, &statement.doc)
+                let range = all.range(bounds);
+                let shown = range.clone().unwrap_or(Range::all());
+                all.declare(&bounds.target, shown, &statement.doc)?;
+                range.map(|_| ())
             }),
             TheoremStatementKind::Assume(bounds, loops) => self.each(loops, &mut |all| all.assume(bounds)),
             TheoremStatementKind::Let(target, value, loops) => {
@@ -466,7 +481,7 @@ impl Elaboration<'_> {
                 let error = match decide::decide(&sign, relation, region, &mut decide::Budget::scaled(budget))
                 {
                     Decision::Proved(_) => continue,
-                    Decision::Refuted(witness) if witness.point.is_empty() => Diagnostic::error(
+                    Decision::Refuted(_) if shape.value.as_constant().is_some() => Diagnostic::error(
                         shape.place.clone(),
                         format!(
                             "{name} = {shown} is outside of the declared range `{range}` of `{}`",
@@ -474,8 +489,8 @@ impl Elaboration<'_> {
                         ),
                     ),
                     Decision::Refuted(witness) => {
-                        let at: Vec<String> =
-                            witness.point.iter().map(|(v, c)| c.describe(&self.scope.names[v.0])).collect();
+                        let own = witness.point.iter().filter(|(v, _)| sign.depends_on(*v));
+                        let at: Vec<String> = own.map(|(v, c)| c.describe(&self.scope.names[v.0])).collect();
                         Diagnostic::error(
                             shape.place.clone(),
                             format!(

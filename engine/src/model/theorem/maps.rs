@@ -23,7 +23,8 @@ impl Elaboration<'_> {
         let (name, own) = (def.name.clone(), def.parameters.len());
         let all = own + usize::from(def.dependent.is_some());
         if arguments.len() != all {
-            let (wanted, names) = (count(all, "parameter"), def.parameters.join(", "));
+            let names: Vec<&str> = def.parameters.iter().chain(&def.dependent).map(String::as_str).collect();
+            let (wanted, names) = (count(all, "parameter"), names.join(", "));
             let error =
                 self.scope.error(span, format!("`{name}` has {wanted}, here are {}", arguments.len()));
             self.scope.report(error.help(format!("write `{name}({names})`")));
