@@ -202,18 +202,18 @@ pub(super) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
 
 /// The declared range, with exact ends.
 fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
-    range_of(scope, decl.name.span, &decl.low, &decl.high, &|| decl.name.text.clone())
+    range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
 }
 
 /// A range from its ends as they are written; the name is for messages.
 pub(super) fn range_of(
     scope: &mut Scope<'_>,
     span: Span,
-    low: &Option<(Expr, bool)>,
-    high: &Option<(Expr, bool)>,
+    low: Option<&(Expr, bool)>,
+    high: Option<&(Expr, bool)>,
     name: &dyn Fn() -> String,
 ) -> Option<Range> {
-    let end = |scope: &mut Scope<'_>, end: &Option<(Expr, bool)>| match end {
+    let end = |scope: &mut Scope<'_>, end: Option<&(Expr, bool)>| match end {
         None => Some(End::Infinite),
         Some((value, included)) => {
             let value = scope.number(value, "the end of a range")?;

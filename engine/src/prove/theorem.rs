@@ -19,7 +19,7 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
             let found = nets(theorem).iter().find_map(|net| {
                 let value = on_net(theorem, f, net);
                 let at = nonzero(theorem, &value)?;
-                Some(refutation(theorem, net, of.clone(), &value, at))
+                Some(refutation(theorem, net, of.clone(), &value, &at))
             });
             found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
         }
@@ -28,7 +28,7 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
                 parts(theorem, form, net).into_iter().find_map(|(label, value)| {
                     let at = nonzero(theorem, &value)?;
                     let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
-                    Some(refutation(theorem, net, of, &value, at))
+                    Some(refutation(theorem, net, of, &value, &at))
                 })
             });
             found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
@@ -75,10 +75,10 @@ fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
 }
 
 /// A witness from values of the scalars and a net.
-fn refutation(theorem: &Theorem, net: &Net, of: String, value: &Fraction, at: Vec<Rational>) -> Witness {
-    let value = value.eval(&at).unwrap_or(Rational::ZERO);
+fn refutation(theorem: &Theorem, net: &Net, of: String, value: &Fraction, at: &[Rational]) -> Witness {
+    let value = value.eval(at).unwrap_or(Rational::ZERO);
     let named = theorem.scalars.iter().map(|p| (p.name.clone(), Coordinate::Rational(at[p.var.0].clone())));
-    Witness { of, at: named.collect(), net: evaluated(theorem, net, &at), value, notes: Vec::new() }
+    Witness { of, at: named.collect(), net: evaluated(theorem, net, at), value, notes: Vec::new() }
 }
 
 /// A polynomial with the sign of a quotient: the denominator vanishes nowhere on the ranges, so that its sign at one
@@ -139,7 +139,7 @@ fn counterexample(
     witness: &decide::Witness,
 ) -> Verdict {
     let at = coordinates(theorem, &witness.point);
-    let mut result = refutation(theorem, net, of.to_string(), value, at);
+    let mut result = refutation(theorem, net, of.to_string(), value, &at);
     for (var, c) in &witness.point {
         if let Coordinate::Algebraic(_) = c {
             let name = &theorem.names[var.0];
@@ -216,7 +216,7 @@ fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verd
             "the two sides have opposite directions"
         };
         let mut result =
-            refutation(theorem, net, format!("dot({left}, {right})"), &Fraction::constant(dot), at.clone());
+            refutation(theorem, net, format!("dot({left}, {right})"), &Fraction::constant(dot), &at);
         result
             .notes
             .push(format!("the left side is ({}) times the right side", factor.display(&theorem.names)));
@@ -242,7 +242,7 @@ fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &s
                 } else {
                     format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
                 };
-                return explained(refutation(theorem, &net, of, &minor, at), "the directions differ:");
+                return explained(refutation(theorem, &net, of, &minor, &at), "the directions differ:");
             }
         }
     }

@@ -328,9 +328,13 @@ impl Elaboration<'_> {
     }
 
     fn range(&mut self, bounds: &Bounds) -> Option<Range> {
-        build::range_of(&mut self.scope, bounds.target.span, &bounds.low, &bounds.high, &|| {
-            Printer { constants: &[], component: None }.print(&bounds.target)
-        })
+        build::range_of(
+            &mut self.scope,
+            bounds.target.span,
+            bounds.low.as_ref(),
+            bounds.high.as_ref(),
+            &|| Printer { constants: &[], component: None }.print(&bounds.target),
+        )
     }
 
     /// `let name = …;` or `let P[i] = …;`

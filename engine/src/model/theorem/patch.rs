@@ -207,7 +207,7 @@ impl Elaboration<'_> {
             def.parameters.push(name.clone());
         }
         let (rows, columns) = (&a.family.functions, &b.family.functions);
-        let (column_name, row_name) = (self.free_index(a.shapes)?, self.free_index(b.shapes)?);
+        let (column_name, row_name) = (self.free_index(a.shapes).ok()?, self.free_index(b.shapes).ok()?);
         // One list of functions for each value of the index, or one for all.
         let mut first: Vec<Vec<Fraction>> = Vec::new();
         let mut second: Vec<Vec<Fraction>> = Vec::new();
@@ -242,7 +242,10 @@ impl Elaboration<'_> {
     }
 
     /// The name among the indices of shape values that has no meaning yet: it stands for the row, or the column.
-    fn free_index(&mut self, shapes: &[Expr]) -> Option<Option<String>> {
+    ///
+    /// # Errors
+    /// There are several; that is reported.
+    fn free_index(&mut self, shapes: &[Expr]) -> Result<Option<String>, ()> {
         let mut found: Option<String> = None;
         for shape in shapes {
             let ExprKind::Index(_, indices) = &shape.kind else { continue };
@@ -256,12 +259,12 @@ impl Elaboration<'_> {
                     self.scope.report(
                         error.help("one index stands for the row of the net: `F(λ)(u) * F(γ[i])(v)`"),
                     );
-                    return None;
+                    return Err(());
                 }
                 found = Some(name.clone());
             }
         }
-        Some(found)
+        Ok(found)
     }
 
     /// The shape values; a new name becomes a scalar with the declared range of the shape parameter.

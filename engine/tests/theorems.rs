@@ -1,0 +1,175 @@
+//! Claims of theorems have exact verdicts, and counterexamples name scalars and control points.
+
+use basis_engine::{Report, Source, Verdict, check};
+
+const QUADRATIC: &str = "family Quadratic {
+    domain 0 <= t <= 1;
+    shape -2 <= λ <= 1;
+    b[0] = (1 - λ*t) * (1 - t)^2;
+    b[1] = (2 + λ) * (1 - t) * t;
+    b[2] = (1 - λ + λ*t) * t^2;
+}
+";
+
+fn checked(theorem: &str) -> Report {
+    check(Source::text("theorem.basis", &format!("{QUADRATIC}{theorem}")))
+}
+
+/// The verdicts of a theorem without errors, `=` for proved, else the value of the counterexample and its place.
+fn verdicts(theorem: &str) -> Vec<String> {
+    let report = checked(&format!("theorem T {{ {theorem} }}"));
+    let errors: Vec<&str> =
+        report.diagnostics.iter().map(|d| d.message.as_str()).filter(|m| !m.contains("the claim")).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let shown = |verdict: &Verdict| match verdict {
+        Verdict::Proved(_) => String::from("="),
+        Verdict::Refuted(witness) => format!("{} at {}", witness.value, witness.point()),
+        Verdict::Undecided(_) => String::from("?"),
+    };
+    report.theorems[0].verdicts.iter().map(shown).collect()
+}
+
+#[test]
+fn identities_hold_for_all_points_in_every_dimension() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        prove P(0) == P[0];
+        prove D(P, 2)(0) == 2*λ*(2*P[0] - P[1] - P[2]) + 2*(P[0] - 2*P[1] + P[2]);
+        prove cross(P[0], P[1]) == -cross(P[1], P[0]);
+        prove cross(P(t), P(t)) == 0;
+        prove dot(P[0], P[1]) == dot(P[1], P[0]);
+        prove dot(P[0] - P[1], P[0] + P[1]) == dot(P[0], P[0]) - dot(P[1], P[1]);
+        prove D(P(t), t) == D(P)(t);
+        prove D(P, λ)(t) == D(P(t), λ);",
+    );
+    assert_eq!(found, ["="; 8]);
+}
+
+#[test]
+fn a_false_identity_has_a_net_and_a_value() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        prove D(P)(0) == (λ + 1)*(P[1] - P[0]);
+        prove cross(P[0], P[1]) == cross(P[1], P[0]);
+        prove dot(P[0], P[1]) == dot(P[2], P[2]);",
+    );
+    let net = "P[0] = (0, 0), P[1] = (1, 1), P[2] = (2, 4)";
+    assert_eq!(found[0], format!("1 at λ = 1, {net}"));
+    // The regular net has its first point at the origin, where the outer product vanishes: another one is taken.
+    assert!(found[1].starts_with("-") || found[1].as_bytes()[0].is_ascii_digit(), "{}", found[1]);
+    assert!(!found[1].starts_with("0 at"), "{}", found[1]);
+    assert_eq!(found[2], format!("-20 at λ = 1, {net}"));
+}
+
+#[test]
+fn parallel_needs_a_positive_factor_wherever_a_side_is_not_zero() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        scalar 0 < δ;
+        prove δ*P[0] parallel P[0];
+        prove -δ*P[0] parallel P[0];
+        prove P[0] parallel P[1];
+        prove 0*P[0] parallel 0*P[1];
+        prove 0*P[0] parallel P[1];
+        prove D(P)(0) parallel P[1] - P[0];
+        prove cross(δ*P[0], P[1]) parallel cross(P[0], P[1]);
+        prove cross(P[1], P[0]) parallel cross(P[0], P[1]);",
+    );
+    let proved: Vec<bool> = found.iter().map(|v| v == "=").collect();
+    assert_eq!(proved, [true, false, false, true, false, false, true, false], "{found:?}");
+    // At λ = -2 the tangent vector is zero.
+    assert!(found[5].contains("λ = -2"), "{}", found[5]);
+}
+
+#[test]
+fn assumptions_narrow_the_ranges() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        assume λ > -2;
+        prove D(P)(0) parallel P[1] - P[0];
+        prove λ + 2 > 0;
+        prove λ + 2 > 1;",
+    );
+    assert_eq!(&found[..2], ["=", "="]);
+    assert!(found[2].contains("λ = -"), "{}", found[2]);
+}
+
+#[test]
+fn numbers_and_coordinates() {
+    let found = verdicts(
+        "curve P = Quadratic(0.57) [(2.58, 6.27), (0.11, 4.45), (2.05, 2.81)];
+        curve Q = Quadratic(0.52) [(2.05, 2.81), (3.75, 2.13), (2.01, 0.02)];
+        prove P(1) == Q(0);
+        prove cross(D(P)(1), D(Q)(0)) == 0;
+        prove D(P)(1)[0]*D(Q)(0)[1] - D(P)(1)[1]*D(Q)(0)[0] == -cross(D(P)(1), D(Q)(0));
+        prove P(1/2)[1] >= 4;
+        prove P(1/2)[1] >= 5;",
+    );
+    // 2.57 (1.94, -1.64) × 2.52 (1.7, -0.68)
+    assert_eq!(found[1], "7431669/781250 at ");
+    assert_eq!(found[2].split(' ').next(), Some("7431669/390625"));
+    assert_eq!([&found[0], &found[3]], ["=", "="]);
+    assert!(found[4].ends_with(" at "), "{}", found[4]);
+}
+
+#[test]
+fn space_has_a_vector_product() {
+    let found = verdicts(
+        "dimension 3;
+        curve P = Quadratic(λ);
+        prove dot(cross(P[0], P[1]), P[0]) == 0;
+        prove cross((1, 0, 0), (0, 1, 0)) == (0, 0, 1);
+        prove cross(P[0], P[1]) == cross(P[1], P[0]);",
+    );
+    assert_eq!(&found[..2], ["=", "="]);
+    assert_ne!(found[2], "=");
+}
+
+#[test]
+fn rows_of_a_net_have_shape_values_of_their_own() {
+    let found = verdicts(
+        "surface S = Quadratic(λ)(u) * Quadratic(γ[i])(v);
+        prove D(S, v)(0, 0) == (2 + γ[0])*(S[0,1] - S[0,0]);
+        prove D(S, v)(1, 0) == (2 + γ[2])*(S[2,1] - S[2,0]);
+        prove D(S, v)(1, 0) == (2 + γ[0])*(S[2,1] - S[2,0]);
+        prove D(S, γ[1])(0, v) == 0;",
+    );
+    assert_eq!(found[0], "=");
+    assert_eq!(found[1], "=");
+    assert!(found[2].contains("γ[2]"), "{}", found[2]);
+    assert_eq!(found[3], "=");
+}
+
+#[test]
+fn barycentric_coordinates_sum_to_one() {
+    let report = check(Source::text(
+        "triangle.basis",
+        "theorem T {
+            patch T = TriangularBernstein(2);
+            prove T(1, 0, 0) == T[2,0,0];
+            prove T(u, v, w) == T(u, v, 1 - u - v);
+            prove D(T, u)(0, 0, 1) == 2*(T[1,0,1] - T[0,0,2]);
+        }",
+    ));
+    assert!(report.diagnostics.is_empty());
+    assert_eq!(report.theorems[0].verdicts.len(), 3);
+}
+
+#[test]
+fn a_join_determines_points_of_a_surface() {
+    let report = checked(
+        "join G1 {
+            surface S = Quadratic(λ)(u) * Quadratic(γ[i])(v);
+            surface T = Quadratic(λ)(u) * Quadratic(μ[i])(v);
+            scalar 0 < f;
+            assume μ[i] > -2 for i in 0..=2;
+            let T[i,0] = S[i,2] for i in 0..=2;
+            let T[i,1] = S[i,2] + (2 + γ[i])/(f*(2 + μ[i])) * (S[i,2] - S[i,1]) for i in 0..=2;
+            prove T(u, 0) == S(u, 1);
+            prove D(S, v)(u, 1) == f * D(T, v)(u, 0);
+            prove cross(D(T, u)(u, 0), D(T, v)(u, 0)) parallel cross(D(S, u)(u, 1), D(S, v)(u, 1));
+        }",
+    );
+    let messages: Vec<String> = report.diagnostics.iter().map(|d| d.text()).collect();
+    assert!(messages.is_empty(), "{messages:?}");
+}
