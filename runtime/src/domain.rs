@@ -17,3 +17,12 @@ pub fn unit<S: Scalar>([lo, hi]: [S; 2], t: S) -> [S; 2] {
 pub(crate) fn inverse_width<S: Scalar>([lo, hi]: [S; 2]) -> S {
     S::ONE / (hi - lo)
 }
+
+/// The parameter `lo (1 - x) + hi x`, exact at both ends.
+#[inline]
+pub(crate) fn from_unit<S: Scalar>([lo, hi]: [S; 2], x: S) -> S {
+    if lo == S::ZERO && hi == S::ONE {
+        return x;
+    }
+    lo * (S::ONE - x) + hi * x
+}

@@ -73,7 +73,9 @@ mod vector;
 pub use basis::{Array, Basis};
 pub use basis_macros::basis;
 pub use bernstein::{BernsteinBasis, BernsteinOf};
-pub use curve::{Bezier, BezierOf, Curve, CurveError, Samples};
+#[cfg(feature = "alloc")]
+pub use curve::Nearest;
+pub use curve::{Bezier, BezierOf, Curve, CurveError, Frame, Samples};
 pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
 pub use point::Point;

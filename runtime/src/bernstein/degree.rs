@@ -33,6 +33,35 @@ pub fn elevate<P: Point>(points: &[P], elevated: &mut [P]) {
     }
 }
 
+/// Replaces the Bernstein coefficients by those of the powers of `y = 2x - 1`, which runs from -1 to 1:
+/// `p = q[0] + q[1] y + q[2] y² + …`.
+///
+/// They are the backward differences at the end of the left half. The result loses about as many binary digits as the
+/// degree has units.
+///
+/// ```
+/// use basis_runtime::bernstein;
+///
+/// let mut parabola = [0.0, 8.0, 4.0];
+/// bernstein::centred_powers(&mut parabola);
+/// assert_eq!(parabola, [5.0, 2.0, -3.0]);
+/// ```
+pub fn centred_powers<P: Point>(points: &mut [P]) {
+    super::keep_left(points, P::Scalar::of(0.5));
+    points.reverse();
+    let degree = points.len().saturating_sub(1);
+    for order in 1..=degree {
+        for i in (order..=degree).rev() {
+            points[i] = points[i - 1].minus(points[i]);
+        }
+    }
+    let mut binomial = 1.0;
+    for (j, point) in points.iter_mut().enumerate() {
+        *point = point.scale(P::Scalar::of(binomial));
+        binomial = binomial * (degree - j) as f64 / (j + 1) as f64;
+    }
+}
+
 /// Replaces the control points by those of the derivative, `n (p[i+1] - p[i])`, and returns them; there is one less.
 ///
 /// The derivative of a constant is the empty slice.

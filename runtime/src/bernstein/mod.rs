@@ -15,6 +15,7 @@
 //! | [`split`], [`keep_left`], [`keep_right`], [`restrict`] | the same polynomial on a part of the interval |
 //! | [`elevate`] | the same polynomial with more coefficients |
 //! | [`differentiate`] | the derivative |
+//! | [`centred_powers`] | the same polynomial in powers of `2x - 1` |
 //! | [`multiply`], [`dot`] | products |
 //! | [`bounds`] | the smallest and the largest coefficient, between which the polynomial stays |
 //! | [`roots`] | the zeros on `[0, 1]`, isolated by sign changes |
@@ -28,7 +29,10 @@ mod roots;
 
 pub use basis::{BernsteinBasis, BernsteinOf};
 pub use casteljau::{eval, eval_with_derivs, keep_left, keep_right, restrict, split};
-pub use degree::{differentiate, elevate};
+pub use degree::{centred_powers, differentiate, elevate};
+pub(crate) use product::bilinear;
 pub use product::{bounds, dot, multiply};
+#[cfg(feature = "alloc")]
+pub(crate) use roots::simple_root;
 #[cfg(feature = "alloc")]
 pub use roots::{Root, roots};

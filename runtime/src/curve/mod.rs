@@ -1,7 +1,16 @@
 //! Curves: control points bound to a basis.
 
+#[cfg(feature = "alloc")]
+mod bounds;
 mod error;
+#[cfg(feature = "alloc")]
+mod flatten;
+mod frame;
+mod length;
+#[cfg(feature = "alloc")]
+mod nearest;
 mod parts;
+mod quadrature;
 mod slices;
 
 use core::fmt::{self, Debug, Formatter};
@@ -12,6 +21,9 @@ use crate::form::bernstein_derivative;
 use crate::{Basis, Form, Point, Scalar};
 
 pub use error::CurveError;
+pub use frame::Frame;
+#[cfg(feature = "alloc")]
+pub use nearest::Nearest;
 pub use parts::{Bezier, BezierOf};
 pub use slices::Samples;
 
@@ -165,6 +177,21 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     #[inline]
     pub fn to_bernstein(&self) -> B::Bernstein<P> {
         self.basis.to_bernstein(&self.points)
+    }
+
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap, and
+    /// never too small but for rounding errors. NaN in a component in which a control point is NaN.
+    pub fn control_box(&self) -> [P; 2] {
+        let points = self.to_bernstein();
+        let extreme = |of: fn(B::Scalar, B::Scalar) -> B::Scalar| {
+            P::from_components(|d| {
+                let components = points.as_ref().iter().map(|p| p.component(d));
+                let extreme = components
+                    .reduce(|a, b| if a.is_nan() || b.is_nan() { B::Scalar::NAN } else { of(a, b) });
+                extreme.unwrap_or(B::Scalar::NAN)
+            })
+        };
+        [extreme(Scalar::min), extreme(Scalar::max)]
     }
 
     /// The polynomial in `x = (t - lo) / (hi - lo)` that is evaluated.

@@ -149,8 +149,8 @@ fn next_derivative<P: Point, A: Copy + AsRef<[P]> + AsMut<[P]>, const SKIP: usiz
 
 /// The ends and, from the third place on, the inner coefficients of a curve with these Bézier control points.
 ///
-/// The correction to the chord has the Bernstein coefficients `r[i] = n(n-1) / ((i+1)(n-1-i)) (P[i+1] - chord)`; its powers
-/// of `y` are the backward differences at the end of its left half.
+/// The correction to the chord has the Bernstein coefficients `r[i] = n(n-1) / ((i+1)(n-1-i)) (P[i+1] - chord)`; they
+/// are rewritten in powers of `y`.
 pub(crate) fn endpoint_coefficients<P: Point, const N: usize>(points: &[P; N]) -> ([P; 2], [P; N]) {
     let ends = [points[0], points[N - 1]];
     let mut coefficients = *points;
@@ -161,25 +161,12 @@ pub(crate) fn endpoint_coefficients<P: Point, const N: usize>(points: &[P; N]) -
     let number = P::Scalar::from_usize;
     let inner = &mut coefficients[2..];
     for (i, r) in inner.iter_mut().enumerate() {
-        // From both ends, without the rounding of a chord: with a + b = 1 it is a (P - E0) + b (P - E1).
+        // From both ends, without the rounding of a chord: n (P - chord) = a (P - E0) + b (P - E1), a + b = n.
         let [a, b] = [number(degree - 1 - i), number(i + 1)];
         let p = points[i + 1];
         let gap = p.minus(ends[0]).scale(a).add_scaled(p.minus(ends[1]), b);
         *r = gap.scale(number(degree - 1) / (a * b));
     }
-    bernstein::keep_left(inner, P::Scalar::of(0.5));
-    let m = N - 3;
-    // Backward differences of the last coefficient, from the highest order to the lowest.
-    inner.reverse();
-    let mut binomial = 1.0;
-    for j in 1..=m {
-        for i in (j..=m).rev() {
-            inner[i] = inner[i - 1].minus(inner[i]);
-        }
-    }
-    for (j, c) in inner.iter_mut().enumerate() {
-        *c = c.scale(P::Scalar::of(binomial));
-        binomial = binomial * m.saturating_sub(j) as f64 / (j + 1) as f64;
-    }
+    bernstein::centred_powers(inner);
     (ends, coefficients)
 }

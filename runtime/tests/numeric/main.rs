@@ -7,9 +7,14 @@ mod bernstein;
 mod derivatives;
 mod domain;
 mod ends;
+mod extents;
 mod extrapolation;
+
 mod families;
+mod frames;
 mod infer;
+mod length;
+mod nearest;
 mod not_a_number;
 mod parts;
 mod points;

@@ -1,0 +1,226 @@
+//! Direction and bending of a curve: tangent, curvature, torsion, frames that move along it.
+
+use crate::domain::{from_unit, inverse_width};
+use crate::vector::{cross, direction, dot, largest_component, length, wedge};
+use crate::{Basis, Curve, CurveError, Form, Point, Point3, Scalar};
+
+/// Three perpendicular unit vectors at a point of a curve in space; `binormal = tangent × normal`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Frame<P> {
+    /// The point of the curve.
+    pub point: P,
+    /// The direction in which the curve goes on.
+    pub tangent: P,
+    /// A unit vector perpendicular to the tangent.
+    pub normal: P,
+    /// The unit vector perpendicular to both.
+    pub binormal: P,
+}
+
+impl<P: Point3> Frame<P> {
+    fn new(point: P, tangent: P, normal: P) -> Self {
+        Self { point, tangent, normal, binormal: cross(tangent, normal) }
+    }
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
+    /// The unit vector in which the curve goes on at `t`.
+    ///
+    /// Where the velocity vanishes it is the limit: the direction of the first derivative that does not vanish up to
+    /// rounding; at a cusp the direction of leaving, at the end of the domain that of arriving. `None` if the curve is a point,
+    /// and if anything is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::Bezier;
+    ///
+    /// let slow = Bezier::from_points([[0.0, 0.0], [0.0, 0.0], [3.0, 4.0]]); // the velocity at 0 is zero
+    /// assert_eq!(slow.tangent(0.0), Some([0.6, 0.8]));
+    /// ```
+    pub fn tangent(&self, t: B::Scalar) -> Option<P> {
+        let [_, velocity] = self.eval_with_derivs(t);
+        let points = self.to_bernstein();
+        let largest = points.as_ref().iter().fold(B::Scalar::ZERO, |a, &p| a.max(largest_component(p)));
+        // What is left of n (P[i+1] - P[i]) by rounding.
+        let degree = B::Scalar::from_usize(B::DEGREE);
+        let mut noise = B::Scalar::of(4.0) * B::Scalar::EPSILON * largest * degree;
+        let inverse_width = inverse_width(B::domain());
+        noise = noise * inverse_width;
+        if length(velocity) > noise {
+            return direction(velocity);
+        }
+        let mut derivatives = points;
+        self.derivatives_into(t, derivatives.as_mut());
+        let arriving = t == B::domain()[1];
+        for (order, &derivative) in derivatives.as_ref().iter().enumerate().skip(1) {
+            if length(derivative) > noise {
+                let backwards = arriving && order % 2 == 0;
+                return direction(if backwards { P::zero().minus(derivative) } else { derivative });
+            }
+            noise = noise * inverse_width * B::Scalar::from_usize(B::DEGREE - order) * B::Scalar::of(2.0);
+        }
+        None
+    }
+
+    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the left,
+    /// `(x' y'' - y' x'') / |C'|³`.
+    ///
+    /// Infinite or NaN where the velocity vanishes.
+    ///
+    /// ```
+    /// use basis_runtime::Bezier;
+    ///
+    /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
+    /// assert_eq!(parabola.curvature(0.5), 2.0);
+    /// assert_eq!(parabola.reverse().curvature(0.5), -2.0);
+    /// ```
+    pub fn curvature(&self, t: B::Scalar) -> B::Scalar {
+        let [_, velocity, acceleration] = self.eval_with_derivs(t);
+        curvature(velocity, acceleration)
+    }
+
+    /// The torsion at `t` of a curve in space: `det(C', C'', C''') / |C' × C''|²`, positive for a right-handed screw.
+    ///
+    /// NaN or infinite where the curvature vanishes.
+    pub fn torsion(&self, t: B::Scalar) -> B::Scalar
+    where
+        P: Point3,
+    {
+        let [_, first, second, third] = self.eval_with_derivs(t);
+        let binormal = cross(first, second);
+        let size = length(binormal);
+        dot(P::from_components(|d| binormal.component(d) / size), third) / size
+    }
+
+    /// The Frenet frame at `t`: tangent, principal normal and binormal. The normal points to the centre of curvature.
+    ///
+    /// # Errors
+    /// [`CurveError::NoTangent`] where [`tangent`](Self::tangent) is `None`, [`CurveError::NoNormal`] where the curvature
+    /// vanishes up to rounding.
+    pub fn frenet_frame(&self, t: B::Scalar) -> Result<Frame<P>, CurveError>
+    where
+        P: Point3,
+    {
+        let [point, velocity, acceleration] = self.eval_with_derivs(t);
+        let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
+        let no_normal = CurveError::NoNormal { parameter: t.to_f64() };
+        let bend = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
+        let noise = B::Scalar::of(16.0) * B::Scalar::EPSILON;
+        if !(length(bend) > noise * length(acceleration) && length(velocity) > B::Scalar::ZERO) {
+            return Err(no_normal);
+        }
+        let normal = perpendicular(tangent, bend).ok_or(no_normal)?;
+        Ok(Frame::new(point, tangent, normal))
+    }
+
+    /// `count` frames that do not turn around the curve, at equal distances of the parameter, both ends included. The first
+    /// has the given normal, made perpendicular to the tangent, or without one an arbitrary normal.
+    ///
+    /// By double reflection (Wang, Jüttler, Zheng and Liu, *Computation of rotation minimizing frames*, ACM Transactions on
+    /// Graphics 27, 2008): the angle between these and the exact frames falls with the fourth power of the distance of the
+    /// points.
+    ///
+    /// ```
+    /// use basis_runtime::Bezier;
+    ///
+    /// let arch = Bezier::from_points([[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 2.0, 0.0], [4.0, 0.0, 0.0]]);
+    /// let up = [0.0, 0.0, 1.0];
+    /// let frames = arch.rotation_minimizing_frames(5, Some(up))?;
+    /// assert!(frames.iter().all(|frame| frame.normal == up)); // along a curve in a plane its normal stays
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::NoTangent`] if the curve is a point, or not finite.
+    #[cfg(feature = "alloc")]
+    pub fn rotation_minimizing_frames(
+        &self,
+        count: usize,
+        normal: Option<P>,
+    ) -> Result<alloc::vec::Vec<Frame<P>>, CurveError>
+    where
+        P: Point3,
+    {
+        let zero = P::zero();
+        let mut frames =
+            alloc::vec![Frame { point: zero, tangent: zero, normal: zero, binormal: zero }; count];
+        self.rotation_minimizing_frames_into(normal, &mut frames)?;
+        Ok(frames)
+    }
+
+    /// As many frames as the slice has places, as `rotation_minimizing_frames` gives them.
+    ///
+    /// # Errors
+    /// [`CurveError::NoTangent`] if the curve is a point, or not finite; some of the frames may have been written.
+    pub fn rotation_minimizing_frames_into(
+        &self,
+        normal: Option<P>,
+        frames: &mut [Frame<P>],
+    ) -> Result<(), CurveError>
+    where
+        P: Point3,
+    {
+        let steps = B::Scalar::from_usize(frames.len().saturating_sub(1).max(1));
+        let mut last: Option<Frame<P>> = None;
+        for (i, frame) in frames.iter_mut().enumerate() {
+            let x = B::Scalar::from_usize(i) / steps;
+            let tangent = self.tangent(from_unit(B::domain(), x)).ok_or(CurveError::NoTangent)?;
+            let point = self.form.eval(x);
+            let normal = match last {
+                None => normal.and_then(|normal| perpendicular(tangent, normal)),
+                Some(last) => perpendicular(tangent, reflect_twice(&last, point, tangent)),
+            };
+            *frame = Frame::new(point, tangent, normal.unwrap_or_else(|| any_perpendicular(tangent)));
+            last = Some(*frame);
+        }
+        Ok(())
+    }
+}
+
+/// `|v ∧ a| / |v|³`, in the plane with its sign.
+pub(crate) fn curvature<P: Point>(velocity: P, acceleration: P) -> P::Scalar {
+    let speed = length(velocity);
+    let unit = P::from_components(|d| velocity.component(d) / speed);
+    let bend = if P::DIM == 2 {
+        wedge(unit, acceleration, 0, 1)
+    } else {
+        // Lagrange's identity by components: |v|² |a|² - (v·a)² would lose half of the digits.
+        let mut sum = P::Scalar::ZERO;
+        for i in 0..P::DIM {
+            for j in 0..i {
+                let w = wedge(unit, acceleration, i, j);
+                sum = sum + w * w;
+            }
+        }
+        sum.sqrt()
+    };
+    bend / speed / speed
+}
+
+/// The unit vector of the part of `vector` that is perpendicular to a unit vector.
+fn perpendicular<P: Point>(unit: P, vector: P) -> Option<P> {
+    let vector = direction(vector)?;
+    let part = direction(vector.add_scaled(unit, -dot(vector, unit)))?;
+    // Once more: what rounding has left along the unit vector is large if the part was small.
+    direction(part.add_scaled(unit, -dot(part, unit)))
+}
+
+/// A unit vector perpendicular to this one, from the axis that is farthest from it.
+fn any_perpendicular<P: Point3>(unit: P) -> P {
+    let axis =
+        (0..3).fold(0, |axis, d| if unit.component(d).abs() < unit.component(axis).abs() { d } else { axis });
+    let axis = P::from_components(|d| if d == axis { P::Scalar::ONE } else { P::Scalar::ZERO });
+    perpendicular(unit, axis).unwrap_or(axis)
+}
+
+/// The normal of a frame after two reflections: the first maps its point to the next one, the second its tangent, reflected,
+/// to the next one.
+fn reflect_twice<P: Point>(frame: &Frame<P>, point: P, tangent: P) -> P {
+    let reflect = |mirror: P, vector: P| match direction(mirror) {
+        Some(unit) => vector.add_scaled(unit, -P::Scalar::of(2.0) * dot(unit, vector)),
+        None => vector,
+    };
+    let first = point.minus(frame.point);
+    let second = tangent.minus(reflect(first, frame.tangent));
+    reflect(second, reflect(first, frame.normal))
+}
