@@ -62,6 +62,8 @@ mod curve;
 mod domain;
 mod error;
 mod form;
+#[cfg(feature = "alloc")]
+mod mesh;
 mod point;
 mod revolution;
 mod scalar;
@@ -78,11 +80,15 @@ pub use curve::Nearest;
 pub use curve::{Bezier, BezierOf, Curve, CurveError, Frame, Samples};
 pub use error::ShapeError;
 pub use form::{BernsteinForm, EndpointForm, Form};
+#[cfg(feature = "alloc")]
+pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 pub use point::Point;
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
+#[cfg(feature = "alloc")]
+pub use surface::BoundedSurface;
 pub use surface::{
     BezierPatchOf, Curvature, Edge, EdgeContinuity, JoinError, RationalSurface, ScalarOf, Surface,
     TensorSurface, edge_continuity,

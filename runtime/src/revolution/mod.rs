@@ -100,6 +100,12 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         self.angle == B::Scalar::of(2.0) * B::Scalar::PI
     }
 
+    /// From the centres of the circles to the points of the generatrix.
+    #[cfg(feature = "alloc")]
+    pub(crate) fn radii(&self) -> &Curve<B, P> {
+        &self.radii
+    }
+
     /// The meridian at the angle `v`: the generatrix, turned by that angle.
     pub fn meridian(&self, v: B::Scalar) -> Curve<B, P> {
         let [cos, sin] = circle::direction(v);

@@ -39,7 +39,7 @@ impl Edge {
     }
 
     /// Whether, seen from the side to which the normal points, the surface is to the right of the edge.
-    fn surface_on_the_right(self) -> bool {
+    pub(crate) fn surface_on_the_right(self) -> bool {
         matches!(self, Self::UStart | Self::VEnd)
     }
 

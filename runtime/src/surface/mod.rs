@@ -9,6 +9,8 @@ mod limit;
 mod net;
 mod parts;
 mod rational;
+#[cfg(feature = "alloc")]
+mod second;
 mod tensor;
 
 pub use curvature::Curvature;
@@ -16,6 +18,8 @@ pub use edge::{Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
 pub use parts::BezierPatchOf;
 pub use rational::RationalSurface;
+#[cfg(feature = "alloc")]
+pub use second::BoundedSurface;
 pub use tensor::TensorSurface;
 
 use crate::vector::{cross, direction, largest_component};

@@ -5,6 +5,7 @@ mod boxes;
 mod curvature;
 mod families;
 mod joins;
+mod meshes;
 mod normals;
 mod partials;
 mod parts;

@@ -1,0 +1,43 @@
+//! What can keep surfaces from becoming a mesh.
+
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+/// Why surfaces cannot become a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// The tolerance is not a positive, finite number.
+    Tolerance {
+        /// The tolerance.
+        value: f64,
+    },
+    /// A surface is infinite or NaN.
+    NotFinite {
+        /// The number of the surface, in the order in which they were added.
+        surface: usize,
+    },
+    /// The tolerance needs more pieces than a mesh can have.
+    TooFine {
+        /// The number of the surface, in the order in which they were added.
+        surface: usize,
+        /// The highest number of pieces.
+        most: usize,
+    },
+}
+
+impl Display for MeshError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Tolerance { value } => {
+                write!(f, "the tolerance {value} is not a positive, finite number in the unit of length")
+            }
+            Self::NotFinite { surface } => write!(f, "surface {surface} is infinite or NaN"),
+            Self::TooFine { surface, most } => {
+                write!(f, "surface {surface} would need more than {most} pieces: choose a larger tolerance")
+            }
+        }
+    }
+}
+
+impl Error for MeshError {}

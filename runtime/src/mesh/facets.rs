@@ -1,0 +1,39 @@
+//! The triangles over one rectangle of parameters.
+
+use alloc::vec::Vec;
+
+use super::cells::{Cell, Node};
+
+/// Cuts the polygon of the corners around a rectangle into triangles, counter-clockwise in the parameters.
+///
+/// Four corners are cut along the diagonal that `shorter` prefers. With one corner more, on a side, all triangles meet there;
+/// with several, in the middle of the rectangle.
+pub(super) fn triangles(
+    cell: Cell,
+    nodes: &[Node],
+    shorter: impl FnOnce([Node; 2], [Node; 2]) -> bool,
+    mut emit: impl FnMut([Node; 3]),
+) {
+    let fan = |apex: usize, emit: &mut dyn FnMut([Node; 3])| {
+        let rest: Vec<Node> = nodes[apex + 1..].iter().chain(&nodes[..apex]).copied().collect();
+        for pair in rest.windows(2) {
+            emit([nodes[apex], pair[0], pair[1]]);
+        }
+    };
+    match nodes.len() {
+        4 => {
+            let apex = usize::from(!shorter([nodes[0], nodes[2]], [nodes[1], nodes[3]]));
+            fan(apex, &mut emit);
+        }
+        5 => {
+            let is_corner = |n: &Node| (0..2).all(|c| n[c] == cell.from[c] || n[c] == cell.to[c]);
+            fan(nodes.iter().position(|n| !is_corner(n)).unwrap_or(0), &mut emit);
+        }
+        count => {
+            let middle = [0, 1].map(|c| cell.from[c] + (cell.to[c] - cell.from[c]) / 2);
+            for k in 0..count {
+                emit([middle, nodes[k], nodes[(k + 1) % count]]);
+            }
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! From surfaces to one mesh.
+
+use alloc::collections::BTreeMap;
+use alloc::vec::Vec;
+
+use super::cells::{Cells, Node, on_edge, unit};
+use super::facets::triangles;
+use super::orient::orient;
+use super::patch::Patch;
+use super::weld::{self, Classes, Seam};
+use super::{Mesh, MeshError, Vertex, area_vector};
+use crate::vector::{direction, distance, dot};
+use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
+
+/// Surfaces that become one mesh.
+///
+/// Every triangle is nearer to its surface than the tolerance, in the middle as at its sides; this is guaranteed by bounds of
+/// the second derivatives ([`BoundedSurface`]) and not only tested at samples. Curved regions get more triangles than flat ones.
+///
+/// Two edges that run along each other with the same parameters, in the same or in the opposite direction, become a seam, and
+/// so do both ends of a surface that closes on itself: the triangles on both sides share their positions, and turn the same
+/// way. Edges belong together if they are nowhere farther apart than 1/16 of the tolerance. An edge that is one point
+/// becomes one position, with the normals of all directions.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// use basis_runtime::{Curve, SurfaceOfRevolution, Tessellation};
+///
+/// let arc = Curve::new(QuarticBernstein::new(0.5)?, [[-1.0, 0.0], [-1.0, 1.0], [1.0, 1.0], [1.0, 0.0]]);
+/// let egg = SurfaceOfRevolution::about_x(&arc, 2.0 * std::f64::consts::PI)?;
+/// let mesh = Tessellation::new(0.01)?.with(&egg).mesh()?;
+/// assert!(mesh.is_closed());
+/// assert!(mesh.volume() > 2.5);
+/// # Ok(())
+/// # }
+/// ```
+pub struct Tessellation<'a, S> {
+    tolerance: S,
+    patches: Vec<&'a dyn Patch<S>>,
+}
+
+impl<'a, S: Scalar> Tessellation<'a, S> {
+    /// No surfaces yet; the tolerance is the largest distance of a triangle from its surface, in the unit of length.
+    ///
+    /// # Errors
+    /// When the tolerance is not positive and finite.
+    pub fn new(tolerance: S) -> Result<Self, MeshError> {
+        if tolerance > S::ZERO && tolerance.is_finite() {
+            Ok(Self { tolerance, patches: Vec::new() })
+        } else {
+            Err(MeshError::Tolerance { value: tolerance.to_f64() })
+        }
+    }
+
+    /// With one surface more.
+    #[must_use]
+    pub fn with<T, P>(mut self, surface: &'a T) -> Self
+    where
+        T: BoundedSurface + Surface<Point = P>,
+        P: Point3<Scalar = S>,
+    {
+        self.patches.push(surface);
+        self
+    }
+
+    /// The mesh of all surfaces; empty without any.
+    ///
+    /// # Errors
+    /// When a surface is infinite or NaN, or the tolerance is so small that a surface would need millions of triangles.
+    pub fn mesh(&self) -> Result<Mesh<S>, MeshError> {
+        // What the seams take of the tolerance is left to them.
+        let weld = self.tolerance * S::of(0.0625);
+        let patches = &self.patches;
+        let mut cells = Vec::with_capacity(patches.len());
+        for (surface, patch) in patches.iter().enumerate() {
+            cells.push(Cells::new(*patch, self.tolerance - weld, surface)?);
+        }
+        let found = weld::find(patches, weld);
+        share_parameters(&mut cells, &found.seams);
+
+        let mut builder = Builder::default();
+        for (surface, (patch, cells)) in patches.iter().zip(&cells).enumerate() {
+            builder.facets(surface, *patch, cells)?;
+        }
+        let mut classes = Classes::new(builder.points.len());
+        for seam in &found.seams {
+            let [a, b] = seam.sides;
+            for &along in cells[a.surface].edge(a.edge).iter() {
+                let other = on_edge(b.edge, seam.across(along));
+                builder.join(&mut classes, (a.surface, on_edge(a.edge, along)), (b.surface, other));
+            }
+        }
+        for pole in &found.poles {
+            for &along in cells[pole.surface].edge(pole.edge).iter() {
+                let first = (pole.surface, on_edge(pole.edge, 0));
+                builder.join(&mut classes, first, (pole.surface, on_edge(pole.edge, along)));
+            }
+        }
+        builder.join_corners(&mut classes, patches.len(), weld);
+        let mut mesh = builder.finish(&mut classes);
+        turn(&mut mesh, patches.len(), &found.seams);
+        shade(&mut mesh);
+        Ok(mesh)
+    }
+}
+
+/// Both sides of a seam get the parameters of both, until nothing changes: several surfaces may share a seam.
+fn share_parameters(cells: &mut [Cells], seams: &[Seam]) {
+    let mut changed = true;
+    while changed {
+        changed = false;
+        for seam in seams {
+            let [a, b] = seam.sides;
+            let [on_a, on_b] = [a, b].map(|side| {
+                cells[side.surface]
+                    .edge(side.edge)
+                    .iter()
+                    .map(|&along| seam.across(along))
+                    .collect::<Vec<u32>>()
+            });
+            for along in on_b {
+                changed |= cells[a.surface].edge(a.edge).insert(along);
+            }
+            for along in on_a {
+                changed |= cells[b.surface].edge(b.edge).insert(along);
+            }
+        }
+    }
+}
+
+/// The vertices and triangles of all surfaces, each vertex still with a position of its own.
+struct Builder<S> {
+    points: Vec<[S; 3]>,
+    vertices: Vec<Vertex<S>>,
+    index: BTreeMap<(usize, Node), u32>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl<S> Default for Builder<S> {
+    fn default() -> Self {
+        Self { points: Vec::new(), vertices: Vec::new(), index: BTreeMap::new(), triangles: Vec::new() }
+    }
+}
+
+impl<S: Scalar> Builder<S> {
+    fn facets(&mut self, surface: usize, patch: &dyn Patch<S>, cells: &Cells) -> Result<(), MeshError> {
+        let mut finite = true;
+        for &cell in &cells.leaves {
+            let nodes = cells.around(cell);
+            let shorter = |a: [Node; 2], b: [Node; 2]| {
+                let [a, b] = [a, b].map(|ends| {
+                    let [p, q] = ends.map(|node| patch.point(node.map(unit)));
+                    distance(p, q)
+                });
+                a <= b
+            };
+            triangles(cell, &nodes, shorter, |triangle| {
+                let triangle = triangle.map(|node| self.vertex(surface, patch, node));
+                finite &= triangle.iter().all(|&v| self.points[v as usize].iter().all(|c| c.is_finite()));
+                self.triangles.push(triangle);
+            });
+        }
+        if finite { Ok(()) } else { Err(MeshError::NotFinite { surface }) }
+    }
+
+    fn vertex(&mut self, surface: usize, patch: &dyn Patch<S>, node: Node) -> u32 {
+        let Self { points, vertices, index, .. } = self;
+        *index.entry((surface, node)).or_insert_with(|| {
+            let uv = node.map(unit);
+            let vertex = vertices.len() as u32;
+            points.push(patch.point(uv));
+            let normal = patch.normal(uv).unwrap_or([S::ZERO; 3]);
+            vertices.push(Vertex { position: vertex, normal, uv, surface: surface as u32 });
+            vertex
+        })
+    }
+
+    fn join(&self, classes: &mut Classes, a: (usize, Node), b: (usize, Node)) {
+        if let (Some(&a), Some(&b)) = (self.index.get(&a), self.index.get(&b)) {
+            classes.join(a as usize, b as usize);
+        }
+    }
+
+    /// Corners of surfaces at one place are one position, also where only corners or poles meet.
+    fn join_corners(&self, classes: &mut Classes, surfaces: usize, tolerance: S) {
+        let mut corners: Vec<usize> = (0..surfaces)
+            .flat_map(|surface| {
+                [Edge::VStart, Edge::VEnd].into_iter().flat_map(move |edge| {
+                    [0, super::cells::WIDTH].map(move |along| (surface, on_edge(edge, along)))
+                })
+            })
+            .filter_map(|key| self.index.get(&key).map(|&v| v as usize))
+            .collect();
+        corners.sort_by(|&a, &b| {
+            self.points[a][0].partial_cmp(&self.points[b][0]).unwrap_or(core::cmp::Ordering::Equal)
+        });
+        for (k, &a) in corners.iter().enumerate() {
+            let reach = self.points[a][0] + tolerance;
+            for &b in corners[k + 1..].iter().take_while(|&&b| self.points[b][0] <= reach) {
+                if distance(self.points[a], self.points[b]) <= tolerance {
+                    classes.join(a, b);
+                }
+            }
+        }
+    }
+
+    /// Numbers the positions and leaves out triangles that have become edges or points.
+    fn finish(self, classes: &mut Classes) -> Mesh<S> {
+        let mut positions = Vec::new();
+        let mut number = alloc::vec![0_u32; self.points.len()];
+        let mut vertices = self.vertices;
+        for (k, vertex) in vertices.iter_mut().enumerate() {
+            let class = classes.find(k);
+            if class == k {
+                number[k] = positions.len() as u32;
+                positions.push(self.points[k]);
+            }
+            // A class is known by its smallest member, which has its number already.
+            vertex.position = number[class];
+        }
+        let mut mesh = Mesh { positions, vertices, triangles: Vec::new() };
+        mesh.triangles = self
+            .triangles
+            .into_iter()
+            .filter(|&triangle| {
+                let [a, b, c] = mesh.corners(triangle);
+                a != b && b != c && c != a
+            })
+            .collect();
+        mesh
+    }
+}
+
+/// Turns surfaces over so that neighbours agree and closed parts face outwards.
+fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize, seams: &[Seam]) {
+    let orientation = orient(surfaces, seams);
+    let mut flipped = orientation.flipped;
+    flip(mesh, &flipped);
+
+    let mut volumes = alloc::vec![S::ZERO; surfaces];
+    for &triangle in &mesh.triangles {
+        let component = orientation.component[mesh.vertices[triangle[0] as usize].surface as usize];
+        let [a, b, c] = mesh.corner_positions(triangle);
+        volumes[component] = volumes[component] + dot(a, crate::vector::cross(b, c));
+    }
+    let mut open = alloc::vec![false; surfaces];
+    let mut component_of = alloc::vec![0; mesh.positions.len()];
+    for vertex in &mesh.vertices {
+        component_of[vertex.position as usize] = orientation.component[vertex.surface as usize];
+    }
+    for [from, _] in mesh.boundary() {
+        open[component_of[from as usize]] = true;
+    }
+    for (surface, turn) in flipped.iter_mut().enumerate() {
+        let component = orientation.component[surface];
+        *turn = !open[component] && volumes[component] < S::ZERO;
+    }
+    flip(mesh, &flipped);
+}
+
+/// Turns the triangles and normals of the surfaces over that are marked.
+fn flip<S: Scalar>(mesh: &mut Mesh<S>, marked: &[bool]) {
+    for triangle in &mut mesh.triangles {
+        if marked[mesh.vertices[triangle[0] as usize].surface as usize] {
+            triangle.swap(1, 2);
+        }
+    }
+    for vertex in &mut mesh.vertices {
+        if marked[vertex.surface as usize] {
+            vertex.normal = vertex.normal.map(|c| -c);
+        }
+    }
+}
+
+/// Where the surface has no normal the triangles of the vertex decide, by their areas.
+fn shade<S: Scalar>(mesh: &mut Mesh<S>) {
+    let mut sums: BTreeMap<u32, [S; 3]> = BTreeMap::new();
+    for &triangle in &mesh.triangles {
+        for vertex in triangle {
+            if mesh.vertices[vertex as usize].normal == [S::ZERO; 3] {
+                let area = area_vector(mesh.corner_positions(triangle));
+                let sum = sums.entry(vertex).or_insert([S::ZERO; 3]);
+                *sum = [0, 1, 2].map(|c| sum[c] + area[c]);
+            }
+        }
+    }
+    for (vertex, sum) in sums {
+        mesh.vertices[vertex as usize].normal = direction(sum).unwrap_or([S::ZERO; 3]);
+    }
+}

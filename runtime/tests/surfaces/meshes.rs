@@ -1,0 +1,305 @@
+//! Meshes are within the tolerance, have no cracks, and turn one way.
+
+use basis_runtime::{
+    BernsteinBasis, BoundedSurface, Curve, Mesh, MeshError, Point, Point3, RationalSurface, Surface,
+    SurfaceOfRevolution, TensorSurface, Tessellation,
+};
+
+use crate::families::{Cubic, Linear, QuarticBernstein, bicubic, graph, random_surface};
+use crate::random::Random;
+
+const FULL: f64 = 2.0 * core::f64::consts::PI;
+
+/// The largest distance of points of the triangles from the surface at the same parameters.
+fn deviation<T>(mesh: &Mesh<f64>, surfaces: &[&T]) -> f64
+where
+    T: Surface,
+    T::Point: Point3<Scalar = f64>,
+{
+    let mut largest = 0.0_f64;
+    for &triangle in &mesh.triangles {
+        let vertices = triangle.map(|v| mesh.vertices[v as usize]);
+        for [a, b, c] in [[1.0, 1.0, 1.0], [0.0, 1.0, 1.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0], [4.0, 1.0, 1.0]]
+        {
+            let weights = [a, b, c].map(|w| w / (a + b + c));
+            let (mut flat, mut uv) = ([0.0; 3], [0.0; 2]);
+            for (vertex, w) in vertices.iter().zip(weights) {
+                for (sum, p) in flat.iter_mut().zip(mesh.positions[vertex.position as usize]) {
+                    *sum += w * p;
+                }
+                for (sum, p) in uv.iter_mut().zip(vertex.uv) {
+                    *sum += w * p;
+                }
+            }
+            let surface = surfaces[vertices[0].surface as usize];
+            let [[u0, u1], [v0, v1]] = surface.domain();
+            let point = surface.eval(u0 + (u1 - u0) * uv[0], v0 + (v1 - v0) * uv[1]);
+            let square: f64 = (0..3).map(|k| (point.component(k) - flat[k]).powi(2)).sum();
+            largest = largest.max(square.sqrt());
+        }
+    }
+    largest
+}
+
+/// Every normal agrees with the triangles around it.
+fn normals_agree(mesh: &Mesh<f64>) -> bool {
+    mesh.triangles.iter().all(|&triangle| {
+        let [a, b, c] = mesh.corners(triangle).map(|p| mesh.positions[p as usize]);
+        let [x, y] = [b, c].map(|p| [0, 1, 2].map(|k| p[k] - a[k]));
+        let area = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
+        triangle.iter().all(|&v| {
+            let normal = mesh.vertices[v as usize].normal;
+            (0..3).map(|k| normal[k] * area[k]).sum::<f64>() > 0.0
+        })
+    })
+}
+
+fn lonely<T>(surface: &T, tolerance: f64) -> Mesh<f64>
+where
+    T: BoundedSurface,
+    T::Point: Point3<Scalar = f64>,
+{
+    Tessellation::new(tolerance).unwrap().with(surface).mesh().unwrap()
+}
+
+#[test]
+fn are_within_the_tolerance() {
+    let random = &mut Random::new(81);
+    for _ in 0..5 {
+        let surface = random_surface::<[f64; 3]>(random);
+        let mut last = 0;
+        for tolerance in [0.1, 0.02, 0.004] {
+            let mesh = lonely(&surface, tolerance);
+            let distance = deviation(&mesh, &[&surface]);
+            assert!(distance <= tolerance, "{distance} > {tolerance}");
+            assert!(mesh.is_oriented());
+            assert!(mesh.triangles.len() > last, "finer means more");
+            last = mesh.triangles.len();
+        }
+    }
+}
+
+#[test]
+fn flat_surfaces_need_two_triangles() {
+    let mesh = lonely(&bicubic(|i, j| [i as f64, j as f64, 0.0]), 1e-9);
+    assert_eq!((mesh.triangles.len(), mesh.positions.len()), (2, 4));
+    assert_eq!(mesh.area(), 9.0);
+    assert_eq!(mesh.boundary().len(), 4);
+    assert!(mesh.vertices.iter().all(|v| v.normal == [0.0, 0.0, 1.0]));
+}
+
+/// More triangles where the surface bends.
+#[test]
+fn are_adaptive() {
+    let surface = bicubic(|i, j| [i as f64, j as f64, if i == 3 && j == 3 { 3.0 } else { 0.0 }]);
+    let mesh = lonely(&surface, 1e-3);
+    let in_quarter = |low: f64| {
+        mesh.vertices.iter().filter(|v| v.uv.iter().all(|&x| (low..=low + 0.5).contains(&x))).count()
+    };
+    assert!(in_quarter(0.5) > 3 * in_quarter(0.0), "{} {}", in_quarter(0.5), in_quarter(0.0));
+    assert!(deviation(&mesh, &[&surface]) <= 1e-3);
+}
+
+#[test]
+fn joined_surfaces_share_their_seam() {
+    let random = &mut Random::new(82);
+    for _ in 0..5 {
+        let surface = random_surface::<[f64; 3]>(random);
+        let [left, right] = surface.split_u(0.37);
+        let [below, above] = left.split_v(0.6);
+        // One of them runs the other way round.
+        let right = right.subpatch(0.0..1.0, 1.0..0.0);
+        let [upper, lower] = right.split_v(0.4);
+        let parts = [&below, &above, &upper, &lower];
+        let mut tessellation = Tessellation::new(0.01).unwrap();
+        for part in parts {
+            tessellation = tessellation.with(part);
+        }
+        let mesh = tessellation.mesh().unwrap();
+        assert!(mesh.is_oriented());
+        // One boundary loop: as many edges as positions on it, and all inside is shared.
+        let boundary = mesh.boundary();
+        let mut on_boundary: Vec<u32> = boundary.iter().flatten().copied().collect();
+        on_boundary.sort_unstable();
+        on_boundary.dedup();
+        assert_eq!(boundary.len(), on_boundary.len());
+        // Euler's formula for a disc.
+        let twice_the_edges = 3 * mesh.triangles.len() + boundary.len();
+        assert_eq!(2 * (mesh.positions.len() + mesh.triangles.len()), twice_the_edges + 2);
+        assert!(deviation(&mesh, &parts) <= 0.01);
+    }
+}
+
+fn egg(angle: f64) -> SurfaceOfRevolution<QuarticBernstein, [f64; 3]> {
+    let points = [[-1.0, 0.0], [-1.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+    SurfaceOfRevolution::about_x(&Curve::new(QuarticBernstein::new(0.5).unwrap(), points), angle).unwrap()
+}
+
+/// Two poles and a seam: closed, oriented outwards, and of the right volume.
+#[test]
+fn closed_surfaces_of_revolution() {
+    let surface = egg(FULL);
+    let mesh = lonely(&surface, 1e-3);
+    assert!(mesh.is_closed());
+    // V - E + F = 2.
+    assert_eq!(mesh.positions.len() + mesh.triangles.len(), 3 * mesh.triangles.len() / 2 + 2);
+    assert!(normals_agree(&mesh));
+    assert!(deviation(&mesh, &[&surface]) <= 1e-3);
+    // ∫ π y² dx by Simpson's rule.
+    let curve = surface.meridian(0.0);
+    let slice = |t: f64| {
+        let [p, d] = curve.eval_with_derivs(t);
+        core::f64::consts::PI * p[1] * p[1] * d[0]
+    };
+    let simpson: f64 = (0..1000)
+        .map(|k| {
+            let t = f64::from(k) / 1000.0;
+            (slice(t) + 4.0 * slice(t + 0.0005) + slice(t + 0.001)) / 6000.0
+        })
+        .sum();
+    assert!(mesh.volume() > 0.0 && (mesh.volume() - simpson).abs() < 0.02, "{} {simpson}", mesh.volume());
+}
+
+#[test]
+fn open_surfaces_of_revolution() {
+    let mesh = lonely(&egg(2.0), 1e-2);
+    assert!(!mesh.is_closed() && mesh.is_oriented() && normals_agree(&mesh));
+    // The rational patches of the full turn close as well.
+    let patches = egg(FULL).to_rational_patches();
+    let mut tessellation = Tessellation::new(1e-2).unwrap();
+    for patch in &patches {
+        tessellation = tessellation.with(patch);
+    }
+    let mesh = tessellation.mesh().unwrap();
+    assert!(mesh.is_closed() && normals_agree(&mesh) && mesh.volume() > 0.0);
+    assert!(deviation(&mesh, &patches.iter().collect::<Vec<_>>()) <= 1e-2);
+    // So do both half-turns of the paper, with a control point at infinity.
+    let patches = egg(FULL).half_turns();
+    let mesh = Tessellation::new(1e-2).unwrap().with(&patches[0]).with(&patches[1]).mesh().unwrap();
+    assert!(mesh.is_closed() && mesh.volume() > 0.0);
+}
+
+/// Six faces, each with parameters that turn any way: a closed cube that faces outwards.
+#[test]
+fn a_cube() {
+    let linear = Linear::new();
+    let corner = |k: usize| [0, 1, 2].map(|c| f64::from((k >> c & 1) as u32));
+    let faces = [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 4, 5], [2, 3, 6, 7], [0, 2, 4, 6], [1, 3, 5, 7]];
+    let faces = faces.map(|[a, b, c, d]| {
+        TensorSurface::new(linear, linear, [[corner(a), corner(b)], [corner(c), corner(d)]])
+    });
+    let mut tessellation = Tessellation::new(1e-3).unwrap();
+    for face in &faces {
+        tessellation = tessellation.with(face);
+    }
+    let mesh = tessellation.mesh().unwrap();
+    assert!(mesh.is_closed());
+    assert_eq!((mesh.positions.len(), mesh.vertices.len(), mesh.triangles.len()), (8, 24, 12));
+    assert_eq!((mesh.volume(), mesh.area()), (1.0, 6.0));
+    assert!(normals_agree(&mesh));
+}
+
+/// A band of two pieces, one of them twisted by a half turn: there is no orientation, and no endless loop.
+#[test]
+fn a_strip_with_one_side() {
+    let linear = Linear::new();
+    let a = TensorSurface::new(
+        linear,
+        linear,
+        [[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]],
+    );
+    let b = TensorSurface::new(
+        linear,
+        linear,
+        [[[0.0, 1.0, 0.0], [0.0, 0.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]],
+    );
+    let mesh = Tessellation::new(1e-3).unwrap().with(&a).with(&b).mesh().unwrap();
+    assert!(mesh.triangles.len() > 2 && !mesh.is_oriented());
+}
+
+#[test]
+fn in_single_precision() {
+    let surface = TensorSurface::new(
+        QuarticBernstein::new(0.5_f32).unwrap(),
+        Cubic::<f32>::new(),
+        core::array::from_fn(|i| core::array::from_fn(|j| [i as f32, j as f32, ((i * j) as f32).sin()])),
+    );
+    let mesh = Tessellation::new(0.01).unwrap().with(&surface).mesh().unwrap();
+    assert!(mesh.triangles.len() > 10 && mesh.is_oriented());
+    #[cfg(feature = "glam")]
+    {
+        let net = core::array::from_fn(|i| {
+            core::array::from_fn(|j| glam::Vec3::new(i as f32, j as f32, ((i * j) as f32).sin()))
+        });
+        let surface = TensorSurface::new(QuarticBernstein::new(0.5_f32).unwrap(), Cubic::new(), net);
+        assert_eq!(Tessellation::new(0.01).unwrap().with(&surface).mesh().unwrap(), mesh);
+    }
+}
+
+#[test]
+fn degenerate_surfaces() {
+    // A point, a straight line, a curve: no triangles with area, and no panic.
+    let mesh = lonely(&bicubic(|_, _| [1.0; 3]), 0.1);
+    assert_eq!((mesh.triangles.len(), mesh.positions.len()), (0, 1));
+    lonely(&bicubic(|i, _| [i as f64, 0.0, 0.0]), 0.1);
+    lonely(&bicubic(|i, j| [(i * j) as f64, 0.0, 0.0]), 0.1);
+    let empty = Tessellation::<f64>::new(0.1).unwrap().mesh().unwrap();
+    assert_eq!(empty, Mesh::default());
+    assert_eq!(empty.volume(), 0.0);
+}
+
+#[test]
+fn refused() {
+    for tolerance in [0.0, -1.0, f64::INFINITY] {
+        assert_eq!(Tessellation::new(tolerance).err(), Some(MeshError::Tolerance { value: tolerance }));
+    }
+    assert!(Tessellation::new(f64::NAN).is_err());
+    for wrong in [f64::NAN, f64::INFINITY, f64::MAX] {
+        let surface = bicubic(|i, j| [i as f64, j as f64, if i == 1 { wrong } else { 0.0 }]);
+        assert!(Tessellation::new(0.1).unwrap().with(&surface).mesh().is_err(), "{wrong}");
+    }
+    let bent = graph(|u, v| u * u + v * v);
+    let error = Tessellation::new(1e-14).unwrap().with(&bent).mesh().unwrap_err();
+    assert!(matches!(error, MeshError::TooFine { surface: 0, .. }), "{error}");
+    // A quotient with a pole.
+    let linear = BernsteinBasis::<f64, 2>::new();
+    let net = [[[0.0; 3], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]];
+    let pole = RationalSurface::new(linear, linear, net, [[1.0, 1.0], [-1.0, -1.0]]);
+    assert!(Tessellation::new(0.1).unwrap().with(&pole).mesh().is_err());
+}
+
+/// The bounds that meshes rest on hold.
+#[test]
+fn second_derivatives_stay_below_their_bounds() {
+    fn holds<T: BoundedSurface>(surface: &T, random: &mut Random)
+    where
+        T::Point: Point3<Scalar = f64>,
+    {
+        let [u_range, v_range] = surface.domain();
+        for _ in 0..20 {
+            let part = |[lo, hi]: [f64; 2], random: &mut Random| {
+                let (a, b): (f64, f64) = (random.between(lo, hi), random.between(lo, hi));
+                [a.min(b), a.max(b)]
+            };
+            let (u, v) = (part(u_range, random), part(v_range, random));
+            let bounds = surface.second_derivative_bounds(u, v);
+            for _ in 0..20 {
+                let (s, t) = (random.between(u[0], u[1]), random.between(v[0], v[1]));
+                let partials = surface.eval_with_partials::<3>(s, t);
+                for (second, bound) in [partials[2][0], partials[1][1], partials[0][2]].iter().zip(bounds) {
+                    let length = (0..3).map(|c| second.component(c).powi(2)).sum::<f64>().sqrt();
+                    assert!(length <= bound * (1.0 + 1e-9) + 1e-9, "{length} > {bound}");
+                }
+            }
+        }
+    }
+    let random = &mut Random::new(83);
+    for _ in 0..5 {
+        holds(&random_surface::<[f64; 3]>(random), random);
+    }
+    holds(&graph(|u, v| u * u * v), random);
+    holds(&egg(5.0), random);
+    for patch in egg(5.0).to_rational_patches() {
+        holds(&patch, random);
+    }
+}
