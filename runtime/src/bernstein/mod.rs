@@ -30,6 +30,7 @@ mod roots;
 pub use basis::{BernsteinBasis, BernsteinOf};
 pub use casteljau::{eval, eval_with_derivs, keep_left, keep_right, restrict, split};
 pub use degree::{centred_powers, differentiate, elevate};
+#[cfg(feature = "alloc")]
 pub(crate) use product::bilinear;
 pub use product::{bounds, dot, multiply};
 #[cfg(feature = "alloc")]

@@ -33,7 +33,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// ```
     pub fn arclen(&self, accuracy: B::Scalar) -> B::Scalar {
         let mut sum = B::Scalar::ZERO;
-        let finite = self.walk(accuracy, &mut |leaf: &Leaf<'_, P>| {
+        let finite = self.walk(accuracy, &mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
             sum = sum + leaf.length();
             true
         });
@@ -51,7 +51,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// let parabola = Bezier::from_points([[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]]);
     /// let half = parabola.inv_arclen(0.5 * parabola.arclen(1e-12), 1e-12);
     /// let [left, right] = parabola.split(half);
-    /// assert!((left.arclen(1e-12) - right.arclen(1e-12)).abs() < 4e-12_f64);
+    /// let difference: f64 = left.arclen(1e-12) - right.arclen(1e-12);
+    /// assert!(difference.abs() < 4e-12);
     /// ```
     pub fn inv_arclen(&self, length: B::Scalar, accuracy: B::Scalar) -> B::Scalar {
         let mut found = B::Scalar::ONE;
@@ -59,7 +60,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             return length;
         }
         let mut rest = length;
-        let finite = self.walk(accuracy, &mut |leaf: &Leaf<'_, P>| {
+        let finite = self.walk(accuracy, &mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
             let piece = leaf.length();
             if rest < piece {
                 found = leaf.invert(rest);
@@ -84,7 +85,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let step = total / B::Scalar::from_usize(count.saturating_sub(1).max(1));
         let mut parameters = alloc::vec::Vec::with_capacity(count);
         let mut before = B::Scalar::ZERO;
-        self.walk(accuracy, &mut |leaf: &Leaf<'_, P>| {
+        self.walk(accuracy, &mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
             let after = before + leaf.length();
             while parameters.len() < count {
                 let target = step * B::Scalar::from_usize(parameters.len());
@@ -124,7 +125,11 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
     /// Calls `visit` with pieces from the start to the end of the curve until it says `false`; returns whether the curve is
     /// finite.
-    fn walk(&self, accuracy: B::Scalar, visit: &mut impl FnMut(&Leaf<'_, P>) -> bool) -> bool {
+    fn walk(
+        &self,
+        accuracy: B::Scalar,
+        visit: &mut impl FnMut(&Leaf<'_, B::Bernstein<P>, P>) -> bool,
+    ) -> bool {
         let points = self.to_bernstein();
         let polygon = polygon(points.as_ref());
         if !points.as_ref().iter().all(|&p| is_finite(p)) || !polygon.is_finite() {
@@ -157,7 +162,7 @@ struct Piece<A, S> {
 
 impl<A, S: Scalar> Piece<A, S> {
     /// Returns whether to go on after this piece.
-    fn walk<P: Point<Scalar = S>>(self, visit: &mut impl FnMut(&Leaf<'_, P>) -> bool) -> bool
+    fn walk<P: Point<Scalar = S>>(self, visit: &mut impl FnMut(&Leaf<'_, A, P>) -> bool) -> bool
     where
         A: Array<P>,
     {
@@ -172,11 +177,9 @@ impl<A, S: Scalar> Piece<A, S> {
         if let Some(rule) = rule(derivative, accuracy) {
             return visit(&Leaf { from, to, speed: Speed::Smooth { derivative, rule } });
         }
-        let all = points.as_ref();
-        let [chord, polygon] = [distance(all[0], all[all.len() - 1]), polygon(all)];
-        if polygon - chord <= accuracy + accuracy || depth == DEPTH {
-            let length = (chord + polygon) * S::of(0.5);
-            return visit(&Leaf { from, to, speed: Speed::Constant { length } });
+        let [shortest, longest] = length_bounds(points.as_ref());
+        if longest - shortest <= accuracy + accuracy || depth == DEPTH {
+            return visit(&Leaf { from, to, speed: Speed::Straight { points } });
         }
         let middle = from + (to - from) * S::of(0.5);
         let (mut left, mut right) = (points, points);
@@ -214,39 +217,67 @@ fn rule<P: Point>(derivative: &[P], accuracy: P::Scalar) -> Option<&'static Rule
     best
 }
 
+/// The lengths of the chord and of the control polygon, between which the length of the curve lies.
+fn length_bounds<P: Point>(points: &[P]) -> [P::Scalar; 2] {
+    match points {
+        [start, .., end] => [distance(*start, *end), polygon(points)],
+        _ => [P::Scalar::ZERO; 2],
+    }
+}
+
 /// A piece whose length is known.
-struct Leaf<'a, P: Point> {
+struct Leaf<'a, A, P: Point> {
     from: P::Scalar,
     to: P::Scalar,
-    speed: Speed<'a, P>,
+    speed: Speed<'a, A, P>,
 }
 
-enum Speed<'a, P: Point> {
+enum Speed<'a, A, P: Point> {
     /// `|D(z)|`, for which the rule is good enough on every part of the piece that starts at its start.
     Smooth { derivative: &'a [P], rule: &'static Rule },
-    /// The piece is as good as straight.
-    Constant { length: P::Scalar },
+    /// Chord and control polygon agree; so they do on every part, because subdivision shortens the polygons and
+    /// lengthens the chords.
+    Straight { points: A },
 }
 
-impl<P: Point> Leaf<'_, P> {
+impl<A: Array<P>, P: Point> Leaf<'_, A, P> {
     fn length(&self) -> P::Scalar {
-        match self.speed {
+        match &self.speed {
             Speed::Smooth { derivative, rule } => rule.integrate(|z| length(value(derivative, z))),
-            Speed::Constant { length } => length,
+            Speed::Straight { points } => mean(length_bounds(points.as_ref())),
         }
     }
 
     /// The parameter in the unit interval up to which the piece has that length.
     fn invert(&self, target: P::Scalar) -> P::Scalar {
-        let half = P::Scalar::of(0.5);
-        let part = match self.speed {
+        let part = match &self.speed {
             Speed::Smooth { derivative, rule } => invert(derivative, rule, target),
-            Speed::Constant { length } if length > P::Scalar::ZERO => target / length,
-            Speed::Constant { .. } => half,
+            Speed::Straight { points } => halve(*points, target),
         };
-        let part = part.max(P::Scalar::ZERO).min(P::Scalar::ONE);
         self.from + (self.to - self.from) * part
     }
+}
+
+fn mean<S: Scalar>([a, b]: [S; 2]) -> S {
+    (a + b) * S::of(0.5)
+}
+
+/// The part of a straight piece, from 0 to 1, that has that length. The speed need not be constant, and may vanish.
+fn halve<A: Array<P>, P: Point>(mut points: A, mut target: P::Scalar) -> P::Scalar {
+    let half = P::Scalar::of(0.5);
+    let [mut part, mut width] = [P::Scalar::ZERO, P::Scalar::ONE];
+    for _ in 0..DEPTH {
+        width = width * half;
+        let mut right = points;
+        bernstein::split(points.as_mut(), half, right.as_mut());
+        let left = mean(length_bounds(points.as_ref()));
+        if target >= left {
+            target = target - left;
+            part = part + width;
+            points = right;
+        }
+    }
+    part
 }
 
 /// `D(z)`

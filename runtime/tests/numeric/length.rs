@@ -139,3 +139,18 @@ fn degenerate_curves() {
         assert!((curve.arclen(1e-9 * size) / size - PARABOLA).abs() < 2e-9, "{size:e}");
     }
 }
+
+/// A straight line whose speed vanishes, or that turns back.
+#[test]
+fn straight_lines_with_a_halt() {
+    let halt =
+        Bezier::from_points([[0.0, 0.0], [1.0, 2.0], [0.5, 1.0], [0.5, 1.0], [0.0, 0.0], [1.0, 2.0_f64]]);
+    let slow = Bezier::from_points([0.0_f64, 0.0, 0.0, 1.0]);
+    for accuracy in [1e-3, 1e-9, 1e-13] {
+        for target in [1e-4, 0.1, 0.4, 0.9] {
+            assert!((slow.eval(slow.inv_arclen(target, accuracy)) - target).abs() <= accuracy + 1e-15);
+            let t = halt.inv_arclen(target, accuracy);
+            assert!((halt.subsegment(0.0..t).arclen(1e-14) - target).abs() <= 2.0 * accuracy + 1e-13);
+        }
+    }
+}
