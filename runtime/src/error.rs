@@ -1,4 +1,4 @@
-//! The one error of this crate: a shape parameter outside its declared range.
+//! The errors of this crate: a shape parameter outside its declared range, a wrong number of control points.
 
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
@@ -69,3 +69,53 @@ impl Display for ShapeError {
 }
 
 impl Error for ShapeError {}
+
+/// A slice holds another number of control points than a family has functions.
+///
+/// ```
+/// use basis_runtime::{TriangularPatch, basis};
+///
+/// basis! { family Plane { domain triangle (u, v, w); b[0] = u; b[1] = v; b[2] = w; } }
+/// # fn main() {
+/// let error = TriangularPatch::from_slice(Plane::new(), &[[0.0, 1.0], [2.0, 3.0]]).unwrap_err();
+/// assert_eq!((error.expected(), error.found()), (3, 2));
+/// assert_eq!(error.to_string(), "Plane has 3 functions, so it needs 3 control points, not 2");
+/// # }
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CountError {
+    family: &'static str,
+    expected: usize,
+    found: usize,
+}
+
+impl CountError {
+    #[cold]
+    pub(crate) fn new(family: &'static str, expected: usize, found: usize) -> Self {
+        Self { family, expected, found }
+    }
+
+    /// The name of the family.
+    pub fn family(&self) -> &'static str {
+        self.family
+    }
+
+    /// The number of functions of the family.
+    pub fn expected(&self) -> usize {
+        self.expected
+    }
+
+    /// The number of control points that were given.
+    pub fn found(&self) -> usize {
+        self.found
+    }
+}
+
+impl Display for CountError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Self { family, expected, found } = *self;
+        write!(f, "{family} has {expected} functions, so it needs {expected} control points, not {found}")
+    }
+}
+
+impl Error for CountError {}

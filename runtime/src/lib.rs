@@ -56,6 +56,7 @@ extern crate std;
 pub mod __private;
 mod basis;
 pub mod bernstein;
+mod boxes;
 #[cfg(feature = "alloc")]
 pub mod bspline;
 mod curve;
@@ -68,6 +69,7 @@ mod point;
 mod revolution;
 mod scalar;
 mod simd;
+mod simplex;
 mod surface;
 #[allow(dead_code)] // some of it only with some features
 mod vector;
@@ -75,10 +77,11 @@ mod vector;
 pub use basis::{Array, Basis};
 pub use basis_macros::basis;
 pub use bernstein::{BernsteinBasis, BernsteinOf};
+pub use boxes::{BoxBasis, BoxPatch};
 #[cfg(feature = "alloc")]
 pub use curve::Nearest;
 pub use curve::{Bezier, BezierOf, Curve, CurveError, Frame, Samples};
-pub use error::ShapeError;
+pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "alloc")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
@@ -87,6 +90,10 @@ pub use point::Point;
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
+pub use simplex::{
+    EdgeBasis, SimplexBasis, SimplexIndex, SimplexPatch, TetrahedronIndex, TriangleEdge, TriangleIndex,
+    TriangularBasis, TriangularPatch,
+};
 #[cfg(feature = "alloc")]
 pub use surface::BoundedSurface;
 pub use surface::{

@@ -5,8 +5,11 @@ use ::core::ops::Bound;
 pub use ::core;
 
 use crate::basis::combination;
+pub use crate::boxes::box_sum;
 pub use crate::domain::unit;
 use crate::form::{binomials, nested};
+use crate::simplex::SimplexIndex;
+pub use crate::simplex::raise::{raise_values, raise_weights};
 use crate::{Point, Scalar, ShapeError};
 
 /// `value`, if it is finite and lies between the bounds; a bound that is no float stands for the nearest one.
@@ -62,5 +65,65 @@ pub fn powers<S: Scalar, const M: usize>(x: S) -> [S; M] {
             power = power * x;
         }
         power
+    })
+}
+
+/// `Σ c[α] u^α₁ v^α₂ w^α₃`, all `α` with the sum `degree` in lexicographic order; the same on a tetrahedron.
+///
+/// With all numbers nonnegative no step is negative.
+#[inline]
+pub fn simplex_sum<S: Scalar, const M: usize, const K: usize>(
+    coefficients: &[S; M],
+    at: [S; K],
+    degree: usize,
+) -> S {
+    crate::simplex::simplex_sum(coefficients, &at, degree)
+}
+
+/// The multinomial coefficients `n!/(α₁! α₂! …)` of all `α` with the sum `n`, in lexicographic order.
+pub const fn multinomials<const T: usize>(corners: usize, degree: usize) -> [f64; T] {
+    let mut table = [1.0; T];
+    let mut position = 0;
+    while position < T {
+        table[position] = match corners {
+            3 => multinomial(SimplexIndex::<3>::at(degree, position)),
+            _ => multinomial(SimplexIndex::<4>::at(degree, position)),
+        };
+        position += 1;
+    }
+    table
+}
+
+const fn multinomial<const K: usize>(index: Option<SimplexIndex<K>>) -> f64 {
+    let Some(index) = index else { return 0.0 };
+    let (mut result, mut sum, mut place) = (1.0, 0, 0);
+    while place < K {
+        // Times binomial(sum, part).
+        let part = index.components()[place];
+        let mut k = 1;
+        while k <= part {
+            sum += 1;
+            result = result * sum as f64 / k as f64;
+            k += 1;
+        }
+        place += 1;
+    }
+    result
+}
+
+/// A table from its different entries and the place of each: one byte for each place, or two, the lower one first.
+#[inline]
+pub fn table<S: Scalar, const N: usize, const T: usize, const L: usize>(
+    entries: &[S],
+    places: &[u8; L],
+) -> [[S; N]; T] {
+    let width = L / (N * T).max(1);
+    ::core::array::from_fn(|row| {
+        ::core::array::from_fn(|column| {
+            let start = (row * N + column) * width;
+            let place =
+                places[start..start + width].iter().rev().fold(0, |place, &b| 256 * place + usize::from(b));
+            entries[place]
+        })
     })
 }

@@ -6,6 +6,7 @@
 
 pub mod exact;
 pub mod families;
+pub mod patches;
 pub mod random;
 
 use std::path::{Path, PathBuf};

@@ -26,7 +26,7 @@ fn every_shipped_family_is_tested() {
         }
         let source = source::read(&Disk, &path.to_string_lossy(), &[]).expect("readable");
         let library = Library::from_source(&Disk, source);
-        // Families on triangles and in several variables are not generated yet.
+        // Families on triangles and in several variables are tested in `patches.rs`.
         let items = library.items(Selected::EveryOrder);
         for family in items.iter().map(|item| &item.family).filter(|f| f.interval().is_some()) {
             assert!(tested.contains(&family.name), "{} has a family {}", path.display(), family.name);

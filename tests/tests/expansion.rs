@@ -48,3 +48,13 @@ fn of_high_degree() {
     assert_eq!(form(12), (true, false));
     assert_eq!(form(13), (false, true));
 }
+
+#[test]
+fn of_a_triangle() {
+    insta::assert_snapshot!("triangular_2", code("triangular.basis", "TriangularII", &[4]));
+}
+
+#[test]
+fn of_a_box() {
+    insta::assert_snapshot!("serendipity", code("lagrange.basis", "Serendipity", &[]));
+}

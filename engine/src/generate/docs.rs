@@ -1,12 +1,10 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
-use super::form::IntervalForm;
-use super::formula::factored;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 
-/// The lines of the doc comment.
-pub(super) fn family(family: &Family, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> Vec<String> {
+/// The lines of the doc comment; one formula a line.
+pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, Verdict)]) -> Vec<String> {
     let mut lines = family.doc.clone();
     if lines.is_empty() {
         lines.push(format!("The family of basis functions `{}`.", family.title()));
@@ -16,18 +14,17 @@ pub(super) fn family(family: &Family, form: &IntervalForm, verdicts: &[(Claim, V
         lines.extend([String::new(), format!("Generated for {}.", values.join(", "))]);
     }
     lines.extend(["", "# Functions", "", "```text"].map(String::from));
-    for (k, function) in form.functions.iter().enumerate() {
-        let formula = factored(family, form, function);
-        lines.push(format!("{} = {formula}", family.function_label(k)));
-    }
+    lines.extend(formulas.iter().cloned());
     lines.push(String::from("```"));
     lines.push(String::new());
-    let ranges: Vec<String> = family
-        .domain
-        .iter()
-        .chain(&family.shapes)
-        .map(|p| format!("`{}`", p.range.display(&p.name)))
-        .collect();
+    let mut ranges: Vec<String> = Vec::new();
+    if family.is_simplex() {
+        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
+        ranges.push(format!("`{} = 1`, all ≥ 0", names.join(" + ")));
+    } else {
+        ranges.extend(family.domain.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
+    }
+    ranges.extend(family.shapes.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
     lines.push(format!("for {}.", ranges.join(", ")));
     if !verdicts.is_empty() {
         lines.extend(

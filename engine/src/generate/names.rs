@@ -7,8 +7,16 @@ use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
 /// Methods that every generated type has.
-const METHODS: [&str; 7] =
-    ["new", "values", "derivatives", "coefficients", "bernstein_coefficients", "to_bernstein", "bind"];
+const METHODS: [&str; 8] = [
+    "partials",
+    "new",
+    "values",
+    "derivatives",
+    "coefficients",
+    "bernstein_coefficients",
+    "to_bernstein",
+    "bind",
+];
 
 const LOWER: [(char, &str); 25] = [
     ('α', "alpha"),

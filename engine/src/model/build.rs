@@ -62,6 +62,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         dependent,
         function_name: scope.function_name.clone(),
         functions,
+        base: core::mem::take(&mut scope.base),
         budget,
     };
     check_divisors(scope, &family.names, &family.shape_region(), family.budget);

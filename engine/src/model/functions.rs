@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::label;
 use super::scope::{Scope, multi_indices};
+use super::{Function, label};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -245,6 +245,12 @@ fn raise(scope: &mut Scope<'_>, def: &FunctionDef, order: &str, lowest: i64) {
         }
     }
     let wanted = scope.constant(order).unwrap_or(lowest);
+    if wanted > lowest {
+        let known = scope.functions.iter();
+        scope.base = known
+            .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
+            .collect();
+    }
     for current in lowest + 1..=wanted {
         let Some(indices) = raised_indices(scope, def, names.len()) else {
             scope.cut_short = true;

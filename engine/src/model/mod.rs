@@ -48,6 +48,8 @@ pub struct Family {
     pub function_name: String,
     /// The functions in the order of their indices.
     pub functions: Vec<Function>,
+    /// The functions of the lowest order, when these were raised from them.
+    pub base: Vec<Function>,
     /// How many times the usual work the provers may spend on a claim.
     pub budget: u32,
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use proc_macro2::Span;
 
 use super::budget::Budget;
-use super::{Family, Library};
+use super::{Family, Function, Library};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::diagnostic::{Diagnostic, Place};
@@ -48,6 +48,8 @@ pub(super) struct Scope<'a> {
     pub(super) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
     pub(super) functions: BTreeMap<Vec<i64>, Option<Fraction>>,
+    /// The functions of the lowest order, once others are raised from them.
+    pub(super) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
     pub(super) missing_is_zero: bool,
     /// Whether an error has ended a loop over functions early.
@@ -266,6 +268,7 @@ impl Scope<'_> {
             dependent: None,
             function_name: String::new(),
             functions: BTreeMap::new(),
+            base: Vec::new(),
             missing_is_zero: false,
             cut_short: false,
             complete: false,

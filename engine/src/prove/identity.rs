@@ -22,8 +22,11 @@ pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
     let mut differences = Vec::new();
     for motion in motions(family) {
         for (k, function) in family.functions.iter().enumerate() {
-            let index = motion.index(&function.index);
-            let Some(other) = family.functions.iter().position(|f| f.index == index) else { continue };
+            let Some(moved_index) = motion.index(&function.index) else {
+                differences.extend(unnumbered(family, &motion, k));
+                continue;
+            };
+            let Some(other) = family.functions.iter().position(|f| f.index == moved_index) else { continue };
             // A motion is its own inverse: what holds for a function holds for its partner.
             if other < k {
                 continue;
@@ -37,27 +40,38 @@ pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
     differences
 }
 
+/// In a numbering that says nothing about the domain, a moved function must be one of the functions: the difference to that
+/// one, or where there is none, to the function itself.
+fn unnumbered(family: &Family, motion: &Motion, k: usize) -> Option<(String, Fraction)> {
+    let moved = motion.apply(&family.functions[k].value)?;
+    let other = family.functions.iter().position(|f| f.value == moved).unwrap_or(k);
+    let (this, that) = (family.function_label(k), family.function_label(other));
+    let of = format!("{that} - {this}({})", motion.arguments.join(", "));
+    Some((of, &family.functions[other].value - &moved))
+}
+
 /// A motion of the domain onto itself with what it does to the indices.
 struct Motion {
     /// New values of the independent variables.
     by: Vec<(Var, Poly)>,
     /// The same for reading, all variables.
     arguments: Vec<String>,
-    /// The two places of an index that change: two equal ones are reversed, up to the last index.
-    places: (usize, usize),
+    /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the indices are
+    /// not those of the coordinates.
+    places: Option<(usize, usize)>,
     last: Vec<i64>,
 }
 
 impl Motion {
-    fn index(&self, index: &[i64]) -> Vec<i64> {
+    fn index(&self, index: &[i64]) -> Option<Vec<i64>> {
         let mut moved = index.to_vec();
-        let (a, b) = self.places;
+        let (a, b) = self.places?;
         if a == b {
             moved[a] = self.last[a] - index[a];
         } else {
             moved.swap(a, b);
         }
-        moved
+        Some(moved)
     }
 
     /// The function at the moved point.
@@ -98,16 +112,13 @@ fn motions(family: &Family) -> Vec<Motion> {
         let rest = identity.iter().fold(Poly::one(), |rest, p| &rest - p);
         let names: Vec<String> = family.domain_variables().map(|p| p.name.clone()).collect();
         identity.push(rest);
-        // With another numbering of the functions there is nothing to exchange them by.
-        if last.len() != names.len() {
-            return all;
-        }
+        let numbered = last.len() == names.len();
         for k in 0..vars.len() {
             let (mut moved, mut arguments) = (identity.clone(), names.clone());
             moved.swap(k, k + 1);
             arguments.swap(k, k + 1);
             let by = vars.iter().copied().zip(moved).collect();
-            all.push(Motion { by, arguments, places: (k, k + 1), last: last.clone() });
+            all.push(Motion { by, arguments, places: numbered.then_some((k, k + 1)), last: last.clone() });
         }
         return all;
     }
@@ -116,12 +127,10 @@ fn motions(family: &Family) -> Vec<Motion> {
         let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
         let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).collect();
         let arguments = moved.iter().map(|p| p.display(&family.names).to_string()).collect();
-        // With one index for several variables the functions are reversed as a list.
-        let place = if last.len() == vars.len() { k } else { 0 };
         all.push(Motion {
             by: vars.iter().copied().zip(moved).collect(),
             arguments,
-            places: (place, place),
+            places: (last.len() == vars.len()).then_some((k, k)),
             last: last.clone(),
         });
     }

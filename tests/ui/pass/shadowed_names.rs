@@ -26,6 +26,9 @@ trait PartialEq {}
 trait Into {}
 trait Scalar {}
 trait Point {}
+trait SimplexBasis {}
+trait BoxBasis {}
+trait TriangularBasis {}
 trait Basis {
     fn derivatives(&self) {}
     fn values(&self) {}
@@ -36,6 +39,10 @@ fn unit() {}
 fn bernstein() {}
 fn combine() {}
 fn check_shape() {}
+fn simplex_sum() {}
+fn box_sum() {}
+fn raise_values() {}
+fn table() {}
 
 macro_rules! include_bytes {
     ($($any:tt)*) => {
@@ -46,6 +53,8 @@ macro_rules! include_bytes {
 ::basis_runtime::basis!("../../../specs/quartic.basis");
 ::basis_runtime::basis!("../../../specs/beta_spline.basis");
 ::basis_runtime::basis!("../../../specs/bernstein.basis", Bernstein(13));
+::basis_runtime::basis!("../../../specs/triangular.basis", TriangularI(3));
+::basis_runtime::basis!("../../../specs/lagrange.basis", Serendipity, TetrahedralLagrange(2));
 
 fn main() {
     let quartic = QuarticBernstein::new(0.5_f32).unwrap();
@@ -53,5 +62,9 @@ fn main() {
     assert_eq!(quartic.derivatives(0.0, 1), [-3.5, 3.5, 0.0, 0.0]);
     let curve = ::basis_runtime::Curve::new(Bernstein::<f64>::new(), [1.0; 14]);
     assert_eq!(curve.eval(0.0), 1.0);
+    let triangle = TriangularI::<f64>::new(1.0, 2.0).unwrap();
+    assert_eq!(triangle.values([1.0, 0.0, 0.0])[9], 1.0);
+    assert_eq!(Serendipity::<f64>::new().values([1.0, -1.0])[1], 1.0);
+    assert_eq!(TetrahedralLagrange::<f32>::new().values([0.0, 0.0, 0.0, 1.0])[0], 1.0);
     assert!(BetaSpline::<f64>::new(1.0, 0.0).is_ok());
 }

@@ -1,0 +1,155 @@
+//! What all generated types share: the definition, the constructor that checks shape values, their accessors.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote_spanned;
+
+use super::scalar::ScalarCode;
+use super::{doc, site};
+use crate::algebra::range::End;
+use crate::algebra::rational::Rational;
+use crate::model::Family;
+
+/// A family as a type.
+pub(super) struct Shell<'a> {
+    pub(super) family: &'a Family,
+    pub(super) name: Ident,
+    /// The Rust names of the shape parameters.
+    pub(super) fields: Vec<Ident>,
+    pub(super) runtime: &'a TokenStream,
+}
+
+impl Shell<'_> {
+    /// The path of `core`.
+    pub(super) fn core(&self) -> TokenStream {
+        let runtime = self.runtime;
+        quote_spanned!(site()=> #runtime::__private::core)
+    }
+
+    /// Code for expressions in the shape values.
+    pub(super) fn scalars(&self) -> ScalarCode<'_> {
+        ScalarCode::new(self.family, &self.fields)
+    }
+
+    /// The definition of the type with its documentation, methods, and the implementations of traits.
+    pub(super) fn definition(
+        &self,
+        docs: &[String],
+        methods: &TokenStream,
+        traits: &TokenStream,
+    ) -> TokenStream {
+        let Self { name, fields, runtime, .. } = self;
+        let core = self.core();
+        let docs = docs.iter().map(|line| doc(line));
+        let body = if fields.is_empty() {
+            quote_spanned!(site()=> { scalar: #core::marker::PhantomData<S> })
+        } else {
+            quote_spanned!(site()=> { #(#fields: S),* })
+        };
+        let constructor = self.constructor(&core);
+        let default = fields.is_empty().then(|| {
+            quote_spanned! {site()=>
+                impl<S: #runtime::Scalar> #core::default::Default for #name<S> {
+                    fn default() -> Self {
+                        Self::new()
+                    }
+                }
+            }
+        });
+        quote_spanned! {site()=>
+            #(#docs)*
+            #[derive(#core::clone::Clone, #core::marker::Copy, #core::fmt::Debug, #core::cmp::PartialEq)]
+            #[allow(non_camel_case_types, non_snake_case)]
+            pub struct #name<S = f64> #body
+
+            #[allow(non_snake_case, clippy::all, clippy::pedantic)]
+            impl<S: #runtime::Scalar> #name<S> {
+                #constructor
+                #methods
+            }
+
+            #default
+
+            #traits
+        }
+    }
+
+    /// `new`, and one accessor for each shape parameter.
+    fn constructor(&self, core: &TokenStream) -> TokenStream {
+        let Self { fields, runtime, family, .. } = self;
+        let title = family.title();
+        if fields.is_empty() {
+            let new = doc(&format!("The family `{title}`; it has no shape parameters."));
+            return quote_spanned! {site()=>
+                #new
+                #[inline]
+                #[must_use]
+                pub const fn new() -> Self {
+                    Self { scalar: #core::marker::PhantomData }
+                }
+            };
+        }
+        let ranges: Vec<String> =
+            family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect();
+        let checks = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
+            let (low, high) = (bound(&p.range.low, core), bound(&p.range.high, core));
+            let parameter = &p.name;
+            quote_spanned! {site()=>
+                #field: #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
+            }
+        });
+        let arguments = fields.iter().map(|f| quote_spanned!(site()=> #f: S));
+        let new = doc(&format!(
+            "The family `{title}` with shape values in the declared ranges: `{}`.",
+            ranges.join("`, `")
+        ));
+        let accessors = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
+            let mut lines = vec![format!("The shape parameter `{}`, `{range}`.", p.name)];
+            if !p.doc.is_empty() {
+                lines.push(String::new());
+                lines.extend(p.doc.iter().cloned());
+            }
+            let docs = lines.iter().map(|line| doc(line));
+            quote_spanned! {site()=>
+                #(#docs)*
+                #[inline]
+                #[must_use]
+                pub fn #field(&self) -> S {
+                    self.#field
+                }
+            }
+        });
+        quote_spanned! {site()=>
+            #new
+            ///
+            /// # Errors
+            /// When a value is outside of its declared range, infinite, or NaN.
+            #[inline]
+            pub fn new(#(#arguments),*) -> #core::result::Result<Self, #runtime::ShapeError> {
+                #core::result::Result::Ok(Self { #(#checks),* })
+            }
+            #(#accessors)*
+        }
+    }
+}
+
+fn bound(end: &End, core: &TokenStream) -> TokenStream {
+    let literal = |value: &Rational| {
+        let literal = Literal::f64_unsuffixed(value.abs().to_f64());
+        if value.is_negative() {
+            quote_spanned!(site()=> -#literal)
+        } else {
+            quote_spanned!(site()=> #literal)
+        }
+    };
+    match end {
+        End::Infinite => quote_spanned!(site()=> #core::ops::Bound::Unbounded),
+        End::Included(value) => {
+            let value = literal(value);
+            quote_spanned!(site()=> #core::ops::Bound::Included(#value))
+        }
+        End::Excluded(value) => {
+            let value = literal(value);
+            quote_spanned!(site()=> #core::ops::Bound::Excluded(#value))
+        }
+    }
+}

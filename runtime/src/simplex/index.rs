@@ -1,0 +1,141 @@
+//! Indices of control points on a simplex, and their one order.
+
+/// The index `(i, j, k)` of a control point of a triangular patch.
+pub type TriangleIndex = SimplexIndex<3>;
+
+/// The index `(i, j, k, l)` of a control point on a tetrahedron.
+pub type TetrahedronIndex = SimplexIndex<4>;
+
+/// The index of a control point on a simplex: one whole number for each corner; their sum is the order `n`.
+///
+/// Everywhere, control points, functions and coefficients stand in lexicographic order of their indices. On a triangle of
+/// order 2 that is
+///
+/// ```text
+/// (0,0,2) (0,1,1) (0,2,0) (1,0,1) (1,1,0) (2,0,0)
+/// ```
+///
+/// so that the control points of the corners are the last one, `(n,0,0)`; the one at position `n`, `(0,n,0)`; and the first
+/// one, `(0,0,n)`.
+///
+/// ```
+/// use basis_runtime::TriangleIndex;
+///
+/// let index = TriangleIndex::new([1, 0, 1]);
+/// assert_eq!(index.position(), 3);
+/// assert_eq!(TriangleIndex::at(2, 3), Some(index));
+/// assert_eq!(TriangleIndex::at(2, 6), None);
+/// assert_eq!(TriangleIndex::count(2), 6);
+/// assert!(TriangleIndex::all(8).enumerate().all(|(position, index)| index.position() == position));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SimplexIndex<const K: usize> {
+    components: [usize; K],
+}
+
+impl<const K: usize> SimplexIndex<K> {
+    /// The index with these components.
+    #[inline]
+    pub const fn new(components: [usize; K]) -> Self {
+        const { assert!(K > 0, "a simplex has at least one corner") };
+        Self { components }
+    }
+
+    /// The index at a position of the lexicographic order; `None` when there are not that many of this order.
+    pub const fn at(order: usize, position: usize) -> Option<Self> {
+        if position >= Self::count(order) {
+            return None;
+        }
+        let mut components = [0; K];
+        let (mut order, mut position, mut place) = (order, position, 0);
+        while place + 1 < K {
+            // Those that share the first component are indices of one corner less.
+            let mut block = lattice_size(K - 1 - place, order);
+            while position >= block {
+                position -= block;
+                order -= 1;
+                components[place] += 1;
+                block = lattice_size(K - 1 - place, order);
+            }
+            place += 1;
+        }
+        components[K - 1] = order;
+        Some(Self { components })
+    }
+
+    /// The position in the lexicographic order.
+    pub const fn position(self) -> usize {
+        let (mut order, mut position, mut place) = (self.order(), 0, 0);
+        while place + 1 < K {
+            // Before this one come all whose component here is smaller.
+            let corners = K - place;
+            order -= self.components[place];
+            position += lattice_size(corners, order + self.components[place]) - lattice_size(corners, order);
+            place += 1;
+        }
+        position
+    }
+
+    /// The order `n`, the sum of the components.
+    #[inline]
+    pub const fn order(self) -> usize {
+        let (mut sum, mut place) = (0, 0);
+        while place < K {
+            sum += self.components[place];
+            place += 1;
+        }
+        sum
+    }
+
+    /// The components.
+    #[inline]
+    pub const fn components(self) -> [usize; K] {
+        self.components
+    }
+
+    /// How many indices of this order there are, `binomial(n + K - 1, K - 1)`.
+    #[inline]
+    pub const fn count(order: usize) -> usize {
+        lattice_size(K, order)
+    }
+
+    /// All indices of this order, in lexicographic order.
+    pub fn all(order: usize) -> impl Iterator<Item = Self> {
+        let mut first = [0; K];
+        first[K - 1] = order;
+        let mut next = Some(Self { components: first });
+        core::iter::from_fn(move || {
+            let current = next?;
+            next = current.next();
+            Some(current)
+        })
+    }
+
+    /// The next index of the same order.
+    fn next(self) -> Option<Self> {
+        let mut components = self.components;
+        // One unit moves left from the last place that has any, the rest goes to the end.
+        let from = (1..K).rev().find(|&place| components[place] > 0)?;
+        let rest = components[from] - 1;
+        components[from] = 0;
+        components[from - 1] += 1;
+        components[K - 1] = rest;
+        Some(Self { components })
+    }
+
+    /// The index with one more in a place.
+    pub(crate) const fn up(mut self, place: usize) -> Self {
+        self.components[place] += 1;
+        self
+    }
+}
+
+/// `binomial(n + K - 1, K - 1)`, the number of indices with `K` components and the sum `n`.
+pub(crate) const fn lattice_size(corners: usize, order: usize) -> usize {
+    let (mut size, mut k) = (1, 1);
+    while k < corners {
+        size = size * (order + k) / k;
+        k += 1;
+    }
+    size
+}

@@ -1,0 +1,165 @@
+//! Families on triangles and tetrahedra: what they provide, and the patches over them.
+
+mod edge;
+mod index;
+mod net;
+mod normal;
+mod patch;
+pub(crate) mod raise;
+
+use core::fmt::Debug;
+
+pub use edge::{EdgeBasis, TriangleEdge};
+pub use index::{SimplexIndex, TetrahedronIndex, TriangleIndex};
+pub(crate) use net::simplex_sum;
+pub use patch::{SimplexPatch, TriangularPatch};
+
+use crate::basis::combination;
+use crate::{Array, Form, Point, Scalar};
+use net::contract;
+
+/// A family of polynomial basis functions on a triangle or a tetrahedron, with its shape parameters set to values.
+///
+/// [`basis!`](crate::basis!) implements it for the types that it generates. A point of the domain is given by its barycentric
+/// coordinates `[u, v, w]` (on a tetrahedron `[u, v, w, x]`), all ≥ 0 with the sum 1; functions and control points stand in
+/// the lexicographic order of their indices, see [`SimplexIndex`]. Coordinates with another sum are not normalised: the
+/// formulas are evaluated as they are homogeneous.
+pub trait SimplexBasis: Copy + PartialEq + Debug {
+    /// The type of coordinates, values and shape parameters.
+    type Scalar: Scalar;
+
+    /// Barycentric coordinates: `[S; 3]` or `[S; 4]`.
+    type Coordinates: Array<Self::Scalar> + PartialEq + Debug;
+
+    /// One order of differentiation for each independent coordinate, all but the last: `[usize; 2]` or `[usize; 3]`.
+    type Orders: Array<usize>;
+
+    /// One value for each function: `[Self::Scalar; LEN]`.
+    type Values: Array<Self::Scalar> + Point<Scalar = Self::Scalar>;
+
+    /// One element, usually a control point, for each function: `[T; LEN]`.
+    type Points<T: Copy>: Array<T>;
+
+    /// One element for each function of the Bernstein basis of the same degree.
+    type Bernstein<T: Copy>: Array<T>;
+
+    /// The name of the family in its spec, with its order.
+    const NAME: &'static str;
+
+    /// The degree of the functions.
+    const DEGREE: usize;
+
+    /// The order `n`, when there is one function for each index with the sum `n`.
+    const ORDER: Option<usize>;
+
+    /// The multinomial coefficients `n!/(α₁! α₂! …)` of the Bernstein basis of the degree `n`, in lexicographic order.
+    const MULTINOMIALS: &'static [f64];
+
+    /// The number of basis functions.
+    const LEN: usize = <Self::Points<()> as Array<()>>::LEN;
+
+    /// The values of all functions.
+    fn values(&self, at: Self::Coordinates) -> Self::Values;
+
+    /// The weights `c[α][i]` of the control points in the Bernstein net; by columns the Bernstein coefficients of the
+    /// functions: `b[i] = Σ_α c[α][i] · n!/(α₁! α₂! …) u^α₁ v^α₂ …` with `n = DEGREE`.
+    fn bernstein_weights(&self) -> Self::Bernstein<Self::Values>;
+
+    /// The derivatives of the given order along a direction, a difference of two points in barycentric coordinates; zero
+    /// above the degree.
+    ///
+    /// On a triangle `[1, -1, 0]` is the edge from the corner `v = 1` to the corner `u = 1`.
+    fn derivatives(&self, at: Self::Coordinates, along: Self::Coordinates, order: usize) -> Self::Values {
+        if order == 0 {
+            return self.values(at);
+        }
+        let mut weights = self.bernstein_weights();
+        let degree = differentiate(weights.as_mut(), Self::DEGREE, along.as_ref(), order);
+        finish(weights.as_mut(), degree, at.as_ref())
+    }
+
+    /// The partial derivatives of these orders in the coordinates but the last, which is 1 minus their sum; zero above the
+    /// degree.
+    fn partials(&self, at: Self::Coordinates, orders: Self::Orders) -> Self::Values {
+        if orders.as_ref().iter().all(|&order| order == 0) {
+            return self.values(at);
+        }
+        let mut weights = self.bernstein_weights();
+        let degree =
+            partial::<Self::Values, Self::Coordinates>(weights.as_mut(), Self::DEGREE, orders.as_ref());
+        finish(weights.as_mut(), degree, at.as_ref())
+    }
+
+    /// The control points of the same patch in the Bernstein basis of the same degree: `Σ_i c[α][i] points[i]` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    fn to_bernstein<P: Point<Scalar = Self::Scalar>>(&self, points: &Self::Points<P>) -> Self::Bernstein<P> {
+        let weights = self.bernstein_weights();
+        Self::Bernstein::from_fn(|j| {
+            let row = weights.as_ref()[j];
+            let used = points.as_ref().iter().copied().zip(row.as_ref().iter().copied());
+            combination(used.filter(|(_, weight)| *weight != Self::Scalar::ZERO))
+        })
+    }
+}
+
+/// A family on a triangle; what its edges are besides.
+///
+/// [`basis!`](crate::basis!) implements it for every family on a triangle.
+pub trait TriangularBasis:
+    SimplexBasis<Coordinates = [<Self as SimplexBasis>::Scalar; 3], Orders = [usize; 2]>
+{
+    /// One value for each control point of an edge.
+    type EdgeValues: Array<Self::Scalar> + Point<Scalar = Self::Scalar>;
+
+    /// One element for each control point of an edge.
+    type EdgePoints<T: Copy>: Array<T>;
+
+    /// One element for each Bernstein point of an edge: `[T; DEGREE + 1]`.
+    type EdgeBernstein<T: Copy>: Array<T>;
+
+    /// A boundary curve, ready to be evaluated.
+    type EdgeForm<P: Point<Scalar = Self::Scalar>>: Form<P>;
+
+    /// Whether on every edge all functions vanish but those of its own control points, so that a boundary curve depends on
+    /// these alone; otherwise it is a Bézier curve.
+    const OWN_EDGES: bool;
+
+    /// The curve with these Bernstein points.
+    fn edge_form<P: Point<Scalar = Self::Scalar>>(points: &Self::EdgeBernstein<P>) -> Self::EdgeForm<P>;
+}
+
+/// Differentiates a net along a direction; the degree that is left.
+fn differentiate<P: Point>(net: &mut [P], degree: usize, along: &[P::Scalar], order: usize) -> usize {
+    if order > degree {
+        net.fill(P::zero());
+        return 0;
+    }
+    for m in (degree - order + 1..=degree).rev() {
+        contract(net, m, along);
+        for element in &mut net[..] {
+            *element = element.scale(P::Scalar::from_usize(m));
+        }
+    }
+    degree - order
+}
+
+/// Differentiates a net in all coordinates but the last; the degree that is left.
+fn partial<P: Point, C: Array<P::Scalar>>(net: &mut [P], degree: usize, orders: &[usize]) -> usize {
+    let last = orders.len();
+    orders.iter().enumerate().fold(degree, |degree, (place, &order)| {
+        let along = C::from_fn(|j| match j {
+            _ if j == place => P::Scalar::ONE,
+            _ if j == last => -P::Scalar::ONE,
+            _ => P::Scalar::ZERO,
+        });
+        differentiate(net, degree, along.as_ref(), order)
+    })
+}
+
+/// De Casteljau's algorithm to the end.
+fn finish<P: Point>(net: &mut [P], degree: usize, at: &[P::Scalar]) -> P {
+    for m in (1..=degree).rev() {
+        contract(net, m, at);
+    }
+    net[0]
+}

@@ -1,0 +1,110 @@
+//! Bernstein nets on triangles and tetrahedra: sums, steps of de Casteljau's algorithm, and their transposes.
+//!
+//! A net of degree `n` holds one element for each index of the order `n`, in lexicographic order; see
+//! [`SimplexIndex`](super::SimplexIndex).
+
+use crate::{Point, Scalar};
+
+/// One step down: `c[β] = Σ_j a[j] c[β + e_j]` for all `β` of the order `n - 1`, in place.
+///
+/// With barycentric coordinates for `a` it is a step of de Casteljau's algorithm; with a direction, coordinates with the
+/// sum zero, the derivative in that direction divided by `n`.
+#[inline]
+pub(crate) fn contract<P: Point>(net: &mut [P], n: usize, a: &[P::Scalar]) {
+    match *a {
+        [u, v, w] => {
+            let (mut out, mut row) = (0, 0);
+            for i in 0..n {
+                let next = row + n - i + 1;
+                for j in 0..n - i {
+                    net[out] =
+                        net[row + j].scale(w).add_scaled(net[row + j + 1], v).add_scaled(net[next + j], u);
+                    out += 1;
+                }
+                row = next;
+            }
+        }
+        [u, v, w, x] => {
+            let (mut out, mut layer) = (0, 0);
+            for h in 0..n {
+                // The layer is a triangle of the order m.
+                let m = n - h;
+                let (mut row, mut above) = (layer, layer + (m + 1) * (m + 2) / 2);
+                layer = above;
+                for i in 0..m {
+                    let next = row + m - i + 1;
+                    for j in 0..m - i {
+                        let inner = net[row + j]
+                            .scale(x)
+                            .add_scaled(net[row + j + 1], w)
+                            .add_scaled(net[next + j], v);
+                        net[out] = inner.add_scaled(net[above], u);
+                        out += 1;
+                        above += 1;
+                    }
+                    row = next;
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// `Σ c[α] x^α`, by nested multiplication; a Bernstein net has its multinomial factors in `c`.
+///
+/// With all numbers nonnegative no step is negative.
+#[inline]
+pub(crate) fn simplex_sum<S: Scalar>(coefficients: &[S], at: &[S], n: usize) -> S {
+    match *at {
+        [u, v, w] => triangle_sum(coefficients, [u, v, w], n),
+        [u, v, w, x] => {
+            // Layers from the highest power of u down.
+            let mut end = coefficients.len();
+            let mut sum = S::ZERO;
+            for m in 0..=n {
+                let start = end - (m + 1) * (m + 2) / 2;
+                sum = sum * u + triangle_sum(&coefficients[start..end], [v, w, x], m);
+                end = start;
+            }
+            sum
+        }
+        _ => S::ZERO,
+    }
+}
+
+#[inline]
+fn triangle_sum<S: Scalar>(coefficients: &[S], [u, v, w]: [S; 3], n: usize) -> S {
+    let mut end = coefficients.len();
+    let mut sum = S::ZERO;
+    for m in 0..=n {
+        // The row with the factor u^(n - m): Σ_j c[j] v^j w^(m - j).
+        let row = &coefficients[end - m - 1..end];
+        end -= m + 1;
+        let mut power = S::ONE;
+        let row = row[1..].iter().fold(row[0], |row, &c| {
+            power = power * v;
+            row * w + c * power
+        });
+        sum = sum * u + row;
+    }
+    sum
+}
+
+/// The point `Σ factors[α] x^α c[α]` on a triangle, by nested multiplication.
+#[inline]
+pub(crate) fn triangle_point<P: Point>(net: &[P], factors: &[f64], [u, v, w]: [P::Scalar; 3], n: usize) -> P {
+    let mut end = net.len();
+    let mut sum = P::zero();
+    for m in 0..=n {
+        let start = end - m - 1;
+        let mut power = P::Scalar::ONE;
+        let mut row = net[start].scale(P::Scalar::of(factors[start]));
+        for place in start + 1..end {
+            power = power * v;
+            row = row.scale(w).add_scaled(net[place], power * P::Scalar::of(factors[place]));
+        }
+        sum = row.add_scaled(sum, u);
+        end = start;
+    }
+    sum
+}

@@ -1,0 +1,214 @@
+//! Control points bound to a family on a simplex.
+
+use core::fmt::{self, Debug, Formatter};
+
+use super::edge::{EdgeBasis, TriangleEdge};
+use super::index::{SimplexIndex, TriangleIndex};
+use super::net::{contract, triangle_point};
+use super::normal;
+use super::{SimplexBasis, TriangularBasis, finish, partial};
+use crate::{Array, CountError, Curve, Point, Point3, Scalar};
+
+/// A triangular patch `S(u, v, w) = Σ b[i,j,k](u, v, w) P[i,j,k]`, `u + v + w = 1`, over control points `P[i,j,k]` in
+/// lexicographic order, see [`TriangleIndex`].
+///
+/// ```
+/// use basis_runtime::{TriangleIndex, TriangularPatch, basis};
+///
+/// basis! {
+///     family Quadratic {
+///         domain triangle (u, v, w);
+///         b[i, j, k] = 2/(factorial(i)*factorial(j)*factorial(k)) * u^i * v^j * w^k for i, j, k in simplex(2);
+///     }
+/// }
+/// # fn main() {
+/// // The points (0,0,2) (0,1,1) (0,2,0) (1,0,1) (1,1,0) (2,0,0) of a bulging triangle.
+/// let points = [[0.0, 0.0, 0.0], [0.0, 1.0, 1.0], [0.0, 2.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [2.0, 0.0, 0.0]];
+/// let patch = TriangularPatch::new(Quadratic::new(), points);
+///
+/// assert_eq!(patch.eval(1.0, 0.0), [2.0, 0.0, 0.0]); // the corner u = 1
+/// assert_eq!(patch.eval(0.25, 0.25), patch.eval_barycentric([0.25, 0.25, 0.5]));
+/// let [[point, along_v], [along_u, _]] = patch.eval_with_partials::<2>(0.25, 0.25);
+/// assert_eq!((along_u, along_v), ([2.0, 0.0, 0.5], [0.0, 2.0, 0.5]));
+/// assert_eq!(point, [0.5, 0.5, 0.625]);
+/// assert!(patch.normal(0.25, 0.25).is_some_and(|normal| normal[2] > 0.9));
+///
+/// let index = TriangleIndex::new([1, 0, 1]);
+/// assert_eq!(patch.control_point(index), Some([1.0, 0.0, 1.0]));
+/// # }
+/// ```
+pub type TriangularPatch<B, P> = SimplexPatch<B, P>;
+
+/// Control points bound to a family on a triangle ([`TriangularPatch`]) or a tetrahedron.
+///
+/// They are converted to the Bernstein form once; a point then costs one nested sum.
+#[derive(Clone, Copy)]
+pub struct SimplexPatch<B: SimplexBasis, P: Point<Scalar = B::Scalar>> {
+    basis: B,
+    points: B::Points<P>,
+    net: B::Bernstein<P>,
+}
+
+impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
+    /// The patch over these control points, one for each function.
+    pub fn new(basis: B, points: B::Points<P>) -> Self {
+        Self { basis, points, net: basis.to_bernstein(&points) }
+    }
+
+    /// The same from a slice.
+    ///
+    /// # Errors
+    /// When the number of points is not the number of functions.
+    pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
+        if points.len() != B::LEN {
+            return Err(CountError::new(B::NAME, B::LEN, points.len()));
+        }
+        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+    }
+
+    /// The derivative of the given order along a direction, a difference of two points in barycentric coordinates; zero above
+    /// the degree.
+    pub fn derivative(&self, at: B::Coordinates, along: B::Coordinates, order: usize) -> P {
+        let mut net = self.net;
+        let degree = super::differentiate(net.as_mut(), B::DEGREE, along.as_ref(), order);
+        finish(net.as_mut(), degree, at.as_ref())
+    }
+
+    /// The partial derivative of these orders in the coordinates but the last, which is 1 minus their sum.
+    pub fn partial(&self, at: B::Coordinates, orders: B::Orders) -> P {
+        let mut net = self.net;
+        let degree = partial::<P, B::Coordinates>(net.as_mut(), B::DEGREE, orders.as_ref());
+        finish(net.as_mut(), degree, at.as_ref())
+    }
+
+    /// The point with these barycentric coordinates; at the corners of the domain the Bernstein point there, exactly.
+    #[inline]
+    pub fn eval_barycentric(&self, at: B::Coordinates) -> P {
+        if let [u, v, w] = *at.as_ref() {
+            return triangle_point(self.net.as_ref(), B::MULTINOMIALS, [u, v, w], B::DEGREE);
+        }
+        let mut net = self.net;
+        finish(net.as_mut(), B::DEGREE, at.as_ref())
+    }
+
+    /// The basis, with its shape parameters.
+    #[inline]
+    pub fn basis(&self) -> B {
+        self.basis
+    }
+
+    /// The control points, one for each function, in the lexicographic order of their indices.
+    #[inline]
+    pub fn control_points(&self) -> &[P] {
+        self.points.as_ref()
+    }
+
+    /// The control point with an index; `None` when there is none, or when the functions of the family have other indices than
+    /// those of one order.
+    pub fn control_point<const K: usize>(&self, index: SimplexIndex<K>) -> Option<P> {
+        let fits = B::ORDER == Some(index.order()) && <B::Coordinates as Array<B::Scalar>>::LEN == K;
+        if fits { self.control_points().get(index.position()).copied() } else { None }
+    }
+
+    /// The control points of the same patch in the Bernstein basis of the same degree, in lexicographic order.
+    #[inline]
+    pub fn to_bernstein(&self) -> B::Bernstein<P> {
+        self.net
+    }
+}
+
+impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
+    /// The point `S(u, v, 1 - u - v)`.
+    ///
+    /// Coordinates are not clamped: outside of the triangle the polynomial is continued.
+    #[inline]
+    pub fn eval(&self, u: B::Scalar, v: B::Scalar) -> P {
+        self.eval_barycentric([u, v, B::Scalar::ONE - u - v])
+    }
+
+    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` for all `i, j < K`; `[0][0]` is the point.
+    pub fn eval_with_partials<const K: usize>(&self, u: B::Scalar, v: B::Scalar) -> [[P; K]; K] {
+        let at = [u, v, B::Scalar::ONE - u - v];
+        let mut partials = [[P::zero(); K]; K];
+        let (mut along_u, mut u_degree) = (self.net, B::DEGREE);
+        for (i, row) in partials.iter_mut().enumerate() {
+            let (mut along_v, mut degree) = (along_u, u_degree);
+            for (j, derivative) in row.iter_mut().enumerate().take((B::DEGREE + 1).saturating_sub(i)) {
+                let mut net = along_v;
+                *derivative = if i + j == 0 { self.eval(u, v) } else { finish(net.as_mut(), degree, &at) };
+                if degree > 0 {
+                    degree = partial::<P, B::Coordinates>(along_v.as_mut(), degree, &[0, 1]);
+                }
+            }
+            if u_degree > 0 {
+                u_degree = partial::<P, B::Coordinates>(along_u.as_mut(), u_degree, &[1, 0]);
+            }
+        }
+        partials
+    }
+
+    /// The unit normal at `(u, v)`, the direction of `S_u × S_v`, or where that vanishes its limit from inside of the triangle.
+    ///
+    /// `None` where there is no limit, as at the apex of a cone; on a patch that has shrunk to a curve or a point; on a fold,
+    /// across which the normal flips; and where the patch is infinite or NaN. That the product vanishes is recognised up to
+    /// rounding errors. The limit is found from the Newton polygon of `S_u × S_v` at the point, after common powers of the
+    /// coordinates are taken out, so that it also exists along an edge that has shrunk to a point.
+    pub fn normal(&self, u: B::Scalar, v: B::Scalar) -> Option<P>
+    where
+        P: Point3,
+    {
+        let at = [u, v, B::Scalar::ONE - u - v];
+        normal::normal::<B, P>(self.net, B::DEGREE, at)
+    }
+
+    /// The boundary curve along an edge, from its start to its end, over the interval from 0 to 1.
+    ///
+    /// When the family allows it, its control points are those of the edge, and its family the restriction of the basis to the
+    /// edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial.
+    pub fn boundary(&self, edge: TriangleEdge) -> Curve<EdgeBasis<B>, P> {
+        let points = if B::OWN_EDGES { self.points.as_ref() } else { self.net.as_ref() };
+        let last = <B::EdgePoints<P> as Array<P>>::LEN - 1;
+        let basis = EdgeBasis::new(self.basis, edge);
+        Curve::new(basis, B::EdgePoints::from_fn(|k| points[edge.index(last, k).position()]))
+    }
+
+    /// The Bernstein points of the part of the patch in a smaller triangle: the corners at `place` moved to `at`.
+    pub(crate) fn moved_corner(
+        mut net: B::Bernstein<P>,
+        place: usize,
+        at: [B::Scalar; 3],
+    ) -> B::Bernstein<P> {
+        // The blossom with m arguments at the new corner is the net after m steps of de Casteljau's algorithm.
+        let mut steps = net;
+        for m in 0..=B::DEGREE {
+            if m > 0 {
+                contract(steps.as_mut(), B::DEGREE - m + 1, &at);
+            }
+            for (position, index) in TriangleIndex::all(B::DEGREE).enumerate() {
+                if index.components()[place] == m {
+                    let mut rest = index.components();
+                    rest[place] = 0;
+                    net.as_mut()[position] = steps.as_ref()[TriangleIndex::new(rest).position()];
+                }
+            }
+        }
+        net
+    }
+}
+
+// The net follows from the basis and the control points, so neither of these looks at it.
+
+impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> PartialEq for SimplexPatch<B, P> {
+    fn eq(&self, other: &Self) -> bool {
+        self.basis == other.basis && self.control_points() == other.control_points()
+    }
+}
+
+impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> Debug for SimplexPatch<B, P> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("SimplexPatch")
+            .field("basis", &self.basis)
+            .field("control_points", &self.control_points())
+            .finish_non_exhaustive()
+    }
+}
