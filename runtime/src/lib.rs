@@ -42,6 +42,7 @@
 //! | `alloc` | yes | everything that returns a vector, and [`bspline`] |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` are points |
+//! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |
 //! | `serde` | no | public data can be written and read |
 
 #![no_std]

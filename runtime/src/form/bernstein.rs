@@ -3,6 +3,7 @@
 use super::pointwise;
 use super::slices::{EndpointDerivatives, EndpointPoints, endpoint_coefficients};
 use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
+use crate::basis::combination;
 use crate::simd::{WORTHWHILE, dispatch};
 use crate::{Form, Point, Scalar};
 
@@ -106,6 +107,13 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
             let (ends, inner) = endpoint_coefficients(&self.points);
             dispatch(xs.len(), EndpointDerivatives::<P, _, 2, K> { ends, inner, rate, xs, out });
         }
+    }
+
+    #[inline]
+    fn combination(terms: impl Iterator<Item = (Self, P::Scalar)> + Clone) -> Self {
+        Self::new(core::array::from_fn(|k| {
+            combination(terms.clone().map(|(form, weight)| (form.points[k], weight)))
+        }))
     }
 
     #[inline]

@@ -1,6 +1,7 @@
 //! The endpoint form: a chord and a centred correction, for low degree.
 
 use super::slices::{EndpointDerivatives, EndpointPoints};
+use crate::basis::combination;
 use crate::simd::dispatch;
 use crate::{Form, Point, Scalar};
 
@@ -107,6 +108,16 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
     fn eval_with_derivs_into<const K: usize>(&self, xs: &[P::Scalar], rate: P::Scalar, out: [&mut [P]; K]) {
         let Self { ends, inner } = *self;
         dispatch(xs.len(), EndpointDerivatives::<P, _, 0, K> { ends, inner, rate, xs, out });
+    }
+
+    #[inline]
+    fn combination(terms: impl Iterator<Item = (Self, P::Scalar)> + Clone) -> Self {
+        Self {
+            ends: [0, 1].map(|k| combination(terms.clone().map(|(form, weight)| (form.ends[k], weight)))),
+            inner: core::array::from_fn(|k| {
+                combination(terms.clone().map(|(form, weight)| (form.inner[k], weight)))
+            }),
+        }
     }
 
     #[inline]

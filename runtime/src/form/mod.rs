@@ -47,6 +47,9 @@ pub trait Form<P: Point>: Copy + PartialEq + Debug {
         pointwise(self, xs, rate, &mut out);
     }
 
+    /// The curve `Σ weight · curve`.
+    fn combination(terms: impl Iterator<Item = (Self, P::Scalar)> + Clone) -> Self;
+
     /// The point `C(0)`.
     fn start(&self) -> P;
 

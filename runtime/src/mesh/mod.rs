@@ -3,8 +3,14 @@
 mod cells;
 mod error;
 mod facets;
+#[cfg(feature = "gltf")]
+mod gltf;
+#[cfg(feature = "obj")]
+mod obj;
 mod orient;
 mod patch;
+#[cfg(feature = "stl")]
+mod stl;
 mod tessellation;
 mod weld;
 

@@ -46,6 +46,30 @@ pub trait Surface {
         v: ScalarOf<Self>,
     ) -> [[Self::Point; K]; K];
 
+    /// The points of a grid, `out[i * vs.len() + j] = S(us[i], vs[j])`; what has no partner in `out` is left alone.
+    ///
+    /// On a [`TensorSurface`] much faster than point by point.
+    ///
+    /// ```
+    /// use basis_runtime::{BernsteinBasis, Surface, TensorSurface};
+    ///
+    /// let linear = BernsteinBasis::<f64, 2>::new();
+    /// let saddle = TensorSurface::new(linear, linear, [[0.0, 1.0], [1.0, 0.0]]);
+    /// let mut heights = [0.0; 6];
+    /// saddle.eval_grid(&[0.0, 0.5], &[0.0, 0.25, 1.0], &mut heights);
+    /// assert_eq!(heights, [0.0, 0.25, 1.0, 0.5, 0.5, 0.5]);
+    /// ```
+    fn eval_grid(&self, us: &[ScalarOf<Self>], vs: &[ScalarOf<Self>], out: &mut [Self::Point]) {
+        if vs.is_empty() {
+            return;
+        }
+        for (&u, row) in us.iter().zip(out.chunks_mut(vs.len())) {
+            for (&v, point) in vs.iter().zip(row) {
+                *point = self.eval(u, v);
+            }
+        }
+    }
+
     /// The unit normal at `(u, v)`: the direction of `S_u × S_v`, or where that vanishes, its limit.
     ///
     /// At a pole, where a whole edge of the rectangle is one point, the product vanishes and the limit is that over all

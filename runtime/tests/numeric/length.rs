@@ -117,7 +117,7 @@ fn points_at_equal_distances() {
     }
     let points = curve.samples_by_arclen(11, 1e-12);
     assert_eq!([points[0], points[10]], [curve.start(), curve.end()]);
-    assert_eq!(curve.arclen_parameters(0, 1e-9), []);
+    assert!(curve.arclen_parameters(0, 1e-9).is_empty());
     assert_eq!(curve.arclen_parameters(1, 1e-9), [0.0]);
 }
 

@@ -38,7 +38,7 @@ fn scalars_and_arrays() {
     is_a_point::<[f32; 3]>(3);
     is_a_point::<[f64; 1]>(1);
     is_a_point::<[f64; 4]>(4);
-    assert_eq!(<[f64; 0]>::zero(), []);
+    assert_eq!(<[f64; 0]>::zero(), [0.0; 0]);
 }
 
 #[test]

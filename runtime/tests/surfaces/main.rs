@@ -3,7 +3,10 @@
 
 mod boxes;
 mod curvature;
+#[cfg(any(feature = "gltf", feature = "obj", feature = "stl"))]
+mod exports;
 mod families;
+mod grids;
 mod joins;
 mod meshes;
 mod normals;
