@@ -79,9 +79,9 @@ pub use basis::{Array, Basis};
 pub use basis_macros::basis;
 pub use bernstein::{BernsteinBasis, BernsteinOf};
 pub use boxes::{BoxBasis, BoxPatch};
+pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
 #[cfg(feature = "alloc")]
-pub use curve::Nearest;
-pub use curve::{Bezier, BezierOf, Curve, CurveError, Frame, Samples};
+pub use curve::{Nearest, PiecewiseCurve};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "alloc")]

@@ -58,6 +58,11 @@ pub enum CurveError {
         /// The number of control points of the segment.
         points: usize,
     },
+    /// A factor of a join is not finite, or a ratio of velocities not positive.
+    Factor {
+        /// The factor.
+        value: f64,
+    },
     /// The tolerance asks for more points than can be made.
     TooManyPoints {
         /// The number of points that would be needed.
@@ -97,6 +102,9 @@ impl Display for CurveError {
                 "the first of the {points} control points do not determine {conditions} derivatives at the start \
                  of the segment: choose other shape values or a lower order of contact"
             ),
+            Self::Factor { value } => {
+                write!(f, "the factor {value} of a join must be finite, and a ratio of velocities positive")
+            }
             Self::TooManyPoints { needed } => {
                 write!(f, "the tolerance asks for {needed:.0} points: choose a larger one")
             }

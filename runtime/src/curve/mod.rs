@@ -2,14 +2,18 @@
 
 #[cfg(feature = "alloc")]
 mod bounds;
+mod contact;
 mod error;
 #[cfg(feature = "alloc")]
 mod flatten;
 mod frame;
+mod joint;
 mod length;
 #[cfg(feature = "alloc")]
 mod nearest;
 mod parts;
+#[cfg(feature = "alloc")]
+mod piecewise;
 mod quadrature;
 mod slices;
 
@@ -20,11 +24,15 @@ use crate::domain::{inverse_width, unit};
 use crate::form::bernstein_derivative;
 use crate::{Basis, Form, Point, Scalar};
 
+pub use contact::Contact;
 pub use error::CurveError;
 pub use frame::Frame;
+pub use joint::Joint;
 #[cfg(feature = "alloc")]
 pub use nearest::Nearest;
 pub use parts::{Bezier, BezierOf};
+#[cfg(feature = "alloc")]
+pub use piecewise::PiecewiseCurve;
 pub use slices::Samples;
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]`.

@@ -17,6 +17,7 @@ mod length;
 mod nearest;
 mod not_a_number;
 mod parts;
+mod piecewise;
 mod points;
 mod random;
 mod reference;

@@ -1,0 +1,88 @@
+//! How smoothly one curve continues another, measured.
+
+use crate::vector::{direction, distance, dot, length};
+use crate::{Basis, Curve, Point, Scalar};
+
+/// How the start of one curve continues the end of another, measured by [`Curve::joint`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Joint<S> {
+    /// The distance of the end of the first from the start of the second curve.
+    pub gap: S,
+    /// The angle between the tangents in radians, from 0 to π; NaN if a curve is a point.
+    pub angle: S,
+    /// The length of the difference of the curvature vectors, which point to the centres of curvature; NaN where a velocity
+    /// vanishes.
+    pub curvature: S,
+    /// The lengths of the differences of the first, second and third derivatives, each with respect to the parameter of its
+    /// own curve.
+    pub derivatives: [S; 3],
+}
+
+impl<S: Scalar> Joint<S> {
+    /// The order of geometric continuity that the measured numbers allow: 2 for G2, 1 for G1, 0 for G0, or `None` if there is
+    /// a gap.
+    ///
+    /// The tolerances are in the unit of length, in radians, and in the inverse of the unit of length. Where the curvature is
+    /// NaN the order is at most 1.
+    pub fn geometric_order(&self, gap: S, angle: S, curvature: S) -> Option<usize> {
+        // A comparison with NaN is false, so that NaN counts as too large.
+        (self.gap <= gap).then(|| leading([self.angle <= angle, self.curvature <= curvature]))
+    }
+
+    /// The order of parametric continuity that the measured numbers allow, up to C3, or `None` if there is a gap.
+    ///
+    /// The tolerances are those of the gap and of the derivatives.
+    pub fn parametric_order(&self, gap: S, derivatives: [S; 3]) -> Option<usize> {
+        let small = |k: usize| self.derivatives[k] <= derivatives[k];
+        (self.gap <= gap).then(|| leading([small(0), small(1), small(2)]))
+    }
+}
+
+fn leading<const N: usize>(conditions: [bool; N]) -> usize {
+    conditions.into_iter().take_while(|&holds| holds).count()
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
+    /// How smoothly the start of `next` continues the end of this curve.
+    ///
+    /// ```
+    /// use basis_runtime::Bezier;
+    ///
+    /// let first = Bezier::from_points([[0.0, 0.0], [1.0, 0.0], [2.0, 1.0]]);
+    /// let second = Bezier::from_points([[2.0, 1.0], [4.0, 3.0], [5.0, 3.0]]);
+    /// let joint = first.joint(&second);
+    /// assert_eq!((joint.gap, joint.angle, joint.derivatives[0]), (0.0, 0.0, 8_f64.sqrt()));
+    /// assert_eq!(joint.geometric_order(1e-9, 1e-9, 1e-9), Some(1));
+    /// assert_eq!(joint.parametric_order(1e-9, [1e-9; 3]), Some(0));
+    /// ```
+    pub fn joint<C: Basis<Scalar = B::Scalar>>(&self, next: &Curve<C, P>) -> Joint<B::Scalar> {
+        let end: [P; 4] = self.eval_with_derivs(B::domain()[1]);
+        let start: [P; 4] = next.eval_with_derivs(C::domain()[0]);
+        let nan = B::Scalar::NAN;
+        let angle = match (self.tangent(B::domain()[1]), next.tangent(C::domain()[0])) {
+            (Some(a), Some(b)) => angle(a, b),
+            _ => nan,
+        };
+        let curvature = match (curvature_vector(end[1], end[2]), curvature_vector(start[1], start[2])) {
+            (Some(a), Some(b)) => distance(a, b),
+            _ => nan,
+        };
+        let derivatives = [1, 2, 3].map(|k| distance(end[k], start[k]));
+        Joint { gap: distance(end[0], start[0]), angle, curvature, derivatives }
+    }
+}
+
+/// The angle between two unit vectors, accurate for all angles: `2 atan(|a - b| / |a + b|)`.
+fn angle<P: Point>(a: P, b: P) -> P::Scalar {
+    let sum = a.add_scaled(b, P::Scalar::ONE);
+    P::Scalar::of(2.0) * distance(a, b).atan2(length(sum))
+}
+
+/// `(a - (a·T) T) / |v|²`, with the unit tangent `T`.
+fn curvature_vector<P: Point>(velocity: P, acceleration: P) -> Option<P> {
+    let tangent = direction(velocity)?;
+    let speed = length(velocity);
+    let bend = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
+    Some(P::from_components(|d| bend.component(d) / speed / speed))
+}

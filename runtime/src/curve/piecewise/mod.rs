@@ -1,0 +1,194 @@
+//! Curves of several segments.
+
+mod queries;
+
+use alloc::vec::Vec;
+
+use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar};
+
+/// A curve of one or more segments of the family `B`, each with its own shape values.
+///
+/// Its parameter runs from 0 to the number of segments: segment `k` lies over `k <= u <= k + 1`, where its own parameter runs
+/// through its domain. At a whole number the later segment counts, but for the end of the curve.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+/// # fn main() -> Result<(), Box<dyn core::error::Error>> {
+/// use basis_runtime::{Contact, Curve, PiecewiseCurve};
+///
+/// let first = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+/// let mut curve = PiecewiseCurve::from(first);
+/// let free = [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [8.0, 1.0]]; // the first three will be replaced
+/// curve.append(QuarticBernstein::new(0.0)?, Contact::Curvature { beta1: 1.0, beta2: 0.0 }, free)?;
+///
+/// assert_eq!(curve.eval(1.0), [4.0, 0.0]);
+/// let [joint] = curve.joints().try_into().unwrap();
+/// assert_eq!(joint.geometric_order(1e-12, 1e-12, 1e-12), Some(2));
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PiecewiseCurve<B: Basis, P: Point<Scalar = B::Scalar>> {
+    /// At least one.
+    segments: Vec<Curve<B, P>>,
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> From<Curve<B, P>> for PiecewiseCurve<B, P> {
+    fn from(segment: Curve<B, P>) -> Self {
+        Self { segments: alloc::vec![segment] }
+    }
+}
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
+    /// The curve of these segments, one after the other. Nothing is asked of how they meet; [`joints`](Self::joints) says it.
+    ///
+    /// # Errors
+    /// [`CurveError::NoSegments`] if there are none.
+    pub fn new(segments: Vec<Curve<B, P>>) -> Result<Self, CurveError> {
+        if segments.is_empty() { Err(CurveError::NoSegments) } else { Ok(Self { segments }) }
+    }
+
+    /// Adds a segment to the end.
+    pub fn push(&mut self, segment: Curve<B, P>) {
+        self.segments.push(segment);
+    }
+
+    /// Adds a segment that continues the last one with the given order of contact; see [`Curve::continuation`].
+    ///
+    /// # Errors
+    /// Those of [`Curve::continuation`]; the curve is then unchanged.
+    pub fn append(
+        &mut self,
+        basis: B,
+        contact: Contact<B::Scalar>,
+        points: B::Points<P>,
+    ) -> Result<(), CurveError> {
+        let next = self.last().continuation(basis, contact, points)?;
+        self.segments.push(next);
+        Ok(())
+    }
+
+    /// The segments.
+    pub fn segments(&self) -> &[Curve<B, P>] {
+        &self.segments
+    }
+
+    /// The two ends `[0, n]` of the domain, with the number `n` of segments.
+    pub fn domain(&self) -> [B::Scalar; 2] {
+        [B::Scalar::ZERO, B::Scalar::from_usize(self.segments.len())]
+    }
+
+    /// The segment of a parameter and the parameter of that segment. Parameters outside of the domain belong to the first and
+    /// the last segment, which are continued; NaN belongs to the first.
+    pub fn locate(&self, u: B::Scalar) -> (usize, B::Scalar) {
+        let last = self.segments.len() - 1;
+        let u_f64 = u.to_f64();
+        // The cast rounds down, and takes NaN and negative numbers to 0.
+        let index = (u_f64 as usize).min(last);
+        let [lo, hi] = B::domain();
+        let x = u - B::Scalar::from_usize(index);
+        (index, lo * (B::Scalar::ONE - x) + hi * x)
+    }
+
+    /// The parameter of this curve that belongs to the parameter `t` of a segment.
+    pub(crate) fn global(index: usize, t: B::Scalar) -> B::Scalar {
+        let [_, x] = crate::domain::unit(B::domain(), t);
+        B::Scalar::from_usize(index) + x
+    }
+
+    /// The point at `u`. Parameters outside of the domain continue the first and the last segment; if `u` is NaN so is the
+    /// point.
+    pub fn eval(&self, u: B::Scalar) -> P {
+        let (index, t) = self.locate(u);
+        self.segments[index].eval(t)
+    }
+
+    /// The point at `u`, if it lies in the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if `u` is outside of the domain or NaN.
+    pub fn eval_checked(&self, u: B::Scalar) -> Result<P, CurveError> {
+        let [lo, hi] = self.domain();
+        if u >= lo && u <= hi {
+            Ok(self.eval(u))
+        } else {
+            Err(CurveError::Parameter { value: u.to_f64(), domain: [lo.to_f64(), hi.to_f64()] })
+        }
+    }
+
+    /// The point at `u`, or the nearer end of the curve if `u` is outside of the domain. If `u` is NaN so is the point.
+    pub fn eval_clamped(&self, u: B::Scalar) -> P {
+        let [lo, hi] = self.domain();
+        self.eval(if u < lo {
+            lo
+        } else if u > hi {
+            hi
+        } else {
+            u
+        })
+    }
+
+    /// The point and its derivatives with respect to `u`; at a joint those of the later segment.
+    pub fn eval_with_derivs<const K: usize>(&self, u: B::Scalar) -> [P; K] {
+        let (index, t) = self.locate(u);
+        let mut derivatives = self.segments[index].eval_with_derivs::<K>(t);
+        let [lo, hi] = B::domain();
+        let mut scale = B::Scalar::ONE;
+        for derivative in &mut derivatives {
+            *derivative = derivative.scale(scale);
+            scale = scale * (hi - lo);
+        }
+        derivatives
+    }
+
+    /// The start of the first segment.
+    pub fn start(&self) -> P {
+        self.segments[0].start()
+    }
+
+    /// The end of the last segment.
+    pub fn end(&self) -> P {
+        self.last().end()
+    }
+
+    fn last(&self) -> &Curve<B, P> {
+        &self.segments[self.segments.len() - 1]
+    }
+
+    /// How smoothly the segments continue each other, measured at each of the joints: one less than segments.
+    pub fn joints(&self) -> Vec<Joint<B::Scalar>> {
+        self.segments.windows(2).map(|pair| pair[0].joint(&pair[1])).collect()
+    }
+
+    /// How smoothly the start of the curve continues its end: for closed curves.
+    pub fn closing_joint(&self) -> Joint<B::Scalar> {
+        self.last().joint(&self.segments[0])
+    }
+
+    /// The orders of geometric continuity at the joints; see [`Joint::geometric_order`] for the tolerances.
+    pub fn continuity(&self, gap: B::Scalar, angle: B::Scalar, curvature: B::Scalar) -> Vec<Option<usize>> {
+        self.joints().iter().map(|joint| joint.geometric_order(gap, angle, curvature)).collect()
+    }
+
+    /// The segments as Bézier curves of the same degree.
+    pub fn to_bezier(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {
+        PiecewiseCurve { segments: self.segments.iter().map(Curve::to_bezier).collect() }
+    }
+
+    /// The curve in the other direction.
+    pub fn reverse(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {
+        PiecewiseCurve { segments: self.segments.iter().rev().map(Curve::reverse).collect() }
+    }
+
+    /// The two parts before and after `u`; the segment of `u` becomes two.
+    ///
+    /// At a joint, and outside of the domain, one part of a segment is a point, or runs backwards.
+    pub fn split(&self, u: B::Scalar) -> [PiecewiseCurve<BernsteinOf<B>, P>; 2] {
+        let (index, t) = self.locate(u);
+        let [left, right] = self.segments[index].split(t);
+        let before = self.segments[..index].iter().map(Curve::to_bezier).chain([left]).collect();
+        let after =
+            [right].into_iter().chain(self.segments[index + 1..].iter().map(Curve::to_bezier)).collect();
+        [PiecewiseCurve { segments: before }, PiecewiseCurve { segments: after }]
+    }
+}

@@ -1,0 +1,148 @@
+//! What can be asked of a curve as a whole, answered from the segments.
+
+use alloc::vec::Vec;
+
+use crate::vector::{is_finite, length, lerp};
+use crate::{Basis, CurveError, Nearest, PiecewiseCurve, Point, Scalar};
+
+impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
+    /// The arc length of all segments; the error is at most `accuracy`. See [`Curve::arclen`](crate::Curve::arclen).
+    pub fn arclen(&self, accuracy: B::Scalar) -> B::Scalar {
+        let accuracy = self.share(accuracy);
+        self.segments.iter().fold(B::Scalar::ZERO, |sum, segment| sum + segment.arclen(accuracy))
+    }
+
+    /// The parameter up to which the curve has that length, up to `accuracy`. See
+    /// [`Curve::inv_arclen`](crate::Curve::inv_arclen).
+    pub fn inv_arclen(&self, length: B::Scalar, accuracy: B::Scalar) -> B::Scalar {
+        let accuracy = self.share(accuracy);
+        self.inverse(&self.lengths(accuracy), length, accuracy)
+    }
+
+    /// `count` points at equal distances along the curve, both ends included. See
+    /// [`Curve::samples_by_arclen`](crate::Curve::samples_by_arclen).
+    pub fn samples_by_arclen(&self, count: usize, accuracy: B::Scalar) -> Vec<P> {
+        let accuracy = self.share(accuracy);
+        let lengths = self.lengths(accuracy);
+        let total = lengths.iter().fold(B::Scalar::ZERO, |sum, &length| sum + length);
+        let steps = B::Scalar::from_usize(count.saturating_sub(1).max(1));
+        (0..count)
+            .map(|i| match i {
+                0 => self.start(),
+                _ if i == count - 1 => self.end(),
+                _ => self.eval(self.inverse(&lengths, total * (B::Scalar::from_usize(i) / steps), accuracy)),
+            })
+            .collect()
+    }
+
+    /// The arc lengths of the segments.
+    fn lengths(&self, accuracy: B::Scalar) -> Vec<B::Scalar> {
+        self.segments.iter().map(|segment| segment.arclen(accuracy)).collect()
+    }
+
+    fn inverse(&self, lengths: &[B::Scalar], length: B::Scalar, accuracy: B::Scalar) -> B::Scalar {
+        let mut rest = length;
+        for (index, (segment, &piece)) in self.segments.iter().zip(lengths).enumerate() {
+            if rest < piece || rest.is_nan() || piece.is_nan() {
+                return Self::global(index, segment.inv_arclen(rest, accuracy));
+            }
+            rest = rest - piece;
+        }
+        self.domain()[1]
+    }
+
+    /// `count` points at equal distances of the parameter, both ends included, exactly.
+    pub fn samples(&self, count: usize) -> impl ExactSizeIterator<Item = P> + DoubleEndedIterator {
+        let steps = B::Scalar::from_usize(count.saturating_sub(1).max(1));
+        let end = self.domain()[1];
+        (0..count).map(move |i| self.eval(lerp(B::Scalar::ZERO, end, B::Scalar::from_usize(i) / steps)))
+    }
+
+    /// The point of the curve nearest to `point`; its `t` is the parameter of this curve. See
+    /// [`Curve::nearest`](crate::Curve::nearest).
+    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Nearest<P> {
+        let mut best: Option<Nearest<P>> = None;
+        for (index, segment) in self.segments.iter().enumerate() {
+            // A segment whose box is farther away than the best point needs no search.
+            let far = best.is_some_and(|best| distance_to_box(point, segment.control_box()) > best.distance);
+            if far {
+                continue;
+            }
+            let found = segment.nearest(point, accuracy);
+            let found = Nearest { t: Self::global(index, found.t), ..found };
+            // NaN, once met, stays.
+            if best.is_none_or(|best| found.distance < best.distance || found.distance.is_nan()) {
+                best = Some(found);
+            }
+        }
+        let nan = B::Scalar::NAN;
+        best.unwrap_or(Nearest { t: nan, point: P::from_components(|_| nan), distance: nan })
+    }
+
+    /// The smallest axis-parallel box around the curve, as its two extreme corners `[min, max]`. See
+    /// [`Curve::bounding_box`](crate::Curve::bounding_box).
+    pub fn bounding_box(&self) -> [P; 2] {
+        union(self.segments.iter().map(crate::Curve::bounding_box))
+    }
+
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`.
+    pub fn control_box(&self) -> [P; 2] {
+        union(self.segments.iter().map(crate::Curve::control_box))
+    }
+
+    /// The corners of a polygon that follows the curve within the tolerance; corners at joints stand once where the segments
+    /// meet exactly. See [`Curve::flatten`](crate::Curve::flatten).
+    ///
+    /// # Errors
+    /// Those of [`Curve::flatten`](crate::Curve::flatten).
+    pub fn flatten(&self, tolerance: B::Scalar) -> Result<Vec<P>, CurveError> {
+        let mut corners: Vec<P> = Vec::new();
+        for segment in &self.segments {
+            let next = segment.flatten(tolerance)?;
+            let repeated = usize::from(corners.last() == next.first());
+            corners.extend_from_slice(&next[repeated..]);
+        }
+        Ok(corners)
+    }
+
+    /// The curvature at `u`; see [`Curve::curvature`](crate::Curve::curvature). At a joint that of the later segment.
+    pub fn curvature(&self, u: B::Scalar) -> B::Scalar {
+        let (index, t) = self.locate(u);
+        self.segments[index].curvature(t)
+    }
+
+    /// The unit vector in which the curve goes on at `u`; see [`Curve::tangent`](crate::Curve::tangent).
+    pub fn tangent(&self, u: B::Scalar) -> Option<P> {
+        let (index, t) = self.locate(u);
+        self.segments[index].tangent(t)
+    }
+
+    /// The part of an accuracy that each segment may use.
+    fn share(&self, accuracy: B::Scalar) -> B::Scalar {
+        accuracy / B::Scalar::from_usize(self.segments.len())
+    }
+}
+
+/// NaN in a component in which one of the boxes is NaN.
+fn union<P: Point>(boxes: impl Iterator<Item = [P; 2]>) -> [P; 2] {
+    let extreme = |a: P, b: P, of: fn(P::Scalar, P::Scalar) -> P::Scalar| {
+        P::from_components(|d| {
+            let (a, b) = (a.component(d), b.component(d));
+            if a.is_nan() || b.is_nan() { P::Scalar::NAN } else { of(a, b) }
+        })
+    };
+    boxes
+        .reduce(|a, b| [extreme(a[0], b[0], Scalar::min), extreme(a[1], b[1], Scalar::max)])
+        .unwrap_or_else(|| [P::from_components(|_| P::Scalar::NAN); 2])
+}
+
+/// Zero if the box is infinite or NaN in a component.
+fn distance_to_box<P: Point>(point: P, [low, high]: [P; 2]) -> P::Scalar {
+    if !(is_finite(low) && is_finite(high)) {
+        return P::Scalar::ZERO;
+    }
+    length(P::from_components(|d| {
+        let p = point.component(d);
+        (low.component(d) - p).max(p - high.component(d)).max(P::Scalar::ZERO)
+    }))
+}
