@@ -21,6 +21,8 @@ pub(crate) struct Outcome {
     pub(crate) path: String,
     /// The families of the file, in every order, then its theorems and joins.
     pub(crate) items: Vec<Decided>,
+    /// The doc comment of the file.
+    pub(crate) doc: Vec<String>,
     /// What is wrong with the spec apart from its claims.
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// The file and those it uses.
@@ -56,6 +58,14 @@ impl Subject {
         }
     }
 
+    /// The doc comment.
+    pub(crate) fn doc(&self) -> &[String] {
+        match self {
+            Self::Family(family) => &family.doc,
+            Self::Theorem(theorem) => &theorem.doc,
+        }
+    }
+
     /// The name.
     pub(crate) fn name(&self) -> &str {
         match self {
@@ -83,6 +93,8 @@ impl Subject {
 pub(crate) struct DecidedClaim {
     /// The claim as text.
     pub(crate) text: String,
+    /// Its doc comment.
+    pub(crate) doc: Vec<String>,
     /// Whether it is declared true or false.
     pub(crate) expected: Expected,
     /// Where it stands.
@@ -146,8 +158,8 @@ pub(crate) fn file(entry: Entry) -> Outcome {
     let source = match entry.problem.map_or_else(|| spec::read(&entry.path), Err) {
         Ok(source) => source,
         Err(problem) => {
-            let (items, sources) = (Vec::new(), Sources::default());
-            return Outcome { path, items, diagnostics: vec![problem], sources, readable: false };
+            let (items, doc, sources) = (Vec::new(), Vec::new(), Sources::default());
+            return Outcome { path, items, doc, diagnostics: vec![problem], sources, readable: false };
         }
     };
     let library = Library::from_source(&Disk, source);
@@ -163,6 +175,7 @@ pub(crate) fn file(entry: Entry) -> Outcome {
     Outcome {
         path,
         items,
+        doc: library.doc().to_vec(),
         diagnostics: library.diagnostics(),
         sources: library.sources().clone(),
         readable: true,
@@ -174,8 +187,8 @@ fn decide(family: &Family, claim: Claim) -> DecidedClaim {
     let verdict = prove::claim(family, &claim);
     let time = start.elapsed();
     let error = prove::diagnose(family, &claim, &verdict);
-    let Claim { text, expected, place, .. } = claim;
-    DecidedClaim { text, expected, place, verdict, error, time }
+    let Claim { text, doc, expected, place, .. } = claim;
+    DecidedClaim { text, doc, expected, place, verdict, error, time }
 }
 
 fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
@@ -183,6 +196,6 @@ fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
     let verdict = prove::theorem_claim(theorem, claim);
     let time = start.elapsed();
     let error = prove::diagnose_theorem(theorem, claim, &verdict);
-    let TheoremClaim { text, expected, place, .. } = claim.clone();
-    DecidedClaim { text, expected, place, verdict, error, time }
+    let TheoremClaim { text, doc, expected, place, .. } = claim.clone();
+    DecidedClaim { text, doc, expected, place, verdict, error, time }
 }

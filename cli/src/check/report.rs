@@ -5,6 +5,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::prove::{Decided, DecidedClaim, Outcome};
+use super::published::Published;
 use crate::output::Status;
 
 /// What `basis check --format json` prints.
@@ -12,6 +13,9 @@ use crate::output::Status;
 pub(crate) struct Report {
     /// The files in the order in which they were checked.
     pub(crate) files: Vec<File>,
+    /// What became of published statements that comments name.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) published: Vec<Published>,
     /// Whether every file was read and everything in it is as declared.
     pub(crate) ok: bool,
 }
@@ -72,9 +76,9 @@ struct Message {
 
 impl Report {
     /// The report on several files.
-    pub(crate) fn new(files: Vec<File>) -> Self {
+    pub(crate) fn new(files: Vec<File>, published: Vec<Published>) -> Self {
         let ok = files.iter().all(|file| file.status == Status::Fine);
-        Self { files, ok }
+        Self { files, published, ok }
     }
 }
 

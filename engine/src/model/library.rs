@@ -421,6 +421,11 @@ impl<'f> Library<'f> {
         items
     }
 
+    /// The doc comment of the spec that was asked for, one string a line.
+    pub fn doc(&self) -> &[String] {
+        &self.units[MAIN].spec.doc
+    }
+
     /// The names of the families of the spec that was asked for, and whether they have index parameters.
     pub fn names(&self) -> Vec<(String, bool)> {
         self.families_of(MAIN).map(|f| (f.name.text.clone(), !f.orders.is_empty())).collect()

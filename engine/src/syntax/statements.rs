@@ -110,9 +110,11 @@ pub(super) fn doc(input: ParseStream<'_>, inner: bool) -> Result<Vec<String>> {
         take_word(&content)?;
         content.parse::<Token![=]>()?;
         let text: syn::LitStr = content.parse()?;
-        // A block comment is one string with several lines.
+        // A block comment is one string with several lines, an empty line between paragraphs one with none.
+        let text = text.value();
+        let written = if text.is_empty() { vec![""] } else { text.lines().collect() };
         lines.extend(
-            text.value().lines().map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end().to_string()),
+            written.into_iter().map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end().to_string()),
         );
     }
     Ok(lines)
