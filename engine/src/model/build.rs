@@ -2,11 +2,10 @@
 
 use proc_macro2::Span;
 
-use super::divisors::{self, Zero};
 use super::scope::Scope;
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::{End, Range};
 use crate::diagnostic::Diagnostic;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
@@ -65,7 +64,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         base: core::mem::take(&mut scope.base),
         budget,
     };
-    check_divisors(scope, &family.names, &family.shape_region(), family.budget);
+    scope.settle(&family.shape_region(), family.budget);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
     }
@@ -236,34 +235,4 @@ pub(super) fn range_of(
         _ => error.help("let the range contain more than nothing"),
     });
     None
-}
-
-/// A denominator must not vanish anywhere on the declared ranges.
-pub(super) fn check_divisors(scope: &Scope<'_>, names: &[String], region: &Region, budget: u32) {
-    let mut seen = Vec::new();
-    for (divisor, place) in &scope.divisors {
-        if seen.contains(&divisor) {
-            continue;
-        }
-        seen.push(divisor);
-        let shown = divisor.display(names);
-        let error = match divisors::zero(divisor, region, budget) {
-            Zero::Nowhere => continue,
-            Zero::At(point) => {
-                let own = point.iter().filter(|(v, _)| divisor.depends_on(*v));
-                let parts: Vec<String> = own.map(|(v, c)| c.describe(&names[v.0])).collect();
-                Diagnostic::error(place.clone(), format!("the denominator vanishes at {}", parts.join(", ")))
-                    .label(format!("this is {shown}"))
-                    .help("narrow the ranges of the shape parameters so that they leave this value out")
-            }
-            Zero::Undecided(left) => Diagnostic::error(
-                place.clone(),
-                "it is undecided whether the denominator vanishes on the declared ranges",
-            )
-            .label(format!("this is {shown}"))
-            .note(left)
-            .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
-        };
-        scope.report(error);
-    }
 }

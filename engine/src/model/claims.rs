@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::obligations::Inside;
 use super::print::{Component, Printer};
 use super::scope::{Scope, Value};
 use super::{Claim, ClaimKind, Difference, Family, Library};
@@ -19,6 +20,7 @@ pub(super) fn claims(
     family: &Family,
 ) -> (Vec<Claim>, Vec<Diagnostic>) {
     let mut scope = Scope::of_family(library, unit, family);
+    let region = family.region();
     let mut all = Vec::new();
     for statement in &written.statements {
         match &statement.kind {
@@ -31,6 +33,9 @@ pub(super) fn claims(
                 scope.budget.refill();
                 let first = all.len();
                 one(&mut scope, family, claim, statement.span, &mut all);
+                if !scope.settle(&region, family.budget) {
+                    all.truncate(first); // what they say has no meaning somewhere
+                }
                 for claim in &mut all[first..] {
                     claim.doc.clone_from(&statement.doc);
                 }
@@ -38,7 +43,6 @@ pub(super) fn claims(
             _ => {}
         }
     }
-    super::build::check_divisors(&scope, &family.names, &family.shape_region(), family.budget);
     (all, scope.diagnostics.into_inner())
 }
 
@@ -175,19 +179,24 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
         }
         let value = scope.scalar(&binding.value)?;
         let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)?;
-        if let Some(c) = value.as_constant()
-            && !parameter.range.contains(&c)
-        {
-            let range = parameter.range.display(name).to_string();
-            scope.report(
-                scope
-                    .error(
-                        binding.value.span,
-                        format!("{name} = {c} is outside of the declared range `{range}`"),
-                    )
-                    .help("claims are about the declared ranges; widen the range, or choose a value inside"),
-            );
-            return None;
+        let inside =
+            Inside { value: value.clone(), name: name.clone(), range: parameter.range.clone(), family: None };
+        let place = scope.place(binding.value.span);
+        match value.as_constant() {
+            Some(c) if !parameter.range.contains(&c) => {
+                scope.report(inside.outside(&c, place));
+                return None;
+            }
+            Some(_) => {}
+            None if scope.dependent.is_some() && scope.is_domain_variable(var) => {
+                let error =
+                    scope.error(binding.value.span, format!("`{name}` is fixed to something that varies"));
+                scope.report(
+                    error.help("on a simplex an `at` block fixes coordinates to numbers, such as `w = 0`"),
+                );
+                return None;
+            }
+            None => scope.must_stay_inside(inside, place),
         }
         fixed.push((var, value));
     }
@@ -212,6 +221,10 @@ fn independent(
     span: Span,
 ) -> Option<Vec<(Var, Fraction)>> {
     let Some(dependent) = scope.dependent else { return Some(fixed) };
+    let given =
+        fixed.iter().filter(|(v, _)| scope.is_domain_variable(*v)).filter_map(|(_, f)| f.as_constant());
+    // What the given coordinates leave for the others.
+    let left = given.fold(Rational::ONE, |left, c| &left - &c);
     let last = fixed.iter().position(|(v, _)| *v == dependent).map(|k| fixed.remove(k).1);
     let coordinate = |fixed: &[(Var, Fraction)], var: Var| {
         fixed.iter().find(|(v, _)| *v == var).map_or_else(|| Fraction::var(var), |(_, f)| f.clone())
@@ -237,12 +250,18 @@ fn independent(
             }
         }
     }
-    let rest = scope.domain.iter().fold(one, |rest, v| &rest - &coordinate(&fixed, *v));
-    if rest.as_constant().is_some_and(|c| c.is_negative()) {
+    if left.is_negative() {
         let error =
             scope.error(span, "the point lies outside of the simplex: its coordinates sum to more than 1");
         scope.report(error.help("claims are about the domain; choose a point inside"));
         return None;
+    }
+    // At a corner nothing is left for the other coordinates.
+    if left.is_zero() {
+        fixed.retain(|(_, f)| scope.domain.iter().all(|v| !f.depends_on(*v)));
+        let free: Vec<Var> =
+            scope.domain.iter().copied().filter(|v| fixed.iter().all(|(f, _)| f != v)).collect();
+        fixed.extend(free.into_iter().map(|v| (v, Fraction::zero())));
     }
     Some(fixed)
 }
@@ -264,8 +283,11 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
     let mut any = false;
     let fine = scope.each(&relation.loops, &mut |scope| {
         any = true;
+        let before = scope.obligations.len();
         match differences(scope, relation, fixed) {
             Some(differences) => {
+                let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
+                scope.fix_obligations(before, &vars, &values);
                 let printer = Printer { constants: &scope.constants, component: None };
                 let (left, right) = (printer.print(&relation.left), printer.print(&relation.right));
                 let text = format!("{left} {} {right}", relation.comparison.symbol());
@@ -277,7 +299,10 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
                 push(scope, text, kind);
                 true
             }
-            None => false,
+            None => {
+                scope.obligations.truncate(before);
+                false
+            }
         }
     });
     if fine && !any && scope.constants.is_empty() {

@@ -3,6 +3,7 @@
 use proc_macro2::Span;
 
 use super::budget::TooLarge;
+use super::obligations::{Duty, Inside, Obligation};
 use super::scope::{BUILTINS, Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -234,7 +235,7 @@ impl Scope<'_> {
         }
         if divisor.as_constant().is_none() {
             let place = self.place(span);
-            self.divisors.push((divisor.numer().clone(), place));
+            self.obligations.push(Obligation { duty: Duty::Nonzero(divisor.numer().clone()), place });
         }
         Some(())
     }
@@ -630,18 +631,29 @@ impl Scope<'_> {
         let mut by = Vec::new();
         for (shape, parameter) in shapes.iter().zip(&family.shapes) {
             let value = self.scalar(shape)?;
-            if let Some(c) = value.as_constant()
-                && !parameter.range.contains(&c)
-            {
-                let range = parameter.range.display(&parameter.name).to_string();
-                self.report(self.error(
+            if let Some(var) = self.domain.iter().find(|v| value.depends_on(**v)) {
+                let error = self.error(
                     shape.span,
-                    format!(
-                        "{} = {c} is outside of the declared range `{range}` of `{name}`",
-                        parameter.name
-                    ),
-                ));
+                    format!("a shape value of `{name}` contains the domain variable `{}`", self.names[var.0]),
+                );
+                self.report(error.help("shape values are numbers, or made of shape parameters"));
                 return None;
+            }
+            let inside = Inside {
+                value: value.clone(),
+                name: parameter.name.clone(),
+                range: parameter.range.clone(),
+                family: Some(family.title()),
+            };
+            let place = self.place(shape.span);
+            if let Some(c) = value.as_constant() {
+                // A number needs no proof, and a function with a forbidden one no further look.
+                if !parameter.range.contains(&c) {
+                    self.report(inside.outside(&c, place));
+                    return None;
+                }
+            } else {
+                self.must_stay_inside(inside, place);
             }
             by.push(value);
         }

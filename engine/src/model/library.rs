@@ -248,6 +248,22 @@ impl<'f> Library<'f> {
         units
     }
 
+    /// The two specs that both define a family, where a third one uses both and defines it not itself.
+    fn ambiguous(&self, unit: usize, name: &str) -> Option<[&str; 2]> {
+        let defines = |u: usize| self.families_of(u).any(|f| f.name.text == name);
+        if defines(unit) {
+            return None;
+        }
+        let mut homes: Vec<usize> = Vec::new();
+        for u in self.units[unit].uses.iter().filter(|u| defines(**u)) {
+            if !homes.contains(u) {
+                homes.push(*u);
+            }
+        }
+        let [first, second, ..] = homes[..] else { return None };
+        Some([first, second].map(|u| self.sources.get(self.units[u].source).name.as_str()))
+    }
+
     fn find(&self, unit: usize, name: &str) -> Option<(usize, usize)> {
         self.search(unit).into_iter().find_map(|u| {
             let position = self.families_of(u).position(|f| f.name.text == name)?;
@@ -291,6 +307,13 @@ impl<'f> Library<'f> {
             };
             return Err(Some((format!("there is no family `{name}`"), help)));
         };
+        if let Some([first, second]) = self.ambiguous(unit, name) {
+            let message = format!("`{name}` is defined in `{first}` and in `{second}`");
+            return Err(Some((
+                message,
+                String::from("use one of the two files, or rename one of the families"),
+            )));
+        }
         let family = self.families_of(home).nth(position).ok_or(None)?;
         if family.orders.len() != order.len() {
             let wanted: Vec<String> = family.orders.iter().map(|g| g.name.text.clone()).collect();
@@ -327,7 +350,7 @@ impl<'f> Library<'f> {
         let (result, diagnostics) = build::family(self, home, self.units[home].source, family, order);
         self.active.borrow_mut().pop();
         let clean = diagnostics.is_empty();
-        self.report_all(diagnostics);
+        self.report_all(at_order(diagnostics, family, order));
         let result = result.filter(|_| clean).map(Rc::new);
         self.expanded.borrow_mut().insert(key, result.clone());
         result.ok_or(None)
@@ -339,9 +362,10 @@ impl<'f> Library<'f> {
         family: &syntax::Family,
         order: &[i64],
     ) -> Result<(), Option<(String, String)>> {
-        let ranges = self.order_ranges(home, family).ok_or(None)?;
-        for ((name, first, last), value) in ranges.iter().zip(order) {
-            if !(*first..=*last).contains(value) {
+        for (k, value) in order.iter().enumerate() {
+            let (first, last) = self.order_range(home, family, &order[..k]).ok_or(None)?;
+            if !(first..=last).contains(value) {
+                let name = &family.orders[k].name.text;
                 let message = format!(
                     "{name} = {value} is outside of the declared range {first}..={last} of `{}`",
                     family.name.text
@@ -352,39 +376,64 @@ impl<'f> Library<'f> {
         Ok(())
     }
 
-    /// The index parameters of a family with their first and last values.
-    fn order_ranges(&self, home: usize, family: &syntax::Family) -> Option<Vec<(String, i64, i64)>> {
+    /// The first and last value of the index parameter that follows those with values already; what is wrong with it is
+    /// reported.
+    fn order_range(&self, home: usize, family: &syntax::Family, before: &[i64]) -> Option<(i64, i64)> {
         let mut scope = super::scope::Scope::new(self, home, self.units[home].source);
-        let mut ranges = Vec::new();
-        for generator in &family.orders {
-            if !scope.check_free(&generator.name) {
-                break;
-            }
-            let Some((first, last)) = scope.bounds(generator) else { break };
-            if first > last {
-                scope.report(
-                    scope
-                        .error(
-                            generator.name.span,
-                            format!("the range of `{}` is empty", generator.name.text),
-                        )
-                        .help("write the smaller order first, such as `n in 1..=8`"),
-                );
-                break;
-            }
-            if last.saturating_sub(first) >= MAX_ORDERS {
-                scope.report(scope.error(
-                    generator.name.span,
-                    format!("the range of `{}` has more than {MAX_ORDERS} orders", generator.name.text),
-                ));
-                break;
-            }
-            ranges.push((generator.name.text.clone(), first, last));
-            scope.constants.push((generator.name.text.clone(), first));
+        let generator = &family.orders[before.len()];
+        let mut range = None;
+        let known = family.orders.iter().zip(before).all(|(known, value)| {
+            let free = scope.check_free(&known.name);
+            scope.constants.push((known.name.text.clone(), *value));
+            free
+        });
+        if known && scope.check_free(&generator.name) {
+            range = scope.bounds(generator);
         }
-        let complete = ranges.len() == family.orders.len();
+        let name = &generator.name.text;
+        if let Some((first, last)) = range {
+            if first > last && before.is_empty() {
+                let error = scope.error(generator.name.span, format!("the range of `{name}` is empty"));
+                scope.report(error.help("write the smaller order first, such as `n in 1..=8`"));
+                range = None;
+            } else if last.saturating_sub(first) >= MAX_ORDERS {
+                let message = format!("the range of `{name}` has more than {MAX_ORDERS} orders");
+                scope.report(scope.error(generator.name.span, message));
+                range = None;
+            }
+        }
         self.report_all(scope.diagnostics.into_inner());
-        complete.then_some(ranges)
+        range
+    }
+
+    /// All orders of a family, in lexicographic order; the range of an index parameter may depend on those before it.
+    fn orders(&self, home: usize, family: &syntax::Family) -> Option<Vec<Vec<i64>>> {
+        let mut orders: Vec<Vec<i64>> = vec![Vec::new()];
+        for _ in &family.orders {
+            let mut longer = Vec::new();
+            for order in &orders {
+                let (first, last) = self.order_range(home, family, order)?;
+                for value in first..=last {
+                    longer.push(order.iter().copied().chain([value]).collect());
+                }
+                if longer.len() as i64 > MAX_ORDERS {
+                    let place = self.place(self.units[home].source, family.name.span);
+                    let message = format!(
+                        "the index parameters of `{}` have more than {MAX_ORDERS} combinations",
+                        family.name.text
+                    );
+                    self.report(Diagnostic::error(place, message).help("narrow their ranges"));
+                    return None;
+                }
+            }
+            orders = longer;
+        }
+        if orders.is_empty() {
+            let place = self.place(self.units[home].source, family.name.span);
+            let message = format!("the index parameters of `{}` have no values", family.name.text);
+            self.report(Diagnostic::error(place, message).help("widen their ranges"));
+        }
+        Some(orders)
     }
 
     /// The families of the spec that was asked for, with their claims; families with errors are left out.
@@ -394,24 +443,7 @@ impl<'f> Library<'f> {
             if selected == Selected::WithoutOrder && !family.orders.is_empty() {
                 continue;
             }
-            let Some(ranges) = self.order_ranges(MAIN, family) else { continue };
-            let count = ranges.iter().try_fold(1_i64, |n, (_, first, last)| n.checked_mul(last - first + 1));
-            if count.is_none_or(|n| n > MAX_ORDERS) {
-                let place = self.place(self.units[MAIN].source, family.name.span);
-                let message = format!(
-                    "the index parameters of `{}` have more than {MAX_ORDERS} combinations",
-                    family.name.text
-                );
-                self.report(Diagnostic::error(place, message).help("narrow their ranges"));
-                continue;
-            }
-            let mut orders: Vec<Vec<i64>> = vec![Vec::new()];
-            for (_, first, last) in &ranges {
-                orders = orders
-                    .into_iter()
-                    .flat_map(|o| (*first..=*last).map(move |v| o.iter().copied().chain([v]).collect()))
-                    .collect();
-            }
+            let Some(orders) = self.orders(MAIN, family) else { continue };
             for order in &orders {
                 if let Ok(item) = self.item(&family.name.text, order) {
                     items.push(item);
@@ -447,7 +479,7 @@ impl<'f> Library<'f> {
         let (home, position) = self.find(MAIN, name).ok_or(None)?;
         let written = self.families_of(home).nth(position).ok_or(None)?;
         let (claims, diagnostics) = claims::claims(self, home, written, &family);
-        self.report_all(diagnostics);
+        self.report_all(at_order(diagnostics, written, order));
         Ok(Item { family, claims })
     }
 
@@ -494,6 +526,18 @@ impl<'f> Library<'f> {
     pub const fn sources(&self) -> &Sources {
         &self.sources
     }
+}
+
+/// Errors in a family with index parameters say at which values they were met.
+fn at_order(mut diagnostics: Vec<Diagnostic>, family: &syntax::Family, order: &[i64]) -> Vec<Diagnostic> {
+    if !order.is_empty() {
+        let values: Vec<String> =
+            family.orders.iter().zip(order).map(|(g, v)| format!("{} = {v}", g.name.text)).collect();
+        for diagnostic in &mut diagnostics {
+            diagnostic.notes.push(format!("for {}", values.join(", ")));
+        }
+    }
+    diagnostics
 }
 
 /// Whether two messages differ in numbers only.

@@ -4,10 +4,10 @@
 mod budget;
 mod build;
 mod claims;
-mod divisors;
 mod evaluate;
 mod functions;
 mod library;
+mod obligations;
 mod print;
 mod scope;
 pub mod theorem;

@@ -6,9 +6,10 @@ use std::collections::BTreeMap;
 use proc_macro2::Span;
 
 use super::budget::Budget;
+use super::obligations::{Duty, Obligation};
 use super::{Family, Function, Library};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::Var;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
@@ -57,8 +58,10 @@ pub(super) struct Scope<'a> {
     /// Whether all functions are defined, so that the name alone means all of them.
     pub(super) complete: bool,
     pub(super) budget: Budget,
-    /// Everything that stands below a fraction line, to be proved different from zero.
-    pub(super) divisors: Vec<(Poly, Place)>,
+    /// What is still to be proved for the formulas to mean something.
+    pub(super) obligations: Vec<Obligation>,
+    /// What of that is proved.
+    pub(super) settled: Vec<Duty>,
     pub(super) diagnostics: RefCell<Vec<Diagnostic>>,
 }
 
@@ -81,6 +84,11 @@ impl Scope<'_> {
         self.names.iter().position(|n| n == name).map(Var)
     }
 
+    /// Whether a variable belongs to the domain.
+    pub(super) fn is_domain_variable(&self, var: Var) -> bool {
+        self.domain.contains(&var) || self.dependent == Some(var)
+    }
+
     /// The value of an index parameter or index variable.
     pub(super) fn constant(&self, name: &str) -> Option<i64> {
         self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v)
@@ -95,11 +103,7 @@ impl Scope<'_> {
         } else if self.lets.iter().any(|(n, _)| n == name) {
             Some("a name given by `let`")
         } else if let Some(var) = self.variable(name) {
-            Some(if self.domain.contains(&var) || self.dependent == Some(var) {
-                "a domain variable"
-            } else {
-                "a shape parameter"
-            })
+            Some(if self.is_domain_variable(var) { "a domain variable" } else { "a shape parameter" })
         } else if self.function_name == name {
             Some("the name of the basis functions")
         } else {
@@ -273,7 +277,8 @@ impl Scope<'_> {
             cut_short: false,
             complete: false,
             budget: Budget::new(),
-            divisors: Vec::new(),
+            obligations: Vec::new(),
+            settled: Vec::new(),
             diagnostics: RefCell::new(Vec::new()),
         }
     }

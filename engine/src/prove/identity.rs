@@ -251,7 +251,7 @@ fn witness(family: &Family, of: String, difference: &Fraction, fixed: &[(Var, Fr
         return None;
     }
     // The denominator vanishes nowhere on the declared ranges.
-    let point = point::nonzero(family, difference.numer())?;
+    let point = point::nonzero(family, difference.numer(), fixed)?;
     let value = difference.eval(&point::coordinates(&point, family.names.len()))?;
     Some(Witness { of, at: named_point(family, &point, fixed), value, net: Vec::new(), notes: Vec::new() })
 }

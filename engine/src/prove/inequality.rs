@@ -124,7 +124,8 @@ fn refutation(
 
 /// The box on which an inequality is decided, and the way from it to the variables of the family.
 ///
-/// A simplex is the image of the unit box under u = 1 − s₁, v = s₁(1 − s₂), w = s₁s₂(1 − s₃), …
+/// A simplex is the image of the unit box under u = c(1 − s₁), v = c·s₁(1 − s₂), w = c·s₁s₂(1 − s₃), …, where c is what fixed
+/// coordinates leave of 1; a coordinate that is free but expressed by the others is c·s₁s₂… .
 struct Chart {
     region: Region,
     /// The domain variables as polynomials in the variables of the box; empty on a box, where they are the same.
@@ -140,20 +141,13 @@ impl Chart {
         if !family.is_simplex() || on_simplex.is_empty() {
             return Self { region, by: Vec::new() };
         }
-        // What the fixed coordinates leave; where that depends on other coordinates, the fixed one is an edge or
-        // face such as w = 0, which leaves everything.
-        let constants = fixed.iter().filter(|(v, _)| family.domain.iter().any(|p| p.var == *v));
-        let left = constants.filter_map(|(_, f)| f.as_constant()).fold(Rational::ONE, |left, c| &left - &c);
-        let edge =
-            fixed.iter().any(|(v, f)| family.domain.iter().any(|p| p.var == *v) && f.as_constant().is_none());
         region.ranges.retain(|(v, _)| !on_simplex.contains(v));
         let mut by = Vec::new();
-        let mut rest = Poly::constant(left);
+        let mut rest = Poly::constant(point::left_on_simplex(family, fixed));
         for (k, var) in on_simplex.iter().enumerate() {
             let s = Var(family.names.len() + k);
             region.ranges.push((s, Range::unit()));
-            let full = edge && k + 1 == on_simplex.len() && family.domain.len() == on_simplex.len() + 1;
-            let coordinate = &rest * &if full { Poly::var(s) } else { &Poly::one() - &Poly::var(s) };
+            let coordinate = &rest * &(&Poly::one() - &Poly::var(s));
             rest = &rest * &Poly::var(s);
             by.push((*var, coordinate));
         }

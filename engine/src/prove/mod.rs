@@ -95,7 +95,7 @@ pub enum Assertion {
     },
 }
 
-#[cfg(feature = "tools")]
+#[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{RankProof, coefficient_table};
 

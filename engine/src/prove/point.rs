@@ -1,5 +1,6 @@
 //! Simple points: where a polynomial that is not zero has a value that is not zero.
 
+use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -55,13 +56,20 @@ pub(super) fn candidates(range: &Range, count: u32) -> Vec<Rational> {
 }
 
 /// A point of the declared ranges at which a polynomial that is not zero has a value that is not zero;
-/// `None` only where a range of one number makes that impossible.
-pub(super) fn nonzero(family: &Family, polynomial: &Poly) -> Option<Vec<(Var, Coordinate)>> {
+/// `None` only where a range of one number makes that impossible. Fixed variables do not occur in the polynomial.
+pub(super) fn nonzero(
+    family: &Family,
+    polynomial: &Poly,
+    fixed: &[(Var, Fraction)],
+) -> Option<Vec<(Var, Coordinate)>> {
     let mut rest = polynomial.clone();
     let mut point = Vec::new();
     // On a simplex the coordinates that are chosen leave less for the next one.
-    let mut left = Rational::ONE;
+    let mut left = left_on_simplex(family, fixed);
     for (k, parameter) in family.shapes.iter().chain(&family.domain).enumerate() {
+        if fixed.iter().any(|(v, _)| *v == parameter.var) {
+            continue;
+        }
         let count = rest.degree(parameter.var) + 1;
         let on_simplex = family.is_simplex() && k >= family.shapes.len();
         let range =
@@ -74,6 +82,32 @@ pub(super) fn nonzero(family: &Family, polynomial: &Poly) -> Option<Vec<(Var, Co
         point.push((parameter.var, Coordinate::Rational(value)));
     }
     Some(point)
+}
+
+/// What fixed barycentric coordinates leave of 1 for the others; 1 where nothing is fixed, and on a box.
+///
+/// A fixed last coordinate stands among the fixed ones as another coordinate that it expresses.
+pub(super) fn left_on_simplex(family: &Family, fixed: &[(Var, Fraction)]) -> Rational {
+    let mut left = Rational::ONE;
+    if !family.is_simplex() {
+        return left;
+    }
+    let mut sum = Fraction::zero();
+    let mut expressed = false;
+    for parameter in &family.domain {
+        let value = fixed.iter().find(|(v, _)| *v == parameter.var).map(|(_, f)| f);
+        match value.map(|f| (f, f.as_constant())) {
+            Some((_, Some(c))) => left -= &c,
+            Some(_) => expressed = true,
+            None => {}
+        }
+        sum = &sum + &value.cloned().unwrap_or_else(|| Fraction::var(parameter.var));
+    }
+    match sum.as_constant() {
+        // The sum is 1 minus the last coordinate.
+        Some(sum) if expressed => &left - &(&Rational::ONE - &sum),
+        _ => left,
+    }
 }
 
 /// The rational coordinates by variable; 0 for what is not rational.

@@ -6,10 +6,9 @@ use super::form::Form;
 use super::patch::PatchDef;
 use super::{GivenPoint, Theorem, TheoremClaim, TheoremClaimKind, TheoremRelation};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
-use crate::decide::{self, Decision, Relation};
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::Diagnostic;
 use crate::model::print::Printer;
 use crate::model::scope::Scope;
 use crate::model::{Comparison, Library, Parameter, build, label};
@@ -34,15 +33,6 @@ pub(super) enum Value {
     Map(usize, Vec<Var>),
 }
 
-/// A shape value that must stay in the range of its family.
-pub(super) struct ShapeValue {
-    pub(super) value: Fraction,
-    pub(super) name: String,
-    pub(super) range: Range,
-    pub(super) family: String,
-    pub(super) place: Place,
-}
-
 /// The names of a theorem while it is read.
 pub(super) struct Elaboration<'a> {
     pub(super) scope: Scope<'a>,
@@ -55,7 +45,6 @@ pub(super) struct Elaboration<'a> {
     pub(super) points: Vec<GivenPoint>,
     pub(super) dimension: Option<usize>,
     pub(super) products: Vec<(Var, (usize, usize))>,
-    pub(super) shape_values: Vec<ShapeValue>,
 }
 
 /// Reads a theorem; `None`, or anything with messages, cannot be used.
@@ -76,7 +65,6 @@ pub(in crate::model) fn theorem(
         points: Vec::new(),
         dimension: None,
         products: Vec::new(),
-        shape_values: Vec::new(),
     };
     let theorem = all.theorem(written);
     (theorem, all.scope.diagnostics.into_inner())
@@ -109,8 +97,7 @@ impl Elaboration<'_> {
             let error = self.scope.error(written.name.span, message);
             self.scope.report(error.help("write `prove … == …;`"));
         }
-        self.check_shape_values(&region, budget);
-        build::check_divisors(&self.scope, &self.scope.names, &region, budget);
+        self.scope.settle(&region, budget);
         if !fine {
             return None;
         }
@@ -463,59 +450,6 @@ impl Elaboration<'_> {
                 self.scope.report(error.help("lower the degree, or state the theorem in several steps"));
             })
             .ok()
-    }
-
-    /// A shape value that is an expression must stay in the range of the shape parameter.
-    fn check_shape_values(&self, region: &Region, budget: u32) {
-        for shape in &self.shape_values {
-            let ends = [(&shape.range.low, false), (&shape.range.high, true)];
-            for (end, above) in ends {
-                let (bound, relation) = match end {
-                    End::Infinite => continue,
-                    End::Included(x) => (x, Relation::NonNegative),
-                    End::Excluded(x) => (x, Relation::Positive),
-                };
-                let distance = &shape.value - &Fraction::constant(bound.clone());
-                let distance = if above { -&distance } else { distance };
-                // The denominator does not vanish on the ranges: times its square is times a positive number.
-                let sign: Poly = distance.numer() * distance.denom();
-                let name = &shape.name;
-                let range = shape.range.display(name).to_string();
-                let shown = shape.value.display(&self.scope.names);
-                let error = match decide::decide(&sign, relation, region, &mut decide::Budget::scaled(budget))
-                {
-                    Decision::Proved(_) => continue,
-                    Decision::Refuted(_) if shape.value.as_constant().is_some() => Diagnostic::error(
-                        shape.place.clone(),
-                        format!(
-                            "{name} = {shown} is outside of the declared range `{range}` of `{}`",
-                            shape.family
-                        ),
-                    ),
-                    Decision::Refuted(witness) => {
-                        let own = witness.point.iter().filter(|(v, _)| sign.depends_on(*v));
-                        let at: Vec<String> = own.map(|(v, c)| c.describe(&self.scope.names[v.0])).collect();
-                        Diagnostic::error(
-                            shape.place.clone(),
-                            format!(
-                                "{name} = {shown} leaves the declared range `{range}` of `{}`",
-                                shape.family
-                            ),
-                        )
-                        .label(format!("at {}", at.join(", ")))
-                        .help("narrow the ranges of the scalars with `assume`")
-                    }
-                    Decision::Undecided(left) => Diagnostic::error(
-                        shape.place.clone(),
-                        format!("it is undecided whether {name} = {shown} stays in the range `{range}`"),
-                    )
-                    .note(left)
-                    .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
-                };
-                self.scope.report(error);
-                break;
-            }
-        }
     }
 }
 

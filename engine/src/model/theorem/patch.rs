@@ -4,12 +4,13 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::elaborate::{Elaboration, OWN, ShapeValue, Value, count_points, kind};
+use super::elaborate::{Elaboration, OWN, Value, count_points, kind};
 use super::form::{Form, Unit};
 use super::{ControlPoint, GivenPoint, Origin, Patch};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
+use crate::model::obligations::Inside;
 use crate::model::print::Printer;
 use crate::model::{Family, label};
 use crate::syntax::{Expr, ExprKind, Name};
@@ -287,13 +288,14 @@ impl Elaboration<'_> {
                 }
             }
             let value = self.scalar(expr)?;
-            self.shape_values.push(ShapeValue {
+            let inside = Inside {
                 value: value.clone(),
                 name: parameter.name.clone(),
                 range: parameter.range.clone(),
-                family: factor.family.title(),
-                place: self.scope.place(expr.span),
-            });
+                family: Some(factor.family.title()),
+            };
+            let place = self.scope.place(expr.span);
+            self.scope.must_stay_inside(inside, place);
             values.push(value);
         }
         Some(values)
