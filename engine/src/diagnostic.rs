@@ -141,9 +141,18 @@ impl Diagnostic {
     }
 }
 
-/// The range cut to the text, and at the end of the text at least an empty range on its last line.
+/// The range cut to the text and widened to whole characters; at the end of the text at least an empty range on its
+/// last line.
+///
+/// A token that stands in for a character of several bytes ends inside of it.
 fn visible(text: &str, range: &Range<usize>) -> Range<usize> {
     let end = text.trim_end().len();
-    let start = range.start.min(end);
-    start..range.end.clamp(start, text.len())
+    let (mut start, mut stop) = (range.start.min(end), range.end.min(text.len()));
+    while !text.is_char_boundary(start) {
+        start -= 1;
+    }
+    while !text.is_char_boundary(stop) {
+        stop += 1;
+    }
+    start..stop.max(start)
 }

@@ -30,7 +30,8 @@ impl Source {
     /// Line and column of a byte offset, both counted from one, the column in characters.
     pub fn line_column(&self, offset: usize) -> (usize, usize) {
         let text = self.text.as_deref().unwrap_or_default();
-        let before = text.get(..offset).unwrap_or(text);
+        let inside = (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at));
+        let before = &text[..inside.unwrap_or_default()];
         let line_start = before.rfind('\n').map_or(0, |i| i + 1);
         (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
     }

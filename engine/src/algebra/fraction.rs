@@ -2,9 +2,10 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
-use super::gcd::gcd;
+use super::gcd::checked_gcd;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
+use super::work::{Spent, Work};
 
 /// numerator / denominator.
 ///
@@ -37,13 +38,19 @@ impl Fraction {
         if denom.is_zero() {
             return None;
         }
+        Self::reduced(numer, denom, &mut Work::unlimited())
+    }
+
+    /// The quotient of two polynomials, the divisor not zero; `None` when the work is spent.
+    fn reduced(numer: Poly, denom: Poly, work: &mut Work) -> Option<Self> {
         if let Some(c) = denom.as_constant() {
             return Some(Self::from(numer.scale(&c.recip()?)));
         }
+        work.spend_product(&numer, &denom)?; // no division below takes more
         if let Some(quotient) = numer.div_exact(&denom) {
             return Some(Self::from(quotient));
         }
-        let common = gcd(&numer, &denom);
+        let common = checked_gcd(&numer, &denom, work)?;
         let (numer, denom) = if common.is_one() {
             (numer, denom)
         } else {
@@ -88,7 +95,50 @@ impl Fraction {
 
     /// The quotient; `None` when `other` is 0.
     pub fn checked_div(&self, other: &Self) -> Option<Self> {
-        Self::new(&self.numer * &other.denom, &self.denom * &other.numer)
+        self.div_within(other, &mut Work::unlimited()).unwrap_or_default()
+    }
+
+    /// The quotient; `None` when `other` is 0.
+    ///
+    /// # Errors
+    /// When the work is spent.
+    pub fn div_within(&self, other: &Self, work: &mut Work) -> Result<Option<Self>, Spent> {
+        Self::quotient((&self.numer, &self.denom), (&other.numer, &other.denom), work)
+    }
+
+    /// (a/b) / (c/d); `None` when c is 0.
+    fn quotient(
+        (a, b): (&Poly, &Poly),
+        (c, d): (&Poly, &Poly),
+        work: &mut Work,
+    ) -> Result<Option<Self>, Spent> {
+        if c.is_zero() {
+            return Ok(None);
+        }
+        work.spend_product(a, d).ok_or(Spent)?;
+        work.spend_product(b, c).ok_or(Spent)?;
+        Self::reduced(a * d, b * c, work).map(Some).ok_or(Spent)
+    }
+
+    /// The sum; `None` when the work is spent.
+    pub fn add_within(&self, other: &Self, work: &mut Work) -> Option<Self> {
+        self.combine(other, |a, b| a + b, work)
+    }
+
+    /// The difference; `None` when the work is spent.
+    pub fn sub_within(&self, other: &Self, work: &mut Work) -> Option<Self> {
+        self.combine(other, |a, b| a - b, work)
+    }
+
+    /// The product; `None` when the work is spent.
+    pub fn mul_within(&self, other: &Self, work: &mut Work) -> Option<Self> {
+        work.spend_product(&self.numer, &other.numer)?;
+        if self.denom.is_one() && other.denom.is_one() {
+            return Some(Self::from(&self.numer * &other.numer));
+        }
+        work.spend_product(&self.denom, &other.denom)?;
+        // A product of denominators is not zero.
+        Self::reduced(&self.numer * &other.numer, &self.denom * &other.denom, work)
     }
 
     /// The power with a whole exponent.
@@ -98,30 +148,49 @@ impl Fraction {
 
     /// The partial derivative in a variable, (n′d − nd′)/d².
     pub fn derivative(&self, var: Var) -> Self {
+        // Without a bound on the work there is always a result.
+        self.derivative_within(var, &mut Work::unlimited()).unwrap_or_else(Self::zero)
+    }
+
+    /// The partial derivative in a variable; `None` when the work is spent.
+    pub fn derivative_within(&self, var: Var, work: &mut Work) -> Option<Self> {
+        let slope = self.numer.derivative(var);
         if !self.denom.depends_on(var) {
-            return Self::new(self.numer.derivative(var), self.denom.clone()).unwrap_or_else(Self::zero);
+            return Self::reduced(slope, self.denom.clone(), work);
         }
-        let numer =
-            &(&self.numer.derivative(var) * &self.denom) - &(&self.numer * &self.denom.derivative(var));
+        work.spend_product(&slope, &self.denom)?;
+        work.spend_product(&self.numer, &self.denom)?;
+        work.spend_product(&self.denom, &self.denom)?;
+        let numer = &(&slope * &self.denom) - &(&self.numer * &self.denom.derivative(var));
         // The square of a denominator is not zero.
-        Self::new(numer, self.denom.pow(2)).unwrap_or_else(Self::zero)
+        Self::reduced(numer, self.denom.pow(2), work)
     }
 
     /// The function with another put in place of a variable; `None` when that makes the denominator zero.
     pub fn substitute(&self, var: Var, value: &Self) -> Option<Self> {
-        if let Some(poly) = value.as_poly() {
-            return Self::new(self.numer.substitute(var, poly), self.denom.substitute(var, poly));
-        }
-        let put = |p: &Poly| {
-            let degree = p.degree(var);
-            let mut sum = Poly::zero();
-            for (k, c) in p.coefficients_in(var).iter().enumerate() {
-                let k = k as u32;
-                sum = &sum + &(c * &(&value.numer.pow(k) * &value.denom.pow(degree - k)));
+        self.substitute_within(var, value, &mut Work::unlimited()).unwrap_or_default()
+    }
+
+    /// The function with another put in place of a variable; `None` when that makes the denominator zero.
+    ///
+    /// # Errors
+    /// When the work is spent.
+    pub fn substitute_within(&self, var: Var, value: &Self, work: &mut Work) -> Result<Option<Self>, Spent> {
+        // Over one denominator each: value.denom to the degree of the polynomial.
+        let put = |p: &Poly| match value.as_poly() {
+            Some(poly) => (p.substitute(var, poly), Poly::one()),
+            None => {
+                let degree = p.degree(var);
+                let mut sum = Poly::zero();
+                for (k, c) in p.coefficients_in(var).iter().enumerate() {
+                    let k = k as u32;
+                    sum = &sum + &(c * &(&value.numer.pow(k) * &value.denom.pow(degree - k)));
+                }
+                (sum, value.denom.pow(degree))
             }
-            Self::new(sum, value.denom.pow(degree))
         };
-        put(&self.numer)?.checked_div(&put(&self.denom)?)
+        let ((n, below_n), (d, below_d)) = (put(&self.numer), put(&self.denom));
+        Self::quotient((&n, &below_n), (&d, &below_d), work)
     }
 
     /// The function with variables renamed, by their index; no two may get the same name.
@@ -165,42 +234,43 @@ impl Neg for &Fraction {
 }
 
 impl Fraction {
-    fn combine(&self, other: &Self, with: fn(&Poly, &Poly) -> Poly) -> Self {
+    fn combine(&self, other: &Self, with: fn(&Poly, &Poly) -> Poly, work: &mut Work) -> Option<Self> {
         if self.denom.is_one() && other.denom.is_one() {
-            return Self::from(with(&self.numer, &other.numer));
+            return Some(Self::from(with(&self.numer, &other.numer)));
         }
         let (numer, denom) = if self.denom == other.denom {
             (with(&self.numer, &other.numer), self.denom.clone())
         } else {
+            work.spend_product(&self.numer, &other.denom)?;
+            work.spend_product(&other.numer, &self.denom)?;
+            work.spend_product(&self.denom, &other.denom)?;
             (with(&(&self.numer * &other.denom), &(&other.numer * &self.denom)), &self.denom * &other.denom)
         };
         // A product of denominators is not zero.
-        Self::new(numer, denom).unwrap_or_else(Self::zero)
+        Self::reduced(numer, denom, work)
     }
 }
+
+// Without a bound on the work there is always a result.
 
 impl Add for &Fraction {
     type Output = Fraction;
     fn add(self, other: &Fraction) -> Fraction {
-        self.combine(other, |a, b| a + b)
+        self.add_within(other, &mut Work::unlimited()).unwrap_or_else(Fraction::zero)
     }
 }
 
 impl Sub for &Fraction {
     type Output = Fraction;
     fn sub(self, other: &Fraction) -> Fraction {
-        self.combine(other, |a, b| a - b)
+        self.sub_within(other, &mut Work::unlimited()).unwrap_or_else(Fraction::zero)
     }
 }
 
 impl Mul for &Fraction {
     type Output = Fraction;
     fn mul(self, other: &Fraction) -> Fraction {
-        if self.denom.is_one() && other.denom.is_one() {
-            return Fraction::from(&self.numer * &other.numer);
-        }
-        // A product of denominators is not zero.
-        Fraction::new(&self.numer * &other.numer, &self.denom * &other.denom).unwrap_or_else(Fraction::zero)
+        self.mul_within(other, &mut Work::unlimited()).unwrap_or_else(Fraction::zero)
     }
 }
 

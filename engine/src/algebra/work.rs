@@ -2,6 +2,10 @@
 
 use super::poly::Poly;
 
+/// No work is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Spent;
+
 /// Work that may still be done, in units of about one product of two numbers of a machine word.
 #[derive(Clone, Debug)]
 pub struct Work {

@@ -1,11 +1,12 @@
 //! How large formulas may become, counted in work and never in time, so that one spec gives one result on
 //! every machine.
 
-use core::cell::Cell;
+use core::cell::{Cell, RefCell};
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::{Spent, Work};
 
 /// The highest total degree of a polynomial.
 pub(crate) const MAX_DEGREE: u32 = 100;
@@ -15,11 +16,14 @@ const MAX_TERMS: usize = 20_000;
 const MAX_BITS: u64 = 20_000;
 /// The most term products in the expansion of the functions of one family, and of each of its claims.
 const MAX_WORK: u64 = 400_000;
+/// The most work to bring quotients into lowest terms, for the functions of a family and for each of its claims.
+const MAX_REDUCTION: u64 = 4_000_000;
 
 /// The work that is left for the expansion of the functions of a family, or of a claim.
 #[derive(Debug)]
 pub(super) struct Budget {
     work: Cell<u64>,
+    reduction: RefCell<Work>,
 }
 
 /// How much an operation on coefficients of so many bits costs, compared with one on machine words.
@@ -32,12 +36,19 @@ pub(super) type TooLarge = String;
 
 impl Budget {
     pub(super) const fn new() -> Self {
-        Self { work: Cell::new(MAX_WORK) }
+        Self { work: Cell::new(MAX_WORK), reduction: RefCell::new(Work::new(MAX_REDUCTION)) }
     }
 
     /// Starts to count anew.
     pub(super) fn refill(&self) {
         self.work.set(MAX_WORK);
+        *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION);
+    }
+
+    /// The result of an operation on quotients, which may need too much work for common divisors.
+    fn reduce<T>(&self, operation: impl FnOnce(&mut Work) -> Result<T, Spent>) -> Result<T, TooLarge> {
+        let too_large = |Spent| String::from("has denominators that take too much work to combine");
+        operation(&mut self.reduction.borrow_mut()).map_err(too_large)
     }
 
     /// Counts work; an error when none is left.
@@ -77,12 +88,12 @@ impl Budget {
 
     pub(super) fn add(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_sum(a, b)?;
-        Self::checked(a + b)
+        Self::checked(self.reduce(|work| a.add_within(b, work).ok_or(Spent))?)
     }
 
     pub(super) fn sub(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_sum(a, b)?;
-        Self::checked(a - b)
+        Self::checked(self.reduce(|work| a.sub_within(b, work).ok_or(Spent))?)
     }
 
     fn before_sum(&self, a: &Fraction, b: &Fraction) -> Result<(), TooLarge> {
@@ -99,14 +110,15 @@ impl Budget {
     pub(super) fn mul(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_product(a.numer(), b.numer())?;
         self.before_product(a.denom(), b.denom())?;
-        Self::checked(a * b)
+        Self::checked(self.reduce(|work| a.mul_within(b, work).ok_or(Spent))?)
     }
 
     /// a / b, where b is not zero.
     pub(super) fn div(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_product(a.numer(), b.denom())?;
         self.before_product(a.denom(), b.numer())?;
-        a.checked_div(b).ok_or_else(|| String::from("divides by zero")).and_then(Self::checked)
+        let quotient = self.reduce(|work| a.div_within(b, work))?;
+        quotient.ok_or_else(|| String::from("divides by zero")).and_then(Self::checked)
     }
 
     pub(super) fn pow(&self, base: &Fraction, exponent: u32) -> Result<Fraction, TooLarge> {
@@ -136,11 +148,17 @@ impl Budget {
         Ok(result)
     }
 
+    /// The partial derivative in a variable.
+    pub(super) fn derivative(&self, value: &Fraction, var: Var) -> Result<Fraction, TooLarge> {
+        self.spend((value.numer().len() + value.denom().len()) as u64)?;
+        self.reduce(|work| value.derivative_within(var, work).ok_or(Spent)).and_then(Self::checked)
+    }
+
     /// The function with another put in place of a variable; `None` when its denominator becomes zero.
     pub(super) fn substitute(
         &self,
         value: &Fraction,
-        var: crate::algebra::poly::Var,
+        var: Var,
         by: &Fraction,
     ) -> Result<Option<Fraction>, TooLarge> {
         let degree = value.numer().degree(var).max(value.denom().degree(var));
@@ -155,6 +173,6 @@ impl Budget {
         let growth = if by.as_constant().is_some() { 1 } else { terms * u64::from(degree + 1) };
         let bits = value.numer().max_bits() + by.numer().max_bits();
         self.spend(growth * (value.numer().len() + value.denom().len()) as u64 * weight(bits))?;
-        Ok(value.substitute(var, by))
+        self.reduce(|work| value.substitute_within(var, by, work))
     }
 }

@@ -488,9 +488,7 @@ impl Scope<'_> {
                     if f.is_zero() {
                         break;
                     }
-                    let size = (f.numer().len() + f.denom().len()) as u64;
-                    self.fits(self.budget.spend(size), span)?;
-                    f = f.derivative(*var);
+                    f = self.fits(self.budget.derivative(&f, *var), span)?;
                 }
             }
             result.push((index, f));
