@@ -76,6 +76,14 @@ impl IntervalForm {
     }
 }
 
+/// The Bernstein coefficients of all functions of a family on an interval, one row for each; without denominators.
+pub fn bernstein_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
+    let (var, low, high) = family.interval()?;
+    let (degree, width) = (family.degree(var), high - low);
+    let row = |numer: &Poly| to_bernstein(&affine(&numer.coefficients_in(var), low, &width), degree);
+    Some(family.functions.iter().map(|f| row(f.value.numer())).collect())
+}
+
 impl FunctionForm {
     fn new(numer: &Poly, denom: &Poly, var: Var, low: &Rational, high: &Rational, degree: u32) -> Self {
         let terms = degree as usize + 1;

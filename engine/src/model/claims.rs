@@ -61,37 +61,6 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
         all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place: scope.place(span), kind });
     };
     match &claim.kind {
-        syntax::ClaimKind::PartitionOfUnity => {
-            push(scope, String::from("partition_of_unity"), span, ClaimKind::PartitionOfUnity);
-        }
-        syntax::ClaimKind::Nonnegative => {
-            push(scope, String::from("nonnegative"), span, ClaimKind::Nonnegative);
-        }
-        syntax::ClaimKind::Symmetric => push(scope, String::from("symmetric"), span, ClaimKind::Symmetric),
-        syntax::ClaimKind::Independent(exceptions) => {
-            let Some(except) = self::exceptions(scope, family, exceptions) else { return };
-            let parts: Vec<String> =
-                except.iter().map(|values| describe_values(values, &family.names)).collect();
-            let text = if parts.is_empty() {
-                String::from("independent")
-            } else {
-                format!("independent except {}", parts.join(", "))
-            };
-            push(scope, text, span, ClaimKind::Independent(except));
-        }
-        syntax::ClaimKind::Continuity(order) => {
-            let Some(value) = scope.whole(order, "the number of continuous derivatives") else { return };
-            let Some(order) = u32::try_from(value).ok().filter(|k| *k <= super::budget::MAX_DEGREE) else {
-                let error = scope.error(order.span, format!("{value} continuous derivatives make no sense"));
-                scope.report(error.help("write a number from 0 to the degree"));
-                return;
-            };
-            if family.interval().is_none() || family.functions.iter().any(|f| f.index.len() != 1) {
-                scope.report(scope.error(span, "only segments of curves have neighbours: `continuity` needs one domain variable and one index"));
-                return;
-            }
-            push(scope, format!("continuity({order})"), span, ClaimKind::Continuity(order));
-        }
         syntax::ClaimKind::Relation(relation) => {
             self::relation(scope, relation, &[], &mut |scope, text, kind| push(scope, text, span, kind));
         }
@@ -107,7 +76,64 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
                 });
             }
         }
+        property => {
+            let mut any = false;
+            let fine = scope.each(&claim.loops, &mut |scope| {
+                any = true;
+                match self::property(scope, family, property, span) {
+                    Some((text, kind)) => push(scope, text, span, kind),
+                    None => return false,
+                }
+                true
+            });
+            // A condition may well hold for other orders.
+            if fine && !any && scope.constants.is_empty() {
+                let error = scope.error(span, "the condition does not hold: nothing is claimed");
+                scope.report(error.help("leave the condition out, or the claim"));
+            }
+        }
     }
+}
+
+/// The claim of a property, as text and as what is claimed.
+fn property(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    written: &syntax::ClaimKind,
+    span: Span,
+) -> Option<(String, ClaimKind)> {
+    Some(match written {
+        syntax::ClaimKind::PartitionOfUnity => {
+            (String::from("partition_of_unity"), ClaimKind::PartitionOfUnity)
+        }
+        syntax::ClaimKind::Nonnegative => (String::from("nonnegative"), ClaimKind::Nonnegative),
+        syntax::ClaimKind::Symmetric => (String::from("symmetric"), ClaimKind::Symmetric),
+        syntax::ClaimKind::Independent(exceptions) => {
+            let except = self::exceptions(scope, family, exceptions)?;
+            let parts: Vec<String> =
+                except.iter().map(|values| describe_values(values, &family.names)).collect();
+            let text = if parts.is_empty() {
+                String::from("independent")
+            } else {
+                format!("independent except {}", parts.join(", "))
+            };
+            (text, ClaimKind::Independent(except))
+        }
+        syntax::ClaimKind::Continuity(order) => {
+            let value = scope.whole(order, "the number of continuous derivatives")?;
+            let Some(order) = u32::try_from(value).ok().filter(|k| *k <= super::budget::MAX_DEGREE) else {
+                let error = scope.error(order.span, format!("{value} continuous derivatives make no sense"));
+                scope.report(error.help("write a number from 0 to the degree"));
+                return None;
+            };
+            if family.interval().is_none() || family.functions.iter().any(|f| f.index.len() != 1) {
+                scope.report(scope.error(span, "only segments of curves have neighbours: `continuity` needs one domain variable and one index"));
+                return None;
+            }
+            (format!("continuity({order})"), ClaimKind::Continuity(order))
+        }
+        syntax::ClaimKind::Relation(_) | syntax::ClaimKind::At(..) => return None,
+    })
 }
 
 fn describe_values(values: &[(Var, Rational)], names: &[String]) -> String {

@@ -56,8 +56,7 @@ pub(super) fn independent(family: &Family, except: &[Values]) -> Verdict {
 /// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an interval
 /// in the Bernstein basis, on a simplex in homogeneous monomials, in which more of them are numbers.
 pub fn coefficient_table(family: &Family) -> Table {
-    if let Some(form) = crate::generate::form::IntervalForm::new(family) {
-        let rows: Vec<Vec<Poly>> = form.functions.into_iter().map(|f| f.bernstein).collect();
+    if let Some(rows) = crate::generate::form::bernstein_table(family) {
         let reversed = |len: usize| (0..len).rev().collect();
         let width = rows.first().map_or(0, Vec::len);
         let symmetries = vec![vec![Symmetry { rows: reversed(rows.len()), columns: reversed(width) }]];
@@ -72,6 +71,11 @@ pub fn coefficient_table(family: &Family) -> Table {
     let domain_degree = |m: &Monomial| split(m).0.iter().map(|e| u32::from(*e)).sum::<u32>();
     let degree =
         family.functions.iter().flat_map(|f| f.value.numer().terms().map(|(m, _)| domain_degree(m))).max();
+    let powers: Vec<Vec<(Vec<u32>, Rational)>> = if family.is_simplex() {
+        (0..=degree.unwrap_or(0)).map(|missing| power_of_sum(family.domain.len() + 1, missing)).collect()
+    } else {
+        Vec::new()
+    };
     let rows: Vec<BTreeMap<Vec<u16>, Poly>> = family
         .functions
         .iter()
@@ -86,13 +90,13 @@ pub fn coefficient_table(family: &Family) -> Table {
                 }
                 // Times (u + v + w)^missing = 1.
                 let missing = degree.unwrap_or(0) - domain_degree(m);
-                for (raise, factor) in power_of_sum(family.domain.len() + 1, missing) {
+                for (raise, factor) in &powers[missing as usize] {
                     let column: Vec<u16> = raise
                         .iter()
                         .enumerate()
                         .map(|(i, e)| domain.get(i).copied().unwrap_or(0) + *e as u16)
                         .collect();
-                    row.entry(column).or_default().add_term(shape.clone(), &(c * &factor));
+                    row.entry(column).or_default().add_term(shape.clone(), &(c * factor));
                 }
             }
             row

@@ -7,7 +7,7 @@ use syn::{Result, Token};
 use super::error::error;
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{at_word, equals, take_word};
-use super::{Binding, Claim, ClaimKind, Expected, Relation};
+use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
 
 /// The properties that are claimed by a word.
 const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
@@ -16,21 +16,24 @@ const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric",
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
     let expected = if at_word(input, "refute") { Expected::False } else { Expected::True };
     let keyword = take_word(input)?;
+    let mut only = Loops::default();
     let kind = match property(input) {
         Some(word) => {
             let span = take_word(input)?;
-            match word {
+            let kind = match word {
                 "partition_of_unity" => ClaimKind::PartitionOfUnity,
                 "nonnegative" => ClaimKind::Nonnegative,
                 "symmetric" => ClaimKind::Symmetric,
                 "continuity" => continuity(input, span)?,
                 _ => ClaimKind::Independent(exceptions(input, span)?),
-            }
+            };
+            only = loops(input)?;
+            kind
         }
         None if at_word(input, "at") => at(input)?,
         None => ClaimKind::Relation(relation(input)?),
     };
-    Ok(Claim { expected, keyword, kind })
+    Ok(Claim { expected, keyword, kind, loops: only })
 }
 
 /// The property that the next word names, when it stands alone.

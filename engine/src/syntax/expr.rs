@@ -356,19 +356,18 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
     Ok(())
 }
 
-/// `for i in 0..=n, j in 0..=n if i != j`, or nothing.
+/// `for i in 0..=n, j in 0..=n if i != j`, or a part of it, or nothing.
 pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
     let mut result = Loops::default();
-    if !input.peek(Token![for]) {
-        return Ok(result);
-    }
-    input.parse::<Token![for]>()?;
-    loop {
-        result.generators.push(generator(input)?);
-        if !input.peek(Token![,]) {
-            break;
+    if input.peek(Token![for]) {
+        input.parse::<Token![for]>()?;
+        loop {
+            result.generators.push(generator(input)?);
+            if !input.peek(Token![,]) {
+                break;
+            }
+            input.parse::<Token![,]>()?;
         }
-        input.parse::<Token![,]>()?;
     }
     if input.peek(Token![if]) {
         input.parse::<Token![if]>()?;

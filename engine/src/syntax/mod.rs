@@ -313,6 +313,8 @@ pub struct Claim {
     pub keyword: Span,
     /// What is claimed.
     pub kind: ClaimKind,
+    /// Of a property, for which index parameters it is claimed.
+    pub loops: Loops,
 }
 
 /// What the author of a claim says of it.
