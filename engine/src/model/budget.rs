@@ -127,7 +127,7 @@ impl Budget {
         if degree > u64::from(MAX_DEGREE) {
             return Err(format!("has degree {degree}; the highest degree is {MAX_DEGREE}"));
         }
-        let bits = (base.numer().max_bits() + base.denom().max_bits()) * u64::from(exponent);
+        let bits = base.numer().max_bits().max(base.denom().max_bits()) * u64::from(exponent);
         let trivial = base.as_constant().is_some_and(|c| c.abs().is_one() || c.is_zero());
         if bits > MAX_BITS && !trivial {
             return Err(format!("has coefficients of {bits} bits; the most is {MAX_BITS}"));

@@ -28,8 +28,8 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
     let shapes = shapes(scope, written);
     let domain = domain(scope, written);
     let budget = budget(scope, written);
-    functions::define(scope, written);
     scope.cut_short |= written.incomplete;
+    functions::define(scope, written);
     if scope.functions.is_empty() {
         if scope.cut_short {
             return None;
@@ -121,6 +121,8 @@ fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
     }
     match found {
         Some((_, domain)) => domain,
+        // The domain may be what could not be read.
+        None if written.incomplete => None,
         None => {
             let error =
                 scope.error(written.name.span, format!("the family `{}` has no domain", written.name.text));

@@ -506,7 +506,7 @@ impl Scope<'_> {
         let names: Vec<String> = self.domain.iter().map(|v| self.names[v.0].clone()).collect();
         let error = self.error(span, format!("there are {} domain variables", names.len()));
         self.report(
-            error.help(format!("say by which to differentiate: `D(b, {})`", names.join("` or `D(b, "))),
+            error.help(format!("say by which to differentiate: `D(b, {})`", names.join(")` or `D(b, "))),
         );
         None
     }

@@ -124,6 +124,10 @@ impl Scope<'_> {
 
     /// Reports an unknown name, with the known name that it resembles.
     pub(super) fn unknown(&self, name: &str, span: Span) {
+        // A declaration that could not be read may have been that of this name.
+        if self.cut_short && self.domain.is_empty() {
+            return;
+        }
         let mut known: Vec<&str> = BUILTINS.to_vec();
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
@@ -132,13 +136,23 @@ impl Scope<'_> {
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
         let error = self.error(span, format!("the name `{name}` is not declared"));
-        let near = closest(name, &known);
-        self.report(match near {
-            Some(near) => error.help(format!("did you mean `{near}`?")),
-            None => error.help(format!(
-                "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `let {name} = …;` for a name"
-            )),
-        });
+        let help = match name {
+            "sin" | "cos" | "tan" | "exp" | "log" | "ln" | "sqrt" | "abs" | "sinh" | "cosh" => {
+                String::from("formulas are polynomials: sums, products and whole powers")
+            }
+            "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
+            "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
+            _ => match closest(name, &known) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None if name.starts_with(|c: char| c.is_ascii_uppercase()) => {
+                    format!("families here are {}", crate::words::list(&families))
+                }
+                None => format!(
+                    "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
+                ),
+            },
+        };
+        self.report(error.help(help));
     }
 
     /// The number that an expression is; reports anything else.

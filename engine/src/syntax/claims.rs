@@ -1,6 +1,6 @@
 //! Claims: `prove …` and `refute …`.
 
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
@@ -31,6 +31,7 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
             kind
         }
         None if at_word(input, "at") => at(input)?,
+        None if two_words(input) => return Err(unknown_property(input)),
         None => ClaimKind::Relation(relation(input)?),
     };
     Ok(Claim { expected, keyword, kind, loops: only })
@@ -46,6 +47,29 @@ fn property(input: ParseStream<'_>) -> Option<&'static str> {
         _ => false,
     };
     PROPERTIES.into_iter().find(|p| alone && ident == p)
+}
+
+/// Whether two words follow, as in `partition of unity`; no expression begins like that.
+fn two_words(input: ParseStream<'_>) -> bool {
+    let Some((first, after)) = input.cursor().ident() else { return false };
+    let same_line = |second: &Ident| second.span().start().line == first.span().end().line;
+    first != "parallel" && after.ident().is_some_and(|(second, _)| second != "parallel" && same_line(&second))
+}
+
+/// The error for words that name no property.
+fn unknown_property(input: ParseStream<'_>) -> syn::Error {
+    let Some((word, after)) = input.cursor().ident() else { return unexpected(input, "a claim") };
+    let text = word.to_string();
+    let next = after.ident().map(|(word, _)| word.to_string()).unwrap_or_default();
+    let near = crate::words::closest(&text, &PROPERTIES)
+        .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text.as_str())));
+    let help = match near {
+        _ if text == "not" => format!("`refute {next};` claims that it is false"),
+        _ if text == "D" => format!("write `D({next})`"),
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("claim a property ({}) or write an equation or inequality", PROPERTIES.join(", ")),
+    };
+    error(word.span(), format!("`{text}` is not a property"), help)
 }
 
 /// `continuity(2)` after its first word.

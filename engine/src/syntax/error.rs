@@ -30,6 +30,19 @@ pub(super) fn error(span: Span, message: impl AsRef<str>, help: impl AsRef<str>)
     syn::Error::new(span, format!("{}{ADVICE}{}", message.as_ref(), help.as_ref()))
 }
 
+/// What the message about a missing end of a statement begins with.
+const NO_SEMICOLON: &str = "`;` is missing after this";
+
+/// The error for a statement without an end; what follows begins the next one.
+pub(super) fn missing_semicolon(before: Span) -> syn::Error {
+    error(before, NO_SEMICOLON, "a statement ends with `;`")
+}
+
+/// Whether the next statement begins where an error was met.
+pub(super) fn is_missing_semicolon(error: &syn::Error) -> bool {
+    error.to_string().starts_with(NO_SEMICOLON)
+}
+
 impl From<syn::Error> for SyntaxError {
     fn from(error: syn::Error) -> Self {
         let text = error.to_string();

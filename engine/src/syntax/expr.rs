@@ -7,7 +7,7 @@ use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Ident, Result, Token};
 
-use super::error::error;
+use super::error::{error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
 use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
 use crate::algebra::rational::Rational;
@@ -61,7 +61,7 @@ fn product(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             break;
         }
     }
-    missing_operator(input)?;
+    missing_operator(input, &factors[factors.len() - 1].1)?;
     Ok(flat(factors, ExprKind::Product))
 }
 
@@ -78,8 +78,9 @@ fn flat(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) -
     }
 }
 
-/// Two factors side by side, as papers write them, are an error with the place of the missing sign.
-fn missing_operator(input: ParseStream<'_>) -> Result<()> {
+/// Two factors side by side, as papers write them, are an error with the place of the missing sign; on two lines it is
+/// the end of a statement that is missing.
+fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
     let found = match input.cursor().token_tree() {
         Some((TokenTree::Ident(i), _))
             if i != "for" && i != "if" && i != "except" && i != "in" && i != "parallel" =>
@@ -90,6 +91,9 @@ fn missing_operator(input: ParseStream<'_>) -> Result<()> {
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
         _ => return Ok(()),
     };
+    if input.span().start().line > before.span.end().line {
+        return Err(missing_semicolon(before.span));
+    }
     Err(error(
         input.span(),
         format!("an operator is missing before `{found}`"),
@@ -248,6 +252,10 @@ pub(super) fn unexpected(input: ParseStream<'_>, expected: &str) -> syn::Error {
             };
             syn::Error::new(g.span_open(), format!("expected {expected}, found {open}"))
         }
+        // What a doc comment is made of is not what stands there.
+        Some((TokenTree::Punct(p), _)) if p.as_char() == '#' && input.peek2(syn::token::Bracket) => {
+            syn::Error::new(p.span(), format!("expected {expected}, found a doc comment"))
+        }
         Some((token, _)) => syn::Error::new(token.span(), format!("expected {expected}, found `{token}`")),
     }
 }
@@ -377,6 +385,10 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
                 return Err(unexpected(input, "a comparison such as `!=`"));
             };
             result.conditions.push((left, sign, expr(input)?));
+            if input.peek(Token![||]) {
+                let help = "write `&&`, or two statements for two cases";
+                return Err(error(input.span(), "conditions are joined by `&&` only", help));
+            }
             if !input.peek(Token![&&]) {
                 break;
             }

@@ -145,7 +145,7 @@ fn wrong_glyph(c: char, previous: char) -> Option<(String, String, String)> {
         }
         '≤' => ("write `<=`", "<="),
         '≥' => ("write `>=`", ">="),
-        '≠' => ("write `!=`", "!="),
+        '≠' => ("write `!=` in a condition of a loop; `refute … = …;` claims that two things differ", "!="),
         '−' | '–' | '—' => ("write the minus sign of the keyboard, `-`", "-"),
         '·' | '×' | '∙' | '⋅' => ("write `*` for a product", "*"),
         '÷' => ("write `/` for a quotient", "/"),

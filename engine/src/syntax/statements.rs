@@ -5,7 +5,7 @@ use syn::parse::ParseStream;
 use syn::{Result, Token};
 
 use super::claims::claim;
-use super::error::error;
+use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, index_range, join, loops, name, unexpected};
 use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
@@ -15,6 +15,12 @@ use super::{
 /// The words that begin a statement.
 pub(super) const STATEMENTS: [&str; 9] =
     ["domain", "shape", "let", "permute", "base", "raise", "prove", "refute", "budget"];
+
+const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <= 1;`";
+
+/// What the range of a parameter may look like.
+pub(super) const SHAPE_HELP: &str =
+    "write a range such as `-3 <= λ <= 1`, `0 < λ`, or a name alone for all real numbers";
 
 /// Whether the next token is this word.
 pub(super) fn at_word(input: ParseStream<'_>, word: &str) -> bool {
@@ -62,8 +68,12 @@ pub(super) fn family(
             Ok(statement) => statements.push(statement),
             Err(e) => {
                 incomplete |= about_functions;
+                let goes_on =
+                    is_missing_semicolon(&e) || STATEMENTS.iter().any(|word| at_word(&content, word));
                 errors.push(e.into());
-                skip_statement(&content);
+                if !goes_on {
+                    skip_statement(&content);
+                }
             }
         }
     }
@@ -133,16 +143,16 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
                 let end = semicolon(input, None)?;
                 return Ok(Statement { doc, span: join(start, end), kind: StatementKind::Simplex(names) });
             }
-            let mut ranges = vec![range(input)?];
+            let mut ranges = vec![range(input, DOMAIN_HELP)?];
             while input.peek(Token![,]) {
                 input.parse::<Token![,]>()?;
-                ranges.push(range(input)?);
+                ranges.push(range(input, DOMAIN_HELP)?);
             }
             StatementKind::Domain(ranges)
         }
         "shape" => {
             take_word(input)?;
-            StatementKind::Shape(range(input)?)
+            StatementKind::Shape(range(input, SHAPE_HELP)?)
         }
         "let" => {
             take_word(input)?;
@@ -304,14 +314,14 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
 }
 
 /// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
-pub(super) fn range(input: ParseStream<'_>) -> Result<RangeDecl> {
-    let Bounds { target, low, high } = bounds(input, false)?;
+fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
+    let Bounds { target, low, high } = bounds(input, false, help)?;
     let ExprKind::Name(text) = target.kind else { return Err(unexpected(input, "a name")) };
     Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
 }
 
 /// A range as papers write it, whose name may have an index, `-3 < γ[1]`, if that is `indexed`.
-pub(super) fn bounds(input: ParseStream<'_>, indexed: bool) -> Result<Bounds> {
+pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Result<Bounds> {
     let start = input.span();
     let mut parts = vec![expr(input)?];
     let mut signs = Vec::new();
@@ -319,7 +329,6 @@ pub(super) fn bounds(input: ParseStream<'_>, indexed: bool) -> Result<Bounds> {
         signs.push((sign, input.span()));
         parts.push(expr(input)?);
     }
-    let help = "write a range such as `-3 <= λ <= 1`, `0 < λ`, or a name alone for all real numbers";
     if at_word(input, "in") {
         return Err(error(input.span(), "`in` cannot be used here", help));
     }

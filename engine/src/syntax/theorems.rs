@@ -6,7 +6,7 @@ use syn::{Result, Token};
 
 use super::error::error;
 use super::expr::{comparison, expr, join, loops, name, unexpected};
-use super::statements::{at_word, bounds, doc, skip_statement, take_word};
+use super::statements::{SHAPE_HELP, at_word, bounds, doc, skip_statement, take_word};
 use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, SyntaxError, Theorem, TheoremKind, TheoremRelation,
     TheoremStatement, TheoremStatementKind,
@@ -61,7 +61,7 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     take_word(input)?;
     let kind = match word.as_str() {
         "scalar" | "assume" => {
-            let bounds = bounds(input, true)?;
+            let bounds = bounds(input, true, SHAPE_HELP)?;
             let loops = loops(input)?;
             match word.as_str() {
                 "scalar" => TheoremStatementKind::Scalar(bounds, loops),
