@@ -53,6 +53,12 @@ pub(crate) enum Command {
     /// which all functions stay nonnegative.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
+    /// Check the certificates that `basis check --certificates` wrote
+    ///
+    /// Certificates are compared with the specs, which are read anew, and their proofs are checked without repeating the
+    /// search that found them.
+    #[command(after_help = VERIFY_HELP)]
+    Verify(VerifyArguments),
 }
 
 /// What can be typed after `basis check`.
@@ -61,6 +67,9 @@ pub(crate) struct CheckArguments {
     /// How to print the verdicts
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(crate) format: Format,
+    /// Write a certificate for every family and order into this folder
+    #[arg(long, value_name = "DIR")]
+    pub(crate) certificates: Option<PathBuf>,
     /// Spec files, and folders in which every file *.basis is checked
     #[arg(required = true, value_name = "PATH")]
     pub(crate) paths: Vec<PathBuf>,
@@ -75,6 +84,26 @@ Exit status:
 Examples:
   basis check quartic.basis
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis verify`.
+#[derive(Debug, Args)]
+pub(crate) struct VerifyArguments {
+    /// How to print the results
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(crate) format: Format,
+    /// The folder with the certificates
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+}
+
+const VERIFY_HELP: &str = "\
+Exit status:
+  0  every certificate proves what its spec claims, and none is missing
+  1  a certificate is rejected or missing
+  2  a certificate or its spec cannot be read, or the command is used wrongly
+
+Examples:
+  basis check --certificates proofs specs && basis verify proofs";
 
 /// What can be typed after `basis eval`.
 #[derive(Debug, Args)]

@@ -1,10 +1,11 @@
 //! The command `basis`: everything that the macro does during a build, and more, at a terminal.
 //!
 //! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly, `basis explain` shows what
-//! follows from its formulas. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and
+//! follows from its formulas. `basis verify` checks certificates of proofs. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and
 //! tables.
 
 mod args;
+mod certificates;
 mod check;
 mod domain;
 mod eval;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Verify(arguments) => certificates::verify(&arguments),
     };
     status.into()
 }

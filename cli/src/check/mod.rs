@@ -1,31 +1,44 @@
 //! `basis check`: proves the claims of spec files.
 
-mod files;
+pub(crate) mod files;
 mod messages;
 mod orders;
-mod prove;
+pub(crate) mod prove;
 mod published;
 mod report;
 mod rows;
 mod statements;
 mod text;
 
+use std::path::Path;
 use std::time::Instant;
 
+use basis_engine::Sources;
+
 use crate::args::{CheckArguments, Format};
+use crate::certificates;
 use crate::output::{self, Status};
 
 /// Checks everything that the arguments name, and prints it.
 pub(crate) fn run(arguments: &CheckArguments) -> Status {
     let entries = files::find(&arguments.paths);
     match arguments.format {
-        Format::Text => as_text(entries),
-        Format::Json => as_json(entries),
+        Format::Text => as_text(entries, arguments.certificates.as_deref()),
+        Format::Json => as_json(entries, arguments.certificates.as_deref()),
     }
 }
 
+/// Writes the certificates of a file if that is wanted.
+fn certify(folder: Option<&Path>, outcome: &prove::Outcome) -> Status {
+    let problems = folder.map_or_else(Vec::new, |folder| certificates::write(folder, outcome));
+    for problem in &problems {
+        output::complain(&(problem.render(&Sources::default(), true) + "\n"));
+    }
+    if problems.is_empty() { Status::Fine } else { Status::Unusable }
+}
+
 /// Every file is printed when it is done.
-fn as_text(entries: Vec<files::Entry>) -> Status {
+fn as_text(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
     let start = Instant::now();
     let mut status = Status::Fine;
     let mut summary = text::Summary::default();
@@ -33,7 +46,7 @@ fn as_text(entries: Vec<files::Entry>) -> Status {
     let mut statements = Vec::new();
     for entry in entries {
         let outcome = prove::file(entry);
-        status = status.max(outcome.status());
+        status = status.max(outcome.status()).max(certify(folder, &outcome));
         summary.add(&outcome);
         published::collect(&outcome, &mut statements);
         if outcome.readable {
@@ -45,13 +58,13 @@ fn as_text(entries: Vec<files::Entry>) -> Status {
     status.max(output::print(&summary.line(start.elapsed())))
 }
 
-fn as_json(entries: Vec<files::Entry>) -> Status {
+fn as_json(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
     let mut status = Status::Fine;
     let mut files = Vec::new();
     let mut statements = Vec::new();
     for entry in entries {
         let outcome = prove::file(entry);
-        status = status.max(outcome.status());
+        status = status.max(outcome.status()).max(certify(folder, &outcome));
         published::collect(&outcome, &mut statements);
         files.push(report::File::new(&outcome));
     }

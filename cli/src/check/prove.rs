@@ -5,9 +5,10 @@ use std::time::{Duration, Instant};
 
 use basis_engine::diagnostic::Place;
 use basis_engine::model::Expected;
+use basis_engine::prove::{Statement, check};
 use basis_engine::{
     Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Sources, Theorem, TheoremClaim, Verdict,
-    prove,
+    Witness, prove,
 };
 
 use super::files::Entry;
@@ -82,23 +83,83 @@ impl Subject {
         }
     }
 
+    /// What has to be shown for a claim about the subject to be true.
+    pub(crate) fn statements(&self, question: &Question) -> Vec<Statement> {
+        match (self, question) {
+            (Self::Family(family), Question::Family(claim)) => prove::statements(family, claim),
+            (Self::Theorem(theorem), Question::Theorem(claim)) => prove::theorem_statements(theorem, claim),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Checks that a claim about the subject fails at a witness as it says.
+    ///
+    /// # Errors
+    /// What is wrong with the witness.
+    pub(crate) fn check_witness(&self, question: &Question, witness: &Witness) -> Result<(), String> {
+        match (self, question) {
+            (Self::Family(family), Question::Family(claim)) => check::witness(family, claim, witness),
+            (Self::Theorem(theorem), Question::Theorem(claim)) => {
+                check::theorem_witness(theorem, claim, witness)
+            }
+            _ => Err(String::from("the claim is about something else")),
+        }
+    }
+
     /// Whether two subjects are the same family in perhaps different orders.
     pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.kind() == other.kind() && self.name() == other.name()
     }
 }
 
+/// What is claimed.
+#[derive(Debug)]
+pub(crate) enum Question {
+    /// Of a family.
+    Family(Claim),
+    /// Of a theorem or a join.
+    Theorem(TheoremClaim),
+}
+
+impl Question {
+    /// The claim as text.
+    pub(crate) fn text(&self) -> &str {
+        match self {
+            Self::Family(claim) => &claim.text,
+            Self::Theorem(claim) => &claim.text,
+        }
+    }
+
+    /// Its doc comment.
+    pub(crate) fn doc(&self) -> &[String] {
+        match self {
+            Self::Family(claim) => &claim.doc,
+            Self::Theorem(claim) => &claim.doc,
+        }
+    }
+
+    /// Whether it is declared true or false.
+    pub(crate) const fn expected(&self) -> Expected {
+        match self {
+            Self::Family(claim) => claim.expected,
+            Self::Theorem(claim) => claim.expected,
+        }
+    }
+
+    /// Where it stands.
+    pub(crate) const fn place(&self) -> &Place {
+        match self {
+            Self::Family(claim) => &claim.place,
+            Self::Theorem(claim) => &claim.place,
+        }
+    }
+}
+
 /// A claim with its verdict.
 #[derive(Debug)]
 pub(crate) struct DecidedClaim {
-    /// The claim as text.
-    pub(crate) text: String,
-    /// Its doc comment.
-    pub(crate) doc: Vec<String>,
-    /// Whether it is declared true or false.
-    pub(crate) expected: Expected,
-    /// Where it stands.
-    pub(crate) place: Place,
+    /// The claim.
+    pub(crate) question: Question,
     /// Whether it is true.
     pub(crate) verdict: Verdict,
     /// The error, if the verdict is not the declared one.
@@ -110,7 +171,7 @@ pub(crate) struct DecidedClaim {
 impl DecidedClaim {
     /// Whether the verdict is the declared one.
     pub(crate) fn as_declared(&self) -> bool {
-        prove::as_declared(self.expected, &self.verdict)
+        prove::as_declared(self.question.expected(), &self.verdict)
     }
 }
 
@@ -187,8 +248,7 @@ fn decide(family: &Family, claim: Claim) -> DecidedClaim {
     let verdict = prove::claim(family, &claim);
     let time = start.elapsed();
     let error = prove::diagnose(family, &claim, &verdict);
-    let Claim { text, doc, expected, place, .. } = claim;
-    DecidedClaim { text, doc, expected, place, verdict, error, time }
+    DecidedClaim { question: Question::Family(claim), verdict, error, time }
 }
 
 fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
@@ -196,6 +256,5 @@ fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
     let verdict = prove::theorem_claim(theorem, claim);
     let time = start.elapsed();
     let error = prove::diagnose_theorem(theorem, claim, &verdict);
-    let TheoremClaim { text, doc, expected, place, .. } = claim.clone();
-    DecidedClaim { text, doc, expected, place, verdict, error, time }
+    DecidedClaim { question: Question::Theorem(claim.clone()), verdict, error, time }
 }

@@ -89,7 +89,7 @@ pub(crate) fn collect(outcome: &Outcome, all: &mut Vec<Published>) {
     for item in &outcome.items {
         let inherited = tags(item.subject.doc());
         for claim in &item.claims {
-            let own = tags(&claim.doc);
+            let own = tags(claim.question.doc());
             // A claim with a comment of its own speaks for itself; another one is part of what the theorem states.
             let tags = if own.is_empty() { &inherited } else { &own };
             for tag in tags {
@@ -122,7 +122,7 @@ fn add(all: &mut Vec<Published>, tag: &Tag, claim: &DecidedClaim) {
         }
         Role::Corrected => {
             // A correction is proved, not refuted.
-            let fate = if claim.expected == Expected::True { fate } else { Fate::Undecided };
+            let fate = if claim.question.expected() == Expected::True { fate } else { Fate::Undecided };
             let corrected = entry
                 .corrected
                 .get_or_insert_with(|| Correction { statement: tag.text.clone(), verdict: Fate::Proved });

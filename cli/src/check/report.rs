@@ -111,9 +111,9 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
         Verdict::Undecided(_) => ("undecided", None, None),
     };
     Claim {
-        text: decided.text.clone(),
-        line: outcome.line(&decided.place),
-        declared: decided.expected.keyword(),
+        text: decided.question.text().to_string(),
+        line: outcome.line(decided.question.place()),
+        declared: decided.question.expected().keyword(),
         verdict,
         method,
         witness,

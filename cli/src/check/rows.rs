@@ -39,7 +39,10 @@ pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
         let statement: Vec<Entry<'_>> = verdicts.values().flatten().copied().collect();
         for (kind, part) in verdicts {
             if items.len() == 1 && part.len() <= FEW {
-                rows.extend(part.iter().map(|e| row(kind, e.decided.text.clone(), reason(e.decided), &[*e])));
+                rows.extend(
+                    part.iter()
+                        .map(|e| row(kind, e.decided.question.text().to_string(), reason(e.decided), &[*e])),
+                );
             } else {
                 let claim = describe(items, &common_text(&statement, sources), &part);
                 rows.push(row(kind, claim, reasons(items, &part), &part));
@@ -76,14 +79,20 @@ fn describe(items: &[Decided], text: &str, part: &[Entry<'_>]) -> String {
 /// The text that the claims of a statement share, or else the statement as it is written.
 fn common_text(statement: &[Entry<'_>], sources: &Sources) -> String {
     let Some(first) = statement.first() else { return String::new() };
-    let text = &first.decided.text;
-    if statement.iter().all(|e| e.decided.text == *text) {
-        return text.clone();
+    let text = first.decided.question.text();
+    if statement.iter().all(|e| e.decided.question.text() == text) {
+        return text.to_string();
     }
-    let written = as_written(&first.decided.place, sources).unwrap_or_else(|| format!("{text}, …"));
+    let written = as_written(first.decided.question.place(), sources).unwrap_or_else(|| format!("{text}, …"));
     // An equation in an `at` block stands alone in the file.
     let at = |entry: &Entry<'_>| {
-        entry.decided.text.strip_prefix("at ").and_then(|t| t.split_once(": ")).map(|t| t.0.to_string())
+        entry
+            .decided
+            .question
+            .text()
+            .strip_prefix("at ")
+            .and_then(|t| t.split_once(": "))
+            .map(|t| t.0.to_string())
     };
     match at(first) {
         Some(point) if statement.iter().all(|e| at(e).as_ref() == Some(&point)) => {

@@ -62,6 +62,12 @@ impl Folder {
         self
     }
 
+    /// Writes a file of the folder anew.
+    pub(crate) fn write(&self, name: &str, text: &str) -> &Self {
+        fs::write(self.path().join(name), text).expect("a file can be written");
+        self
+    }
+
     /// Where it is.
     pub(crate) fn path(&self) -> &Path {
         self.0.path()

@@ -52,7 +52,7 @@ pub use independence::{
 pub use largest::{LargestRange, largest_range};
 pub use symmetry::{ChangeOfBasis, Combination, Symmetries, Symmetry};
 #[cfg(any(test, feature = "tools"))]
-pub use verify::{verify, verify_independence};
+pub use verify::{CellCoefficients, Computed, verify, verify_independence};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use zeros::is_zero;
 

@@ -1,22 +1,31 @@
 //! Checks verdicts without the search that found them: proofs against statements, witnesses against expressions.
 
+use super::net::{Net, evaluated};
 use super::{Assertion, Evidence, RankProof, Statement, StepProof, Witness, expressions, fixed, statements};
-use super::{Inequality, independent};
+use super::{Inequality, independent, theorem};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::matrix::determinant;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::decide::{Coordinate, Table, Values, verify, verify_independence};
-use crate::model::{Claim, ClaimKind, Family};
+use crate::decide::{Computed, Coordinate, Table, Values, verify, verify_independence};
+use crate::model::theorem::{Theorem, TheoremClaim, TheoremClaimKind};
+use crate::model::{Claim, ClaimKind, Comparison, Family};
 
 /// Checks that evidence proves a claim.
 ///
 /// # Errors
 /// What is wrong with it, in a sentence.
 pub fn evidence(family: &Family, claim: &Claim, evidence: &Evidence) -> Result<(), String> {
-    let statements = statements(family, claim);
+    steps(&statements(family, claim), evidence)
+}
+
+/// Checks that the steps of evidence prove statements.
+///
+/// # Errors
+/// What is wrong with it, in a sentence.
+pub fn steps(statements: &[Statement], evidence: &Evidence) -> Result<(), String> {
     if statements.len() != evidence.steps.len() {
         return Err(format!("there are {} proofs for {} statements", evidence.steps.len(), statements.len()));
     }
@@ -32,21 +41,23 @@ pub fn evidence(family: &Family, claim: &Claim, evidence: &Evidence) -> Result<(
     Ok(())
 }
 
-/// Checks that a proof shows a statement, about which nothing else is known.
+/// Checks that a proof shows a statement, about which nothing else is known; the Bernstein coefficients on all cells of its
+/// certificates and the minors, in the order in which they stand there.
 ///
 /// # Errors
 /// What is wrong with it, in a sentence.
-pub fn proof(statement: &Statement, proof: &StepProof) -> Result<(), String> {
+pub fn proof(statement: &Statement, proof: &StepProof) -> Result<Computed, String> {
     match (&statement.assertion, proof) {
         (Assertion::Zero(value), StepProof::Identity) => {
             if value.is_zero() {
-                Ok(())
+                Ok(Computed::default())
             } else {
                 Err(String::from("the expanded difference is not zero"))
             }
         }
         (Assertion::Sign { polynomial, relation, region }, StepProof::Sign(proof)) => {
-            verify(polynomial, *relation, region, &proof.certificate)
+            let cells = verify(polynomial, *relation, region, &proof.certificate)?;
+            Ok(Computed { cells, minors: Vec::new() })
         }
         (Assertion::Independent { table, except, region }, StepProof::Independence(proof)) => {
             exceptions(table, except, region, proof)?;
@@ -119,6 +130,77 @@ pub fn witness(family: &Family, claim: &Claim, witness: &Witness) -> Result<(), 
     if holds { Err(format!("`{}` is as claimed at the point", witness.of)) } else { Ok(()) }
 }
 
+/// Checks that a claim of a theorem fails at a witness as it says.
+///
+/// # Errors
+/// What is wrong with it, in a sentence.
+pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witness) -> Result<(), String> {
+    let names = theorem.scalars.iter().map(|p| &p.name);
+    if !witness.at.iter().map(|(name, _)| name).eq(names) {
+        return Err(String::from("the point has other coordinates than the theorem has scalars"));
+    }
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    let mut irrational = Vec::new();
+    for ((name, c), scalar) in witness.at.iter().zip(&theorem.scalars) {
+        let inside = match c {
+            Coordinate::Rational(x) => {
+                at[scalar.var.0] = x.clone();
+                scalar.range.contains(x)
+            }
+            Coordinate::Algebraic(x) => {
+                irrational.push((scalar.var, x));
+                scalar.range.contains(x.low()) && scalar.range.contains(x.high())
+            }
+        };
+        if !inside {
+            return Err(format!("`{name}` is outside of its range"));
+        }
+    }
+    if !irrational.is_empty() {
+        // Only inequalities between scalars fail at irrational points alone.
+        let TheoremClaimKind::Scalar(comparison, f) = &claim.kind else {
+            return Err(String::from("an equation fails at rational points"));
+        };
+        let strict = matches!(comparison, Comparison::Greater | Comparison::Less);
+        let mut coordinates: Vec<Coordinate> = at.into_iter().map(Coordinate::Rational).collect();
+        for (var, x) in irrational {
+            coordinates[var.0] = Coordinate::Algebraic(x.clone());
+        }
+        let zero =
+            strict && witness.value.is_zero() && witness.net.is_empty() && vanishes(f, &Point(coordinates));
+        let right = zero && witness.of == claim.difference;
+        return if right { Ok(()) } else { Err(String::from("the value is not shown to be zero")) };
+    }
+    let net = net_of(theorem, witness)?;
+    if evaluated(theorem, &net, &at) != witness.net {
+        return Err(String::from("the control points do not belong to the theorem"));
+    }
+    let known = theorem::contradictions(theorem, claim, &net, &at);
+    match known.into_iter().find(|(of, _)| *of == witness.of) {
+        Some((_, Some(value))) if value == witness.value => Ok(()),
+        Some((of, Some(value))) => Err(format!("the value of `{of}` is {value}")),
+        Some((of, None)) => Err(format!("`{of}` is as claimed at the point")),
+        None => Err(format!("the claim says nothing of `{}`", witness.of)),
+    }
+}
+
+/// The net of a witness: the places of the given points.
+fn net_of(theorem: &Theorem, witness: &Witness) -> Result<Net, String> {
+    if witness.net.is_empty() {
+        return Ok(Net::new(vec![Vec::new(); theorem.points.len()]));
+    }
+    let place = |name: &String| witness.net.iter().find(|(n, _)| n == name).map(|(_, place)| place.clone());
+    let points: Option<Vec<Vec<Rational>>> = theorem.points.iter().map(|p| place(&p.name)).collect();
+    let points = points.ok_or("a control point is missing")?;
+    let dimension = theorem.dimension.or(points.first().map(Vec::len)).unwrap_or(0);
+    if theorem.dimension.is_none() && dimension < 2 && !points.is_empty()
+        || points.iter().any(|p| p.len() != dimension)
+    {
+        return Err(String::from("the control points have another dimension"));
+    }
+    Ok(Net::new(points))
+}
+
 /// Coordinates by variable.
 struct Point(Vec<Coordinate>);
 
@@ -138,9 +220,10 @@ fn point(family: &Family, claim: &Claim, witness: &Witness) -> Result<Point, Str
     let parameters: Vec<_> = family.shapes.iter().chain(family.domain_variables()).collect();
     let names = witness.at.iter().map(|(name, _)| name);
     // An irrational point of a simplex has no last coordinate.
-    let independent = family.names.len();
+    let independent = family.shapes.len() + family.domain.len();
+    let rational = witness.at.iter().all(|(_, c)| matches!(c, Coordinate::Rational(_)));
     let complete = names.clone().eq(parameters.iter().map(|p| &p.name))
-        || names.clone().eq(parameters[..independent].iter().map(|p| &p.name));
+        || !rational && names.clone().eq(parameters[..independent].iter().map(|p| &p.name));
     if !complete {
         return Err(String::from("the point has other coordinates than the family has variables"));
     }

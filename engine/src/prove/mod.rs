@@ -12,7 +12,7 @@ mod theorem;
 
 use inequality::Inequality;
 pub use report::{diagnose, diagnose_theorem};
-pub use theorem::theorem_claim;
+pub use theorem::{theorem_claim, theorem_statements};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};

@@ -15,6 +15,12 @@ pub(super) struct Net {
 }
 
 impl Net {
+    /// The net with these places for the given points.
+    #[cfg(any(test, feature = "tools"))]
+    pub(super) const fn new(points: Vec<Vec<Rational>>) -> Self {
+        Self { points }
+    }
+
     /// The net with the coordinates that the variables have at a point.
     pub(super) fn from_coordinates(theorem: &Theorem, at: &[Rational]) -> Self {
         let coordinates = |vars: &[crate::algebra::poly::Var]| vars.iter().map(|v| at[v.0].clone()).collect();
@@ -147,6 +153,10 @@ pub(super) fn evaluated(theorem: &Theorem, net: &Net, scalars: &[Rational]) -> V
         }
     }
     let dimension = theorem.dimension.or(net.points.first().map(Vec::len)).unwrap_or(0);
+    if dimension == 0 {
+        // A claim about scalars alone: any points will do.
+        return Vec::new();
+    }
     let axis = |k: usize| (0..dimension).map(|c| Rational::from(i64::from(c == k))).collect();
     let units: Vec<Vec<Rational>> = match theorem.dimension {
         Some(_) => (0..dimension).map(axis).collect(),

@@ -1,7 +1,7 @@
 //! Claims of theorems: identities between linear forms, signs of scalars, directions of vectors.
 
 use super::net::{Net, evaluated, nets, on_net, parts};
-use super::{Evidence, Step, StepProof, Verdict, Witness, point};
+use super::{Assertion, Evidence, Statement, Step, StepProof, Verdict, Witness, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
@@ -36,6 +36,38 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
         TheoremClaimKind::Scalar(comparison, f) => sign(theorem, of, *comparison, f),
         TheoremClaimKind::Parallel(a, b) => parallel(theorem, claim, a, b),
     }
+}
+
+/// What has to be shown for a claim of a theorem to be true; one statement, as there is one step in a proof.
+pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statement> {
+    let first = |form: &Form| form.terms.values().next().cloned().unwrap_or_else(Fraction::zero);
+    let (of, assertion) = match &claim.kind {
+        TheoremClaimKind::Scalar(Comparison::Equal, f) => {
+            (claim.difference.clone(), Assertion::Zero(f.clone()))
+        }
+        // A form is zero if it has no terms.
+        TheoremClaimKind::Zero(form) => (claim.difference.clone(), Assertion::Zero(first(form))),
+        TheoremClaimKind::Scalar(comparison, f) => {
+            let (relation, negate) = relation(*comparison);
+            let polynomial = with_sign(theorem, f);
+            let polynomial = if negate { -&polynomial } else { polynomial };
+            (claim.difference.clone(), Assertion::Sign { polynomial, relation, region: theorem.region() })
+        }
+        TheoremClaimKind::Parallel(a, b) if a.is_zero() && b.is_zero() => {
+            (claim.difference.clone(), Assertion::Zero(Fraction::zero()))
+        }
+        TheoremClaimKind::Parallel(a, b) => match proportion(a, b) {
+            Some(factor) => {
+                let polynomial = factor.numer() * factor.denom();
+                let assertion =
+                    Assertion::Sign { polynomial, relation: Relation::Positive, region: theorem.region() };
+                (factor.display(&theorem.names), assertion)
+            }
+            // No factor at all: nothing can be proved.
+            None => (claim.difference.clone(), Assertion::Zero(Fraction::constant(Rational::ONE))),
+        },
+    };
+    vec![Statement { of, assertion }]
 }
 
 fn identity(of: &str) -> Verdict {
@@ -91,14 +123,19 @@ fn with_sign(theorem: &Theorem, value: &Fraction) -> Poly {
     if value.denom().eval(&at).is_negative() { -value.numer() } else { value.numer().clone() }
 }
 
-/// An inequality between a scalar and zero.
-fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -> Verdict {
-    let (relation, negate) = match comparison {
+/// What a comparison of x with zero says of x, or if the second is true of −x.
+const fn relation(comparison: Comparison) -> (Relation, bool) {
+    match comparison {
         Comparison::Greater => (Relation::Positive, false),
         Comparison::Less => (Relation::Positive, true),
         Comparison::LessEqual => (Relation::NonNegative, true),
         _ => (Relation::NonNegative, false),
-    };
+    }
+}
+
+/// An inequality between a scalar and zero.
+fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -> Verdict {
+    let (relation, negate) = relation(comparison);
     let decide = |value: &Fraction| {
         let polynomial = with_sign(theorem, value);
         let polynomial = if negate { -&polynomial } else { polynomial };
@@ -173,16 +210,10 @@ fn coordinates(theorem: &Theorem, point: &[(Var, Coordinate)]) -> Vec<Rational> 
 /// is a claim about the sign of n·d; where they are not, some minor aᵢbⱼ − aⱼbᵢ shows it.
 fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verdict {
     let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
-    let factor = match b.terms.iter().next() {
-        Some((unit, y)) => a.coefficient(*unit).checked_div(y).filter(|f| {
-            let proportional = |(unit, y): (_, &Fraction)| a.coefficient(unit) == f * y;
-            b.terms.iter().all(|(unit, y)| proportional((*unit, y)))
-                && a.terms.keys().all(|unit| b.terms.contains_key(unit))
-        }),
-        None if a.is_zero() => return identity(&claim.difference),
-        None => Some(Fraction::zero()),
-    };
-    let Some(factor) = factor else {
+    if a.is_zero() && b.is_zero() {
+        return identity(&claim.difference);
+    }
+    let Some(factor) = proportion(a, b) else {
         return not_proportional(theorem, a, b, left, right);
     };
     // With b = 0 everywhere and a ≠ 0, or the other way round, no factor is positive.
@@ -228,6 +259,14 @@ fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verd
     ))
 }
 
+/// The factor f with a = f·b as functions, 0 for b = 0; `None` when there is none.
+fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
+    let Some((unit, y)) = b.terms.iter().next() else { return Some(Fraction::zero()) };
+    let factor = a.coefficient(*unit).checked_div(y)?;
+    let proportional = b.terms.iter().all(|(unit, y)| a.coefficient(*unit) == &factor * y);
+    (proportional && a.terms.keys().all(|unit| b.terms.contains_key(unit))).then_some(factor)
+}
+
 /// A point at which the coordinates of two vectors are not proportional.
 fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &str) -> Verdict {
     for net in nets(theorem) {
@@ -247,4 +286,58 @@ fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &s
         }
     }
     no_witness()
+}
+
+/// The expressions whose values can contradict a claim on a net, with their values where they do.
+#[cfg(any(test, feature = "tools"))]
+pub(super) fn contradictions(
+    theorem: &Theorem,
+    claim: &TheoremClaim,
+    net: &Net,
+    at: &[Rational],
+) -> Vec<(String, Option<Rational>)> {
+    let of = &claim.difference;
+    let value = |f: &Fraction| on_net(theorem, f, net).eval(at);
+    let values = |form: &Form| -> Vec<(String, Rational)> {
+        let all = parts(theorem, form, net).into_iter();
+        all.map(|(label, f)| (label, f.eval(at).unwrap_or(Rational::ZERO))).collect()
+    };
+    match &claim.kind {
+        TheoremClaimKind::Scalar(Comparison::Equal, f) => {
+            vec![(of.clone(), value(f).filter(|x| !x.is_zero()))]
+        }
+        TheoremClaimKind::Scalar(comparison, f) => {
+            let (relation, negate) = relation(*comparison);
+            let fails = |x: &Rational| !relation.holds(&if negate { -x } else { x.clone() });
+            vec![(of.clone(), value(f).filter(fails))]
+        }
+        TheoremClaimKind::Zero(form) => values(form)
+            .into_iter()
+            .map(|(label, x)| {
+                let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
+                (of, Some(x).filter(|x| !x.is_zero()))
+            })
+            .collect(),
+        TheoremClaimKind::Parallel(a, b) => {
+            let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
+            let (x, y) = (values(a), values(b));
+            let zero = x.iter().chain(&y).all(|(_, v)| v.is_zero());
+            let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, ((_, p), (_, q))| &sum + &(p * q));
+            let mut all =
+                vec![(format!("dot({left}, {right})"), Some(dot).filter(|d| !zero && !d.is_positive()))];
+            for i in 0..x.len() {
+                for j in i + 1..x.len().min(y.len()) {
+                    let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
+                    let (p, q) = (&x[i].0, &x[j].0);
+                    let of = if x.len() == 2 {
+                        format!("cross({left}, {right})")
+                    } else {
+                        format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
+                    };
+                    all.push((of, Some(minor).filter(|m| !m.is_zero())));
+                }
+            }
+            all
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Checks subdivisions by computing the Bernstein coefficients of every cell anew.
 
-use super::{Claim, check, inside};
-use crate::algebra::poly::{Poly, Var};
+use super::{CellCoefficients, Claim, check, inside};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::{Rational, binomial};
 use crate::decide::Relation;
@@ -13,7 +13,7 @@ const MAX_DEPTH: usize = 2000;
 const MAX_SIZE: u64 = 200_000;
 
 /// Checks all cells.
-pub(super) fn subdivision(claim: &Claim, tree: &Subdivision) -> Result<(), String> {
+pub(super) fn subdivision(claim: &Claim<'_>, tree: &Subdivision) -> Result<(), String> {
     let size = claim.ranges.iter().try_fold(1_u64, |n, (v, _)| {
         n.checked_mul(u64::from(claim.poly.degree(*v)) + 1).filter(|n| *n <= MAX_SIZE)
     });
@@ -33,16 +33,17 @@ pub(super) fn subdivision(claim: &Claim, tree: &Subdivision) -> Result<(), Strin
                 let (mut lower, mut upper) = (ranges.clone(), ranges);
                 lower[k].1.high = End::Included(at.clone());
                 upper[k].1.low = End::Included(at.clone());
-                cells.push((low, lower, depth + 1));
                 cells.push((high, upper, depth + 1));
+                cells.push((low, lower, depth + 1));
             }
         }
     }
     Ok(())
 }
 
-fn leaf(claim: &Claim, ranges: &[(Var, Range)]) -> Result<(), String> {
+fn leaf(claim: &Claim<'_>, ranges: &[(Var, Range)]) -> Result<(), String> {
     let form = coefficients(&claim.poly, ranges)?;
+    claim.cells.borrow_mut().push(listed(&claim.poly, &form, ranges));
     check(form.terms().all(|(_, c)| !c.is_negative()), || "a Bernstein coefficient is negative".into())?;
     if claim.relation == Relation::NonNegative {
         return Ok(());
@@ -67,6 +68,18 @@ fn leaf(claim: &Claim, ranges: &[(Var, Range)]) -> Result<(), String> {
     let positive =
         |face: &Vec<(Var, u16)>| form.terms().any(|(m, _)| face.iter().all(|(v, e)| m.exponent(*v) == *e));
     check(faces.iter().all(positive), || "the polynomial vanishes on a face of a cell".into())
+}
+
+/// The coefficients of all indices.
+fn listed(poly: &Poly, form: &Poly, ranges: &[(Var, Range)]) -> CellCoefficients {
+    let mut monomials = vec![Monomial::one()];
+    for (var, _) in ranges {
+        let raised = |m: &Monomial| {
+            (0..=poly.degree(*var) as u16).map(|e| m.with_exponent(*var, e)).collect::<Vec<_>>()
+        };
+        monomials = monomials.iter().flat_map(raised).collect();
+    }
+    monomials.iter().map(|m| form.coefficient(m)).collect()
 }
 
 /// The tensor of Bernstein coefficients as a polynomial: the coefficient of index (i, j, …) is that of xⁱ yʲ ….

@@ -1,8 +1,10 @@
 //! Checks proofs of independence: that the parts cover the region, and that the minors do not vanish together.
 
-use super::{check, verify};
+use core::cmp::Ordering;
+
+use super::{Computed, check, verify};
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::decide::Relation;
 use crate::decide::independence::{Minors, Piece, Values};
@@ -21,18 +23,19 @@ pub fn verify_independence(
     except: &[Values],
     region: &Region,
     pieces: &[Piece],
-) -> Result<(), String> {
+) -> Result<Computed, String> {
     let width = rows.first().map_or(0, Vec::len);
     check(rows.iter().all(|r| r.len() == width), || "the rows have different lengths".into())?;
     covered(rows, except, region, pieces)?;
+    let mut computed = Computed::default();
     for piece in pieces {
         let changed = match &piece.change {
             None => None,
             Some(change) => Some(changed(rows, change)?),
         };
-        blocks(changed.as_deref().unwrap_or(rows), piece)?;
+        blocks(changed.as_deref().unwrap_or(rows), piece, &mut computed)?;
     }
-    Ok(())
+    Ok(computed)
 }
 
 /// The rows in other bases; the new rows must span the old ones.
@@ -85,7 +88,7 @@ fn spans(combinations: &[Combination]) -> bool {
 }
 
 /// Checks the blocks of a part: all rows, zero in the columns of later blocks, and not dependent in their own.
-fn blocks(rows: &[Vec<Poly>], piece: &Piece) -> Result<(), String> {
+fn blocks(rows: &[Vec<Poly>], piece: &Piece, computed: &mut Computed) -> Result<(), String> {
     let mut all: Vec<usize> = piece.blocks.iter().flat_map(|b| b.rows.iter().copied()).collect();
     all.sort_unstable();
     check(all.iter().copied().eq(0..rows.len()), || "a function is in no block or in several".into())?;
@@ -93,37 +96,52 @@ fn blocks(rows: &[Vec<Poly>], piece: &Piece) -> Result<(), String> {
     for (k, block) in piece.blocks.iter().enumerate() {
         let columns = || block.columns.iter().flatten();
         check(columns().all(|c| *c < width), || "a minor has a column that does not exist".into())?;
+        let increasing = |list: &Vec<usize>| list.windows(2).all(|w| w[0] < w[1]);
+        check(increasing(&block.rows) && block.columns.iter().all(increasing), || {
+            "rows or columns are not in increasing order".into()
+        })?;
+        let repeated = |(k, m): (usize, &Vec<usize>)| block.columns[..k].contains(m);
+        check(!block.columns.iter().enumerate().any(repeated), || "two minors are the same".into())?;
         let mut earlier = piece.blocks[..k].iter().flat_map(|b| &b.rows);
         check(earlier.all(|r| columns().all(|c| rows[*r][*c].is_zero())), || {
             "a function is not zero in the columns of a later block".into()
         })?;
-        minors(&block.rows.iter().map(|r| &rows[*r][..]).collect::<Vec<_>>(), block, &piece.region)?;
+        let found =
+            minors(&block.rows.iter().map(|r| &rows[*r][..]).collect::<Vec<_>>(), block, &piece.region)?;
+        computed.cells.extend(found.cells);
+        computed.minors.extend(found.minors);
     }
     Ok(())
 }
 
 /// Checks that minors do not vanish together.
-fn minors(rows: &[&[Poly]], block: &Minors, region: &Region) -> Result<(), String> {
-    let mut values = Vec::new();
+fn minors(rows: &[&[Poly]], block: &Minors, region: &Region) -> Result<Computed, String> {
+    let mut minors = Vec::new();
     for columns in &block.columns {
-        values.push(minor(rows, columns)?);
+        minors.push(minor(rows, columns)?);
     }
-    let claim = match &values[..] {
+    let claim = match &minors[..] {
         [] => return Err("there is no minor".into()),
         [only] => {
             // With one of the two signs.
-            if verify(only, Relation::Positive, region, &block.certificate).is_ok() {
-                return Ok(());
+            if let Ok(cells) = verify(only, Relation::Positive, region, &block.certificate) {
+                return Ok(Computed { cells, minors });
             }
             -only
         }
-        _ => values.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
+        _ => minors.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
     };
-    verify(&claim, Relation::Positive, region, &block.certificate)
+    let cells = verify(&claim, Relation::Positive, region, &block.certificate)?;
+    Ok(Computed { cells, minors })
 }
 
 /// Checks that every point of the region is in a part or is an exception.
 fn covered(rows: &[Vec<Poly>], except: &[Values], region: &Region, pieces: &[Piece]) -> Result<(), String> {
+    for (k, piece) in pieces.iter().enumerate() {
+        let inside = region.ranges.iter().all(|(v, r)| is_inside(&piece.region.range(*v), r));
+        check(inside, || "a part goes beyond the region".into())?;
+        check(pieces[..k].iter().all(|p| p.region != piece.region), || "two parts are the same".into())?;
+    }
     let mut vars: Vec<Var> = rows.iter().flatten().flat_map(Poly::variables).collect();
     let all = region.ranges.iter().chain(pieces.iter().flat_map(|p| &p.region.ranges)).map(|(v, _)| *v);
     vars.extend(all.chain(except.iter().flatten().map(|(v, _)| *v)));
@@ -158,6 +176,19 @@ fn covered(rows: &[Vec<Poly>], except: &[Values], region: &Region, pieces: &[Pie
         check(exception || pieces.iter().any(in_part), || "a point of the region is in no part".into())?;
     }
     Ok(())
+}
+
+/// Whether a range is a part of another one, with ends that are included only if those of the other are.
+fn is_inside(part: &Range, whole: &Range) -> bool {
+    let end = |x: &End, end: &End, order: Ordering| match (x, end) {
+        (_, End::Infinite) => true,
+        (End::Infinite, _) => false,
+        (End::Included(a), End::Excluded(b)) => a.cmp(b) == order,
+        (End::Included(a) | End::Excluded(a), End::Included(b) | End::Excluded(b)) => {
+            a.cmp(b) != order.reverse()
+        }
+    };
+    end(&part.low, &whole.low, Ordering::Greater) && end(&part.high, &whole.high, Ordering::Less)
 }
 
 /// The determinant of some columns, up to its sign.

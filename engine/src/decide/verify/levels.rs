@@ -10,7 +10,7 @@ use crate::decide::certificate::{Cells, Sample};
 
 /// Checks that p and everything that has to be projected is made of the polynomials of the levels.
 pub(super) fn projections(
-    claim: &Claim,
+    claim: &Claim<'_>,
     order: &[Var],
     levels: &[Vec<Poly>],
     trailing: bool,
@@ -21,7 +21,8 @@ pub(super) fn projections(
     check(same, || "the order of the variables lacks one or has another".into())?;
     check(levels.len() == order.len(), || "there is not one level for each variable".into())?;
     for (k, (var, level)) in order.iter().zip(levels).enumerate() {
-        for p in level {
+        for (i, p) in level.iter().enumerate() {
+            check(!level[..i].contains(p), || "a polynomial occurs twice".into())?;
             let lower = p.variables().iter().all(|v| order[..=k].contains(v));
             check(lower && p.depends_on(*var), || "a polynomial is on the wrong level".into())?;
         }
@@ -72,7 +73,7 @@ fn made_of(poly: &Poly, levels: &[Vec<Poly>]) -> Result<(), String> {
 }
 
 /// Checks an open cylindrical decomposition.
-pub(super) fn cells(claim: &Claim, cells: &Cells) -> Result<(), String> {
+pub(super) fn cells(claim: &Claim<'_>, cells: &Cells) -> Result<(), String> {
     check(claim.relation == Relation::NonNegative, || "open cells are for p ≥ 0 only".into())?;
     projections(claim, &cells.order, &cells.levels, false)?;
     samples(claim, &cells.order, &cells.levels, &claim.poly, &cells.samples)
@@ -80,7 +81,7 @@ pub(super) fn cells(claim: &Claim, cells: &Cells) -> Result<(), String> {
 
 /// Checks the samples of a level and those above; the polynomials have the lower samples in place of their variables.
 fn samples(
-    claim: &Claim,
+    claim: &Claim<'_>,
     order: &[Var],
     levels: &[Vec<Poly>],
     poly: &Poly,

@@ -12,6 +12,8 @@ mod sturm;
 
 pub use independence::verify_independence;
 
+use core::cell::RefCell;
+
 use super::Relation;
 use super::certificate::{Certificate, Factor};
 use crate::algebra::poly::{Poly, Var};
@@ -21,7 +23,20 @@ use crate::algebra::rational::Rational;
 /// Parts of certificates within each other.
 const MAX_DEPTH: usize = 100;
 
-/// Checks that a certificate proves p ≥ 0 or p > 0 on a box.
+/// The Bernstein coefficients on a cell, by the indices of the variables that occur; the index of the last one changes fastest.
+pub type CellCoefficients = Vec<Rational>;
+
+/// What a check computes on its way, in the order in which it is needed.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Computed {
+    /// The coefficients on all cells.
+    pub cells: Vec<CellCoefficients>,
+    /// The minors, up to their signs.
+    pub minors: Vec<Poly>,
+}
+
+/// Checks that a certificate proves p ≥ 0 or p > 0 on a box; the coefficients on all cells of its subdivisions, in the order
+/// in which they stand in the certificate, the lower part of a cut first.
 ///
 /// # Errors
 /// What is wrong with it, in a sentence.
@@ -30,10 +45,10 @@ pub fn verify(
     relation: Relation,
     region: &Region,
     certificate: &Certificate,
-) -> Result<(), String> {
+) -> Result<Vec<CellCoefficients>, String> {
     if let Certificate::Empty = certificate {
         let empty = region.ranges.iter().any(|(_, r)| r.is_empty());
-        return check(empty, || "no range is empty".into());
+        return check(empty, || "no range is empty".into()).map(|()| Vec::new());
     }
     let mut poly = p.clone();
     for (var, range) in &region.ranges {
@@ -44,7 +59,9 @@ pub fn verify(
         }
     }
     let ranges = poly.variables().into_iter().map(|v| (v, region.range(v))).collect();
-    Claim { poly, relation, ranges }.verify(certificate, 0)
+    let cells = RefCell::new(Vec::new());
+    Claim { poly, relation, ranges, cells: &cells }.verify(certificate, 0)?;
+    Ok(cells.into_inner())
 }
 
 /// An error unless a condition holds.
@@ -53,20 +70,22 @@ fn check(holds: bool, message: impl FnOnce() -> String) -> Result<(), String> {
 }
 
 /// A polynomial, what is claimed of it, and the ranges of exactly its variables.
-struct Claim {
+struct Claim<'a> {
     poly: Poly,
     relation: Relation,
     ranges: Vec<(Var, Range)>,
+    /// Where the coefficients on the cells are collected.
+    cells: &'a RefCell<Vec<CellCoefficients>>,
 }
 
-impl Claim {
+impl Claim<'_> {
     /// A claim of another polynomial on the same ranges.
     fn part(&self, poly: Poly, relation: Relation) -> Result<Self, String> {
         let variables = poly.variables();
         let known = variables.iter().all(|v| self.ranges.iter().any(|(w, _)| w == v));
         check(known, || "a part has other variables than the whole".into())?;
         let ranges = self.ranges.iter().filter(|(v, _)| variables.contains(v)).cloned().collect();
-        Ok(Self { poly, relation, ranges })
+        Ok(Self { poly, relation, ranges, cells: self.cells })
     }
 
     fn range(&self, var: Var) -> Result<&Range, String> {
@@ -140,6 +159,9 @@ impl Claim {
             let degree = u64::from(base.total_degree()) * u64::from(*exponent);
             check(degree <= u64::from(self.poly.total_degree()), || "a factor is too large".into())?;
             check(base.as_constant().is_none() && *exponent > 0, || "a factor is trivial".into())?;
+            check(*base == base.normalized(), || {
+                "a factor has another sign or number than it could have".into()
+            })?;
             product = &product * &base.pow(*exponent);
             let even = exponent % 2 == 0;
             match proof {
@@ -184,7 +206,7 @@ impl Claim {
                 }
                 rest /= choices.len();
             }
-            let whole = Self { poly: poly.clone(), relation: self.relation, ranges: open };
+            let whole = Self { poly: poly.clone(), relation: self.relation, ranges: open, cells: self.cells };
             whole.part(poly, self.relation)?.verify(certificate, depth + 1)?;
         }
         Ok(())

@@ -10,7 +10,7 @@ use crate::decide::Relation;
 use crate::decide::certificate::{Base, Section, Slices};
 
 /// Checks that p is positive on an open box.
-pub(super) fn slices(claim: &Claim, slices: &Slices, depth: usize) -> Result<(), String> {
+pub(super) fn slices(claim: &Claim<'_>, slices: &Slices, depth: usize) -> Result<(), String> {
     let open = claim.ranges.iter().all(|(_, r)| !r.low.is_included() && !r.high.is_included());
     check(claim.relation == Relation::Positive && open, || "slices are for p > 0 on open boxes only".into())?;
     check(claim.ranges.len() > 1, || "slices are for two variables or more".into())?;
@@ -54,7 +54,7 @@ type Irrational<'a> = (&'a Rational, &'a Rational, std::rc::Rc<Sturm>);
 
 /// Checks the slices along one variable; the variable and the sections that are left.
 fn base<'a>(
-    claim: &Claim,
+    claim: &Claim<'_>,
     base: &'a Base,
     depth: usize,
 ) -> Result<(crate::algebra::poly::Var, Vec<Irrational<'a>>), String> {

@@ -1,0 +1,114 @@
+//! `basis check --certificates` and `basis verify` at a terminal.
+
+mod support;
+
+use serde_json::{Value, json};
+use support::{BERNSTEIN, Folder, QUARTIC};
+
+#[test]
+fn certificates_are_written_and_verified() {
+    let folder = Folder::with("sub/quartic.basis", QUARTIC).and("b.basis", BERNSTEIN);
+    let run = folder.run(&["check", "--certificates", "proofs", "b.basis", "sub"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    for file in ["proofs/sub/quartic/QuarticBernstein.json", "proofs/b/Bern-1.json", "proofs/b/Bern-12.json"]
+    {
+        assert!(folder.path().join(file).is_file(), "{file}");
+    }
+    let run = folder.run(&["verify", "proofs"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert!(
+        run.stdout.contains("13 certificates, ") && run.stdout.contains(": all verified; "),
+        "{}",
+        run.stdout
+    );
+    let run = folder.run(&["verify", "--format", "json", "proofs"]);
+    assert_eq!(run.code, 0);
+    let report = run.json();
+    assert_eq!((&report["ok"], &report["missing"]), (&json!(true), &json!([])));
+    assert_eq!(report["certificates"].as_array().map(Vec::len), Some(13));
+    // Once more gives the same files.
+    let file = folder.path().join("proofs/b/Bern-3.json");
+    let before = std::fs::read(&file).expect("a file");
+    folder.run(&["check", "--format", "json", "--certificates", "proofs", "b.basis"]);
+    assert_eq!(std::fs::read(&file).expect("a file"), before);
+    // From elsewhere the specs are found around the certificates.
+    let elsewhere = Folder::new();
+    let path = folder.path().join("proofs");
+    assert_eq!(elsewhere.run(&["verify", path.to_str().expect("Unicode")]).code, 0);
+}
+
+#[test]
+fn another_spec_is_noticed() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "quartic.basis"]).code, 0);
+    for (from, to) in [
+        ("-3 <= λ <= 1", "-3 <= λ <= 2"),
+        ("(1 - λ*t) * (1 - t)^3", "(1 - λ*t) * (1 - t)^4"),
+        ("prove symmetric;", ""),
+        ("refute b[0] = b[1]", "refute b[0] = b[2]"),
+        ("/// λ", "\n/// λ"),
+    ] {
+        let folder = folder.write("quartic.basis", &QUARTIC.replace(from, to));
+        let run = folder.run(&["verify", "proofs"]);
+        assert_eq!(run.code, 1, "{from} → {to}: {}", run.stdout);
+        assert!(run.stdout.contains("✗"), "{}", run.stdout);
+    }
+    // A comment changes nothing but lines.
+    let folder = folder.write(
+        "quartic.basis",
+        &QUARTIC.replace("    prove symmetric;", "    prove symmetric; // as in the paper"),
+    );
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 0);
+}
+
+#[test]
+fn what_is_missing_or_unreadable() {
+    let folder = Folder::with("b.basis", BERNSTEIN);
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 2);
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "b.basis"]).code, 0);
+    let file = folder.path().join("proofs/b/Bern-3.json");
+    let text = std::fs::read_to_string(&file).expect("a file");
+    std::fs::remove_file(&file).expect("a file");
+    let run = folder.run(&["verify", "--format", "json", "proofs"]);
+    assert_eq!((run.code, &run.json()["missing"]), (1, &json!(["b.basis: Bern(3)"])));
+    for broken in ["", "{", "[]", "{}", "null", "{\"spec\": \"b.basis\"}", &text[..text.len() / 2]] {
+        std::fs::write(&file, broken).expect("a file");
+        let run = folder.run(&["verify", "proofs"]);
+        assert_ne!(run.code, 0, "{broken}");
+        assert!(run.stdout.contains("Bern-3.json"), "{}", run.stdout);
+    }
+    std::fs::write(&file, text.replace("b.basis", "c.basis")).expect("a file");
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 2);
+    // A verdict that is not as declared is written, and rejected.
+    let folder =
+        Folder::with("f.basis", "family F { domain 0 <= t <= 1; b[0] = t; prove partition_of_unity; }");
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "f.basis"]).code, 1);
+    let run = folder.run(&["verify", "proofs"]);
+    assert_eq!(run.code, 1);
+    assert!(run.stdout.contains("contradicts"), "{}", run.stdout);
+    // A file where the folder should be.
+    let run = folder.run(&["check", "--certificates", "f.basis", "f.basis"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("cannot write the certificate"), "{}", run.stderr);
+}
+
+#[test]
+fn irrational_witnesses() {
+    let spec = "family F { domain 0 <= t <= 2; b[0] = t;\n refute (t^2 - 2)^2 > 0; prove (t^2 - 2)^2 >= 0; }";
+    let folder = Folder::with("f.basis", spec);
+    let (code, report) = folder.check_json(&["f.basis"]);
+    assert_eq!(code, 0);
+    let witness = &report["files"][0]["items"][0]["claims"][0]["witness"];
+    assert_eq!(
+        *witness,
+        json!({"at": {"t": "root of -2 + t^2 between 1.414 and 1.415"}, "value": "0", "of": "(t^2 - 2)^2"})
+    );
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "f.basis"]).code, 0);
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 0);
+    let file = folder.path().join("proofs/f/F.json");
+    let mut value: Value = serde_json::from_slice(&std::fs::read(&file).expect("a file")).expect("JSON");
+    value["claims"][0]["witness"]["at"]["t"] = json!("root of -3 + t^2 between 1.732 and 1.733");
+    std::fs::write(&file, value.to_string()).expect("a file");
+    let run = folder.run(&["verify", "proofs"]);
+    assert_eq!(run.code, 1, "{}", run.stdout);
+}
