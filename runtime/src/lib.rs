@@ -43,6 +43,8 @@
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` are points |
 //! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |
+//! | `kurbo`, `lyon_geom` | no | their points are points, and curves go to and from their segments where the degree allows |
+//! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
 //! | `serde` | no | public data can be written and read |
 
 #![no_std]
@@ -60,10 +62,14 @@ pub mod bernstein;
 mod boxes;
 #[cfg(feature = "alloc")]
 pub mod bspline;
+#[cfg(any(feature = "kurbo", feature = "lyon_geom"))]
+mod convert;
 mod curve;
 mod domain;
 mod error;
 mod form;
+#[cfg(feature = "laws")]
+pub mod laws;
 #[cfg(feature = "alloc")]
 mod mesh;
 mod point;

@@ -1,0 +1,247 @@
+//! Curves beside those of other crates, on the same work in the same run: `cargo bench -p basis-benches --bench curves`.
+//!
+//! Prints a table in Markdown. All contestants of a row take turns, so that what else runs on the machine hits all of them;
+//! the fastest of many rounds counts. The curve is always the same cubic, with the scalar type and the dimension of the peer;
+//! ours is the generated family `Bernstein(3)` and, one degree higher, `QuarticBernstein` with λ = 1/2.
+
+use std::time::Instant;
+
+use basis_runtime::{Basis, Curve, Point, Scalar, basis};
+use bevy_math::cubic_splines::CubicSegment;
+use divan::black_box;
+use enterpolation::Signal;
+use glam::DVec3;
+use kurbo::{CubicBez, ParamCurve, ParamCurveArclen, ParamCurveDeriv, ParamCurveNearest};
+
+basis!("../../specs/quartic.basis");
+basis!("../../specs/bernstein.basis", Bernstein(3));
+
+const COUNT: usize = 4096;
+const ROUNDS: usize = 60;
+const POINTS: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 2.0, -1.0], [3.0, 2.5, 0.5], [4.0, 0.0, 1.0]];
+const ACCURACY: f64 = 1e-9;
+
+fn main() {
+    println!("| work | peer | its time | ours, one at a time | ours, slices | quartic family, slices |");
+    println!("| --- | --- | --- | --- | --- | --- |");
+    points();
+    derivatives();
+    lengths();
+    nearest();
+}
+
+type Contestant<'a> = Box<dyn FnMut() + 'a>;
+
+/// The best time of each contestant in nanoseconds for one of `units` in a call.
+fn race(units: usize, mut contestants: Vec<Contestant<'_>>) -> Vec<f64> {
+    let mut best = vec![f64::MAX; contestants.len()];
+    for _ in 0..ROUNDS {
+        for (contestant, best) in contestants.iter_mut().zip(&mut best) {
+            let start = Instant::now();
+            contestant();
+            *best = best.min(start.elapsed().as_nanos() as f64 / units as f64);
+        }
+    }
+    best
+}
+
+/// The peer's time, and for the others the time and how many times faster than the peer they are.
+fn row(work: &str, peer: &str, times: &[f64]) {
+    let ours = times[1..].iter().map(|time| format!("{time:.2} ns, {:.1}×", times[0] / time));
+    println!("| {work} | {peer} | {:.2} ns | {} |", times[0], ours.collect::<Vec<_>>().join(" | "));
+}
+
+fn control_points<P: Point, const N: usize>() -> [P; N] {
+    core::array::from_fn(|i| P::from_components(|d| P::Scalar::of(POINTS[i][d])))
+}
+
+fn cubic<P: Point>() -> Curve<Bernstein<P::Scalar>, P> {
+    black_box(Curve::new(Bernstein::new(), control_points()))
+}
+
+fn quartic<P: Point>() -> Curve<QuarticBernstein<P::Scalar>, P> {
+    let family = QuarticBernstein::new(P::Scalar::of(0.5)).expect("0.5 is in the declared range");
+    black_box(Curve::new(family, control_points()))
+}
+
+fn parameters<S: Scalar>() -> Vec<S> {
+    (0..COUNT).map(|i| S::from_usize(i) / S::from_usize(COUNT - 1)).collect()
+}
+
+/// Calls `at` for all parameters and keeps the results.
+fn each<'a, T: Copy, R: Copy + 'a>(ts: &'a [T], zero: R, at: impl Fn(T) -> R + 'a) -> Contestant<'a> {
+    let mut out = vec![zero; ts.len()];
+    Box::new(move || {
+        for (out, &t) in out.iter_mut().zip(ts) {
+            *out = at(t);
+        }
+        black_box(out.as_ptr());
+    })
+}
+
+fn slices<'a, B, P>(curve: Curve<B, P>, ts: &'a [B::Scalar]) -> Contestant<'a>
+where
+    B: Basis + 'a,
+    P: Point<Scalar = B::Scalar> + 'a,
+{
+    let mut out = vec![P::zero(); ts.len()];
+    Box::new(move || {
+        curve.eval_into(ts, &mut out).expect("as many points as parameters");
+        black_box(out.as_ptr());
+    })
+}
+
+fn derivative_slices<'a, B, P, const K: usize>(curve: Curve<B, P>, ts: &'a [B::Scalar]) -> Contestant<'a>
+where
+    B: Basis + 'a,
+    P: Point<Scalar = B::Scalar> + 'a,
+{
+    let mut out: [Vec<P>; K] = core::array::from_fn(|_| vec![P::zero(); ts.len()]);
+    Box::new(move || {
+        let slices = out.each_mut().map(Vec::as_mut_slice);
+        curve.eval_with_derivs_into(ts, slices).expect("as many points as parameters");
+        black_box(out.as_ptr());
+    })
+}
+
+fn kurbo_cubic() -> CubicBez {
+    let [a, b, c, d] = POINTS.map(|[x, y, _]| kurbo::Point::new(x, y));
+    black_box(CubicBez::new(a, b, c, d))
+}
+
+fn curvo_cubic() -> curvo::prelude::NurbsCurve3D<f64> {
+    black_box(curvo::prelude::NurbsCurve::bezier(&POINTS.map(nalgebra::Point3::from)))
+}
+
+fn bevy_cubic() -> CubicSegment<bevy_math::Vec3> {
+    black_box(CubicSegment::new_bezier(POINTS.map(|p| bevy_math::Vec3::from_array(p.map(|c| c as f32)))))
+}
+
+macro_rules! enterpolation_cubic {
+    () => {
+        enterpolation::bezier::Bezier::builder()
+            .elements(POINTS.map(DVec3::from_array))
+            .normalized::<f64>()
+            .constant::<4>()
+            .build()
+            .expect("four points")
+    };
+}
+
+fn points() {
+    let (ts, ts_f32) = (&parameters::<f64>(), &parameters::<f32>());
+    let ours2 = || -> Vec<Contestant<'_>> {
+        let curve = cubic::<[f64; 2]>();
+        vec![each(ts, [0.0; 2], move |t| curve.eval(t)), slices(curve, ts), slices(quartic::<[f64; 2]>(), ts)]
+    };
+    let ours3 = || -> Vec<Contestant<'_>> {
+        let curve = cubic::<[f64; 3]>();
+        vec![each(ts, [0.0; 3], move |t| curve.eval(t)), slices(curve, ts), slices(quartic::<[f64; 3]>(), ts)]
+    };
+    let ours_f32 = || -> Vec<Contestant<'_>> {
+        let curve = cubic::<[f32; 3]>();
+        vec![
+            each(ts_f32, [0.0; 3], move |t| curve.eval(t)),
+            slices(curve, ts_f32),
+            slices(quartic::<[f32; 3]>(), ts_f32),
+        ]
+    };
+    let run = |peer: &str, first: Contestant<'_>, ours: Vec<Contestant<'_>>| {
+        row("a point", peer, &race(COUNT, [first].into_iter().chain(ours).collect()));
+    };
+    let curve = kurbo_cubic();
+    run("kurbo, f64 2D", each(ts, kurbo::Point::ZERO, move |t| curve.eval(t)), ours2());
+    let curve = enterpolation_cubic!();
+    run("enterpolation, f64 3D", each(ts, DVec3::ZERO, move |t| curve.eval(t)), ours3());
+    let curve = curvo_cubic();
+    run("curvo, f64 3D", each(ts, nalgebra::Point3::origin(), move |t| curve.point_at(t)), ours3());
+    let curve = bevy_cubic();
+    run("bevy_math, f32 3D", each(ts_f32, bevy_math::Vec3::ZERO, move |t| curve.position(t)), ours_f32());
+}
+
+fn derivatives() {
+    let (ts, ts_f32) = (&parameters::<f64>(), &parameters::<f32>());
+    fn ours<'a, P: Point + 'a, const K: usize>(ts: &'a [P::Scalar]) -> Vec<Contestant<'a>> {
+        let curve = cubic::<P>();
+        vec![
+            each(ts, [P::zero(); K], move |t| curve.eval_with_derivs::<K>(t)),
+            derivative_slices::<_, _, K>(curve, ts),
+            derivative_slices::<_, _, K>(quartic::<P>(), ts),
+        ]
+    }
+    let run = |work: &str, peer: &str, first: Contestant<'_>, ours: Vec<Contestant<'_>>| {
+        row(work, peer, &race(COUNT, [first].into_iter().chain(ours).collect()));
+    };
+    // Its gen_with_deriatives::<3> panics for a cubic (0.3.0).
+    let curve = enterpolation_cubic!();
+    let at = move |t| curve.gen_with_tangent(t);
+    let work = "a point and one derivative";
+    run(work, "enterpolation, f64 3D", each(ts, [DVec3::ZERO; 2], at), ours::<[f64; 3], 2>(ts));
+    let work = "a point and two derivatives";
+    let curve = kurbo_cubic();
+    let (first, second) = (curve.deriv(), curve.deriv().deriv());
+    let at = move |t| [curve.eval(t), first.eval(t), second.eval(t)];
+    run(work, "kurbo, f64 2D", each(ts, [kurbo::Point::ZERO; 3], at), ours::<[f64; 2], 3>(ts));
+    let curve = curvo_cubic();
+    let at = move |t| {
+        let derivatives = curve.rational_derivatives(t, 2);
+        [derivatives[0], derivatives[1], derivatives[2]]
+    };
+    run(work, "curvo, f64 3D", each(ts, [nalgebra::Vector3::zeros(); 3], at), ours::<[f64; 3], 3>(ts));
+    let curve = bevy_cubic();
+    let at = move |t| [curve.position(t), curve.velocity(t), curve.acceleration(t)];
+    run(work, "bevy_math, f32 3D", each(ts_f32, [bevy_math::Vec3::ZERO; 3], at), ours::<[f32; 3], 3>(ts_f32));
+}
+
+/// So many curves, with different ends.
+const CURVES: usize = 64;
+
+fn shifted(i: usize) -> [[f64; 3]; 4] {
+    let shift = i as f64 / CURVES as f64;
+    let [a, b, [x, y, z], d] = POINTS;
+    [a, b, [x + shift, y - 2.0 * shift, z], d]
+}
+
+fn lengths() {
+    let numbers: Vec<usize> = (0..CURVES).collect();
+    let peer = each(&numbers, 0.0, |i| {
+        let [a, b, c, d] = shifted(i).map(|[x, y, _]| kurbo::Point::new(x, y));
+        CubicBez::new(a, b, c, d).arclen(ACCURACY)
+    });
+    let ours = each(&numbers, 0.0, |i| {
+        Curve::new(Bernstein::new(), shifted(i).map(|[x, y, _]| [x, y])).arclen(ACCURACY)
+    });
+    row("arc length to 1e-9", "kurbo, f64 2D", &race(CURVES, vec![peer, ours]));
+    let peer = each(&numbers, 0.0, |i| {
+        let curve = curvo::prelude::NurbsCurve3D::<f64>::bezier(&shifted(i).map(nalgebra::Point3::from));
+        curve.try_length().expect("a length")
+    });
+    let ours = each(&numbers, 0.0, |i| Curve::new(Bernstein::new(), shifted(i)).arclen(ACCURACY));
+    row("arc length to 1e-9", "curvo, f64 3D (19 nodes, no bound)", &race(CURVES, vec![peer, ours]));
+}
+
+fn nearest() {
+    let numbers: Vec<usize> = (0..CURVES).collect();
+    let target = |i: usize| {
+        let angle = i as f64 / CURVES as f64 * std::f64::consts::TAU;
+        [2.0 + 2.0 * angle.cos(), 1.0 + 2.0 * angle.sin(), 0.25]
+    };
+    let curve = kurbo_cubic();
+    let peer = each(&numbers, 0.0, move |i| {
+        let [x, y, _] = target(i);
+        curve.nearest(kurbo::Point::new(x, y), ACCURACY).t
+    });
+    let curve = cubic::<[f64; 2]>();
+    let ours = each(&numbers, 0.0, move |i| {
+        let [x, y, _] = target(i);
+        curve.nearest([x, y], ACCURACY).t
+    });
+    row("nearest point to 1e-9", "kurbo, f64 2D", &race(CURVES, vec![peer, ours]));
+    let curve = curvo_cubic();
+    let peer = each(&numbers, 0.0, move |i| {
+        curve.find_closest_parameter(&nalgebra::Point3::from(target(i))).unwrap_or(f64::NAN)
+    });
+    let curve = cubic::<[f64; 3]>();
+    let ours = each(&numbers, 0.0, move |i| curve.nearest(target(i), ACCURACY).t);
+    row("nearest point to 1e-9", "curvo, f64 3D (local)", &race(CURVES, vec![peer, ours]));
+}

@@ -1,0 +1,55 @@
+//! Curves go to other crates and come back.
+#![cfg(all(feature = "kurbo", feature = "lyon_geom"))]
+
+use basis_runtime::{Bezier, CurveError, PiecewiseCurve};
+use kurbo::{ParamCurve, ParamCurveArclen, Shape};
+use lyon_geom::{CubicBezierSegment, QuadraticBezierSegment};
+
+const POINTS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]];
+
+#[test]
+fn kurbo_and_back() {
+    let curve = Bezier::from_points(POINTS);
+    let cubic = kurbo::CubicBez::try_from(&curve).unwrap();
+    assert_eq!(<(f64, f64)>::from(cubic.eval(0.25)), curve.eval(0.25).into());
+    assert!((cubic.arclen(1e-9) - curve.arclen(1e-9)).abs() < 2e-9);
+    let back: Bezier<kurbo::Point, 4> = cubic.into();
+    assert_eq!(back.end(), kurbo::Point::new(4.0, 0.0));
+    assert_eq!(back.nearest(kurbo::Point::new(2.0, 9.0), 1e-9).t, 0.5);
+    // A lower degree is elevated, a higher one refused.
+    let line = Bezier::from_points([[0.0, 0.0], [3.0, 6.0]]);
+    let quadratic = kurbo::QuadBez::try_from(&line).unwrap();
+    assert_eq!(quadratic.p1, kurbo::Point::new(1.5, 3.0));
+    assert_eq!(Bezier::<kurbo::Point, 3>::from(quadratic).eval(0.5), kurbo::Point::new(1.5, 3.0));
+    assert_eq!(kurbo::QuadBez::try_from(&curve), Err(CurveError::Degree { most: 2, found: 3 }));
+    assert_eq!(kurbo::Line::try_from(&curve), Err(CurveError::Degree { most: 1, found: 3 }));
+    let space = Bezier::from_points([[0.0_f64; 3]; 2]);
+    assert_eq!(kurbo::Line::try_from(&space), Err(CurveError::Dimension { expected: 2, found: 3 }));
+}
+
+#[test]
+fn a_path_of_segments() {
+    let curve = Bezier::from_points(POINTS);
+    let path = kurbo::BezPath::try_from(&PiecewiseCurve::new(vec![curve, curve.reverse()]).unwrap()).unwrap();
+    assert_eq!(path.segments().count(), 2);
+    assert!((path.perimeter(1e-9) - 2.0 * curve.arclen(1e-9)).abs() < 4e-9);
+    let high = PiecewiseCurve::from(curve.elevate::<5>());
+    assert_eq!(kurbo::BezPath::try_from(&high), Err(CurveError::Degree { most: 3, found: 4 }));
+}
+
+#[test]
+fn lyon_and_back() {
+    let curve = Bezier::from_points(POINTS.map(|p| p.map(|c| c as f32)));
+    let cubic = CubicBezierSegment::try_from(&curve).unwrap();
+    assert_eq!(cubic.sample(0.25).to_array(), curve.eval(0.25));
+    let back: Bezier<lyon_geom::Point<f32>, 4> = cubic.into();
+    assert_eq!(back.eval(0.5), lyon_geom::point(2.0, 1.5));
+    let parabola = Bezier::from_points([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0_f64]]);
+    let quadratic = QuadraticBezierSegment::try_from(&parabola).unwrap();
+    assert_eq!(quadratic.sample(0.5).to_array(), [1.0, 1.0]);
+    assert_eq!(
+        Bezier::<lyon_geom::Point<f64>, 3>::from(quadratic).bounding_box()[1],
+        lyon_geom::point(2.0, 1.0)
+    );
+    assert!(lyon_geom::LineSegment::try_from(&parabola).is_err());
+}
