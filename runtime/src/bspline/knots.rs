@@ -114,6 +114,11 @@ impl<S: Scalar> KnotVector<S> {
         Self { degree, knots }
     }
 
+    /// The same knots in double precision.
+    pub fn to_f64(&self) -> KnotVector<f64> {
+        KnotVector { degree: self.degree, knots: self.knots.iter().map(|knot| knot.to_f64()).collect() }
+    }
+
     /// The degree.
     #[inline]
     pub fn degree(&self) -> usize {

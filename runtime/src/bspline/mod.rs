@@ -12,22 +12,32 @@
 //! The control points are any [`Point`](crate::Point); `f32` and `f64` both work.
 
 mod buffer;
+mod constrain;
 mod curve;
 mod error;
+mod fit;
 mod functions;
 mod homogeneous;
 mod knots;
 mod net;
 mod nurbs_curve;
 mod nurbs_surface;
+mod project;
 mod rows;
+mod splice;
 mod surface;
 
+pub use constrain::{Constrained, ConstraintError, PointConstraint};
 pub use curve::{BSplineCurve, BezierPiece};
 pub use error::{KnotError, SplineError};
+pub use fit::{FitError, Spacing, parameters};
 pub use homogeneous::Homogeneous;
 pub use knots::{KnotVector, MAX_DEGREE};
 pub use net::Net;
 pub use nurbs_curve::NurbsCurve;
 pub use nurbs_surface::NurbsSurface;
+pub use project::Projection;
+pub use splice::{
+    Continuity, Joint, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
+};
 pub use surface::{BSplineSurface, BezierPatch, Direction, Edge};

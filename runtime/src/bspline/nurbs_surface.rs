@@ -8,7 +8,7 @@ use super::{
     BSplineSurface, BezierPatch, Direction, Homogeneous, KnotError, KnotVector, Net, NurbsCurve, SplineError,
 };
 use crate::vector::{cross, direction};
-use crate::{Point, Point3, Scalar};
+use crate::{Point, Point3, Scalar, Surface};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
 ///
@@ -97,30 +97,6 @@ impl<P: Point> NurbsSurface<P> {
         self.homogeneous.eval_checked(u, v).map(|point| point.project())
     }
 
-    /// All partial derivatives up to the order `R - 1` in `u` and `C - 1` in `v`: entry `[r][c]` is `∂^(r+c) S / ∂u^r ∂v^c`.
-    ///
-    /// Leibniz' rule for `A = w S`, solved for the derivative of the highest order.
-    pub fn partials<const R: usize, const C: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; C]; R] {
-        let parts = self.homogeneous.partials::<R, C>(u, v);
-        let mut partials = [[P::zero(); C]; R];
-        for r in 0..R {
-            for c in 0..C {
-                let mut numerator = parts[r][c].scaled;
-                for i in 0..=r {
-                    for j in 0..=c {
-                        if i + j > 0 {
-                            let ways = binomial::<P::Scalar>(r, i) * binomial::<P::Scalar>(c, j);
-                            let factor = ways * parts[i][j].weight;
-                            numerator = numerator.add_scaled(partials[r - i][c - j], -factor);
-                        }
-                    }
-                }
-                partials[r][c] = Homogeneous { scaled: numerator, weight: parts[0][0].weight }.project();
-            }
-        }
-        partials
-    }
-
     /// The same surface over the knots of one direction and all of `knots`.
     ///
     /// # Errors
@@ -175,12 +151,6 @@ impl<P: Point> NurbsSurface<P> {
 }
 
 impl<P: Point3> NurbsSurface<P> {
-    /// The unit normal, `S_u × S_v` divided by its length; `None` where it is zero or not finite.
-    pub fn normal(&self, u: P::Scalar, v: P::Scalar) -> Option<P> {
-        let [[_, along_v], [along_u, _]] = self.partials::<2, 2>(u, v);
-        direction(cross(direction(along_u)?, direction(along_v)?))
-    }
-
     /// The surface that a curve sweeps when it turns about an axis: exactly, for any angle.
     ///
     /// The axis passes through `origin` in the direction `axis`; the turn follows the right hand. The first parameter is
@@ -254,5 +224,39 @@ impl<P: Point> From<BSplineSurface<P>> for NurbsSurface<P> {
     fn from(surface: BSplineSurface<P>) -> Self {
         let homogeneous = surface.map_points(|point| Homogeneous::new(point, P::Scalar::ONE));
         Self { homogeneous }
+    }
+}
+
+impl<P: Point> Surface for NurbsSurface<P> {
+    type Point = P;
+
+    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+        self.domain()
+    }
+
+    fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        self.eval(u, v)
+    }
+
+    /// Leibniz' rule for the numerator `A = w S`, solved for the derivative of the highest order.
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
+        let parts = self.homogeneous.eval_with_partials::<K>(u, v);
+        let mut partials = [[P::zero(); K]; K];
+        for r in 0..K {
+            for c in 0..K {
+                let mut numerator = parts[r][c].scaled;
+                for i in 0..=r {
+                    for j in 0..=c {
+                        if i + j > 0 {
+                            let ways = binomial::<P::Scalar>(r, i) * binomial::<P::Scalar>(c, j);
+                            let factor = ways * parts[i][j].weight;
+                            numerator = numerator.add_scaled(partials[r - i][c - j], -factor);
+                        }
+                    }
+                }
+                partials[r][c] = Homogeneous { scaled: numerator, weight: parts[0][0].weight }.project();
+            }
+        }
+        partials
     }
 }

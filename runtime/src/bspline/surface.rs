@@ -5,8 +5,7 @@ use alloc::vec::Vec;
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
 use super::{BSplineCurve, KnotError, KnotVector, Net, SplineError};
-use crate::vector::{cross, direction};
-use crate::{Point, Point3};
+use crate::{Point, Surface};
 
 /// One of the two parameter directions of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -143,6 +142,10 @@ impl<P: Point> BSplineSurface<P> {
         self.net.as_mut_slice()
     }
 
+    pub(super) fn set_control_point(&mut self, index: [usize; 2], point: P) {
+        self.net[index] = point;
+    }
+
     /// The ends of the domain of each parameter.
     #[inline]
     pub fn domain(&self) -> [[P::Scalar; 2]; 2] {
@@ -184,12 +187,6 @@ impl<P: Point> BSplineSurface<P> {
             let row = &self.net.row(first[0] + i)[first[1]..=spans[1]];
             sum.add_scaled(combine(&columns, row), factor)
         })
-    }
-
-    /// All partial derivatives up to the order `R - 1` in `u` and `C - 1` in `v`: entry `[r][c]` is `∂^(r+c) S / ∂u^r ∂v^c`.
-    pub fn partials<const R: usize, const C: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; C]; R] {
-        let spans = [self.u.span(u), self.v.span(v)];
-        core::array::from_fn(|r| core::array::from_fn(|c| self.partial_on(spans, [u, v], [r, c])))
     }
 
     /// The points at all pairs of parameters, a row for each `u`: much faster than one by one.
@@ -394,13 +391,19 @@ impl<P: Point> BSplineSurface<P> {
     }
 }
 
-impl<P: Point3> BSplineSurface<P> {
-    /// The unit normal, `S_u × S_v` divided by its length; `None` where it is zero or not finite.
-    pub fn normal(&self, u: P::Scalar, v: P::Scalar) -> Option<P> {
+impl<P: Point> Surface for BSplineSurface<P> {
+    type Point = P;
+
+    fn domain(&self) -> [[P::Scalar; 2]; 2] {
+        self.domain()
+    }
+
+    fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        self.eval(u, v)
+    }
+
+    fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
         let spans = [self.u.span(u), self.v.span(v)];
-        let along_u = self.partial_on(spans, [u, v], [1, 0]);
-        let along_v = self.partial_on(spans, [u, v], [0, 1]);
-        // Directions first, so that the lengths of the derivatives cannot overflow the product.
-        direction(cross(direction(along_u)?, direction(along_v)?))
+        core::array::from_fn(|i| core::array::from_fn(|j| self.partial_on(spans, [u, v], [i, j])))
     }
 }

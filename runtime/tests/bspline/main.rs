@@ -1,9 +1,12 @@
 //! B-splines: values, derivatives and algorithms against scipy, as laws on random input, and on hostile input.
 #![cfg(feature = "std")]
 
+mod constraints;
+mod fitting;
 mod golden;
 mod knots;
 mod rational;
 mod refinement;
+mod splicing;
 mod support;
 mod surfaces;

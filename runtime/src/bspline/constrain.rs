@@ -1,0 +1,359 @@
+//! Point constraints: the least change of a net with which the surface passes through given points.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+use super::{BSplineSurface, Direction, KnotError, Net};
+use crate::{Point, Scalar};
+
+/// A row that the earlier ones determine up to this part of its length says nothing new.
+const DEPENDENT: f64 = 1e-10;
+
+/// A point through which a surface is to pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PointConstraint<P: Point> {
+    /// `S(u, v) = point` at these parameters `[u, v]`.
+    At([P::Scalar; 2], P),
+    /// `S(u, v) = point` at the parameters of the point of the original surface that is nearest to it.
+    Nearest(P),
+}
+
+/// A surface that was deformed, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constrained<P: Point> {
+    /// The surface, over the same knots.
+    pub surface: BSplineSurface<P>,
+    /// The parameters `[u, v]` of each constraint.
+    pub parameters: Vec<[P::Scalar; 2]>,
+    /// The length of the change of the net: `√(Σ |ΔP[i, j]|²)`, the least possible.
+    pub change: f64,
+    /// The largest distance between a constraint and the surface: rounding errors.
+    pub miss: f64,
+}
+
+/// Constraints that no change of the net satisfies, or that cannot be read.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ConstraintError {
+    /// The parameters of a constraint are outside of the domain.
+    Outside {
+        /// The index of the constraint.
+        constraint: usize,
+        /// The parameter.
+        error: KnotError,
+    },
+    /// The point of a constraint is not finite.
+    NotFinite {
+        /// The index of the constraint.
+        constraint: usize,
+    },
+    /// A control point of the surface is not finite.
+    Surface,
+    /// A constraint contradicts others: their parameters determine the point of the surface at its own.
+    Infeasible {
+        /// The index of the constraint.
+        constraint: usize,
+        /// The constraints before it that determine the point; none if all control points that could move are held.
+        against: Vec<usize>,
+        /// How far its point is from the one that they determine.
+        distance: f64,
+    },
+}
+
+impl Display for ConstraintError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Outside { constraint, error } => write!(f, "constraint {constraint}: {error}"),
+            Self::NotFinite { constraint } => {
+                write!(f, "the point of constraint {constraint} is not finite")
+            }
+            Self::Surface => f.write_str("a control point of the surface is not finite"),
+            Self::Infeasible { constraint, against, distance } if against.is_empty() => write!(
+                f,
+                "constraint {constraint} cannot be met: every control point that could move the surface there is held; it misses by {distance}"
+            ),
+            Self::Infeasible { constraint, against, distance } => {
+                write!(f, "constraint {constraint} contradicts")?;
+                for (i, other) in against.iter().enumerate() {
+                    write!(f, "{} {other}", if i == 0 { "" } else { "," })?;
+                }
+                write!(
+                    f,
+                    ": these determine the surface at its parameters, {distance} away from its point; drop one of them or insert knots between them"
+                )
+            }
+        }
+    }
+}
+
+impl Error for ConstraintError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Outside { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl<P: Point> BSplineSurface<P> {
+    /// The surface over the same knots that passes through the points and whose net differs least from this one.
+    ///
+    /// It minimises `Σ |ΔP[i, j]|²` subject to `Σ N[i](u) N[j](v) ΔP[i, j] = point - S(u, v)` for each constraint.
+    ///
+    /// ```
+    /// use basis_runtime::bspline::{BSplineSurface, KnotVector, Net, PointConstraint};
+    ///
+    /// let knots = KnotVector::uniform(3, 4)?;
+    /// let net = Net::from_fn(7, 7, |i, j| [i as f64, j as f64, 0.0])?;
+    /// let plane = BSplineSurface::new(knots.clone(), knots, net)?;
+    /// let pulled = plane.pass_through(&[PointConstraint::At([0.5, 0.5], [3.0, 3.0, 1.0])])?;
+    /// let [_, _, z] = pulled.surface.eval(0.5, 0.5);
+    /// assert!((z - 1.0).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ConstraintError::Infeasible`] says which constraint contradicts which; the other errors say which one cannot be
+    /// read.
+    pub fn pass_through(
+        &self,
+        constraints: &[PointConstraint<P>],
+    ) -> Result<Constrained<P>, ConstraintError> {
+        self.pass_through_holding(constraints, |_, _| false)
+    }
+
+    /// As [`pass_through`](Self::pass_through), with control points that must not move: those for which `held(row, column)`
+    /// is true stay bit by bit the same.
+    ///
+    /// # Errors
+    /// As [`pass_through`](Self::pass_through).
+    pub fn pass_through_holding(
+        &self,
+        constraints: &[PointConstraint<P>],
+        held: impl Fn(usize, usize) -> bool,
+    ) -> Result<Constrained<P>, ConstraintError> {
+        let finite = |point: &P| (0..P::DIM).all(|i| point.component(i).is_finite());
+        if !self.net().as_slice().iter().all(finite) {
+            return Err(ConstraintError::Surface);
+        }
+        let mut parameters = Vec::with_capacity(constraints.len());
+        for (constraint, wanted) in constraints.iter().enumerate() {
+            let (PointConstraint::At(_, point) | PointConstraint::Nearest(point)) = wanted;
+            if !finite(point) {
+                return Err(ConstraintError::NotFinite { constraint });
+            }
+            let at = match wanted {
+                PointConstraint::At(at, _) => *at,
+                PointConstraint::Nearest(point) => {
+                    self.project(*point).ok_or(ConstraintError::NotFinite { constraint })?.parameters
+                }
+            };
+            for (direction, t) in [(Direction::U, at[0]), (Direction::V, at[1])] {
+                let outside = |error| ConstraintError::Outside { constraint, error };
+                self.knots(direction).check(t).map_err(outside)?;
+            }
+            parameters.push(at);
+        }
+        let rows = parameters.iter().map(|at| self.constraint_row(*at, &held));
+        let system = Orthogonal::new(rows.collect());
+
+        let mut surface = self.clone();
+        let mut total = vec![0.0; system.touched.len() * P::DIM];
+        // The second round removes what the rounding of the first one left.
+        for round in 0..2 {
+            let misses = misses(&surface, constraints, &parameters);
+            let size = constraints.iter().map(|c| size(c)).fold(0.0, f64::max);
+            let change = match system.least_change(&misses, P::DIM) {
+                Ok(change) => change,
+                Err(conflict) if round == 0 && conflict.distance > 1e-9 * (size + largest(&misses)) => {
+                    let Conflict { constraint, against, distance, .. } = conflict;
+                    return Err(ConstraintError::Infeasible { constraint, against, distance });
+                }
+                Err(conflict) => conflict.change,
+            };
+            for (sum, step) in total.iter_mut().zip(&change) {
+                *sum += step;
+            }
+            for (place, &index) in system.touched.iter().enumerate() {
+                let old = self.net().as_slice()[index];
+                let change = &total[place * P::DIM..];
+                surface.control_points_mut()[index] =
+                    P::from_components(|i| P::Scalar::of(old.component(i).to_f64() + change[i]));
+            }
+        }
+        let miss = misses(&surface, constraints, &parameters);
+        let miss = miss.chunks(P::DIM.max(1)).map(norm).fold(0.0, f64::max);
+        Ok(Constrained { surface, parameters, change: norm(&total), miss })
+    }
+
+    /// `N[i](u) N[j](v)` for the control points that may move, by their index in the net.
+    fn constraint_row(&self, at: [P::Scalar; 2], held: &impl Fn(usize, usize) -> bool) -> Vec<(usize, f64)> {
+        let [u, v] = [(Direction::U, at[0]), (Direction::V, at[1])].map(|(direction, t)| {
+            let knots = self.knots(direction).to_f64();
+            let t = t.to_f64();
+            let span = knots.span(t);
+            (span - knots.degree(), knots.values_on(span, t))
+        });
+        let mut row = Vec::new();
+        for (i, &a) in u.1.iter().enumerate() {
+            for (j, &b) in v.1.iter().enumerate() {
+                let (i, j) = (u.0 + i, v.0 + j);
+                if a * b != 0.0 && !held(i, j) {
+                    row.push((i * self.net().columns() + j, a * b));
+                }
+            }
+        }
+        row
+    }
+}
+
+/// The components of the point of a constraint, at most.
+fn size<P: Point>(constraint: &PointConstraint<P>) -> f64 {
+    let (PointConstraint::At(_, point) | PointConstraint::Nearest(point)) = constraint;
+    (0..P::DIM).map(|i| point.component(i).to_f64().abs()).fold(0.0, f64::max)
+}
+
+/// `point - S(u, v)` for each constraint, component by component, in double precision.
+fn misses<P: Point>(
+    surface: &BSplineSurface<P>,
+    constraints: &[PointConstraint<P>],
+    parameters: &[[P::Scalar; 2]],
+) -> Vec<f64> {
+    let net: &Net<P> = surface.net();
+    let mut all = Vec::with_capacity(constraints.len() * P::DIM);
+    for (constraint, &at) in constraints.iter().zip(parameters) {
+        let (PointConstraint::At(_, point) | PointConstraint::Nearest(point)) = constraint;
+        let row = surface.constraint_row(at, &|_, _| false);
+        all.extend((0..P::DIM).map(|i| {
+            let value =
+                |&(index, factor): &(usize, f64)| net.as_slice()[index].component(i).to_f64() * factor;
+            point.component(i).to_f64() - row.iter().map(value).sum::<f64>()
+        }));
+    }
+    all
+}
+
+fn norm(components: &[f64]) -> f64 {
+    Scalar::sqrt(components.iter().map(|x| x * x).sum::<f64>())
+}
+
+fn largest(components: &[f64]) -> f64 {
+    components.iter().fold(0.0, |size: f64, x| size.max(x.abs()))
+}
+
+/// The rows of the constraints, orthogonalised one after the other: `row[i] = Σ lower[i][j] unit[j]`.
+///
+/// Modified Gram–Schmidt, twice, in the order in which the constraints were given, so that a conflict can be told.
+struct Orthogonal {
+    /// The control points that some row moves.
+    touched: Vec<usize>,
+    /// Orthonormal rows.
+    units: Vec<Vec<f64>>,
+    /// For each constraint its factors, and the unit row that it added, if it is not determined by the ones before.
+    rows: Vec<(Vec<f64>, Option<usize>)>,
+}
+
+/// The change that satisfies all constraints but those that contradict earlier ones, and the worst of these.
+struct Conflict {
+    constraint: usize,
+    against: Vec<usize>,
+    distance: f64,
+    change: Vec<f64>,
+}
+
+impl Orthogonal {
+    fn new(sparse: Vec<Vec<(usize, f64)>>) -> Self {
+        let mut touched: Vec<usize> = sparse.iter().flatten().map(|(index, _)| *index).collect();
+        touched.sort_unstable();
+        touched.dedup();
+        let mut units: Vec<Vec<f64>> = Vec::new();
+        let mut rows = Vec::with_capacity(sparse.len());
+        for row in sparse {
+            let mut rest = vec![0.0; touched.len()];
+            for (index, factor) in row {
+                rest[touched.partition_point(|&other| other < index)] = factor;
+            }
+            let length = norm(&rest);
+            let mut factors = vec![0.0; units.len()];
+            for _ in 0..2 {
+                for (unit, factor) in units.iter().zip(&mut factors) {
+                    let part: f64 = unit.iter().zip(&rest).map(|(a, b)| a * b).sum();
+                    *factor += part;
+                    for (x, u) in rest.iter_mut().zip(unit) {
+                        *x -= part * u;
+                    }
+                }
+            }
+            let left = norm(&rest);
+            let added = left > DEPENDENT * length;
+            if added {
+                factors.push(left);
+                for x in &mut rest {
+                    *x /= left;
+                }
+                units.push(rest);
+            }
+            rows.push((factors, added.then(|| units.len() - 1)));
+        }
+        Self { touched, units, rows }
+    }
+
+    /// The shortest change with the given products with all rows, `lanes` numbers for each.
+    fn least_change(&self, wanted: &[f64], lanes: usize) -> Result<Vec<f64>, Conflict> {
+        let mut along: Vec<Vec<f64>> = Vec::new();
+        let mut worst: Option<(usize, f64)> = None;
+        for (constraint, (factors, added)) in self.rows.iter().enumerate() {
+            let mut rest = wanted[constraint * lanes..(constraint + 1) * lanes].to_vec();
+            for (part, factor) in along.iter().zip(factors) {
+                for (x, y) in rest.iter_mut().zip(part) {
+                    *x -= y * factor;
+                }
+            }
+            if added.is_some() {
+                let length = factors[factors.len() - 1];
+                along.push(rest.iter().map(|x| x / length).collect());
+            } else {
+                let distance = norm(&rest);
+                if worst.is_none_or(|(_, other)| distance > other) {
+                    worst = Some((constraint, distance));
+                }
+            }
+        }
+        let mut change = vec![0.0; self.touched.len() * lanes];
+        for (unit, part) in self.units.iter().zip(&along) {
+            for (place, factor) in unit.iter().enumerate() {
+                for (lane, x) in part.iter().enumerate() {
+                    change[place * lanes + lane] += factor * x;
+                }
+            }
+        }
+        match worst {
+            Some((constraint, distance)) if distance > 0.0 => {
+                Err(Conflict { constraint, against: self.determining(constraint), distance, change })
+            }
+            _ => Ok(change),
+        }
+    }
+
+    /// The constraints of which this one is a combination.
+    fn determining(&self, constraint: usize) -> Vec<usize> {
+        // Solve from the last unit row to the first: each was added by one constraint.
+        let mut rest = self.rows[constraint].0.clone();
+        let mut against = Vec::new();
+        let size = largest(&rest);
+        for (other, (factors, added)) in self.rows[..constraint].iter().enumerate().rev() {
+            let Some(unit) = *added else { continue };
+            let share = rest[unit] / factors[unit];
+            if rest[unit].abs() > 1e-9 * size {
+                against.push(other);
+                for (x, y) in rest.iter_mut().zip(factors) {
+                    *x -= share * y;
+                }
+            }
+        }
+        against.reverse();
+        against
+    }
+}

@@ -1,0 +1,98 @@
+//! Least squares with a banded matrix, row by row.
+//!
+//! Each equation is rotated into an upper triangular band (Givens), so the normal equations, which would square the
+//! condition number, are never formed. Source: P. Dierckx, *Curve and Surface Fitting with Splines* (1993), section 4.1.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::Scalar;
+
+/// The triangular system to which all equations so far are reduced: `unknowns` columns in a band of `width`, and `lanes`
+/// right sides.
+pub(in crate::bspline) struct Banded {
+    width: usize,
+    lanes: usize,
+    band: Vec<f64>,
+    right: Vec<f64>,
+}
+
+impl Banded {
+    pub(in crate::bspline) fn new(unknowns: usize, width: usize, lanes: usize) -> Self {
+        Self { width, lanes, band: vec![0.0; unknowns * width], right: vec![0.0; unknowns * lanes] }
+    }
+
+    /// Adds the equation `Σ factors[i] x[first + i] = right`, both of which it uses up.
+    pub(in crate::bspline) fn add(&mut self, first: usize, factors: &mut [f64], right: &mut [f64]) {
+        for i in 0..factors.len() {
+            if factors[i] == 0.0 {
+                continue;
+            }
+            let row = first + i;
+            let pivots = &mut self.band[row * self.width..][..factors.len() - i];
+            let (a, b) = (pivots[0], factors[i]);
+            let size = a.abs().max(b.abs());
+            let length = size * Scalar::sqrt((a / size) * (a / size) + (b / size) * (b / size));
+            let (cos, sin) = (a / length, b / length);
+            let rotate = |x: &mut f64, y: &mut f64| {
+                (*x, *y) = (cos * *x + sin * *y, cos * *y - sin * *x);
+            };
+            for (x, y) in pivots.iter_mut().zip(&mut factors[i..]) {
+                rotate(x, y);
+            }
+            let pivots = &mut self.right[row * self.lanes..][..self.lanes];
+            for (x, y) in pivots.iter_mut().zip(right.iter_mut()) {
+                rotate(x, y);
+            }
+        }
+    }
+
+    /// The solution, `lanes` numbers for each unknown.
+    ///
+    /// # Errors
+    /// The index of an unknown that the equations do not determine.
+    pub(in crate::bspline) fn solve(mut self) -> Result<Vec<f64>, usize> {
+        let (width, lanes) = (self.width, self.lanes);
+        let unknowns = self.band.len() / width;
+        let size = self.band.iter().fold(0.0, |size: f64, x| Scalar::max(size, Scalar::abs(*x)));
+        for row in (0..unknowns).rev() {
+            let pivot = self.band[row * width];
+            // Rounding errors of the rotations; what is smaller is not information.
+            if Scalar::abs(pivot) <= 1e-14 * size || !pivot.is_finite() {
+                return Err(row);
+            }
+            for lane in 0..lanes {
+                let mut sum = self.right[row * lanes + lane];
+                for i in 1..width.min(unknowns - row) {
+                    sum -= self.band[row * width + i] * self.right[(row + i) * lanes + lane];
+                }
+                self.right[row * lanes + lane] = sum / pivot;
+            }
+        }
+        Ok(self.right)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Banded;
+
+    #[test]
+    fn a_small_system_in_the_sense_of_least_squares() {
+        // x = 1, x = 3, x + y = 5: x = 2 and y = 3.
+        let mut system = Banded::new(2, 2, 1);
+        system.add(0, &mut [1.0, 0.0], &mut [1.0]);
+        system.add(0, &mut [1.0, 1.0], &mut [5.0]);
+        system.add(0, &mut [1.0, 0.0], &mut [3.0]);
+        let found = system.solve().unwrap();
+        assert!((found[0] - 2.0).abs() < 1e-15 && (found[1] - 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn an_unknown_without_equation_is_named() {
+        let mut system = Banded::new(3, 2, 1);
+        system.add(0, &mut [1.0, 1.0], &mut [1.0]);
+        system.add(0, &mut [2.0, 1.0], &mut [1.0]);
+        assert_eq!(system.solve(), Err(2));
+    }
+}

@@ -1,0 +1,80 @@
+//! Why two surfaces cannot be joined.
+
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+use super::JointMeasure;
+use crate::bspline::KnotError;
+
+/// A joint that cannot be made, or not to the tolerances.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SpliceError {
+    /// Knots that cannot be merged: they come so near to each other that rounding makes them equal too often.
+    Knots(KnotError),
+    /// A control point near the joint is not finite.
+    NotFinite,
+    /// A tolerance is not a positive number.
+    Tolerance {
+        /// The tolerance.
+        tolerance: f64,
+    },
+    /// A surface has only one row of control points across its edge.
+    OneRow,
+    /// The target has no tangent plane at this parameter of the joint: its edge or its second row shrinks to a point there.
+    Degenerate {
+        /// The parameter along the edge of the surface that is adjusted.
+        parameter: f64,
+    },
+    /// A linear system has no unique solution.
+    Singular,
+    /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar type.
+    NotReached {
+        /// The best figures that were achieved.
+        achieved: JointMeasure,
+        /// The number of spans along the edge with which they were achieved.
+        spans: usize,
+        /// The tolerance of the gap.
+        gap: f64,
+        /// The tolerance of the angle in radians.
+        angle: f64,
+    },
+}
+
+impl Display for SpliceError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Knots(error) => error.fmt(f),
+            Self::NotFinite => f.write_str("a control point next to the joint is not finite"),
+            Self::Tolerance { tolerance } => {
+                write!(f, "a tolerance of {tolerance}; tolerances are positive numbers")
+            }
+            Self::OneRow => f.write_str("a surface with one row of control points has no edge to join at"),
+            Self::Degenerate { parameter } => {
+                write!(f, "the target has no tangent plane at the parameter {parameter} of the joint")
+            }
+            Self::Singular => f.write_str("the equations of the joint have no unique solution"),
+            Self::NotReached { achieved, spans, gap, angle } => write!(
+                f,
+                "gap {:.3e} (wanted {gap:.3e}, worst at {}) and angle {:.3e} rad (wanted {angle:.3e}, worst at {}) with {spans} \
+                 spans; allow more spans, wider tolerances, or the exact method",
+                achieved.gap, achieved.gap_at, achieved.angle, achieved.angle_at
+            ),
+        }
+    }
+}
+
+impl Error for SpliceError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Knots(error) => Some(error),
+            _ => None,
+        }
+    }
+}
+
+impl From<KnotError> for SpliceError {
+    fn from(error: KnotError) -> Self {
+        Self::Knots(error)
+    }
+}

@@ -1,0 +1,327 @@
+//! Splicing: one surface is adjusted along an edge so that it joins another one smoothly.
+//!
+//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control points
+//! on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the edge. The
+//! knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to the other.
+//!
+//! - **G0**: both edges are the same curve.
+//! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the adjusted
+//!   surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue each other
+//!   instead of folding back.
+
+mod correct;
+mod dense;
+mod error;
+mod exact;
+mod measure;
+#[cfg(all(feature = "nalgebra", feature = "std"))]
+mod midpoints;
+pub(super) mod strip;
+
+use alloc::vec::Vec;
+
+pub use error::SpliceError;
+pub use measure::JointMeasure;
+use measure::measure;
+use strip::{Strip, along, place};
+
+use super::{BSplineSurface, Edge};
+use crate::vector::length;
+use crate::{Point, Point3, Scalar};
+
+/// Knots are inserted until the figures are below this part of the tolerances, so that what happens between the samples of
+/// the measurement is within them too.
+const AIM: f64 = 0.8;
+
+/// Which edges of two surfaces belong together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Joint {
+    /// The edge of the surface that is adjusted.
+    pub edge: Edge,
+    /// The edge of the target.
+    pub target: Edge,
+    /// Whether the parameters along the two edges run in opposite directions.
+    pub reversed: bool,
+}
+
+impl Joint {
+    /// The joint of these edges, in the direction in which their ends are nearer to each other.
+    pub fn nearest<P: Point>(
+        surface: &BSplineSurface<P>,
+        edge: Edge,
+        target: &BSplineSurface<P>,
+        target_edge: Edge,
+    ) -> Self {
+        let (a, b) = (surface.boundary(edge), target.boundary(target_edge));
+        let distance = |p: P, q: P| length(p.minus(q)).to_f64();
+        let same = distance(a.start(), b.start()) + distance(a.end(), b.end());
+        let opposite = distance(a.start(), b.end()) + distance(a.end(), b.start());
+        Self { edge, target: target_edge, reversed: opposite < same }
+    }
+}
+
+/// How smooth a joint is to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Continuity {
+    /// The edges are the same curve.
+    G0,
+    /// The tangent planes are the same too.
+    G1,
+}
+
+/// How the two rows are found.
+///
+/// [`Exact`](Method::Exact) is the default on the evidence below. [`LeastSquares`](Method::LeastSquares) is for joints at
+/// which the shape must change as little as possible: it keeps the direction of the lines across the edge.
+///
+#[doc = include_str!("comparison.md")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// That of the paper: equations at the ends and the middle of every span; the rest by two quadratic programmes.
+    #[cfg(all(feature = "nalgebra", feature = "std"))]
+    Midpoints,
+    /// Least squares over at least six samples in every span.
+    LeastSquares,
+    /// The rows of the target over merged knots and equal degrees: no error but rounding, and the fewest spans.
+    Exact,
+}
+
+/// What a splice is to reach, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpliceOptions {
+    /// The method.
+    pub method: Method,
+    /// The smoothness.
+    pub continuity: Continuity,
+    /// The largest gap, in the unit of the points.
+    pub gap: f64,
+    /// The largest angle between the tangent planes, in radians.
+    pub angle: f64,
+    /// The most spans along the edge.
+    pub spans: usize,
+    /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent near
+    /// its edge, and many more spans are needed.
+    pub carry: bool,
+    /// Whether the degree along the edge is raised to that of the target and its knots are inserted first, so that the edge
+    /// is met exactly. [`Method::Exact`] does so in any case.
+    pub merge: bool,
+}
+
+impl Default for SpliceOptions {
+    /// The exact method, G1, gap 1e-5, angle 1e-4, at most 400 spans; for the other methods carry and merged knots.
+    fn default() -> Self {
+        Self {
+            method: Method::Exact,
+            continuity: Continuity::G1,
+            gap: 1e-5,
+            angle: 1e-4,
+            spans: 400,
+            carry: true,
+            merge: true,
+        }
+    }
+}
+
+/// A surface that was joined to another one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Splice<P: Point> {
+    /// The adjusted surface.
+    pub surface: BSplineSurface<P>,
+    /// Gap and angle, measured on the result.
+    pub measure: JointMeasure,
+    /// The number of spans along the edge.
+    pub spans: usize,
+    /// How often knots were inserted and the rows solved for.
+    pub rounds: usize,
+    /// How far the rows moved, and so no point of the surface moved further: the larger distance of the edge and the one of
+    /// the second row.
+    pub change: f64,
+}
+
+/// The gap and the angle between two surfaces along a joint, whatever they are.
+///
+/// # Errors
+/// If a control point near the joint is not finite, a surface has one row only, or a tangent plane is missing.
+pub fn measure_joint<P: Point3>(
+    surface: &BSplineSurface<P>,
+    target: &BSplineSurface<P>,
+    joint: Joint,
+) -> Result<JointMeasure, SpliceError> {
+    let strip = Strip::new(&surface.clamped(), joint.edge)?;
+    let other = Strip::new(&target.clamped(), joint.target)?;
+    let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.reversed, &strip.knots)?;
+    Ok(measure(&strip, &other)?.0)
+}
+
+/// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
+///
+/// Only the two rows of control points next to the edge are changed, over a net that is refined along the edge (and across
+/// it, if it has so few rows that the opposite edge and its tangent planes would move).
+///
+/// # Errors
+/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is wrong
+/// with the input.
+pub fn splice<P: Point3>(
+    surface: &BSplineSurface<P>,
+    target: &BSplineSurface<P>,
+    joint: Joint,
+    options: &SpliceOptions,
+) -> Result<Splice<P>, SpliceError> {
+    for tolerance in [options.gap, options.angle] {
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(SpliceError::Tolerance { tolerance });
+        }
+    }
+    let surface = prepared(surface, joint.edge)?;
+    let original = Strip::new(&surface, joint.edge)?;
+    let fixed = Strip::new(&target.clamped(), joint.target)?;
+    let fixed = fixed.mapped::<P::Scalar>(original.knots.domain(), joint.reversed, &original.knots)?;
+
+    let exact = options.method == Method::Exact;
+    let merge = exact || options.merge;
+    let least = if merge { fixed.knots.degree() } else { 0 };
+    // Below degree 2 the paper has more equations than unknowns, and tangent planes jump from span to span.
+    let degree = original.knots.degree().max(least).max(if exact { 1 } else { 2 });
+    let mut base = original.elevated(degree)?;
+    let (mut fixed, mut inserted) = (fixed, Vec::new());
+    if merge {
+        fixed = fixed.elevated(degree)?;
+        inserted = super::rows::missing(&base.knots, &fixed.knots)?;
+        base = base.inserted(&inserted)?;
+    }
+    if exact {
+        fixed = fixed.inserted(&super::rows::missing(&fixed.knots, &base.knots)?)?;
+    }
+    let angle = if options.continuity == Continuity::G1 { options.angle } else { f64::INFINITY };
+
+    let mut best: Option<(JointMeasure, usize)> = None;
+    let mut reached = None;
+    let mut rounds = 0;
+    loop {
+        rounds += 1;
+        let mut strip = base.clone();
+        solve(&mut strip, &fixed, options)?;
+        let (measured, pieces) = measure(&strip, &fixed)?;
+        let spans = strip.spans();
+        let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / angle);
+        if best.is_none_or(|(other, _)| excess(&measured) < excess(&other)) {
+            best = Some((measured, spans));
+        }
+        if excess(&measured) <= 1.0 {
+            let result = written(&surface, joint.edge, degree, &inserted, &strip)?;
+            // The figures of what is handed back, in its own precision.
+            let measure = measure_joint(&result, target, joint)?;
+            if excess(&measure) > 1.0 {
+                best = Some((measure, spans));
+                break;
+            }
+            let change = change(&base, &strip);
+            reached = Some(Splice { surface: result, measure, spans, rounds, change });
+            if excess(&measure) <= AIM {
+                break;
+            }
+        }
+        let [gap, angle] = [options.gap, angle].map(|tolerance| AIM * tolerance);
+        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, gap, angle);
+        if exact || middles.is_empty() || spans + middles.len() > options.spans {
+            break;
+        }
+        base = base.inserted(&middles)?;
+        inserted.extend(middles);
+    }
+    match (reached, best) {
+        (Some(splice), _) => Ok(splice),
+        (None, Some((achieved, spans))) => {
+            Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
+        }
+        (None, None) => Err(SpliceError::Singular),
+    }
+}
+
+/// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent planes.
+fn prepared<P: Point3>(surface: &BSplineSurface<P>, edge: Edge) -> Result<BSplineSurface<P>, SpliceError> {
+    let mut surface = surface.clamped();
+    let across = edge.across();
+    while surface.knots(across).degree() == 0 {
+        surface = surface.elevate(across)?;
+    }
+    while surface.knots(across).functions() < 4 {
+        let finer = surface.refined(across);
+        if finer == surface {
+            return Err(SpliceError::OneRow);
+        }
+        surface = finer;
+    }
+    Ok(surface)
+}
+
+/// One round: both rows over the knots that the strip has.
+fn solve(strip: &mut Strip, target: &Strip, options: &SpliceOptions) -> Result<(), SpliceError> {
+    if options.method == Method::Exact && options.continuity == Continuity::G1 {
+        exact::rows(strip, target);
+        return Ok(());
+    }
+    let change = match options.method {
+        #[cfg(all(feature = "nalgebra", feature = "std"))]
+        Method::Midpoints => midpoints::edge(strip, target)?,
+        Method::LeastSquares => dense::edge(strip, target)?,
+        Method::Exact => {
+            let change = target.edge.iter().zip(&strip.edge).map(|(to, from)| to.minus(*from)).collect();
+            strip.edge.clone_from(&target.edge);
+            change
+        }
+    };
+    if options.carry {
+        for (point, change) in strip.inner.iter_mut().zip(&change) {
+            *point = point.add_scaled(*change, 1.0);
+        }
+    }
+    if options.continuity == Continuity::G1 {
+        match options.method {
+            #[cfg(all(feature = "nalgebra", feature = "std"))]
+            Method::Midpoints => midpoints::inner(strip, target)?,
+            _ => dense::inner(strip, target)?,
+        }
+    }
+    Ok(())
+}
+
+/// The surface with the rows of the strip.
+fn written<P: Point3>(
+    surface: &BSplineSurface<P>,
+    edge: Edge,
+    degree: usize,
+    inserted: &[f64],
+    strip: &Strip,
+) -> Result<BSplineSurface<P>, SpliceError> {
+    let direction = along(edge);
+    let mut surface = surface.clone();
+    while surface.knots(direction).degree() < degree {
+        surface = surface.elevate(direction)?;
+    }
+    let inserted: Vec<_> = inserted.iter().map(|&t| P::Scalar::of(t)).collect();
+    let mut surface = surface.insert_knots(direction, &inserted)?;
+    for (layer, row) in [&strip.edge, &strip.inner].into_iter().enumerate() {
+        for (j, point) in row.iter().enumerate() {
+            let index = place(&surface, edge, layer, j);
+            surface.set_control_point(index, P::from_components(|i| P::Scalar::of(point[i])));
+        }
+    }
+    Ok(surface)
+}
+
+/// The largest distance by which a point of either row, as a curve, moved.
+fn change(before: &Strip, after: &Strip) -> f64 {
+    let knots = before.knots.as_slice();
+    let mut largest = 0.0_f64;
+    for span in before.knots.spans() {
+        for i in 0..=8 {
+            let t = knots[span] + (knots[span + 1] - knots[span]) * f64::from(i) / 8.0;
+            let (a, b) = (before.frame(span, t), after.frame(span, t));
+            let edge = b.point.minus(a.point);
+            let inner = edge.add_scaled(b.across.minus(a.across), 1.0);
+            largest = largest.max(length(edge)).max(length(inner));
+        }
+    }
+    largest
+}

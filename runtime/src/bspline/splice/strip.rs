@@ -1,0 +1,181 @@
+//! What a joint sees of a surface: the row of control points on the edge and the one next to it, in double precision.
+
+use alloc::vec::Vec;
+
+use super::SpliceError;
+use crate::bspline::rows::{self, Rows};
+use crate::bspline::{BSplineSurface, Direction, Edge, KnotVector};
+use crate::{Point, Point3, Scalar};
+
+pub(super) type Vector = [f64; 3];
+
+/// The other direction than the one across the edge.
+pub(in crate::bspline) fn along(edge: Edge) -> Direction {
+    match edge.across() {
+        Direction::U => Direction::V,
+        Direction::V => Direction::U,
+    }
+}
+
+/// The index of the row (or column) at that distance from the edge, and of the point at that place along it.
+pub(in crate::bspline) fn place<P: Point>(
+    surface: &BSplineSurface<P>,
+    edge: Edge,
+    layer: usize,
+    along: usize,
+) -> [usize; 2] {
+    let across = surface.knots(edge.across()).functions();
+    let layer = if edge.is_end() { across - 1 - layer } else { layer };
+    match edge.across() {
+        Direction::U => [layer, along],
+        Direction::V => [along, layer],
+    }
+}
+
+/// Two rows along an edge, over a clamped knot vector.
+#[derive(Clone, Debug)]
+pub(in crate::bspline) struct Strip {
+    /// The knots along the edge.
+    pub(super) knots: KnotVector<f64>,
+    /// The row on the edge.
+    pub(super) edge: Vec<Vector>,
+    /// The row next to it.
+    pub(super) inner: Vec<Vector>,
+    /// The derivative across the edge, pointing into the surface, is `factor (inner - edge)`.
+    pub(super) factor: f64,
+}
+
+/// A strip at one parameter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub(super) point: Vector,
+    /// The derivative along the edge.
+    pub(super) tangent: Vector,
+    /// `inner - edge`.
+    pub(super) across: Vector,
+}
+
+impl Strip {
+    /// The strip of a clamped surface.
+    pub(in crate::bspline) fn new<P: Point3>(
+        surface: &BSplineSurface<P>,
+        edge: Edge,
+    ) -> Result<Self, SpliceError> {
+        let knots = surface.knots(along(edge)).to_f64();
+        let row = |layer| {
+            let point = |j| {
+                let point = surface.net()[place(surface, edge, layer, j)];
+                [0, 1, 2].map(|i| point.component(i).to_f64())
+            };
+            (0..knots.functions()).map(point).collect::<Vec<_>>()
+        };
+        let across = surface.knots(edge.across()).to_f64();
+        let (k, n) = (across.degree(), across.functions());
+        if n < 2 {
+            return Err(SpliceError::OneRow);
+        }
+        let t = across.as_slice();
+        let width = if edge.is_end() { t[n] - t[n - 1] } else { t[k + 1] - t[k] };
+        // With a jump right at the edge (degree 0) there is no derivative across it.
+        let factor = if width > 0.0 { k.max(1) as f64 / width } else { 1.0 };
+        let (edge, inner) = (row(0), row(1));
+        let finite = |row: &[Vector]| row.iter().flatten().all(|x| x.is_finite());
+        if !finite(&edge) || !finite(&inner) {
+            return Err(SpliceError::NotFinite);
+        }
+        Ok(Self { knots, edge, inner, factor })
+    }
+
+    /// The strip over the domain `[lo, hi]`, run through backwards if `reversed`. Knots that agree with one of `grid` up to
+    /// rounding errors of the scalar type become equal to it; all are made numbers of that type.
+    pub(super) fn mapped<S: Scalar>(
+        &self,
+        [lo, hi]: [f64; 2],
+        reversed: bool,
+        grid: &KnotVector<f64>,
+    ) -> Result<Self, SpliceError> {
+        let [a, b] = self.knots.domain();
+        let width = hi - lo;
+        let near = 16.0 * S::EPSILON.to_f64() * width.max(lo.abs()).max(hi.abs());
+        let breakpoints = grid.breakpoints();
+        let map = |t: &f64| {
+            let part = (t - a) / (b - a);
+            let part = if reversed { 1.0 - part } else { part };
+            let mapped = if part <= 0.0 {
+                lo
+            } else if part >= 1.0 {
+                hi
+            } else {
+                lo + width * part
+            };
+            let after = breakpoints.partition_point(|&knot| knot < mapped);
+            let around = after.saturating_sub(1)..(after + 1).min(breakpoints.len());
+            let nearest = breakpoints[around].iter().copied().find(|knot| (knot - mapped).abs() <= near);
+            nearest.unwrap_or_else(|| S::of(mapped).to_f64().clamp(lo, hi))
+        };
+        let mut knots: Vec<f64> = self.knots.as_slice().iter().map(map).collect();
+        let (mut edge, mut inner) = (self.edge.clone(), self.inner.clone());
+        if reversed {
+            knots.reverse();
+            edge.reverse();
+            inner.reverse();
+        }
+        let knots = KnotVector::new(self.knots.degree(), knots)?;
+        Ok(Self { knots, edge, inner, factor: self.factor })
+    }
+
+    fn rows(&self) -> Rows<f64, Vector> {
+        let points = self.edge.iter().zip(&self.inner).flat_map(|(&a, &b)| [a, b]).collect();
+        Rows { knots: self.knots.clone(), points, lanes: 2 }
+    }
+
+    fn with_rows(&self, rows: &Rows<f64, Vector>) -> Self {
+        let row = |lane: usize| rows.points.iter().skip(lane).step_by(2).copied().collect();
+        Self { knots: rows.knots.clone(), edge: row(0), inner: row(1), factor: self.factor }
+    }
+
+    /// The same strip over more knots.
+    pub(super) fn inserted(&self, knots: &[f64]) -> Result<Self, SpliceError> {
+        Ok(self.with_rows(&rows::insert(&self.rows(), knots)?))
+    }
+
+    /// The same strip, of at least that degree.
+    pub(super) fn elevated(&self, degree: usize) -> Result<Self, SpliceError> {
+        let mut rows = self.rows();
+        while rows.knots.degree() < degree {
+            rows = rows::elevate(&rows)?;
+        }
+        Ok(self.with_rows(&rows))
+    }
+
+    /// The polynomial piece of that span at any parameter.
+    pub(super) fn frame(&self, span: usize, t: f64) -> Frame {
+        let first = span - self.knots.degree();
+        let mut frame = Frame { point: [0.0; 3], tangent: [0.0; 3], across: [0.0; 3] };
+        let values = self.knots.values_on(span, t);
+        let slopes = self.knots.derivatives_on(span, t, 1);
+        for (j, (&value, &slope)) in values.iter().zip(slopes.iter()).enumerate() {
+            let (edge, inner) = (self.edge[first + j], self.inner[first + j]);
+            frame.point = frame.point.add_scaled(edge, value);
+            frame.tangent = frame.tangent.add_scaled(edge, slope);
+            frame.across = frame.across.add_scaled(inner.minus(edge), value);
+        }
+        frame
+    }
+
+    pub(super) fn at(&self, t: f64) -> Frame {
+        self.frame(self.knots.span(t), t)
+    }
+
+    /// Whether the tangent along the edge may jump.
+    pub(super) fn is_creased(&self) -> bool {
+        let [lo, hi] = self.knots.domain();
+        let inner =
+            self.knots.as_slice().chunk_by(|a, b| a == b).filter(|group| group[0] > lo && group[0] < hi);
+        inner.into_iter().any(|group| group.len() >= self.knots.degree())
+    }
+
+    pub(super) fn spans(&self) -> usize {
+        self.knots.spans().count()
+    }
+}

@@ -1,0 +1,296 @@
+//! Splicing: all edges, orientations and methods; tolerances measured independently; what is refused.
+
+use basis_runtime::bspline::{
+    BSplineSurface, Continuity, Direction, Edge, Joint, KnotVector, Method, Net, SpliceError, SpliceOptions,
+    measure_joint, splice,
+};
+use proptest::prelude::*;
+
+use crate::support::{P3, distance, surface};
+
+/// The methods, each with options for the tests. The dense systems of the published method take long without optimisation,
+/// so it is asked for less.
+fn methods() -> Vec<SpliceOptions> {
+    let options = SpliceOptions::default();
+    vec![
+        #[cfg(feature = "nalgebra")]
+        SpliceOptions { method: Method::Midpoints, angle: 2e-3, spans: 60, merge: false, ..options },
+        SpliceOptions { method: Method::LeastSquares, ..options },
+        SpliceOptions { method: Method::Exact, ..options },
+    ]
+}
+
+fn is_published(options: &SpliceOptions) -> bool {
+    !matches!(options.method, Method::LeastSquares | Method::Exact)
+}
+
+fn cross(a: P3, b: P3) -> P3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn dot(a: P3, b: P3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Gap and angle from nothing but points and partial derivatives, at 1000 parameters away from knots.
+fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint) -> (f64, f64) {
+    let at = |surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64| {
+        let [du, dv] = surface.domain();
+        let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };
+        let c = across[usize::from(edge.is_end())];
+        let t = along[0] + (along[1] - along[0]) * part;
+        let (u, v, orders) = match edge.across() {
+            Direction::U => (c, t, [[1, 0], [0, 1]]),
+            Direction::V => (t, c, [[0, 1], [1, 0]]),
+        };
+        let [out, tangent] = orders.map(|orders| surface.partial(u, v, orders));
+        // Away from the surface at its upper end, into it at the lower one; `sign` says which is wanted.
+        let sign = if edge.is_end() { sign } else { -sign };
+        (surface.eval(u, v), out.map(|x| x * sign), tangent)
+    };
+    let (mut gap, mut angle) = (0.0_f64, 0.0_f64);
+    for i in 0..1000 {
+        let part = (f64::from(i) + 0.5) / 1000.0;
+        let (p, out, tangent) = at(a, joint.edge, part, 1.0);
+        let other = if joint.reversed { 1.0 - part } else { part };
+        let (q, into, other) = at(b, joint.target, other, -1.0);
+        let other = other.map(|x| if joint.reversed { -x } else { x });
+        gap = gap.max(distance(p, q));
+        let (n, m) = (cross(out, tangent), cross(into, other));
+        angle = angle.max(distance(cross(n, m), [0.0; 3]).atan2(dot(n, m)));
+    }
+    (gap, angle)
+}
+
+/// A surface of degree `k` over uneven knots; `x` from `from` to `from + 1`, `y` from 0 to 1, with the given waves.
+fn sheet(k: usize, spans: usize, from: f64, waves: [f64; 4]) -> BSplineSurface<P3> {
+    let breakpoints: Vec<f64> =
+        (0..=spans).map(|i| i as f64 / spans as f64).map(|t| t * (0.8 + 0.2 * t)).collect();
+    let along = KnotVector::clamped(k, &breakpoints).unwrap();
+    let across = KnotVector::uniform(k, 4).unwrap();
+    let (gu, gv) = (across.greville(), along.greville());
+    let net = Net::from_fn(gu.len(), gv.len(), |i, j| {
+        let (x, y): (f64, f64) = (from + gu[i], gv[j]);
+        [x + 0.1 * waves[0] * y * y, y + 0.1 * waves[1] * x, 0.3 * (waves[2] * y + waves[3] * x).sin()]
+    });
+    BSplineSurface::new(across, along, net.unwrap()).unwrap()
+}
+
+/// The same surface with its parameters exchanged and mirrored so that the edge that was `UEnd` becomes `edge`.
+fn turned(surface: &BSplineSurface<P3>, from: Edge, to: Edge, flipped: bool) -> BSplineSurface<P3> {
+    let mut surface = surface.clone();
+    if flipped {
+        let along = if from.across() == Direction::U { Direction::V } else { Direction::U };
+        surface = surface.reversed(along).unwrap();
+    }
+    if from.is_end() != to.is_end() {
+        surface = surface.reversed(from.across()).unwrap();
+    }
+    if from.across() == to.across() { surface } else { surface.transposed() }
+}
+
+#[test]
+fn every_edge_in_both_directions_by_every_method() {
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    for options in methods() {
+        for edge in Edge::ALL {
+            for target in Edge::ALL {
+                if is_published(&options) && target != Edge::VEnd {
+                    continue;
+                }
+                for flips in 0..4 {
+                    let a = turned(&left, Edge::UEnd, edge, flips % 2 == 1);
+                    let b = turned(&right, Edge::UStart, target, flips >= 2);
+                    let joint = Joint::nearest(&a, edge, &b, target);
+                    assert_eq!(joint.reversed, flips == 1 || flips == 2);
+                    let found = splice(&a, &b, joint, &options).unwrap();
+                    let (gap, angle) = independent(&found.surface, &b, joint);
+                    assert!(gap <= options.gap && angle <= options.angle, "{options:?} {gap} {angle}");
+                    assert!(found.measure.samples >= 12 * found.spans);
+                    // The opposite edge and its second row stay where they were.
+                    for t in [0.0, 0.3, 1.0] {
+                        let opposite = edge.opposite();
+                        let (p, q) = (a.boundary(opposite), found.surface.boundary(opposite));
+                        assert!(distance(p.eval(t), q.eval(t)) < 1e-14);
+                    }
+                    if options.method == Method::Exact {
+                        assert!(gap < 1e-14 && angle < 1e-13, "{gap} {angle}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn different_degrees() {
+    for options in methods() {
+        for (a, b) in [(1, 3), (2, 3), (3, 2), (4, 3), (3, 5), (5, 5), (1, 1)] {
+            let left = sheet(a, 5, -1.0, [0.5, -0.5, 3.0, 1.0]);
+            let right = sheet(b, 7, 0.0, [0.4, 0.6, 3.1, -0.4]);
+            let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+            match splice(&left, &right, joint, &options) {
+                Ok(found) => {
+                    let (gap, angle) = independent(&found.surface, &right, joint);
+                    assert!(
+                        gap <= options.gap && angle <= options.angle,
+                        "{options:?} {a} {b}: {gap} {angle}"
+                    );
+                }
+                // The published method is not made for everything, but it says so.
+                Err(error) => {
+                    assert!(is_published(&options), "{a} {b}: {error}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn different_domains_and_single_precision() {
+    let knots = |lo: f32, hi: f32, spans: usize| {
+        KnotVector::<f32>::uniform(3, spans).unwrap().mapped([lo, hi]).unwrap()
+    };
+    let sheet = |v: KnotVector<f32>, from: f32| {
+        let u = KnotVector::<f32>::uniform(3, 3).unwrap();
+        let [lo, hi] = v.domain();
+        let net = Net::from_fn(6, v.functions(), |i, j| {
+            let (x, y) = (from + u.greville()[i], (v.greville()[j] - lo) / (hi - lo));
+            [x, y, 0.2 * (3.0 * y).sin() + 0.1 * x * y]
+        });
+        BSplineSurface::new(u, v.clone(), net.unwrap()).unwrap()
+    };
+    let (left, right) = (sheet(knots(0.0, 1.0, 4), -1.0), sheet(knots(-2.0, 5.0, 7), 0.0));
+    let joint = Joint::nearest(&left, Edge::UEnd, &right, Edge::UStart);
+    for options in methods() {
+        let found = splice(&left, &right, joint, &options).unwrap();
+        assert!(found.measure.gap <= options.gap && found.measure.angle <= options.angle);
+        assert_eq!(found.measure, measure_joint(&found.surface, &right, joint).unwrap());
+    }
+    // A tolerance that single precision cannot meet.
+    let options = SpliceOptions { gap: 1e-12, ..SpliceOptions::default() };
+    let error = splice(&left, &right, joint, &options).unwrap_err();
+    let SpliceError::NotReached { achieved, .. } = error else { panic!("{error}") };
+    assert!(achieved.gap > 1e-12 && achieved.gap < 1e-5);
+}
+
+#[test]
+fn positions_only() {
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    for options in methods() {
+        let options = SpliceOptions { continuity: Continuity::G0, ..options };
+        let found = splice(&left, &right, joint, &options).unwrap();
+        assert!(independent(&found.surface, &right, joint).0 <= options.gap);
+        // Tangent planes are not touched on purpose.
+        assert!(found.measure.angle > 1e-3);
+    }
+}
+
+#[test]
+fn surfaces_never_fold_back() {
+    // Both sheets lie over 0 <= x <= 1: the first has to leave the edge in the other direction.
+    let lower = sheet(3, 5, 0.0, [0.0, 0.0, 3.0, 0.4]);
+    let upper = sheet(3, 6, 0.0, [0.0, 0.0, 3.2, 0.3]);
+    let joint = Joint { edge: Edge::UStart, target: Edge::UStart, reversed: false };
+    let before = measure_joint(&lower, &upper, joint).unwrap();
+    assert!(before.angle > 3.0); // the angle of a fold is near π, not near 0
+    for method in [Method::LeastSquares, Method::Exact] {
+        let options = SpliceOptions { method, ..SpliceOptions::default() };
+        let found = splice(&lower, &upper, joint, &options).unwrap();
+        let (gap, angle) = independent(&found.surface, &upper, joint);
+        assert!(gap <= options.gap && angle <= options.angle);
+    }
+}
+
+#[test]
+fn a_straight_edge() {
+    let mut right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let greville = right.knots(Direction::V).greville();
+    for (point, y) in right.control_points_mut().iter_mut().zip(greville) {
+        *point = [0.0, y, 0.0];
+    }
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    for options in methods() {
+        let found = splice(&left, &right, joint, &options).unwrap();
+        let (gap, angle) = independent(&found.surface, &right, joint);
+        assert!(gap <= options.gap && angle <= options.angle);
+    }
+}
+
+#[test]
+fn what_is_refused() {
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let options = SpliceOptions { angle: bad, ..SpliceOptions::default() };
+        assert!(matches!(splice(&left, &right, joint, &options), Err(SpliceError::Tolerance { .. })));
+    }
+    let options = SpliceOptions { method: Method::LeastSquares, spans: 13, ..SpliceOptions::default() };
+    let error = splice(&left, &right, joint, &options).unwrap_err();
+    let SpliceError::NotReached { achieved, spans, .. } = error else { panic!("{error}") };
+    assert!(spans <= 13 && achieved.angle > 1e-4 && error.to_string().contains("wanted 1.000e-4"));
+
+    let mut broken = left.clone();
+    let last = broken.control_points_mut().len() - 1;
+    broken.control_points_mut()[last] = [f64::NAN; 3];
+    let options = SpliceOptions::default();
+    assert_eq!(splice(&broken, &right, joint, &options).unwrap_err(), SpliceError::NotFinite);
+
+    // A target whose edge and second row are one point.
+    let mut point = right.clone();
+    let columns = point.net().columns();
+    for p in &mut point.control_points_mut()[..2 * columns] {
+        *p = [0.0; 3];
+    }
+    let error = splice(&left, &point, joint, &options).unwrap_err();
+    assert!(matches!(error, SpliceError::Degenerate { .. }), "{error}");
+}
+
+fn edge() -> impl Strategy<Value = Edge> {
+    (0..4_usize).prop_map(|i| Edge::ALL[i])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn random_sheets_reach_both_tolerances(
+        degrees in [1..=5_usize, 1..=5_usize],
+        spans in [2..9_usize, 2..9_usize],
+        waves in [-1.0..1.0, -1.0..1.0, 1.0..4.0, -1.0..1.0],
+        others in [-1.0..1.0, -1.0..1.0, 1.0..4.0, -1.0..1.0],
+    ) {
+        let left = sheet(degrees[0], spans[0], -1.0, waves);
+        let right = sheet(degrees[1], spans[1], 0.0, others);
+        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+        for method in [Method::LeastSquares, Method::Exact] {
+            let options = SpliceOptions { method, ..SpliceOptions::default() };
+            let found = splice(&left, &right, joint, &options).unwrap();
+            let (gap, angle) = independent(&found.surface, &right, joint);
+            prop_assert!(gap <= options.gap && angle <= options.angle);
+        }
+    }
+
+    #[test]
+    fn any_surfaces_are_joined_or_refused(
+        left in surface(), right in surface(), edge in edge(), target in edge(), reversed in any::<bool>(),
+    ) {
+        let joint = Joint { edge, target, reversed };
+        for options in methods() {
+            let options = SpliceOptions { spans: 30, ..options };
+            if let Ok(found) = splice(&left, &right, joint, &options) {
+                let (gap, angle) = independent(&found.surface, &right, joint);
+                prop_assert!(gap <= options.gap && angle <= options.angle * 1.01, "{} {}", gap, angle);
+            } else {
+                // Exact joins exist for all but surfaces without tangent planes.
+                let exact = options.method == Method::Exact;
+                prop_assert!(!exact || measure_joint(&left, &right, joint).is_err());
+            }
+        }
+    }
+}
