@@ -34,6 +34,10 @@ impl Parse for Input {
             }
         }
         if !input.peek(LitStr) {
+            if is_path(input) {
+                let help = "the path of a spec stands in quotation marks: `basis!(\"specs/name.basis\")`";
+                return Err(input.error(help));
+            }
             let spec = Spec::Inline(input.parse()?);
             return Ok(Self { spec, families: Vec::new(), runtime: runtime.unwrap_or_else(default_runtime) });
         }
@@ -50,11 +54,24 @@ impl Parse for Input {
                     return Err(syn::Error::new(span, "`crate = …` is given twice"));
                 }
             } else {
-                families.push(requested(input)?);
+                let new: Requested = requested(input)?;
+                if families.iter().any(|other| type_name(other) == type_name(&new)) {
+                    let name = type_name(&new);
+                    let message = format!("two types are called `{name}`: write `{} as OtherName`", new.name);
+                    return Err(syn::Error::new(new.span, message));
+                }
+                families.push(new);
             }
         }
         Ok(Self { spec: Spec::File(path), families, runtime: runtime.unwrap_or_else(default_runtime) })
     }
+}
+
+/// Whether this looks like a path without quotation marks, `specs/name.basis`.
+fn is_path(input: ParseStream<'_>) -> bool {
+    input.peek(Ident) && (input.peek2(Token![/]) || input.peek2(Token![.]))
+        || input.peek(Token![.])
+        || input.peek(Token![/])
 }
 
 fn default_runtime() -> TokenStream {
@@ -91,6 +108,11 @@ fn runtime_path(input: ParseStream<'_>) -> Result<TokenStream> {
     }
 }
 
+/// The name of the type that is asked for.
+fn type_name(family: &Requested) -> String {
+    family.rename.as_ref().map_or_else(|| family.name.clone(), Ident::to_string)
+}
+
 /// `Bernstein(5) as Quintic`
 fn requested(input: ParseStream<'_>) -> Result<Requested> {
     let name: Ident = input.parse().map_err(|e| {
@@ -102,7 +124,9 @@ fn requested(input: ParseStream<'_>) -> Result<Requested> {
         syn::parenthesized!(content in input);
         while !content.is_empty() {
             let minus = content.parse::<Option<Token![-]>>()?.is_some();
-            let value: LitInt = content.parse()?;
+            let value: LitInt = content.parse().map_err(|e| {
+                syn::Error::new(e.span(), format!("expected the order as a number, such as `{name}(3)`"))
+            })?;
             let value: i64 = value.base10_parse()?;
             order.push(if minus { -value } else { value });
             if !content.is_empty() {

@@ -49,7 +49,7 @@ fn everything_as_declared() {
     assert_eq!(refuted["claim"], json!("b[0] = b[1]"));
     assert_eq!(refuted["declared"], json!("refute"));
     assert_eq!(refuted["verdict"], json!("refuted"));
-    assert_eq!(refuted["method"], Value::Null);
+    assert_eq!(refuted["method"], json!("counterexample"));
     assert_eq!(refuted["witness"]["of"], json!("b[0] - b[1]"));
     assert_eq!(claims.len(), 6);
 }

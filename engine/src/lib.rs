@@ -186,7 +186,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         let options = generate::Options { runtime: request.runtime.clone(), name };
         match generate::family(&checked.family, &checked.claims, &options) {
             Ok(tokens) => code.extend(tokens),
-            Err(error) => diagnostics.push(error),
+            Err(errors) => diagnostics.extend(errors),
         }
     }
     let mut all = library.diagnostics();

@@ -107,7 +107,9 @@ fn item(outcome: &Outcome, decided: &Decided) -> Item {
 fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
     let (verdict, method, witness) = match &decided.verdict {
         Verdict::Proved(evidence) => ("proved", Some(evidence.method.clone()), None),
-        Verdict::Refuted(witness) => ("refuted", None, Some(counterexample(witness))),
+        Verdict::Refuted(witness) => {
+            ("refuted", Some(String::from("counterexample")), Some(counterexample(witness)))
+        }
         Verdict::Undecided(_) => ("undecided", None, None),
     };
     Claim {

@@ -46,16 +46,16 @@ pub fn family(
     family: &Family,
     verdicts: &[(Claim, Verdict)],
     options: &Options,
-) -> Result<TokenStream, Diagnostic> {
+) -> Result<TokenStream, Vec<Diagnostic>> {
     let name = match &options.name {
         Some(name) => name.clone(),
-        None => names::type_name(family)?,
+        None => names::type_name(family).map_err(|error| vec![error])?,
     };
     let fields = names::fields(family)?;
     let shell = Shell { family, name: name.clone(), fields, runtime: &options.runtime };
     let code = match IntervalForm::new(family) {
         Some(form) => interval::emit(&shell, &form, verdicts),
-        None => patch::emit(&shell, verdicts)?,
+        None => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
     };
     Ok(in_module(&name, &code))
 }

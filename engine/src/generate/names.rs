@@ -91,34 +91,36 @@ pub(super) fn type_name(family: &Family) -> Result<Ident, Diagnostic> {
 }
 
 /// The names of the shape parameters as fields, arguments and methods.
-pub(super) fn fields(family: &Family) -> Result<Vec<Ident>, Diagnostic> {
+///
+/// # Errors
+/// All names that cannot be such names.
+pub(super) fn fields(family: &Family) -> Result<Vec<Ident>, Vec<Diagnostic>> {
     let mut fields: Vec<Ident> = Vec::new();
-    for shape in &family.shapes {
+    let mut errors = Vec::new();
+    for (k, shape) in family.shapes.iter().enumerate() {
         let name = ascii(&shape.name);
-        let error = |message: String| Diagnostic::error(family.place.clone(), message);
+        let error = |message: String| Diagnostic::error(shape.place.clone(), message);
+        let help = "choose another name for the parameter";
         if METHODS.contains(&name.as_str()) {
-            return Err(error(format!(
+            let message = format!(
                 "the shape parameter `{}` has the name of a method of the generated type",
                 shape.name
-            ))
-            .help("choose another name for the parameter"));
-        }
-        if let Some(k) = fields.iter().position(|f| f == &name) {
-            return Err(error(format!(
+            );
+            errors.push(error(message).help(help));
+        } else if let Some(other) = family.shapes[..k].iter().find(|other| ascii(&other.name) == name) {
+            let message = format!(
                 "the shape parameters `{}` and `{}` are both called `{name}` in Rust",
-                family.shapes[k].name, shape.name
-            ))
-            .help("choose another name for one of them"));
-        }
-        match ident(&name) {
-            Some(ident) => fields.push(ident),
-            None => {
-                return Err(error(format!("`{name}` cannot be a name in Rust"))
-                    .help("choose another name for the parameter"));
+                other.name, shape.name
+            );
+            errors.push(error(message).also(other.place.clone(), "the other one").help(help));
+        } else {
+            match ident(&name) {
+                Some(ident) => fields.push(ident),
+                None => errors.push(error(format!("`{name}` cannot be a name in Rust")).help(help)),
             }
         }
     }
-    Ok(fields)
+    if errors.is_empty() { Ok(fields) } else { Err(errors) }
 }
 
 #[cfg(test)]

@@ -83,7 +83,8 @@ fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Paramet
         match (range, variable(scope, &decl.name)) {
             (Some(range), Some(var)) => {
                 let (name, doc) = (decl.name.text.clone(), statement.doc.clone());
-                shapes.push(Parameter { name, doc, var, range });
+                let place = scope.place(decl.name.span);
+                shapes.push(Parameter { name, doc, place, var, range });
             }
             _ => complete = false,
         }
@@ -150,7 +151,8 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
         match (closed, variable, &mut domain) {
             (Some(range), Some(var), Some(list)) => {
                 scope.domain.push(var);
-                list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), var, range });
+                let place = scope.place(decl.name.span);
+                list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), place, var, range });
             }
             (_, var, _) => {
                 scope.domain.extend(var);
@@ -165,7 +167,8 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
     let mut all = Vec::new();
     for name in names {
         let var = variable(scope, name)?;
-        all.push(Parameter { name: name.text.clone(), doc: doc.to_vec(), var, range: Range::unit() });
+        let place = scope.place(name.span);
+        all.push(Parameter { name: name.text.clone(), doc: doc.to_vec(), place, var, range: Range::unit() });
     }
     let last = all.pop()?;
     scope.domain = all.iter().map(|p| p.var).collect();

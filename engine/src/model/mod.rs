@@ -61,6 +61,8 @@ pub struct Parameter {
     pub name: String,
     /// The doc comment, one string a line.
     pub doc: Vec<String>,
+    /// Where it is declared.
+    pub place: Place,
     /// The variable.
     pub var: Var,
     /// The declared range; for a domain variable both ends are finite and included.

@@ -255,9 +255,10 @@ impl Elaboration<'_> {
     }
 
     /// A new variable that is a scalar.
-    pub(super) fn new_scalar(&mut self, name: &str, range: Range, doc: &[String]) -> Var {
+    pub(super) fn new_scalar(&mut self, name: &str, range: Range, doc: &[String], span: Span) -> Var {
         let var = self.new_variable(name.to_string());
-        self.scalars.push(Parameter { name: name.to_string(), doc: doc.to_vec(), var, range });
+        let place = self.scope.place(span);
+        self.scalars.push(Parameter { name: name.to_string(), doc: doc.to_vec(), place, var, range });
         var
     }
 
@@ -280,7 +281,7 @@ impl Elaboration<'_> {
             return Some(());
         }
         self.check_free(&name, target.span)?;
-        self.new_scalar(&name, range, doc);
+        self.new_scalar(&name, range, doc, target.span);
         Some(())
     }
 

@@ -168,7 +168,7 @@ impl Elaboration<'_> {
             return None;
         }
         for parameter in &family.domain {
-            self.parameter(&parameter.name, &parameter.range);
+            self.parameter(&parameter.name, &parameter.range, factor.span);
             def.parameters.push(parameter.name.clone());
         }
         def.dependent = family.dependent.as_ref().map(|p| p.name.clone());
@@ -204,7 +204,7 @@ impl Elaboration<'_> {
                 self.scope.report(error.help("write `Bernstein(3)(u) * Bernstein(2)(v)`"));
                 return None;
             }
-            self.parameter(name, &domain.range);
+            self.parameter(name, &domain.range, factor.span);
             def.parameters.push(name.clone());
         }
         let (rows, columns) = (&a.family.functions, &b.family.functions);
@@ -278,7 +278,7 @@ impl Elaboration<'_> {
             }
             if let Some(name) = name.filter(|name| !self.scope.constants.iter().any(|(n, _)| n == name)) {
                 if self.taken(&name).is_none() && !self.is_point(expr) {
-                    let var = self.new_scalar(&name, parameter.range.clone(), &parameter.doc);
+                    let var = self.new_scalar(&name, parameter.range.clone(), &parameter.doc, expr.span);
                     values.push(Fraction::var(var));
                     continue;
                 }
@@ -324,9 +324,9 @@ impl Elaboration<'_> {
     }
 
     /// The parameter of a patch is a scalar on the domain, unless the name has a meaning already.
-    fn parameter(&mut self, name: &str, range: &Range) {
+    fn parameter(&mut self, name: &str, range: &Range, span: Span) {
         if self.taken(name).is_none() {
-            let var = self.new_scalar(name, range.clone(), &[]);
+            let var = self.new_scalar(name, range.clone(), &[], span);
             self.implicit.push((var, false));
         }
     }
