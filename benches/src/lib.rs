@@ -23,3 +23,15 @@ pub fn spec(name: &str) -> Source {
 pub fn parameters(count: u32) -> Vec<f64> {
     (0..count).map(|i| f64::from(i) / f64::from(count - 1)).collect()
 }
+
+/// `count` points of the triangle, spread by the golden ratio.
+pub fn barycentric(count: usize) -> Vec<[f64; 3]> {
+    (0..count)
+        .map(|i| {
+            let a = (i as f64 * 0.618_033_988_749_895).fract();
+            let b = (i as f64 * 0.414_213_562_373_095).fract();
+            let (a, b) = if a + b > 1.0 { (1.0 - a, 1.0 - b) } else { (a, b) };
+            [a, b, 1.0 - a - b]
+        })
+        .collect()
+}

@@ -9,7 +9,7 @@ pub use crate::boxes::box_sum;
 pub use crate::domain::unit;
 use crate::form::{binomials, nested};
 use crate::simplex::SimplexIndex;
-pub use crate::simplex::raise::{raise_values, raise_weights};
+pub use crate::simplex::raise::raise_weights;
 use crate::{Point, Scalar, ShapeError};
 
 /// `value`, if it is finite and lies between the bounds; a bound that is no float stands for the nearest one.

@@ -1,11 +1,11 @@
 //! Families on triangles, tetrahedra and boxes: values, and the table from which everything else follows.
 //!
-//! A family that is raised from a lowest order is emitted as the functions of that order and the number of steps; each step
-//! is a sum of products of nonnegative coordinates with functions, so it keeps signs and small relative errors.
+//! A family that is raised from a lowest order is emitted as the functions of that order and the steps, written out, to its
+//! own; each step is a sum of products of nonnegative coordinates with functions, so it keeps signs and small relative errors.
 
 use std::collections::BTreeMap;
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
 use super::patch_form::{PatchForm, PatchFunction, exponents, factored_text, multi_indices, raised};
@@ -61,6 +61,9 @@ fn lattice(functions: &[Function], corners: usize) -> bool {
     u32::try_from(first.index.iter().sum::<i64>())
         .is_ok_and(|order| multi_indices(corners, order).len() == functions.len())
 }
+
+/// Longer sums are not written out.
+const MAX_TERMS: usize = 15;
 
 struct Emitter<'a> {
     shell: &'a Shell<'a>,
@@ -299,7 +302,7 @@ impl Emitter<'_> {
     /// The names of all coordinates, group by group, and the code that gives them their values.
     fn coordinates(&self) -> (Vec<String>, TokenStream) {
         let Shell { runtime, family, .. } = self.shell;
-        let ident = |name: &String| proc_macro2::Ident::new(name, site());
+        let ident = |name: &String| Ident::new(name, site());
         if family.is_simplex() {
             let names: Vec<String> = (0..self.corners()).map(|k| format!("x{k}")).collect();
             let idents = names.iter().map(ident);
@@ -322,22 +325,41 @@ impl Emitter<'_> {
     }
 
     fn values(&self) -> TokenStream {
-        let runtime = self.shell.runtime;
         let (names, coordinates) = self.coordinates();
         let mut code = self.shell.scalars();
         let mut powers = Powers::default();
         let values: Vec<TokenStream> =
             self.form.functions.iter().map(|f| self.value(f, &names, &mut code, &mut powers)).collect();
         let (lets, powers) = (code.lets(), powers.lets());
-        let values = quote_spanned!(site()=> [#(#values),*]);
-        let values = if self.steps > 0 {
-            let steps = Literal::u32_unsuffixed(self.steps);
-            let order = self.lowest();
-            quote_spanned!(site()=> #runtime::__private::raise_values(#values, at, #order, #steps))
-        } else {
-            values
-        };
+        let mut values = quote_spanned!(site()=> [#(#values),*]);
+        if self.steps > 0 {
+            let raised = self.raised(&names);
+            values = quote_spanned!(site()=> let b = #values; #raised b);
+        }
         quote_spanned!(site()=> #coordinates #powers #lets #values)
+    }
+
+    /// The steps of the recursion, written out: `let b = [x2*b[0], x1*b[0] + x2*b[1], …];` for each order.
+    fn raised(&self, names: &[String]) -> TokenStream {
+        let mut code = TokenStream::new();
+        let lowest = self.shell.family.base.first().map_or(0, |f| f.index.iter().sum::<i64>());
+        for step in 0..self.steps {
+            let order = lowest as u32 + step;
+            let before = multi_indices(names.len(), order);
+            let entries = multi_indices(names.len(), order + 1).into_iter().map(|mut index| {
+                let mut terms: Vec<TokenStream> = Vec::new();
+                for (j, name) in names.iter().enumerate().filter(|(j, _)| index[*j] > 0).collect::<Vec<_>>() {
+                    index[j] -= 1;
+                    let place = before.binary_search(&index).unwrap_or(0);
+                    index[j] += 1;
+                    let (x, place) = (Ident::new(name, site()), Literal::usize_unsuffixed(place));
+                    terms.push(quote_spanned!(site()=> #x * b[#place]));
+                }
+                quote_spanned!(site()=> #(#terms)+*)
+            });
+            code.extend(quote_spanned!(site()=> let b = [#(#entries),*];));
+        }
+        code
     }
 
     /// content · powers · Σ inner · monomial, over the denominator.
@@ -363,7 +385,7 @@ impl Emitter<'_> {
         scalar::product(product)
     }
 
-    /// The sum: written out when most coefficients are zero, else by nested multiplication.
+    /// The sum: written out as long as it is short, which is faster, else by nested multiplication in a loop.
     fn inner(
         &self,
         f: &PatchFunction,
@@ -373,38 +395,34 @@ impl Emitter<'_> {
     ) -> TokenStream {
         let runtime = self.shell.runtime;
         let present = f.inner.iter().filter(|c| !c.is_zero()).count();
-        if 2 * present > f.inner.len() {
+        if present > MAX_TERMS {
             let entries: Vec<TokenStream> = f.inner.iter().map(|c| code.scalar(c)).collect();
             let degrees = f.inner_degrees.iter().map(|d| Literal::u32_unsuffixed(*d));
             return if self.shell.family.is_simplex() {
                 quote_spanned!(site()=> #runtime::__private::simplex_sum(&[#(#entries),*], at, #(#degrees)*))
             } else {
                 let units = names.chunks(2).map(|pair| {
-                    let (x, s) = (
-                        proc_macro2::Ident::new(&pair[0], site()),
-                        proc_macro2::Ident::new(&pair[1], site()),
-                    );
+                    let (x, s) = (Ident::new(&pair[0], site()), Ident::new(&pair[1], site()));
                     quote_spanned!(site()=> [#s, #x])
                 });
                 quote_spanned!(site()=> #runtime::__private::box_sum([#(#entries),*], [#(#degrees),*], [#(#units),*]))
             };
         }
-        let terms: Vec<TokenStream> = f
-            .inner
-            .iter()
-            .zip(exponents(&self.form.groups, &f.inner_degrees))
-            .filter(|(c, _)| !c.is_zero())
-            .map(|(c, e)| {
-                let monomial = powers.product(names, &e);
-                let factor = (!c.is_one() || monomial.is_none()).then(|| code.scalar(c));
-                scalar::product(factor.into_iter().chain(monomial).collect())
-            })
-            .collect();
-        if terms.len() == 1 {
-            quote_spanned!(site()=> #(#terms)*)
-        } else {
-            quote_spanned!(site()=> (#(#terms)+*))
+        let mut sum = TokenStream::new();
+        let terms = f.inner.iter().zip(exponents(&self.form.groups, &f.inner_degrees));
+        for (c, e) in terms.filter(|(c, _)| !c.is_zero()) {
+            let negative = c.as_constant().is_some_and(|c| c.is_negative());
+            let c = if negative { -c } else { c.clone() };
+            let monomial = powers.product(names, &e);
+            let factor = (!c.is_one() || monomial.is_none()).then(|| code.scalar(&c));
+            let term = scalar::product(factor.into_iter().chain(monomial).collect());
+            sum.extend(match (sum.is_empty(), negative) {
+                (true, false) => term,
+                (false, false) => quote_spanned!(site()=> + #term),
+                (_, true) => quote_spanned!(site()=> - #term),
+            });
         }
+        if present == 1 { sum } else { quote_spanned!(site()=> (#sum)) }
     }
 
     /// The Bernstein coefficients, one column for each function: the different ones, and which of them stands where as a

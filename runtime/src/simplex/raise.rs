@@ -1,56 +1,7 @@
-//! Families that are raised from a lowest order: `b[I] = Σ_j x_j b[I - e_j]`, from one order to the next.
+//! The Bernstein weights of families that are raised from a lowest order, `b[I] = Σ_j x_j b[I - e_j]`.
 
 use super::SimplexIndex;
 use crate::Scalar;
-
-/// The values of the functions `steps` orders higher than `order`. Sums of products of coordinates and values: where both are
-/// nonnegative no step is negative, and each adds a relative error of at most `3/2 ε`.
-#[inline]
-pub fn raise_values<S: Scalar, const B: usize, const N: usize, const K: usize>(
-    base: [S; B],
-    at: [S; K],
-    order: usize,
-    steps: usize,
-) -> [S; N] {
-    let mut values = [S::ZERO; N];
-    values[..B].copy_from_slice(&base);
-    for order in order..order + steps {
-        let before = values;
-        values = [S::ZERO; N];
-        scatter(&before, &mut values, order, &at);
-    }
-    values
-}
-
-/// `after[I + e_j] += x_j before[I]` for all `I` of the order `n` and all `j`.
-#[inline]
-fn scatter<S: Scalar>(before: &[S], after: &mut [S], n: usize, at: &[S]) {
-    match *at {
-        [u, v, w] => {
-            let (mut from, mut row) = (0, 0);
-            for i in 0..=n {
-                let next = row + n - i + 2;
-                for j in 0..=n - i {
-                    let value = before[from];
-                    after[row + j] = after[row + j] + w * value;
-                    after[row + j + 1] = after[row + j + 1] + v * value;
-                    after[next + j] = after[next + j] + u * value;
-                    from += 1;
-                }
-                row = next;
-            }
-        }
-        [_, _, _, _] => {
-            for (index, &value) in SimplexIndex::<4>::all(n).zip(before) {
-                for (place, &x) in at.iter().enumerate() {
-                    let to = index.up(place).position();
-                    after[to] = after[to] + x * value;
-                }
-            }
-        }
-        _ => {}
-    }
-}
 
 /// The Bernstein weights of the functions `steps` orders higher than those of the given order and degree: column `I` of the table belongs to the function `b[I]`, row
 /// `α` to the Bernstein coefficient `α`.

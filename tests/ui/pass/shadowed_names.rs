@@ -41,7 +41,7 @@ fn combine() {}
 fn check_shape() {}
 fn simplex_sum() {}
 fn box_sum() {}
-fn raise_values() {}
+fn raise_weights() {}
 fn table() {}
 
 macro_rules! include_bytes {
