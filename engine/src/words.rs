@@ -49,9 +49,28 @@ pub(crate) fn count(n: usize, noun: &str) -> String {
     if n == 1 { format!("1 {noun}") } else { format!("{n} {noun}s") }
 }
 
+/// A formula, cut after a term when it is longer than a message should be.
+pub(crate) fn abbreviated(formula: &str) -> String {
+    const LONGEST: usize = 300;
+    let Some((limit, _)) = formula.char_indices().nth(LONGEST) else { return formula.to_string() };
+    let sign = |text: &str| text.rfind(" + ").max(text.rfind(" - "));
+    let Some(end) = sign(&formula[..limit]) else { return formula.to_string() };
+    let rest = &formula[end..];
+    let left = rest.matches(" + ").count() + rest.matches(" - ").count();
+    format!("{} + …, {} more", &formula[..end], count(left, "term"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_formulas_end_after_a_term() {
+        assert_eq!(abbreviated("1 - t"), "1 - t");
+        let long: Vec<String> = (0..100).map(|k| format!("t^{k}")).collect();
+        let short = abbreviated(&long.join(" + "));
+        assert!(short.starts_with("t^0 + t^1") && short.ends_with(" + …, 56 terms more"), "{short}");
+    }
 
     #[test]
     fn finds_what_was_meant() {

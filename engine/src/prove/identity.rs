@@ -5,6 +5,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::{ClaimKind, Family};
+use crate::words::abbreviated;
 
 /// Σ bᵢ = 1.
 pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {
@@ -205,13 +206,16 @@ fn notes(
     witness: &Witness,
 ) -> Vec<String> {
     let of = &witness.of;
-    let shown = difference.display(&family.names);
+    let shown = abbreviated(&difference.display(&family.names));
     let here = witness.point();
     match kind {
         ClaimKind::PartitionOfUnity => {
             let one = Fraction::constant(Rational::ONE);
             vec![
-                format!("the sum of the functions is `{}`", (difference + &one).display(&family.names)),
+                format!(
+                    "the sum of the functions is `{}`",
+                    abbreviated(&(difference + &one).display(&family.names))
+                ),
                 format!("at {here} it is {}", &witness.value + &Rational::ONE),
             ]
         }
