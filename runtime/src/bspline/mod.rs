@@ -11,6 +11,7 @@
 //!
 //! The control points are any [`Point`](crate::Point); `f32` and `f64` both work.
 
+mod bounds;
 mod buffer;
 mod constrain;
 mod curve;
@@ -40,4 +41,6 @@ pub use project::Projection;
 pub use splice::{
     Continuity, Joint, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
 };
-pub use surface::{BSplineSurface, BezierPatch, Direction, Edge};
+pub use surface::{BSplineSurface, BezierPatch, Direction};
+
+pub use crate::Edge;

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
 use super::{BSplineCurve, KnotError, KnotVector, Net, SplineError};
-use crate::{Point, Surface};
+use crate::{Edge, Point, Surface};
 
 /// One of the two parameter directions of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,29 +16,10 @@ pub enum Direction {
     V,
 }
 
-/// One of the four edges of a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Edge {
-    /// The edge at the lower end of `u`: the first row of the net.
-    UStart,
-    /// The edge at the upper end of `u`: the last row of the net.
-    UEnd,
-    /// The edge at the lower end of `v`: the first column of the net.
-    VStart,
-    /// The edge at the upper end of `v`: the last column of the net.
-    VEnd,
-}
-
 impl Edge {
-    /// All four.
-    pub const ALL: [Self; 4] = [Self::UStart, Self::UEnd, Self::VStart, Self::VEnd];
-
     /// The parameter that is constant on the edge.
     pub fn across(self) -> Direction {
-        match self {
-            Self::UStart | Self::UEnd => Direction::U,
-            Self::VStart | Self::VEnd => Direction::V,
-        }
+        if self.runs_along_u() { Direction::V } else { Direction::U }
     }
 
     /// Whether the constant parameter is at its upper end.

@@ -1,7 +1,7 @@
 //! Surfaces: both directions, edges, grids, normals.
 
-use basis_runtime::Surface;
 use basis_runtime::bspline::{BSplineSurface, Direction, Edge, KnotVector, Net, SplineError};
+use basis_runtime::{BoundedSurface, Surface, Tessellation};
 use proptest::prelude::*;
 
 use crate::support::{P3, distance, surface};
@@ -108,4 +108,32 @@ proptest! {
         prop_assert!(largest_distance(&a, &c) < ROUNDING);
         prop_assert!(largest_distance(&b, &d) < ROUNDING);
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn second_derivatives_keep_their_bounds(surface in surface(), [a, b] in [0.0..0.9, 0.0..0.9], size in 0.02..0.1) {
+        let (u, v) = ([a, a + size], [b, b + size]);
+        let bounds = surface.second_derivative_bounds(u, v);
+        for i in 0..=6 {
+            for j in 0..=6 {
+                let at = |[lo, hi]: [f64; 2], i: i32| lo + (hi - lo) * f64::from(i) / 6.0;
+                for (bound, orders) in bounds.iter().zip([[2, 0], [1, 1], [0, 2]]) {
+                    let size = distance(surface.partial(at(u, i), at(v, j), orders), [0.0; 3]);
+                    prop_assert!(size <= bound * (1.0 + 1e-9) + 1e-9, "{:?}: {} above {}", orders, size, bound);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn surfaces_are_meshed_within_a_tolerance() {
+    let knots = KnotVector::uniform(3, 4).unwrap();
+    let net = Net::from_fn(7, 7, |i, j| [i as f64, j as f64, ((i * j) % 3) as f64]).unwrap();
+    let surface = BSplineSurface::new(knots.clone(), knots, net).unwrap();
+    let mesh = Tessellation::new(0.01).unwrap().with(&surface).mesh().unwrap();
+    assert!(mesh.triangles.len() > 100);
 }
