@@ -37,7 +37,7 @@ use std::rc::Rc;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use diagnostic::{Diagnostic, Severity};
-pub use model::theorem::{Theorem, TheoremClaim};
+pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
 pub use model::{Claim, Family, Item, Library, Selected};
 pub use prove::{Verdict, Witness};
 pub use source::{Disk, Files, Source, Sources};
@@ -147,7 +147,12 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
     let mut code = TokenStream::new();
     let mut diagnostics = Vec::new();
     let mut items: Vec<(Item, Option<Ident>)> = Vec::new();
+    let mut wanted: Vec<(&Requested, &str)> = Vec::new();
     for requested in &request.families {
+        if let Some(join) = library.join_name(&requested.name) {
+            wanted.push((requested, join));
+            continue;
+        }
         match library.item(&requested.name, &requested.order) {
             Ok(item) => {
                 let name = requested.rename.clone().or_else(|| {
@@ -167,19 +172,15 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
     if request.families.is_empty() {
         items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None)));
         let names = library.names();
-        if let (true, Some((name, _))) = (names.iter().all(|(_, indexed)| *indexed), names.first()) {
+        let alone = names.iter().all(|(_, indexed)| *indexed) && !library.has_theorems();
+        if let (true, Some((name, _))) = (alone, names.first()) {
             let place = diagnostic::Place::Token(Span::call_site());
             let message = "every family of the spec has index parameters, and no order is chosen";
             let help = format!("name the families with their orders: `basis!(\"…\", {name}(3))`");
             diagnostics.push(Diagnostic::error(place, message).help(help));
         }
     }
-    // A list of families is about these families only.
-    if request.families.is_empty() {
-        for theorem in library.theorems() {
-            diagnostics.extend(theorem_contradictions(&decide_theorem(theorem)));
-        }
-    }
+    let joins = joins(library, request, &wanted, &mut diagnostics);
     for (item, name) in items {
         let checked = decide_claims(item);
         diagnostics.extend(contradictions(&checked));
@@ -189,7 +190,39 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
             Err(errors) => diagnostics.extend(errors),
         }
     }
+    code.extend(joins);
     let mut all = library.diagnostics();
     all.extend(diagnostics);
     (code, all)
+}
+
+/// The functions of the joins: of all, or of those in the list. A list is about what it names only; without one every
+/// theorem is decided.
+fn joins(
+    library: &Library<'_>,
+    request: &Request,
+    wanted: &[(&Requested, &str)],
+    diagnostics: &mut Vec<Diagnostic>,
+) -> TokenStream {
+    let mut functions = TokenStream::new();
+    if !request.families.is_empty() && wanted.is_empty() {
+        return functions;
+    }
+    for theorem in library.theorems() {
+        let requested = wanted.iter().find(|(_, name)| *name == theorem.name).map(|(requested, _)| requested);
+        if requested.is_none() && !request.families.is_empty() {
+            continue;
+        }
+        let checked = decide_theorem(theorem);
+        diagnostics.extend(theorem_contradictions(&checked));
+        if checked.theorem.kind != TheoremKind::Join {
+            continue;
+        }
+        let rename = requested.and_then(|r| r.rename.as_ref());
+        match generate::join::join(&checked.theorem, &checked.verdicts, &request.runtime, rename) {
+            Ok(function) => functions.extend(function),
+            Err(error) => diagnostics.push(error),
+        }
+    }
+    if functions.is_empty() { functions } else { generate::joins(library.file(), &functions) }
 }

@@ -55,6 +55,12 @@ fn of_a_triangle() {
 }
 
 #[test]
+fn of_a_join() {
+    insta::assert_snapshot!("quadratic_g2", code("quadratic.basis", "G2", &[]));
+    insta::assert_snapshot!("quartic_surface_g1_uu", code("quartic_surface.basis", "G1UU", &[]));
+}
+
+#[test]
 fn of_a_box() {
     insta::assert_snapshot!("serendipity", code("lagrange.basis", "Serendipity", &[]));
 }

@@ -33,15 +33,22 @@ pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, V
         lines.push(String::from("| claim | verdict |"));
         lines.push(String::from("| --- | --- |"));
         for (claim, verdict) in verdicts {
-            let verdict = match verdict {
-                Verdict::Proved(evidence) => format!("proved by {}", evidence.method),
-                Verdict::Refuted(witness) => {
-                    format!("refuted: `{}` is {} at {}", witness.of, witness.value, witness.point())
-                }
-                Verdict::Undecided(left) => format!("undecided: {left}"),
-            };
-            lines.push(format!("| `{}` | {} |", claim.text.replace('|', "\\|"), verdict.replace('|', "\\|")));
+            lines.push(row(&claim.text, verdict));
         }
     }
     lines
+}
+
+/// A row of the table of claims.
+pub(super) fn row(claim: &str, verdict: &Verdict) -> String {
+    let verdict = match verdict {
+        Verdict::Proved(evidence) => format!("proved by {}", evidence.method),
+        Verdict::Refuted(witness) => {
+            let point = witness.point();
+            let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
+            format!("refuted: `{}` is {}{place}", witness.of, witness.value)
+        }
+        Verdict::Undecided(left) => format!("undecided: {left}"),
+    };
+    format!("| `{}` | {} |", claim.replace('|', "\\|"), verdict.replace('|', "\\|"))
 }

@@ -138,7 +138,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn scalars(&self) -> ScalarCode<'_> {
+    fn scalars(&self) -> ScalarCode {
         self.shell.scalars()
     }
 
@@ -167,13 +167,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn value(
-        &self,
-        f: &Factored,
-        denom: &Poly,
-        code: &mut ScalarCode<'_>,
-        powers: &mut Powers,
-    ) -> TokenStream {
+    fn value(&self, f: &Factored, denom: &Poly, code: &mut ScalarCode, powers: &mut Powers) -> TokenStream {
         let runtime = self.runtime;
         let mut product: Vec<TokenStream> = Vec::new();
         if !f.content.is_one() {

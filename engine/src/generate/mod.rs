@@ -9,6 +9,7 @@ mod docs;
 pub mod form;
 mod formula;
 mod interval;
+pub(crate) mod join;
 mod names;
 mod patch;
 pub mod patch_form;
@@ -58,6 +59,21 @@ pub fn family(
         None => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
     };
     Ok(in_module(&name, &code))
+}
+
+/// The module with the functions of the joins of a spec, named after its file.
+pub fn joins(file: &str, functions: &TokenStream) -> TokenStream {
+    let module = names::module(file).unwrap_or_else(|| Ident::new("joins", site()));
+    // The name is to be seen by the caller.
+    let module = Ident::new(&module.to_string(), Span::call_site());
+    let about = doc("Control points of curves and surfaces that join, as the spec determines them.");
+    quote_spanned! {site()=>
+        #about
+        #[allow(unreachable_pub)]
+        pub mod #module {
+            #functions
+        }
+    }
 }
 
 /// Puts the code of a type into a module of its own, in which no name of the caller has a meaning: a constant `t`, a type

@@ -77,6 +77,45 @@ fn ident(name: &str) -> Option<Ident> {
     usable.then(|| Ident::new_raw(name, site()))
 }
 
+/// `G1SurfaceUU` as the name of a function, `g1_surface_uu`.
+pub(super) fn function(name: &str) -> Option<Ident> {
+    ident(&snake(name))
+}
+
+/// A name of the spec as that of an argument: `λ1` becomes `lambda1`, `P[1]` becomes `p_1`.
+pub(super) fn argument(name: &str) -> Option<Ident> {
+    let parts: Vec<&str> = name.split(['[', ']', ',']).filter(|part| !part.is_empty()).collect();
+    let name = snake(&parts.join("_"));
+    // Locals of the function's own.
+    ident(&name).filter(|name| name != "given")
+}
+
+/// The last part of a path as the name of a module: `specs/quadratic.basis` becomes `quadratic`.
+pub(super) fn module(path: &str) -> Option<Ident> {
+    let stem = path.rsplit(['/', '\\']).next()?;
+    let stem = stem.split_once('.').map_or(stem, |(stem, _)| stem);
+    let name: String = ascii(stem).chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    let name = snake(&name);
+    match name.chars().next()? {
+        '0'..='9' => ident(&format!("spec_{name}")),
+        _ => ident(&name),
+    }
+}
+
+/// Lower case with `_` where a word begins.
+fn snake(name: &str) -> String {
+    let mut result = String::new();
+    let mut before = '_';
+    for c in ascii(name).chars() {
+        if c.is_ascii_uppercase() && before.is_ascii_lowercase() | before.is_ascii_digit() {
+            result.push('_');
+        }
+        result.push(c.to_ascii_lowercase());
+        before = c;
+    }
+    result
+}
+
 /// The name of the type.
 pub(super) fn type_name(family: &Family) -> Result<Ident, Diagnostic> {
     let name = ascii(&family.name);
@@ -133,6 +172,14 @@ mod tests {
         assert_eq!(ascii("Δ_x"), "Delta_x");
         assert_eq!(ascii("ϕ"), "phi");
         assert_eq!(ascii("é"), "ue9");
+        assert_eq!(
+            ["G1", "G2SurfaceUU", "C2", "λ1", "P"].map(snake),
+            ["g1", "g2_surface_uu", "c2", "lambda1", "p"]
+        );
+        assert_eq!(argument("P[1]").map(|i| i.to_string()).as_deref(), Some("p_1"));
+        assert_eq!(module("../specs/bell shape.basis").map(|i| i.to_string()).as_deref(), Some("bell_shape"));
+        assert_eq!(module("3d.basis").map(|i| i.to_string()).as_deref(), Some("spec_3d"));
+        assert_eq!(module(""), None);
         assert_eq!(ident("type").map(|i| i.to_string()).as_deref(), Some("r#type"));
     }
 }

@@ -367,7 +367,7 @@ impl Emitter<'_> {
         &self,
         f: &PatchFunction,
         names: &[String],
-        code: &mut ScalarCode<'_>,
+        code: &mut ScalarCode,
         powers: &mut Powers,
     ) -> TokenStream {
         let mut product: Vec<TokenStream> = Vec::new();
@@ -390,7 +390,7 @@ impl Emitter<'_> {
         &self,
         f: &PatchFunction,
         names: &[String],
-        code: &mut ScalarCode<'_>,
+        code: &mut ScalarCode,
         powers: &mut Powers,
     ) -> TokenStream {
         let runtime = self.shell.runtime;

@@ -1,17 +1,24 @@
-//! Expressions in the shape values as Rust code: each distinct one is computed once.
+//! Expressions in shape values and other scalars as Rust code: each distinct one is computed once.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use super::{number, site};
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::model::Family;
+use crate::model::{Family, Parameter};
+
+/// A variable of the expressions, and the code of its value.
+pub(super) struct Variable {
+    pub(super) var: Var,
+    pub(super) range: Range,
+    pub(super) value: TokenStream,
+}
 
 /// Collects the `let` lines of a function body.
-pub(super) struct ScalarCode<'a> {
-    family: &'a Family,
-    fields: &'a [Ident],
+pub(super) struct ScalarCode {
+    variables: Vec<Variable>,
     /// The polynomials that have a name.
     named: Vec<(Poly, Ident)>,
     /// The denominators whose reciprocals have a name.
@@ -19,9 +26,19 @@ pub(super) struct ScalarCode<'a> {
     lets: TokenStream,
 }
 
-impl<'a> ScalarCode<'a> {
-    pub(super) fn new(family: &'a Family, fields: &'a [Ident]) -> Self {
-        Self { family, fields, named: Vec::new(), reciprocals: Vec::new(), lets: TokenStream::new() }
+impl ScalarCode {
+    /// The shape values of a type, as its methods see them.
+    pub(super) fn of_fields(family: &Family, fields: &[Ident]) -> Self {
+        let variable = |(p, field): (&Parameter, &Ident)| Variable {
+            var: p.var,
+            range: p.range.clone(),
+            value: quote_spanned!(site()=> self.#field),
+        };
+        Self::new(family.shapes.iter().zip(fields).map(variable).collect())
+    }
+
+    pub(super) fn new(variables: Vec<Variable>) -> Self {
+        Self { variables, named: Vec::new(), reciprocals: Vec::new(), lets: TokenStream::new() }
     }
 
     pub(super) fn lets(self) -> TokenStream {
@@ -88,8 +105,8 @@ impl<'a> ScalarCode<'a> {
         let content = if poly.len() > 1 { poly.numeric_content() } else { Rational::ONE };
         let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
         let mut factors: Vec<TokenStream> = Vec::new();
-        for shape in &self.family.shapes {
-            let field = &self.fields[shape.var.0];
+        for shape in &self.variables {
+            let value = &shape.value;
             for (end, from_low) in [(&shape.range.low, true), (&shape.range.high, false)] {
                 let Some(end) = end.value() else { continue };
                 let at_end = Poly::constant(end.clone());
@@ -99,12 +116,12 @@ impl<'a> ScalarCode<'a> {
                     rest = quotient;
                     let (positive, magnitude) = (!end.is_negative(), number(&end.abs()));
                     factors.push(match (from_low, positive) {
-                        _ if end.is_zero() && from_low => quote_spanned!(site()=> self.#field),
-                        _ if end.is_zero() => quote_spanned!(site()=> (-self.#field)),
-                        (true, true) => quote_spanned!(site()=> (self.#field - #magnitude)),
-                        (true, false) => quote_spanned!(site()=> (self.#field + #magnitude)),
-                        (false, true) => quote_spanned!(site()=> (#magnitude - self.#field)),
-                        (false, false) => quote_spanned!(site()=> (-#magnitude - self.#field)),
+                        _ if end.is_zero() && from_low => value.clone(),
+                        _ if end.is_zero() => quote_spanned!(site()=> (-#value)),
+                        (true, true) => quote_spanned!(site()=> (#value - #magnitude)),
+                        (true, false) => quote_spanned!(site()=> (#value + #magnitude)),
+                        (false, true) => quote_spanned!(site()=> (#magnitude - #value)),
+                        (false, false) => quote_spanned!(site()=> (-#magnitude - #value)),
                     });
                 }
             }
@@ -129,8 +146,7 @@ impl<'a> ScalarCode<'a> {
         let Some(var) = poly.variables().first().copied() else {
             return Piece::constant(&poly.as_constant().unwrap_or(Rational::ZERO));
         };
-        let field = &self.fields[var.0];
-        let value = quote_spanned!(site()=> self.#field);
+        let value = self.variables.iter().find(|v| v.var == var).map(|v| v.value.clone()).unwrap_or_default();
         let coefficients = poly.coefficients_in(var);
         let (last, rest) = coefficients.split_last().expect("a polynomial has a coefficient");
         rest.iter().rev().fold(self.sum(last), |inner, coefficient| {

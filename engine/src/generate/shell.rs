@@ -26,8 +26,8 @@ impl Shell<'_> {
     }
 
     /// Code for expressions in the shape values.
-    pub(super) fn scalars(&self) -> ScalarCode<'_> {
-        ScalarCode::new(self.family, &self.fields)
+    pub(super) fn scalars(&self) -> ScalarCode {
+        ScalarCode::of_fields(self.family, &self.fields)
     }
 
     /// The definition of the type with its documentation, methods, and the implementations of traits.
@@ -132,7 +132,7 @@ impl Shell<'_> {
     }
 }
 
-fn bound(end: &End, core: &TokenStream) -> TokenStream {
+pub(super) fn bound(end: &End, core: &TokenStream) -> TokenStream {
     let literal = |value: &Rational| {
         let literal = Literal::f64_unsuffixed(value.abs().to_f64());
         if value.is_negative() {

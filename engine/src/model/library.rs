@@ -453,6 +453,23 @@ impl<'f> Library<'f> {
         items
     }
 
+    /// The name of a join of the spec that was asked for, if there is one of this name.
+    pub fn join_name(&self, name: &str) -> Option<&str> {
+        let mut joins = self.theorems_of(MAIN).filter(|t| t.kind == syntax::TheoremKind::Join);
+        joins.find(|t| t.name.text == name).map(|t| t.name.text.as_str())
+    }
+
+    /// Whether the spec that was asked for states theorems or joins.
+    pub fn has_theorems(&self) -> bool {
+        self.theorems_of(MAIN).next().is_some()
+    }
+
+    /// The name of the file that was asked for; empty for the tokens of a macro call.
+    pub fn file(&self) -> &str {
+        let source = self.sources.get(self.units[MAIN].source);
+        if source.text.is_some() { &source.name } else { "" }
+    }
+
     /// The doc comment of the spec that was asked for, one string a line.
     pub fn doc(&self) -> &[String] {
         &self.units[MAIN].spec.doc

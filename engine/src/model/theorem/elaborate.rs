@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::form::Form;
 use super::patch::PatchDef;
-use super::{GivenPoint, Theorem, TheoremClaim, TheoremClaimKind, TheoremRelation};
+use super::{GivenPoint, Origin, Theorem, TheoremClaim, TheoremClaimKind, TheoremKind, TheoremRelation};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
@@ -97,6 +97,9 @@ impl Elaboration<'_> {
             let error = self.scope.error(written.name.span, message);
             self.scope.report(error.help("write `prove … == …;`"));
         }
+        if written.kind == TheoremKind::Join && fine {
+            self.check_join(written);
+        }
         self.scope.settle(&region, budget);
         if !fine {
             return None;
@@ -118,6 +121,23 @@ impl Elaboration<'_> {
             claims,
             budget,
         })
+    }
+
+    /// A join determines points for any given ones.
+    fn check_join(&self, written: &syntax::Theorem) {
+        let name = &written.name;
+        if self.dimension.is_some() {
+            let error = self
+                .scope
+                .error(name.span, format!("the points of the join `{}` have coordinates", name.text));
+            self.scope.report(
+                error.help("a join is for points of any space: leave them out, or write a `theorem`"),
+            );
+        } else if self.patches.iter().all(|p| p.points.iter().all(|p| p.origin != Origin::Determined)) {
+            let error =
+                self.scope.error(name.span, format!("the join `{}` determines no control point", name.text));
+            self.scope.report(error.help("write `let Q[0] = P[2];`, or `theorem` in place of `join`"));
+        }
     }
 
     /// The number of coordinates: as declared, or that of the points that are written with coordinates.

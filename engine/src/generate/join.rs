@@ -1,0 +1,388 @@
+//! From a join to a function that computes the control points that it determines.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote_spanned;
+
+use super::scalar::{ScalarCode, Variable};
+use super::{doc, docs, names, shell, site};
+use crate::algebra::fraction::Fraction;
+use crate::diagnostic::Diagnostic;
+use crate::model::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
+use crate::model::{Parameter, label};
+use crate::prove::Verdict;
+
+/// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …
+struct ScalarArgument<'a> {
+    name: Ident,
+    scalars: Vec<&'a Parameter>,
+    array: bool,
+}
+
+/// An argument with control points: the whole net of a patch whose points are all given, or one point.
+struct PointArgument<'a> {
+    name: Ident,
+    patch: &'a Patch,
+    single: Option<&'a GivenPoint>,
+}
+
+/// A patch with the points that are determined, by their indices.
+type Determined<'a> = (&'a Patch, Vec<(&'a [i64], &'a Form)>);
+
+/// The function of a join, with its documentation.
+///
+/// # Errors
+/// When names of the spec cannot become names of Rust, two of them are the same, or the points depend on dot products.
+pub(crate) fn join(
+    theorem: &Theorem,
+    verdicts: &[Verdict],
+    runtime: &TokenStream,
+    rename: Option<&Ident>,
+) -> Result<TokenStream, Diagnostic> {
+    let error = |message: String| Diagnostic::error(theorem.place.clone(), message);
+    let determined: Vec<Determined<'_>> = theorem
+        .patches
+        .iter()
+        .map(|patch| {
+            let points = patch.points.iter().filter(|p| p.origin == Origin::Determined);
+            (patch, points.map(|p| (p.index.as_slice(), &p.value)).collect::<Vec<_>>())
+        })
+        .filter(|(_, points)| !points.is_empty())
+        .collect();
+    let forms = || determined.iter().flat_map(|(_, points)| points.iter().map(|(_, form)| *form));
+    let coefficients = || forms().flat_map(|form| form.terms.values());
+    if theorem.products.iter().any(|(var, _)| coefficients().any(|f| f.depends_on(*var))) {
+        return Err(error(format!("the points of `{}` depend on dot products", theorem.name))
+            .help("a function is emitted for points that are linear in the given ones; write a `theorem`"));
+    }
+    let used: Vec<usize> = (0..theorem.points.len())
+        .filter(|k| forms().any(|form| form.terms.contains_key(&Unit::Point(*k))))
+        .collect();
+    let points = point_arguments(theorem, &used)?;
+    let scalars = scalar_arguments(theorem, &|p: &Parameter| coefficients().any(|f| f.depends_on(p.var)))?;
+    let mut taken: Vec<&Ident> = Vec::new();
+    for name in points.iter().map(|p| &p.name).chain(scalars.iter().map(|s| &s.name)) {
+        if taken.contains(&name) {
+            return Err(error(format!("two arguments of the function are called `{name}`"))
+                .help("names of Rust are lower-case ASCII; choose other names"));
+        }
+        taken.push(name);
+    }
+    let name = match rename {
+        Some(name) => name.clone(),
+        None => names::function(&theorem.name)
+            .ok_or_else(|| error(format!("`{}` cannot be the name of a Rust function", theorem.name)))?,
+    };
+    let core = quote_spanned!(site()=> #runtime::__private::core);
+    let mut variables = Vec::new();
+    let mut checks = TokenStream::new();
+    for scalar in scalars.iter().flat_map(|a| (0..a.scalars.len()).map(move |k| (a, k))) {
+        let (argument, k) = scalar;
+        let parameter = argument.scalars[k];
+        let local = Ident::new(&format!("x{}", variables.len()), site());
+        let (title, shown) = (&theorem.name, &parameter.name);
+        let range = parameter.range.display(shown).to_string();
+        let (low, high) =
+            (shell::bound(&parameter.range.low, &core), shell::bound(&parameter.range.high, &core));
+        let value = argument.value(k);
+        checks.extend(quote_spanned! {site()=>
+            let #local = #runtime::__private::check_shape(#title, #shown, #value, #low, #high, #range)?;
+        });
+        let value = quote_spanned!(site()=> #local);
+        variables.push(Variable { var: parameter.var, range: parameter.range.clone(), value });
+    }
+    let given: Vec<TokenStream> = used.iter().map(|k| given(&points, &theorem.points[*k])).collect();
+    let mut code = ScalarCode::new(variables);
+    let results: Vec<(TokenStream, TokenStream)> = determined
+        .iter()
+        .map(|(_, points)| {
+            let mut value = |form: &Form| combination(form, &used, runtime, &mut code);
+            arranged(points, &mut value)
+        })
+        .collect();
+    let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.into_iter().unzip();
+    let (result, value) = match (types.as_slice(), values.as_slice()) {
+        ([one], [value]) => (one.clone(), value.clone()),
+        _ => (quote_spanned!(site()=> (#(#types),*)), quote_spanned!(site()=> (#(#values),*))),
+    };
+    let lets = code.lets();
+    let count = Literal::usize_unsuffixed(used.len());
+    let arguments =
+        points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
+    let lines = documentation(theorem, verdicts, &points, &scalars, &determined);
+    let lines = lines.iter().map(|line| doc(line));
+    Ok(quote_spanned! {site()=>
+        #(#lines)*
+        #[allow(clippy::all, clippy::pedantic, unused_variables)]
+        pub fn #name<S: #runtime::Scalar, P: #runtime::Point<Scalar = S>>(
+            #(#arguments),*
+        ) -> #core::result::Result<#result, #runtime::ShapeError> {
+            let given: [P; #count] = [#(#given),*];
+            #checks
+            #lets
+            #core::result::Result::Ok(#value)
+        }
+    })
+}
+
+impl ScalarArgument<'_> {
+    fn value(&self, k: usize) -> TokenStream {
+        let name = &self.name;
+        if self.array {
+            let k = Literal::usize_unsuffixed(k);
+            quote_spanned!(site()=> #name[#k])
+        } else {
+            quote_spanned!(site()=> #name)
+        }
+    }
+
+    fn declaration(&self) -> TokenStream {
+        let (name, count) = (&self.name, Literal::usize_unsuffixed(self.scalars.len()));
+        if self.array {
+            quote_spanned!(site()=> #name: [S; #count])
+        } else {
+            quote_spanned!(site()=> #name: S)
+        }
+    }
+}
+
+impl PointArgument<'_> {
+    fn declaration(&self) -> TokenStream {
+        let name = &self.name;
+        if self.single.is_some() {
+            return quote_spanned!(site()=> #name: P);
+        }
+        let net = match grid(self.patch.points.iter().map(|p| p.index.as_slice())) {
+            Some((rows, columns)) => {
+                let (rows, columns) = (Literal::usize_unsuffixed(rows), Literal::usize_unsuffixed(columns));
+                quote_spanned!(site()=> [[P; #columns]; #rows])
+            }
+            None => {
+                let count = Literal::usize_unsuffixed(self.patch.points.len());
+                quote_spanned!(site()=> [P; #count])
+            }
+        };
+        quote_spanned!(site()=> #name: &#net)
+    }
+}
+
+/// Whole nets where all points are given, and single points.
+fn point_arguments<'a>(theorem: &'a Theorem, used: &[usize]) -> Result<Vec<PointArgument<'a>>, Diagnostic> {
+    let mut all: Vec<PointArgument<'a>> = Vec::new();
+    for (k, patch) in theorem.patches.iter().enumerate() {
+        let mut used = used.iter().map(|u| &theorem.points[*u]).filter(|p| p.patch == k).peekable();
+        if used.peek().is_none() {
+            continue;
+        }
+        if patch.points.iter().all(|p| p.origin == Origin::Given) {
+            let name = argument(theorem, &patch.name)?;
+            all.push(PointArgument { name, patch, single: None });
+            continue;
+        }
+        for point in used {
+            let name = argument(theorem, &point.name)?;
+            all.push(PointArgument { name, patch, single: Some(point) });
+        }
+    }
+    Ok(all)
+}
+
+/// The scalars that are used, in the order of their declaration; γ[0], γ[1], … become one array.
+fn scalar_arguments<'a>(
+    theorem: &'a Theorem,
+    used: &dyn Fn(&Parameter) -> bool,
+) -> Result<Vec<ScalarArgument<'a>>, Diagnostic> {
+    let mut groups: Vec<(&str, BTreeMap<i64, &Parameter>)> = Vec::new();
+    for scalar in &theorem.scalars {
+        let indexed = scalar.name.strip_suffix(']').and_then(|n| n.split_once('['));
+        let (base, index) = match indexed.and_then(|(base, k)| Some((base, k.parse::<i64>().ok()?))) {
+            Some((base, index)) => (base, index),
+            None => (scalar.name.as_str(), -1),
+        };
+        match groups.iter_mut().find(|(name, _)| *name == base) {
+            Some((_, members)) => {
+                members.insert(index, scalar);
+            }
+            None => groups.push((base, BTreeMap::from([(index, scalar)]))),
+        }
+    }
+    let mut all = Vec::new();
+    for (base, members) in groups {
+        if !members.values().any(|p| used(p)) {
+            continue;
+        }
+        let array = members.keys().copied().eq(0..members.len() as i64);
+        if array {
+            let (name, scalars) = (argument(theorem, base)?, members.into_values().collect());
+            all.push(ScalarArgument { name, scalars, array });
+            continue;
+        }
+        for scalar in members.into_values().filter(|p| used(p)) {
+            all.push(ScalarArgument { name: argument(theorem, &scalar.name)?, scalars: vec![scalar], array });
+        }
+    }
+    Ok(all)
+}
+
+fn argument(theorem: &Theorem, name: &str) -> Result<Ident, Diagnostic> {
+    names::argument(name).ok_or_else(|| {
+        let message = format!("`{name}` cannot be the name of an argument in Rust");
+        Diagnostic::error(theorem.place.clone(), message).help("choose another name")
+    })
+}
+
+/// A given point as an element of the arguments.
+fn given(arguments: &[PointArgument<'_>], point: &GivenPoint) -> TokenStream {
+    for argument in arguments {
+        let name = &argument.name;
+        match argument.single {
+            Some(single) if single.name == point.name => return quote_spanned!(site()=> #name),
+            None if label(&argument.patch.name, &point.index) == point.name => {
+                let points = &argument.patch.points;
+                if let (Some(_), [i, j]) =
+                    (grid(points.iter().map(|p| p.index.as_slice())), point.index.as_slice())
+                {
+                    let (i, j) = (Literal::i64_unsuffixed(*i), Literal::i64_unsuffixed(*j));
+                    return quote_spanned!(site()=> #name[#i][#j]);
+                }
+                let at = points.iter().position(|p| p.index == point.index).unwrap_or(0);
+                let at = Literal::usize_unsuffixed(at);
+                return quote_spanned!(site()=> #name[#at]);
+            }
+            _ => {}
+        }
+    }
+    TokenStream::new()
+}
+
+/// Rows and columns, when the indices are all pairs (i, j) of two ranges, row by row.
+fn grid<'i>(indices: impl Iterator<Item = &'i [i64]>) -> Option<(usize, usize)> {
+    let pairs: Option<Vec<(i64, i64)>> =
+        indices.map(|index| if let [i, j] = index { Some((*i, *j)) } else { None }).collect();
+    let pairs = pairs?;
+    let (first, last) = (pairs.first()?, pairs.last()?);
+    let (rows, columns) = (first.0..=last.0, first.1..=last.1);
+    let all = rows.clone().flat_map(|i| columns.clone().map(move |j| (i, j)));
+    all.eq(pairs.iter().copied()).then(|| (rows.count(), columns.count()))
+}
+
+/// The determined points of a patch: rows where they form a grid, else one after the other.
+fn arranged(
+    points: &[(&[i64], &Form)],
+    value: &mut dyn FnMut(&Form) -> TokenStream,
+) -> (TokenStream, TokenStream) {
+    let values: Vec<TokenStream> = points.iter().map(|(_, form)| value(form)).collect();
+    let count = Literal::usize_unsuffixed(values.len());
+    match grid(points.iter().map(|(index, _)| *index)) {
+        Some((rows, columns)) => {
+            let lines = values.chunks(columns).map(|row| quote_spanned!(site()=> [#(#row),*]));
+            let (rows, columns) = (Literal::usize_unsuffixed(rows), Literal::usize_unsuffixed(columns));
+            (quote_spanned!(site()=> [[P; #columns]; #rows]), quote_spanned!(site()=> [#(#lines),*]))
+        }
+        None => (quote_spanned!(site()=> [P; #count]), quote_spanned!(site()=> [#(#values),*])),
+    }
+}
+
+/// Σ weight · given point; the numbers in `used` are the places in the local array `given`.
+pub(super) fn combination(
+    form: &Form,
+    used: &[usize],
+    runtime: &TokenStream,
+    code: &mut ScalarCode,
+) -> TokenStream {
+    let mut points = Vec::new();
+    let mut weights = Vec::new();
+    for (unit, weight) in &form.terms {
+        let Unit::Point(p) = unit else { continue };
+        let at = Literal::usize_unsuffixed(used.iter().position(|u| u == p).unwrap_or(0));
+        points.push(quote_spanned!(site()=> given[#at]));
+        weights.push(code.quotient(weight.numer(), weight.denom()));
+    }
+    if let ([point], [weight]) = (points.as_slice(), form.terms.values().collect::<Vec<_>>().as_slice())
+        && weight.as_constant().is_some_and(|c| c.is_one())
+    {
+        return point.clone();
+    }
+    quote_spanned!(site()=> #runtime::__private::combine(&[#(#points),*], [#(#weights),*]))
+}
+
+/// The points as formulas, such as `Q[1] = P[2] + …`.
+pub(crate) fn formula(form: &Form, points: &[GivenPoint], names: &[String]) -> String {
+    let mut text = String::new();
+    for (unit, weight) in &form.terms {
+        let Unit::Point(p) = unit else { continue };
+        let point = &points[*p].name;
+        let term = term(weight, point, names);
+        text += &match (text.is_empty(), term.strip_prefix('-')) {
+            (true, _) => term,
+            (false, Some(rest)) => format!(" - {rest}"),
+            (false, None) => format!(" + {term}"),
+        };
+    }
+    if text.is_empty() { String::from("0") } else { text }
+}
+
+/// A weight times a point.
+fn term(weight: &Fraction, point: &str, names: &[String]) -> String {
+    match weight.as_constant() {
+        Some(c) if c.is_one() => point.to_string(),
+        Some(c) if c.abs().is_one() => format!("-{point}"),
+        Some(c) => format!("{c}*{point}"),
+        None if weight.as_poly().is_some_and(|p| p.len() > 1) => {
+            format!("({})*{point}", weight.display(names))
+        }
+        None => format!("{}*{point}", weight.display(names)),
+    }
+}
+
+fn documentation(
+    theorem: &Theorem,
+    verdicts: &[Verdict],
+    points: &[PointArgument<'_>],
+    scalars: &[ScalarArgument<'_>],
+    determined: &[Determined<'_>],
+) -> Vec<String> {
+    let mut lines = theorem.doc.clone();
+    if lines.is_empty() {
+        lines.push(format!("The control points that the join `{}` determines.", theorem.name));
+    }
+    lines.extend(["", "# Arguments", ""].map(String::from));
+    for argument in points {
+        let (name, patch) = (&argument.name, argument.patch);
+        lines.push(match argument.single {
+            Some(point) => format!("- `{name}`: the control point `{}` of `{}`", point.name, patch.written),
+            None => format!("- `{name}`: the control points of `{} = {}`", patch.name, patch.written),
+        });
+    }
+    for argument in scalars {
+        let range = |p: &&Parameter| match (p.range.low.value(), p.range.high.value()) {
+            (None, None) => String::from("any number"),
+            _ => format!("`{}`", p.range.display(&p.name)),
+        };
+        let ranges: Vec<String> = argument.scalars.iter().map(range).collect();
+        let about: Vec<&str> =
+            argument.scalars.iter().take(1).flat_map(|p| &p.doc).map(String::as_str).collect();
+        let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
+        lines.push(format!("- `{}`: {}{about}", argument.name, ranges.join(", ")));
+    }
+    lines.extend(["", "# Result", "", "```text"].map(String::from));
+    for (patch, points) in determined {
+        for (index, form) in points {
+            let formula = formula(form, &theorem.points, &theorem.names);
+            lines.push(format!("{} = {formula}", label(&patch.name, index)));
+        }
+    }
+    let written: Vec<String> =
+        determined.iter().map(|(p, _)| format!("`{} = {}`", p.name, p.written)).collect();
+    lines.push(String::from("```"));
+    lines.extend([String::new(), format!("of {}.", written.join(", "))]);
+    lines.extend(
+        ["", "# Errors", "", "When a scalar is outside of its range, infinite, or NaN.", ""]
+            .map(String::from),
+    );
+    lines.extend(["# Claims", "", "Decided exactly, while this crate was compiled.", ""].map(String::from));
+    lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
+    lines.extend(theorem.claims.iter().zip(verdicts).map(|(claim, verdict)| docs::row(&claim.text, verdict)));
+    lines
+}
