@@ -43,3 +43,51 @@ fn mistakes() {
     assert!(run.stderr.contains("Quartic"), "{}", run.stderr);
     assert_eq!(folder.run(&["explain", "missing.basis"]).code, 2);
 }
+
+/// What stands under the title of the largest ranges.
+fn ranges(spec: &str, family: &str) -> Vec<String> {
+    let run = Folder::with("f.basis", spec).run(&["explain", "f.basis", family]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    let (_, after) = run.stdout.split_once("All functions are nonnegative").expect("a title");
+    after.lines().skip(1).map(|line| line.trim().to_string()).collect()
+}
+
+#[test]
+fn largest_ranges_end_where_a_denominator_vanishes() {
+    let spec = "family R {
+        domain 0 <= t <= 1;
+        shape 0 <= λ <= 1;
+        b[0] = (1 - t)^2/(2 - λ);
+        b[1] = t*(1 - λ*t)/(λ + 3)^2;
+    }";
+    assert_eq!(ranges(spec, "R"), ["-3 < λ <= 1"]);
+    assert_eq!(ranges(&spec.replace("1 - λ*t", "8 - λ^3*t"), "R"), ["-3 < λ < 2"]);
+    assert_eq!(
+        ranges(&spec.replace("(λ + 3)^2", "(λ^2 + 1)").replace("1 - λ*t", "1 + λ*t"), "R"),
+        ["-1 <= λ < 2"]
+    );
+}
+
+#[test]
+fn largest_ranges_on_a_triangle() {
+    let spec = "family T(n in 2..=3) {
+        domain triangle (u, v, w);
+        shape 1/2 <= λ <= 1;
+        base n = 2 {
+            permute b[2, 0, 0] = u^2 + (1 - λ/2)*(u*v + u*w);
+            permute b[1, 1, 0] = λ*u*v;
+        }
+        raise b[i, j, k] = u*b[i - 1, j, k] + v*b[i, j - 1, k] + w*b[i, j, k - 1];
+        prove partition_of_unity;
+    }";
+    assert_eq!(ranges(spec, "T(2)"), ["0 <= λ <= 2"]);
+}
+
+#[test]
+fn an_irrational_end() {
+    let spec = "family F { domain 0 <= t <= 1; shape 0 <= λ <= 1; b[0] = 2 - λ^2 + t; b[1] = 1; }";
+    assert_eq!(
+        ranges(spec, "F"),
+        ["(root of -2 + λ^2 between -1.415 and -1.414) <= λ <= (root of -2 + λ^2 between 1.414 and 1.415)"]
+    );
+}

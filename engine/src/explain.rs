@@ -2,14 +2,19 @@
 //! at their ends.
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::gcd::gcd;
+use crate::algebra::gcd::{gcd, square_free};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
+use crate::algebra::simplest::simplest_between;
+use crate::algebra::work::Work;
 use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange};
 use crate::generate::factored;
 use crate::generate::form::IntervalForm;
 use crate::model::{Family, Parameter};
 use crate::prove;
+
+/// The work for the factors of denominators.
+const DENOMINATORS: u64 = 1_000_000;
 
 /// One function in its two forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,21 +73,42 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
 }
 
 /// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the other
-/// parameters on their declared ranges; empty for families on a simplex or with denominators.
+/// parameters on their declared ranges.
+///
+/// Where a denominator vanishes the range ends, too, and does not contain its end.
 pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
-    let polys: Option<Vec<Poly>> = family.functions.iter().map(|f| f.value.as_poly().cloned()).collect();
-    let (Some(polys), false) = (polys, family.is_simplex()) else { return Vec::new() };
+    let (polys, region) = prove::function_signs(family);
+    let mut denominators: Vec<Poly> = Vec::new();
+    for f in &family.functions {
+        let denom = f.value.denom();
+        if denom.as_constant().is_none() && !denominators.contains(denom) {
+            denominators.push(denom.clone());
+        }
+    }
     let line = |shape: &Parameter| {
         let name = &shape.name;
         let mut budget = Budget::scaled(family.budget);
-        match decide::largest_range(&polys, shape.var, &family.region(), &mut budget) {
+        let Some(defined) =
+            denominators.iter().map(|d| with_simple_zeros(family, d)).collect::<Option<Vec<_>>>()
+        else {
+            return format!("{name}: undecided: the denominators are too large");
+        };
+        let poles = match decide::largest_range(&defined, shape.var, &region, &mut budget) {
+            LargestRange::Between(low, high) => (low, high),
+            _ => (None, None),
+        };
+        let all = [&polys[..], &defined].concat();
+        match decide::largest_range(&all, shape.var, &region, &mut budget) {
             LargestRange::Between(low, high) => {
                 let end = |c: &Coordinate| match c {
                     Coordinate::Rational(x) => x.to_string(),
                     Coordinate::Algebraic(x) => format!("({})", x.describe(name)),
                 };
-                let low = low.map_or_else(String::new, |c| format!("{} <= ", end(&c)));
-                let high = high.map_or_else(String::new, |c| format!(" <= {}", end(&c)));
+                let sign = |end: &Coordinate, pole: &Option<Coordinate>| {
+                    if Some(end) == pole.as_ref() { "<" } else { "<=" }
+                };
+                let low = low.map_or_else(String::new, |c| format!("{} {} ", end(&c), sign(&c, &poles.0)));
+                let high = high.map_or_else(String::new, |c| format!(" {} {}", sign(&c, &poles.1), end(&c)));
                 format!("{low}{name}{high}")
             }
             LargestRange::Negative => format!("{name}: a function is negative on the declared ranges"),
@@ -90,6 +116,16 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         }
     };
     family.shapes.iter().map(line).collect()
+}
+
+/// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None` when
+/// the denominator is too large.
+fn with_simple_zeros(family: &Family, denom: &Poly) -> Option<Poly> {
+    let parts = square_free(denom, &mut Work::new(DENOMINATORS))?;
+    let product = parts.iter().fold(Poly::one(), |product, (p, _)| &product * p);
+    let inner = |p: &Parameter| simplest_between(p.range.low.value(), p.range.high.value());
+    let start: Vec<Rational> = family.shapes.iter().map(inner).collect();
+    Some(if product.eval(&start).is_negative() { -&product } else { product })
 }
 
 /// The shape values at which the functions of a family are dependent, and what is left open.

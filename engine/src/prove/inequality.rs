@@ -93,6 +93,14 @@ impl<'a> Inequality<'a> {
     }
 }
 
+/// Polynomials with the signs of the functions, and the box on which to look at them.
+#[cfg(any(test, feature = "tools"))]
+pub(crate) fn functions(family: &Family) -> (Vec<Poly>, Region) {
+    let chart = Chart::new(family, &[]);
+    let all = family.functions.iter().map(|f| chart.pull_back(&numerator_with_sign(&f.value, family)));
+    (all.collect(), chart.region)
+}
+
 /// A polynomial with the sign of a quotient: the denominator, in shape parameters only, vanishes nowhere on their
 /// ranges, so that its sign at one point is its sign everywhere.
 fn numerator_with_sign(value: &Fraction, family: &Family) -> Poly {

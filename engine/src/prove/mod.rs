@@ -98,6 +98,8 @@ pub enum Assertion {
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{RankProof, coefficient_table};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use inequality::functions as function_signs;
 
 /// A point at which a claim fails.
 #[derive(Clone, Debug)]

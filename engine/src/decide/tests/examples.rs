@@ -28,44 +28,73 @@ fn quartic_family_is_nonnegative_exactly_on_its_range() {
     refuted(&b3, "0<=t<=1, -3<=λ<=11/10", "t = 1/12, λ = 11/10: -1/207360");
 }
 
+/// Where subdivision alone never ends.
 #[test]
 fn interior_zeros() {
-    for p in
-        ["(t - 1/3)^2", "(t - λ)^2", "t^2 - t*λ + λ^2", "(3*t - 1)^2 + (3*λ - 1)^2", "t^4 - t^2*λ + 1/4*λ^2"]
-    {
-        println!("{p}: {}", claim(&format!("{p} >= 0"), UNIT));
-        println!("{p} - 10^-6: {}", claim(&format!("{p} >= 0.000001"), UNIT));
-        println!("{p} > 0: {}", claim(&format!("{p} > 0"), UNIT));
-        println!("{p} > -10^-6: {}", claim(&format!("{p} > 0 - 0.000001"), UNIT));
-    }
+    proved("(t - 1/3)^2 >= 0", UNIT, "factors");
+    refuted("(t - 1/3)^2 >= 0.000001", UNIT, "t = 1/3, λ = 1/2: -1/1000000");
+    refuted("(t - 1/3)^2 > 0", UNIT, "t = 1/3, λ = 1/2: 0");
+    proved("(t - 1/3)^2 > 0 - 0.000001", UNIT, "Descartes");
+    proved("(t - λ)^2 >= 0", UNIT, "factors");
+    refuted("(t - λ)^2 >= 0.000001", UNIT, "t = 0, λ = 0: -1/1000000");
+    refuted("(t - λ)^2 > 0", UNIT, "t = 0, λ = 0: 0");
+    proved("(t - λ)^2 > 0 - 0.000001", UNIT, "cylindrical decomposition");
+    proved("t^2 - t*λ + λ^2 >= 0", UNIT, "cylindrical decomposition");
+    refuted("t^2 - t*λ + λ^2 >= 0.000001", UNIT, "t = 0, λ = 0: -1/1000000");
+    refuted("t^2 - t*λ + λ^2 > 0", UNIT, "t = 0, λ = 0: 0");
+    proved("t^2 - t*λ + λ^2 > 0 - 0.000001", UNIT, "subdivision");
+    proved("(3*t - 1)^2 + (3*λ - 1)^2 >= 0", UNIT, "cylindrical decomposition");
+    refuted("(3*t - 1)^2 + (3*λ - 1)^2 >= 0.000001", UNIT, "t = 1/3, λ = 1/3: -1/1000000");
+    refuted("(3*t - 1)^2 + (3*λ - 1)^2 > 0", UNIT, "t = 1/3, λ = 1/3: 0");
+    proved("(3*t - 1)^2 + (3*λ - 1)^2 > 0 - 0.000001", UNIT, "cylindrical decomposition");
+    proved("t^4 - t^2*λ + 1/4*λ^2 >= 0", UNIT, "factors");
+    refuted("t^4 - t^2*λ + 1/4*λ^2 >= 0.000001", UNIT, "t = 0, λ = 0: -1/1000000");
+    refuted("t^4 - t^2*λ + 1/4*λ^2 > 0", UNIT, "t = 0, λ = 0: 0");
+    proved("t^4 - t^2*λ + 1/4*λ^2 > 0 - 0.000001", UNIT, "cylindrical decomposition");
 }
 
 #[test]
-fn irrational() {
-    println!("{}", claim("(t^2 - 2)^2 > 0", "0<=t<=2"));
-    println!("{}", claim("(t^2 - 2)^2 + (λ^2 - 3)^2 > 0", "0<=t<=2, 0<=λ<=2"));
-    println!("{}", claim("(t^2 + λ^2 - 1)^2 + (t-λ)^2 > 0", "0<=t<=2, 0<=λ<=2"));
-    println!("{}", claim("(t^2 + λ^2 - 1)^2 + (t-λ)^2 >= 0", "0<=t<=2, 0<=λ<=2"));
-    println!("{}", claim("(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2> 0", "0<=t<=2, 0<=λ<=2, 0<=μ<=3"));
-    println!("{}", claim("(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2>= 0", "0<=t<=2, 0<=λ<=2, 0<=μ<=3"));
-    println!("{}", claim("(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2 + 1/1000 > 0", "0<=t<=2, 0<=λ<=2, 0<=μ<=3"));
-    println!("{}", claim("1 + 64*t^4*λ^2 + 64*t^2*λ^4 - 48*t^2*λ^2 >= 0", "0<=t<=1, 0<=λ<=1"));
-    println!("{}", claim("1 + t^4*λ^2 + t^2*λ^4 - 3*t^2*λ^2 >= 0", ""));
-    println!("{}", claim("1 + t^4*λ^2 + t^2*λ^4 - 3*t^2*λ^2 > 0", ""));
-    println!("{}", claim("1/1000 + 1 + t^4*λ^2 + t^2*λ^4 - 3*t^2*λ^2 > 0", ""));
-    println!("{}", claim("(t*λ-1)^2 + t^2 > 0", ""));
-    println!("{}", claim("(t*λ-1)^2 + t^2 > 1/1000", ""));
-    println!("{}", claim("λ > 0", "0<λ<=1"));
-    println!("{}", claim("λ > 0", "0<=λ<=1"));
-    println!("{}", claim("f*(1-t) + t*f^2 > 0", "0<f, 0<=t<=1"));
-    println!("{}", claim("f*(1-t) + t*f^2 - 3*f*t> 0", "0<f, 0<=t<=1"));
-    println!("{}", claim("t*λ > 0", "0<t<=1, 0<=λ<=1"));
-    println!("{}", claim("t+λ > 0", "0<t<=1, 0<=λ<=1"));
-    println!("{}", claim("t^2 -t*λ+ λ^2 > 0", "0<t<=1, 0<=λ<=1"));
-    println!("{}", claim("t^2 -t*λ+ λ^2 > 0", "0<t<=1, 0<=λ<=1, 0<=μ<=1"));
-    println!("{}", claim("t^2 -2*t*λ+ λ^2 > 0", "0<t<=1, 1<λ<=2"));
-    println!("{}", claim("t^2 -2*t*λ+ λ^2 > 0", "0<t<=1, 1<=λ<=2"));
-    println!("{}", claim("t^2 + λ^2 + μ^2 -t*λ - t*μ - λ*μ >= 0", "0<=t<=1, 0<=λ<=1, 0<=μ<=1"));
-    println!("{}", claim("t^2 + λ^2 + μ^2 -t*λ - t*μ - λ*μ > 0", "0<=t<=1, 0<=λ<=1, 0<=μ<=1"));
-    println!("{}", claim("t^2 + λ^2 + μ^2 -t*λ - t*μ - λ*μ > 0", "0<=t<1, 0<=λ<=1, 1<=μ<=2"));
+fn irrational_zeros_and_open_or_infinite_ranges() {
+    refuted("(t^2 - 2)^2 > 0", "0<=t<=2", "t = root of -2 + t^2 between 1.414 and 1.415: 0");
+    refuted(
+        "(t^2 - 2)^2 + (λ^2 - 3)^2 > 0",
+        "0<=t<=2, 0<=λ<=2",
+        "t = root of -2 + t^2 between 1.414213 and 1.414214, λ = root of -3 + λ^2 between 1.73205 and 1.732051: 0",
+    );
+    refuted(
+        "(t^2 + λ^2 - 1)^2 + (t-λ)^2 > 0",
+        "0<=t<=2, 0<=λ<=2",
+        "t = root of -1 + 2*t^2 between 0.707106 and 0.707107, λ = root of -1 + 2*λ^2 between 0.707106 and 0.707107: 0",
+    );
+    proved("(t^2 + λ^2 - 1)^2 + (t-λ)^2 >= 0", "0<=t<=2, 0<=λ<=2", "cylindrical decomposition");
+    refuted(
+        "(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2> 0",
+        "0<=t<=2, 0<=λ<=2, 0<=μ<=3",
+        "t = root of -2 + t^2 between 1.414213 and 1.414214, λ = root of -3 + λ^2 between 1.73205 and 1.732051, μ = root of -6 + μ^2 between 2.449489 and 2.44949: 0",
+    );
+    proved(
+        "(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2>= 0",
+        "0<=t<=2, 0<=λ<=2, 0<=μ<=3",
+        "cylindrical decomposition",
+    );
+    proved("(t^2 - 2)^2 + (λ^2 - 3)^2 + (t*λ-μ)^2 + 1/1000 > 0", "0<=t<=2, 0<=λ<=2, 0<=μ<=3", "subdivision");
+    proved("1 + 64*t^4*λ^2 + 64*t^2*λ^4 - 48*t^2*λ^2 >= 0", "0<=t<=1, 0<=λ<=1", "cylindrical decomposition");
+    proved("1 + t^4*λ^2 + t^2*λ^4 - 3*t^2*λ^2 >= 0", "", "cylindrical decomposition");
+    refuted("1 + t^4*λ^2 + t^2*λ^4 - 3*t^2*λ^2 > 0", "", "t = 1, λ = 1: 0");
+    proved("1/1000 + 1 + t^4*λ^2 + t^2*λ^4 - 3*t^2*λ^2 > 0", "", "cylindrical decomposition");
+    proved("(t*λ-1)^2 + t^2 > 0", "", "cylindrical decomposition");
+    refuted("(t*λ-1)^2 + t^2 > 1/1000", "", "t = -1/33, λ = -33: -89/1089000");
+    proved("λ > 0", "0<λ<=1", "Bernstein coefficients");
+    refuted("λ > 0", "0<=λ<=1", "λ = 0: 0");
+    proved("f*(1-t) + t*f^2 > 0", "0<f, 0<=t<=1", "Bernstein coefficients");
+    refuted("f*(1-t) + t*f^2 - 3*f*t> 0", "0<f, 0<=t<=1", "t = 1, f = 1: -2");
+    refuted("t*λ > 0", "0<t<=1, 0<=λ<=1", "t = 1, λ = 0: 0");
+    proved("t+λ > 0", "0<t<=1, 0<=λ<=1", "Bernstein coefficients");
+    proved("t^2 -t*λ+ λ^2 > 0", "0<t<=1, 0<=λ<=1", "cylindrical decomposition");
+    proved("t^2 -t*λ+ λ^2 > 0", "0<t<=1, 0<=λ<=1, 0<=μ<=1", "cylindrical decomposition");
+    proved("t^2 -2*t*λ+ λ^2 > 0", "0<t<=1, 1<λ<=2", "Bernstein coefficients");
+    refuted("t^2 -2*t*λ+ λ^2 > 0", "0<t<=1, 1<=λ<=2", "t = 1, λ = 1: 0");
+    proved("t^2 + λ^2 + μ^2 -t*λ - t*μ - λ*μ >= 0", "0<=t<=1, 0<=λ<=1, 0<=μ<=1", "cylindrical decomposition");
+    refuted("t^2 + λ^2 + μ^2 -t*λ - t*μ - λ*μ > 0", "0<=t<=1, 0<=λ<=1, 0<=μ<=1", "t = 0, λ = 0, μ = 0: 0");
+    proved("t^2 + λ^2 + μ^2 -t*λ - t*μ - λ*μ > 0", "0<=t<1, 0<=λ<=1, 1<=μ<=2", "cylindrical decomposition");
 }

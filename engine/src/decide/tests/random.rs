@@ -113,18 +113,24 @@ fn checked(p: &Poly, relation: Relation, region: &Region, budget: &mut Budget) -
 
 #[test]
 fn steps_agree_and_verdicts_check_out() {
-    let mut random = Random(1);
+    let counts = run(1, 120);
+    assert!(counts[0] > 40 && counts[1] > 40 && counts[2] < 4, "{counts:?}");
+}
+
+#[test]
+#[ignore = "minutes in an unoptimised build"]
+fn steps_agree_and_verdicts_check_out_many_times() {
+    let counts = run(2, 3000);
+    assert!(counts[0] > 1000 && counts[1] > 1000 && counts[2] < 100, "{counts:?}");
+}
+
+/// Checks random claims; how many are proved, refuted and undecided.
+fn run(seed: u64, rounds: usize) -> [usize; 3] {
+    let mut random = Random(seed);
     let mut counts = [0; 3];
-    for round in 0..400 {
+    for round in 0..rounds {
         let (p, relation, region) = claim(&mut random);
         let all = checked(&p, relation, &region, &mut Budget::default().take(1_000_000));
-        if all.is_none() {
-            println!(
-                "{} {relation:?} {:?}",
-                p.display(&NAMES.map(String::from)),
-                region.ranges.iter().map(|(v, r)| r.display(NAMES[v.0]).to_string()).collect::<Vec<_>>()
-            );
-        }
         counts[match all {
             Some(true) => 0,
             Some(false) => 1,
@@ -152,6 +158,5 @@ fn steps_agree_and_verdicts_check_out() {
             }
         }
     }
-    println!("proved, refuted, undecided: {counts:?}");
-    assert!(counts[0] > 60 && counts[1] > 60);
+    counts
 }
