@@ -12,6 +12,7 @@ mod rational;
 #[cfg(feature = "alloc")]
 mod second;
 mod tensor;
+mod triangle;
 
 pub use curvature::Curvature;
 pub use edge::{Edge, EdgeContinuity, edge_continuity};

@@ -16,4 +16,5 @@ mod parts;
 #[path = "../numeric/random.rs"]
 mod random;
 mod revolution;
+mod triangles;
 mod values;
