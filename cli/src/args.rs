@@ -59,6 +59,12 @@ pub(crate) enum Command {
     /// search that found them.
     #[command(after_help = VERIFY_HELP)]
     Verify(VerifyArguments),
+    /// Draw the figures of the papers, with their claims and verdicts
+    ///
+    /// Curves with their control polygons as SVG, shaded surfaces with their nets as PNG, an `index.html` that shows them
+    /// beside the published claims, and `figures.json` with their parameters and what was measured in them.
+    #[command(after_help = GALLERY_HELP)]
+    Gallery(GalleryArguments),
 }
 
 /// What can be typed after `basis check`.
@@ -153,6 +159,26 @@ Exit status:
 Examples:
   basis explain quartic.basis
   basis explain bernstein.basis 'Bernstein(n=3)'";
+
+/// What can be typed after `basis gallery`.
+#[derive(Debug, Args)]
+pub(crate) struct GalleryArguments {
+    /// The folder for the pictures and the page; it is made if it does not exist
+    #[arg(value_name = "DIR")]
+    pub(crate) folder: PathBuf,
+    /// Draw only the figures whose identifier contains this text
+    #[arg(long, value_name = "TEXT")]
+    pub(crate) only: Option<String>,
+}
+
+const GALLERY_HELP: &str = "\
+Exit status:
+  0  everything is drawn
+  2  a file cannot be written, or the command is used wrongly
+
+Examples:
+  basis gallery figures
+  basis gallery figures --only quart-fig-join";
 
 /// How to print results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,8 +1,8 @@
 //! The command `basis`: everything that the macro does during a build, and more, at a terminal.
 //!
 //! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly, `basis explain` shows what
-//! follows from its formulas. `basis verify` checks certificates of proofs. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and
-//! tables.
+//! follows from its formulas, `basis verify` checks certificates of proofs, `basis gallery` draws the figures of the papers. All
+//! are thin: the mathematics is in basis-engine; here are arguments, files, clocks and tables.
 
 mod args;
 #[allow(dead_code)] // drawn by the gallery
@@ -12,6 +12,7 @@ mod check;
 mod domain;
 mod eval;
 mod explain;
+mod gallery;
 mod name;
 mod output;
 mod spec;
@@ -29,6 +30,7 @@ fn main() -> ExitCode {
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
+        Command::Gallery(arguments) => gallery::run(&arguments),
     };
     status.into()
 }

@@ -18,6 +18,7 @@ use basis_engine::Sources;
 use crate::args::{CheckArguments, Format};
 use crate::certificates;
 use crate::output::{self, Status};
+pub(crate) use published::Published;
 
 /// Checks everything that the arguments name, and prints it.
 pub(crate) fn run(arguments: &CheckArguments) -> Status {
@@ -69,4 +70,11 @@ fn as_json(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
         files.push(report::File::new(&outcome));
     }
     status.max(output::print_json(&report::Report::new(files, statements)))
+}
+
+/// The published statements of a spec given as text, with what is known about them.
+pub(crate) fn published(name: &str, text: &str) -> Vec<Published> {
+    let mut statements = Vec::new();
+    published::collect(&prove::text(name, text), &mut statements);
+    statements
 }

@@ -169,6 +169,30 @@ pub(crate) fn text(all: &[Published], width: Option<u16>) -> String {
 }
 
 impl Published {
+    /// Its identifier.
+    pub(crate) fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// What is published; empty where it is not expressed.
+    pub(crate) fn statement(&self) -> &str {
+        &self.statement
+    }
+
+    /// What is known about it, in a word.
+    pub(crate) fn verdict(&self) -> &'static str {
+        self.verdict.word()
+    }
+
+    /// What is true instead, or why it is not expressed; empty for a true statement.
+    pub(crate) fn remark(&self) -> &str {
+        match (&self.corrected, &self.reason) {
+            (Some(correction), _) => &correction.statement,
+            (None, Some(reason)) => reason,
+            (None, None) => "",
+        }
+    }
+
     /// The mark of the row, and the correction or the reason why there is no claim.
     fn outcome(&self) -> (Mark, String) {
         match (&self.corrected, &self.reason, self.verdict) {

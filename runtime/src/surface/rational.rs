@@ -1,6 +1,8 @@
 //! Rational tensor surfaces.
 
-use crate::{Array, Basis, Point, Scalar, Surface, TensorSurface};
+use core::ops::Range;
+
+use crate::{Array, Basis, BernsteinOf, Point, Scalar, Surface, TensorSurface};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
 ///
@@ -71,6 +73,19 @@ where
     /// The denominator `w`, whose control points are the weights.
     pub fn weight(&self) -> &TensorSurface<U, V, P::Scalar> {
         &self.weight
+    }
+
+    /// The part over a rectangle of parameters, as a rational Bézier patch on the unit square; see
+    /// [`TensorSurface::subpatch`].
+    pub fn subpatch(
+        &self,
+        u: Range<P::Scalar>,
+        v: Range<P::Scalar>,
+    ) -> RationalSurface<BernsteinOf<U>, BernsteinOf<V>, P> {
+        RationalSurface {
+            numerator: self.numerator.subpatch(u.clone(), v.clone()),
+            weight: self.weight.subpatch(u, v),
+        }
     }
 
     /// The control point `P[i][j]` with its weight; `None` outside of the net, and for a point at infinity.

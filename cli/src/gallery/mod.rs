@@ -1,0 +1,137 @@
+//! `basis gallery`: the figures of the papers, drawn from generated families, with what was measured in them.
+
+mod claims;
+mod families;
+mod figure;
+mod page;
+mod plot;
+mod quadratic;
+mod quartic;
+mod raster;
+mod revolution;
+mod scene;
+mod triangular;
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use serde::Serialize;
+
+use self::claims::PAPERS;
+use self::figure::{Drawing, Facts, Figure, Picture};
+use crate::args::GalleryArguments;
+use crate::output::{self, Status, complain, error};
+
+/// A figure in `figures.json`.
+#[derive(Debug, Serialize)]
+struct Record {
+    id: String,
+    paper: &'static str,
+    title: String,
+    file: String,
+    params: serde_json::Map<String, serde_json::Value>,
+    facts: serde_json::Map<String, serde_json::Value>,
+    #[serde(skip)]
+    note: String,
+}
+
+/// Draws all figures into a folder.
+pub(crate) fn run(arguments: &GalleryArguments) -> Status {
+    match draw_all(&arguments.folder, arguments.only.as_deref().unwrap_or_default()) {
+        Ok(count) => output::print(&format!(
+            "{count} figures, index.html and figures.json in {}\n",
+            arguments.folder.display()
+        )),
+        Err(problem) => {
+            let problem = error(problem.to_string());
+            complain(&(problem.render(&basis_engine::Sources::default(), true) + "\n"));
+            Status::Unusable
+        }
+    }
+}
+
+/// The figures of each paper, in the order of [`PAPERS`].
+fn figures() -> [Vec<Figure>; PAPERS.len()] {
+    [quadratic::figures(), quartic::figures(), triangular::figures(), revolution::figures(), Vec::new()]
+}
+
+fn draw_all(folder: &Path, only: &str) -> Result<usize, Box<dyn Error>> {
+    fs::create_dir_all(folder).map_err(|e| format!("cannot make the folder `{}`: {e}", folder.display()))?;
+    let all = figures().map(|mut figures| {
+        figures.retain(|figure| figure.id.contains(only));
+        figures
+    });
+    let total: usize = all.iter().map(Vec::len).sum();
+    let mut records: Vec<Record> = Vec::with_capacity(total);
+    for (paper, figures) in PAPERS.iter().zip(&all) {
+        for figure in figures {
+            complain(&format!("[{:>2}/{total}] {}\n", records.len() + 1, figure.title));
+            let drawing =
+                figure.draw().map_err(|e| format!("the figure `{}` cannot be drawn: {e}", figure.id))?;
+            records.push(record(folder, paper.id, figure, drawing)?);
+        }
+    }
+    complain("deciding the published claims\n");
+    let page = page(&records);
+    write(folder, "index.html", page.as_bytes())?;
+    let mut json = serde_json::to_string_pretty(&records)?;
+    json.push('\n');
+    write(folder, "figures.json", json.as_bytes())?;
+    Ok(total)
+}
+
+fn record(
+    folder: &Path,
+    paper: &'static str,
+    figure: &Figure,
+    drawing: Drawing,
+) -> Result<Record, Box<dyn Error>> {
+    let caption = drawing.params.caption();
+    let (file, bytes) = match drawing.picture {
+        Picture::Curves(plot) => {
+            (format!("{}.svg", figure.id), plot.svg(&figure.title, &caption).into_bytes())
+        }
+        Picture::Surfaces(scene, view) => {
+            (format!("{}.png", figure.id), scene.png(view, &figure.title, &caption)?)
+        }
+    };
+    write(folder, &file, &bytes)?;
+    Ok(Record {
+        id: figure.id.clone(),
+        paper,
+        title: figure.title.clone(),
+        file,
+        params: drawing.params.0,
+        facts: drawing.facts.0,
+        note: drawing.note,
+    })
+}
+
+fn page(records: &[Record]) -> String {
+    let facts: Vec<(Facts, Facts)> =
+        records.iter().map(|r| (Facts(r.params.clone()), Facts(r.facts.clone()))).collect();
+    let papers: Vec<_> = PAPERS
+        .iter()
+        .map(|paper| {
+            let entries =
+                records.iter().zip(&facts).filter(|(r, _)| r.paper == paper.id).map(|(r, facts)| {
+                    page::Entry {
+                        id: &r.id,
+                        title: &r.title,
+                        file: &r.file,
+                        params: &facts.0,
+                        facts: &facts.1,
+                        note: &r.note,
+                    }
+                });
+            (paper, paper.statements(), entries.collect())
+        })
+        .collect();
+    page::html(&papers)
+}
+
+fn write(folder: &Path, name: &str, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
+    let path = folder.join(name);
+    fs::write(&path, bytes).map_err(|e| format!("cannot write `{}`: {e}", path.display()).into())
+}
