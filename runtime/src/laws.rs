@@ -37,6 +37,7 @@ use crate::{Array, Basis, Curve, Scalar};
 
 /// How thoroughly the laws are checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Checks {
     /// The number of parameters, and of sets of control points; both ends of the domain are always among the parameters.
     pub samples: usize,
@@ -54,6 +55,7 @@ impl Default for Checks {
 
 /// A law of this module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Law {
     /// [`form`]

@@ -75,6 +75,8 @@ mod mesh;
 mod point;
 mod revolution;
 mod scalar;
+#[cfg(feature = "serde")]
+mod serialize;
 mod simd;
 mod simplex;
 mod surface;

@@ -3,11 +3,15 @@
 use ::core::ops::Bound;
 
 pub use ::core;
+#[cfg(feature = "serde")]
+pub use ::serde;
 
 use crate::basis::combination;
 pub use crate::boxes::box_sum;
 pub use crate::domain::unit;
 use crate::form::{binomials, nested};
+#[cfg(feature = "serde")]
+pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
 pub use crate::simplex::raise::raise_weights;
 use crate::{Point, Scalar, ShapeError};
@@ -126,4 +130,12 @@ pub fn table<S: Scalar, const N: usize, const T: usize, const L: usize>(
             entries[place]
         })
     })
+}
+
+/// What a generated type calls where serde is not asked for.
+#[cfg(not(feature = "serde"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serialize_shape {
+    ($($shape:tt)*) => {};
 }

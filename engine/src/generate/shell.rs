@@ -46,6 +46,8 @@ impl Shell<'_> {
             quote_spanned!(site()=> { #(#fields: S),* })
         };
         let constructor = self.constructor(&core);
+        let title = self.family.title();
+        let labels = fields.iter().map(|field| field.to_string().trim_start_matches("r#").to_owned());
         let default = fields.is_empty().then(|| {
             quote_spanned! {site()=>
                 impl<S: #runtime::Scalar> #core::default::Default for #name<S> {
@@ -68,6 +70,8 @@ impl Shell<'_> {
             }
 
             #default
+
+            #runtime::__serialize_shape!(#name, #title, [#(#fields #labels),*]);
 
             #traits
         }

@@ -1,0 +1,261 @@
+//! serde for bases and curves: shape values and control points. Nothing that follows from them is written.
+//!
+//! ```json
+//! {"basis": {"lambda": 0.5}, "points": [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]}
+//! ```
+
+use core::fmt::{self, Formatter};
+use core::marker::PhantomData;
+
+use serde::de::{DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
+use serde::ser::SerializeStruct;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::{Array, Basis, BernsteinBasis, Curve, Point, Scalar};
+
+/// Implements serde's traits for a generated type: a struct of its shape values, which are checked when they are read.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __serialize_shape {
+    ($name:ident, $title:literal, []) => {
+        $crate::__serialize_shape!(@impl $name, $title, [], {
+            let []: [S; 0] = $crate::__private::read_shape(deserializer, $title, &[])?;
+            $crate::__private::core::result::Result::Ok(Self::new())
+        }, deserializer);
+    };
+    ($name:ident, $title:literal, [$($field:ident $label:literal),+]) => {
+        $crate::__serialize_shape!(@impl $name, $title, [$($field $label),+], {
+            let [$($field),+] = $crate::__private::read_shape(deserializer, $title, &[$($label),+])?;
+            Self::new($($field),+).map_err($crate::__private::shape_error)
+        }, deserializer);
+    };
+    (@impl $name:ident, $title:literal, [$($field:ident $label:literal),*], $read:block, $deserializer:ident) => {
+        impl<S: $crate::Scalar + $crate::__private::serde::Serialize> $crate::__private::serde::Serialize for $name<S> {
+            fn serialize<Z: $crate::__private::serde::Serializer>(
+                &self,
+                serializer: Z,
+            ) -> $crate::__private::core::result::Result<Z::Ok, Z::Error> {
+                let values: &[(&'static str, S)] = &[$(($label, self.$field)),*];
+                $crate::__private::write_shape(serializer, $title, values)
+            }
+        }
+
+        impl<'de, S: $crate::Scalar + $crate::__private::serde::Deserialize<'de>>
+            $crate::__private::serde::Deserialize<'de> for $name<S>
+        {
+            fn deserialize<D: $crate::__private::serde::Deserializer<'de>>(
+                $deserializer: D,
+            ) -> $crate::__private::core::result::Result<Self, D::Error> $read
+        }
+    };
+}
+
+/// Writes the shape values of a generated type.
+#[doc(hidden)]
+pub fn write_shape<S: Serialize, Z: Serializer>(
+    serializer: Z,
+    name: &'static str,
+    values: &[(&'static str, S)],
+) -> Result<Z::Ok, Z::Error> {
+    let mut shape = serializer.serialize_struct(name, values.len())?;
+    for (label, value) in values {
+        shape.serialize_field(label, value)?;
+    }
+    shape.end()
+}
+
+/// Reads the shape values of a generated type, from a map or a sequence.
+#[doc(hidden)]
+pub fn read_shape<'de, S, D, const N: usize>(
+    deserializer: D,
+    name: &'static str,
+    labels: &'static [&'static str; N],
+) -> Result<[S; N], D::Error>
+where
+    S: Deserialize<'de> + Copy,
+    D: Deserializer<'de>,
+{
+    deserializer.deserialize_struct(name, labels, ShapeVisitor { labels, scalar: PhantomData })
+}
+
+/// The refusal of a shape value.
+#[doc(hidden)]
+pub fn shape_error<E: Error>(error: crate::ShapeError) -> E {
+    E::custom(error)
+}
+
+struct ShapeVisitor<S, const N: usize> {
+    labels: &'static [&'static str; N],
+    scalar: PhantomData<S>,
+}
+
+impl<'de, S: Deserialize<'de> + Copy, const N: usize> Visitor<'de> for ShapeVisitor<S, N> {
+    type Value = [S; N];
+
+    fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{N} shape values")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<[S; N], A::Error> {
+        let mut values = [None; N];
+        for (index, value) in values.iter_mut().enumerate() {
+            *value = Some(seq.next_element()?.ok_or_else(|| A::Error::invalid_length(index, &self))?);
+        }
+        all(values).ok_or_else(|| A::Error::invalid_length(0, &self))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<[S; N], A::Error> {
+        let mut values = [None; N];
+        while let Some(index) = map.next_key_seed(Label(self.labels))? {
+            match index {
+                Some(index) if values[index].is_some() => {
+                    return Err(A::Error::duplicate_field(self.labels[index]));
+                }
+                Some(index) => values[index] = Some(map.next_value()?),
+                None => drop(map.next_value::<IgnoredAny>()?),
+            }
+        }
+        if let Some(index) = values.iter().position(Option::is_none) {
+            return Err(A::Error::missing_field(self.labels[index]));
+        }
+        all(values).ok_or_else(|| A::Error::invalid_length(0, &self))
+    }
+}
+
+fn all<S: Copy, const N: usize>(values: [Option<S>; N]) -> Option<[S; N]> {
+    // Checked by both callers; an array of options has no transpose yet.
+    values.iter().all(Option::is_some).then(|| values.map(|value| value.unwrap_or_else(|| unreachable!())))
+}
+
+/// The index of a label; `None` for others.
+struct Label<const N: usize>(&'static [&'static str; N]);
+
+impl<'de, const N: usize> DeserializeSeed<'de> for Label<N> {
+    type Value = Option<usize>;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Option<usize>, D::Error> {
+        deserializer.deserialize_identifier(self)
+    }
+}
+
+impl<const N: usize> Visitor<'_> for Label<N> {
+    type Value = Option<usize>;
+
+    fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str("the name of a shape parameter")
+    }
+
+    fn visit_str<E>(self, name: &str) -> Result<Option<usize>, E> {
+        Ok(self.0.iter().position(|&label| label == name))
+    }
+
+    fn visit_bytes<E>(self, name: &[u8]) -> Result<Option<usize>, E> {
+        Ok(self.0.iter().position(|label| label.as_bytes() == name))
+    }
+
+    fn visit_u64<E>(self, index: u64) -> Result<Option<usize>, E> {
+        Ok(usize::try_from(index).ok().filter(|&index| index < N))
+    }
+}
+
+impl<S: Scalar, const N: usize> Serialize for BernsteinBasis<S, N> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        write_shape::<f64, Z>(serializer, "BernsteinBasis", &[])
+    }
+}
+
+impl<'de, S: Scalar, const N: usize> Deserialize<'de> for BernsteinBasis<S, N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let []: [f64; 0] = read_shape(deserializer, "BernsteinBasis", &[])?;
+        Ok(Self::new())
+    }
+}
+
+#[derive(Serialize)]
+#[serde(rename = "Curve")]
+struct Written<'a, B, P> {
+    basis: &'a B,
+    points: &'a [P],
+}
+
+#[derive(Deserialize)]
+#[serde(rename = "Curve", bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>"))]
+struct Read<B: Basis, P: Copy> {
+    basis: B,
+    points: ControlPoints<B, P>,
+}
+
+impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for Curve<B, P> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        Written { basis: &self.basis(), points: self.control_points() }.serialize(serializer)
+    }
+}
+
+impl<'de, B, P> Deserialize<'de> for Curve<B, P>
+where
+    B: Basis + Deserialize<'de>,
+    P: Point<Scalar = B::Scalar> + Deserialize<'de>,
+{
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let Read { basis, points } = Read::deserialize(deserializer)?;
+        Ok(Self::new(basis, points.0))
+    }
+}
+
+/// As many control points as the basis has functions.
+struct ControlPoints<B: Basis, P: Copy>(B::Points<P>);
+
+impl<'de, B: Basis, P: Copy + Deserialize<'de>> Deserialize<'de> for ControlPoints<B, P> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(PointsVisitor(PhantomData))
+    }
+}
+
+struct PointsVisitor<B, P>(PhantomData<(B, P)>);
+
+impl<'de, B: Basis, P: Copy + Deserialize<'de>> Visitor<'de> for PointsVisitor<B, P> {
+    type Value = ControlPoints<B, P>;
+
+    fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "{} control points", B::LEN)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+        let mut points = B::Points::<Option<P>>::from_fn(|_| None);
+        for (index, point) in points.as_mut().iter_mut().enumerate() {
+            *point = Some(seq.next_element()?.ok_or_else(|| A::Error::invalid_length(index, &self))?);
+        }
+        if seq.next_element::<IgnoredAny>()?.is_some() {
+            return Err(A::Error::invalid_length(B::LEN + 1, &self));
+        }
+        // All of them are there.
+        Ok(ControlPoints(B::Points::from_fn(|i| points.as_ref()[i].unwrap_or_else(|| unreachable!()))))
+    }
+}
+
+#[cfg(feature = "alloc")]
+mod piecewise {
+    use alloc::vec::Vec;
+
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    use crate::{Basis, Curve, PiecewiseCurve, Point};
+
+    impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for PiecewiseCurve<B, P> {
+        fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+            self.segments().serialize(serializer)
+        }
+    }
+
+    impl<'de, B, P> Deserialize<'de> for PiecewiseCurve<B, P>
+    where
+        B: Basis + Deserialize<'de>,
+        P: Point<Scalar = B::Scalar> + Deserialize<'de>,
+    {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let segments = Vec::<Curve<B, P>>::deserialize(deserializer)?;
+            Self::new(segments).map_err(D::Error::custom)
+        }
+    }
+}
