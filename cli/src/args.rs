@@ -53,6 +53,11 @@ pub(crate) enum Command {
     /// which all functions stay nonnegative.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
+    /// Print the families of spec files with what is proved of them, as a table in Markdown
+    ///
+    /// One row for each family: ✓ what is proved, ✗ what is refuted, for which orders and with which exceptions.
+    #[command(after_help = TABLE_HELP)]
+    Table(TableArguments),
     /// Check the certificates that `basis check --certificates` wrote
     ///
     /// Certificates are compared with the specs, which are read anew, and their proofs are checked without repeating the
@@ -90,6 +95,23 @@ Exit status:
 Examples:
   basis check quartic.basis
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis table`.
+#[derive(Debug, Args)]
+pub(crate) struct TableArguments {
+    /// Spec files, and folders in which every file *.basis is read
+    #[arg(required = true, value_name = "PATH")]
+    pub(crate) paths: Vec<PathBuf>,
+}
+
+const TABLE_HELP: &str = "\
+Exit status:
+  0  the table is printed
+  1  a claim is not as declared, or a spec has errors
+  2  a file cannot be read, or the command is used wrongly
+
+Examples:
+  basis table specs";
 
 /// What can be typed after `basis verify`.
 #[derive(Debug, Args)]

@@ -1,12 +1,14 @@
 //! The command `basis`: everything that the macro does during a build, and more, at a terminal.
 //!
 //! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly, `basis explain` shows what
-//! follows from its formulas, `basis verify` checks certificates of proofs, `basis gallery` draws the figures of the papers. All
-//! are thin: the mathematics is in basis-engine; here are arguments, files, clocks and tables.
+//! follows from its formulas, `basis table` lists families with their proved properties, `basis verify` checks certificates
+//! of proofs, `basis gallery` draws the figures of the papers. All are thin: the mathematics is in basis-engine; here are
+//! arguments, files, clocks and tables.
 
 mod args;
 #[allow(dead_code)] // drawn by the gallery
 mod bonnet;
+mod catalogue;
 mod certificates;
 mod check;
 mod domain;
@@ -29,6 +31,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Table(arguments) => catalogue::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
         Command::Gallery(arguments) => gallery::run(&arguments),
     };

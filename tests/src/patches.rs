@@ -7,6 +7,7 @@ use basis_runtime::{BoxBasis, Scalar, ShapeError, SimplexBasis, basis};
 use crate::exact::{Reference, fraction};
 use crate::random::Random;
 
+basis!("../../specs/elements.basis");
 basis!("../../specs/lagrange.basis", Bilinear, Serendipity);
 basis!("../../specs/lagrange.basis", TriangularLagrange(1) as P1, TriangularLagrange(4) as P4);
 basis!(
@@ -137,6 +138,9 @@ macro_rules! patches {
     (@degree box $type:ty) => { <$type as BoxBasis>::DEGREES.iter().copied().max().unwrap_or(0) };
 }
 patches! {
+    simplex CrouzeixRaviart: "elements.basis" CrouzeixRaviart [], () => Ok(Self::new());
+    simplex HermiteTriangle: "elements.basis" HermiteTriangle [], () => Ok(Self::new());
+    box Trilinear: "elements.basis" Trilinear [], () => Ok(Self::new());
     box Bilinear: "lagrange.basis" Bilinear [], () => Ok(Self::new());
     box Serendipity: "lagrange.basis" Serendipity [], () => Ok(Self::new());
     simplex P1: "lagrange.basis" TriangularLagrange [1], () => Ok(Self::new());
@@ -161,7 +165,7 @@ patches! {
 macro_rules! each_patch {
     ($scalar:ty, $visit:ident $(, $argument:expr)*) => {
         $crate::each_patch!(@ $scalar, $visit, ($($argument),*),
-            Bilinear Serendipity P1 P4 Tetrahedral1 Tetrahedral2 TriangularLinear TriangularBernstein TriangularI
+            CrouzeixRaviart HermiteTriangle Trilinear Bilinear Serendipity P1 P4 Tetrahedral1 Tetrahedral2 TriangularLinear TriangularBernstein TriangularI
             TriangularI3 TriangularI8 TriangularII TriangularII5 TriangularII8 Bubble Quotients Brick)
     };
     (@ $scalar:ty, $visit:ident, $arguments:tt, $($type:ident)+) => {

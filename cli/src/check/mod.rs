@@ -2,7 +2,7 @@
 
 pub(crate) mod files;
 mod messages;
-mod orders;
+pub(crate) mod orders;
 pub(crate) mod prove;
 mod published;
 mod report;

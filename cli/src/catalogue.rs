@@ -1,0 +1,141 @@
+//! `basis table`: the families of spec files with what is known of them, as a table in Markdown.
+
+use std::collections::BTreeMap;
+
+use basis_engine::{Family, Verdict};
+
+use crate::args::TableArguments;
+use crate::check::prove::{self, Decided, Subject};
+use crate::check::{files, orders};
+use crate::domain;
+use crate::output::{self, Status};
+
+const HEADER: &str = "\
+| family | domain, shape parameters | sum 1 | ≥ 0 | symmetric | independent | joins | other claims |
+| --- | --- | --- | --- | --- | --- | --- | --- |
+";
+
+/// Prints the table of everything that the arguments name.
+pub(crate) fn run(arguments: &TableArguments) -> Status {
+    let mut status = Status::Fine;
+    let mut text = String::from(HEADER);
+    for entry in files::find(&arguments.paths) {
+        let outcome = prove::file(entry);
+        status = status.max(outcome.status());
+        for problem in outcome.all_diagnostics() {
+            output::complain(&(problem.render(&outcome.sources, true) + "\n\n"));
+        }
+        for items in outcome.items.chunk_by(|a, b| a.subject.is_same(&b.subject)) {
+            if let Some(row) = row(&outcome.path, items) {
+                text += &row;
+            }
+        }
+    }
+    status.max(output::print(&text))
+}
+
+/// The row of a family, whose orders are `items`; `None` for a theorem.
+fn row(path: &str, items: &[Decided]) -> Option<String> {
+    let families: Vec<&Family> = items
+        .iter()
+        .filter_map(|item| match &item.subject {
+            Subject::Family(family) => Some(&**family),
+            Subject::Theorem(_) => None,
+        })
+        .collect();
+    let family = families.first()?;
+    let orders = orders::describe(families.iter().map(|f| f.order.as_slice()));
+    let orders = if orders.is_empty() { orders } else { format!(", {orders}") };
+    let mut domain = format!("`{}`", domain::describe(family));
+    for shape in &family.shapes {
+        domain += &format!(", `{}`", shape.range.display(&shape.name));
+    }
+    let cells = [
+        format!("[{}]({path}){orders}", family.name),
+        domain,
+        cell(items, |item| known(item, "partition_of_unity")),
+        cell(items, |item| known(item, "nonnegative")),
+        cell(items, |item| known(item, "symmetric")),
+        cell(items, independent),
+        joins(items),
+        others(items),
+    ];
+    Some(format!("| {} |\n", cells.map(|cell| cell.replace('|', "\\|")).join(" | ")))
+}
+
+/// ✓ for a claim that is proved, ✗ for one that is refuted.
+fn known(item: &Decided, text: &str) -> Option<String> {
+    let claim = item.claims.iter().find(|c| c.question.text() == text)?;
+    Some(String::from(match claim.verdict {
+        Verdict::Proved(_) => "✓",
+        Verdict::Refuted(_) => "✗",
+        Verdict::Undecided(_) => "?",
+    }))
+}
+
+/// Independent, or independent but for some shape values.
+fn independent(item: &Decided) -> Option<String> {
+    let except = item.claims.iter().find_map(|c| {
+        let values = c.question.text().strip_prefix("independent except ")?;
+        matches!(c.verdict, Verdict::Proved(_)).then(|| format!("✓ except `{values}`"))
+    });
+    except.or_else(|| known(item, "independent"))
+}
+
+/// What is known in all orders, or what is known in which.
+fn cell(items: &[Decided], known: impl Fn(&Decided) -> Option<String>) -> String {
+    let mut groups: Vec<(Option<String>, Vec<&Decided>)> = Vec::new();
+    for item in items {
+        let known = known(item);
+        match groups.iter_mut().find(|(k, _)| *k == known) {
+            Some((_, group)) => group.push(item),
+            None => groups.push((known, vec![item])),
+        }
+    }
+    if let [(known, _)] = groups.as_slice() {
+        return known.clone().unwrap_or_default();
+    }
+    let part = |(known, group): (Option<String>, Vec<&Decided>)| {
+        let orders = orders::describe(group.iter().map(|item| item.subject.order()));
+        known.map(|known| format!("{known} for {orders}"))
+    };
+    groups.into_iter().filter_map(part).collect::<Vec<_>>().join("; ")
+}
+
+/// How smoothly neighbouring segments join: the highest order of continuity that is proved.
+fn joins(items: &[Decided]) -> String {
+    let order = |item: &Decided| {
+        let proved = item.claims.iter().filter(|c| matches!(c.verdict, Verdict::Proved(_)));
+        proved
+            .filter_map(|c| {
+                c.question.text().strip_prefix("continuity(")?.strip_suffix(')')?.parse::<u32>().ok()
+            })
+            .max()
+    };
+    let all: Vec<u32> = items.iter().filter_map(order).collect();
+    match (all.iter().min(), all.iter().max()) {
+        (Some(low), Some(high)) if low == high => format!("C{low}"),
+        (Some(low), Some(high)) => format!("C{low} to C{high}"),
+        _ => String::new(),
+    }
+}
+
+/// How many claims besides the properties are proved and refuted, in all orders together.
+fn others(items: &[Decided]) -> String {
+    let property = |text: &str| {
+        ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity("]
+            .iter()
+            .any(|p| text.starts_with(p))
+    };
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for claim in items.iter().flat_map(|item| &item.claims).filter(|c| !property(c.question.text())) {
+        let verdict = match claim.verdict {
+            Verdict::Proved(_) => "proved",
+            Verdict::Refuted(_) => "refuted",
+            Verdict::Undecided(_) => "undecided",
+        };
+        *counts.entry(verdict).or_default() += 1;
+    }
+    let parts: Vec<String> = counts.iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
+    parts.join(", ")
+}
