@@ -112,3 +112,32 @@ fn irrational_witnesses() {
     let run = folder.run(&["verify", "proofs"]);
     assert_eq!(run.code, 1, "{}", run.stdout);
 }
+
+#[test]
+fn irrational_points_of_a_simplex() {
+    let spec = "family T { domain triangle (u, v, w); b[0] = u;
+        refute (u^2 - 1/2)^2 > 0;
+        refute (w^2 - 1/2)^2 > 0;
+        refute at w = 0 { (u^2 - 1/2)^2 > 0; }
+        prove (u^2 - 1/2)^2 >= 0; }";
+    let folder = Folder::with("t.basis", spec);
+    let (code, report) = folder.check_json(&["t.basis"]);
+    assert_eq!(code, 0);
+    let claims = &report["files"][0]["items"][0]["claims"];
+    let u = "root of -1 + 2*u^2 between 0.707 and 0.708";
+    let half = |name: &str| format!("root of 1 - 8*{name} + 8*{name}^2 between 0.146446 and 0.146447");
+    assert_eq!(claims[0]["witness"]["at"], json!({"u": u, "v": half("v"), "w": half("w")}));
+    let v = "root of 1 - 4*v + 2*v^2 between 0.292 and 0.293";
+    assert_eq!(claims[2]["witness"]["at"], json!({"u": u, "v": v, "w": "0"}));
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "t.basis"]).code, 0);
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 0);
+    let file = folder.path().join("proofs/t/T.json");
+    let text = std::fs::read_to_string(&file).expect("a file");
+    for (from, to) in
+        [(half("w"), half("w").replace("- 8*w", "- 9*w")), (half("w"), "0".into()), (v.into(), "1/4".into())]
+    {
+        assert!(text.contains(&from));
+        std::fs::write(&file, text.replace(&from, &to)).expect("a file");
+        assert_eq!(folder.run(&["verify", "proofs"]).code, 1, "{from} → {to}");
+    }
+}

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::fmt;
 
 use super::factor::rational_roots;
-use super::poly::Var;
+use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::roots::{Root, isolate};
 use super::univariate::Univariate;
@@ -101,6 +101,17 @@ impl Algebraic {
             }
         }
         Some(self.clone())
+    }
+
+    /// The number a + b·x for this number x; `None` for b = 0.
+    pub fn affine(&self, a: &Rational, b: &Rational) -> Option<Self> {
+        // It is a root of p((y − a)/b).
+        let inverse = b.recip()?;
+        let back = &Poly::var(Var(0)).scale(&inverse) - &Poly::constant(a * &inverse);
+        let polynomial = self.polynomial.to_poly(Var(0)).substitute(Var(0), &back);
+        let ends = [&self.low, &self.high].map(|x| a + &(b * x));
+        let [low, high] = if b.is_negative() { [ends[1].clone(), ends[0].clone()] } else { ends };
+        Self::new(&Univariate::from_poly(&polynomial, Var(0))?, low, high)
     }
 
     /// How the number compares with a rational one.

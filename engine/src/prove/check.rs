@@ -237,6 +237,25 @@ fn point(family: &Family, claim: &Claim, witness: &Witness) -> Result<Point, Str
             return Err(format!("`{name}` is outside of its range"));
         }
     }
+    if !rational && witness.at.len() > independent {
+        // Barycentric coordinates sum to 1.
+        let coordinates =
+            witness.at[family.shapes.len()..].iter().map(|(_, c)| c.clone()).collect::<Vec<_>>();
+        let sum = (0..coordinates.len()).fold(-&Poly::one(), |sum, k| &sum + &Poly::var(Var(k)));
+        if !several(&sum, &coordinates) {
+            return Err(String::from("the barycentric coordinates do not sum to 1"));
+        }
+    }
+    if !rational {
+        let coordinates: Vec<Coordinate> =
+            witness.at.iter().take(independent).map(|(_, c)| c.clone()).collect();
+        for (var, value) in fixed(&claim.kind) {
+            let difference = value.as_poly().map(|p| &Poly::var(*var) - p);
+            if !difference.is_some_and(|p| several(&p, &coordinates)) {
+                return Err(format!("`{}` is not what the claim fixes", family.names[var.0]));
+            }
+        }
+    }
     let point = Point(witness.at.iter().take(independent).map(|(_, c)| c.clone()).collect());
     if let Some(exact) = point.exact() {
         if let Some((_, Coordinate::Rational(last))) = witness.at.get(independent) {
@@ -264,7 +283,7 @@ fn vanishes(value: &Fraction, point: &Point) -> bool {
             Coordinate::Rational(x) => rest = rest.at(Var(k), x),
             Coordinate::Algebraic(_) if !rest.depends_on(Var(k)) => {}
             Coordinate::Algebraic(x) if irrational.is_none() => irrational = Some((Var(k), x)),
-            Coordinate::Algebraic(_) => return several(value, point),
+            Coordinate::Algebraic(_) => return several(value.numer(), &point.0),
         }
     }
     let Some((var, x)) = irrational else { return rest.is_zero() };
@@ -277,10 +296,10 @@ fn vanishes(value: &Fraction, point: &Point) -> bool {
 }
 
 /// The same for several irrational coordinates.
-fn several(value: &Fraction, point: &Point) -> bool {
-    let mut rest = value.numer().clone();
+fn several(value: &Poly, point: &[Coordinate]) -> bool {
+    let mut rest = value.clone();
     let mut irrational = Vec::new();
-    for (k, c) in point.0.iter().enumerate() {
+    for (k, c) in point.iter().enumerate() {
         match c {
             Coordinate::Rational(x) => rest = rest.at(Var(k), x),
             Coordinate::Algebraic(x) => irrational.push((Var(k), x.clone())),

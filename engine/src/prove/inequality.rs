@@ -5,8 +5,12 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
 use crate::model::{ClaimKind, Comparison, Family};
+
+/// Coordinates of the variables of a family, and the last barycentric one where it is needed.
+type FamilyPoint = (Vec<(Var, Coordinate)>, Option<Coordinate>);
 
 /// An inequality `sign`·x ≥ 0 or > 0 between an expression x and zero as one of a polynomial on a box.
 pub(super) struct Inequality<'a> {
@@ -45,6 +49,18 @@ impl<'a> Inequality<'a> {
         self.chart.pull_back(&numerator_with_sign(&signed, self.family))
     }
 
+    /// The point of the family's variables, irrational values of what is fixed included, with the last barycentric coordinate.
+    fn point(&self, point: &[(Var, Coordinate)], fixed: &[(Var, Fraction)]) -> Option<FamilyPoint> {
+        let (mut point, last) = self.chart.point(point)?;
+        let irrational: Vec<Var> =
+            point.iter().filter(|(_, c)| matches!(c, Coordinate::Algebraic(_))).map(|(v, _)| *v).collect();
+        for (var, f) in fixed.iter().filter(|(_, f)| irrational.iter().any(|v| f.depends_on(*v))) {
+            let value = image(f.as_poly()?, &point)?;
+            point.push((*var, value));
+        }
+        Some((point, last))
+    }
+
     /// Decides every expression; the first failure is the witness.
     pub(super) fn decide(&self, kind: &ClaimKind, expressions: Vec<(String, Fraction)>) -> Verdict {
         let family = self.family;
@@ -63,7 +79,7 @@ impl<'a> Inequality<'a> {
                     hardest = Some(hardest.map_or(proof.method, |m| m.max(proof.method)));
                     steps.push(Step { of, proof: StepProof::Sign(proof) });
                 }
-                Decision::Refuted(witness) => match self.chart.point(&witness.point) {
+                Decision::Refuted(witness) => match self.point(&witness.point, super::fixed(kind)) {
                     Some(point) => {
                         let fixed = super::fixed(kind);
                         return Verdict::Refuted(refutation(
@@ -76,8 +92,9 @@ impl<'a> Inequality<'a> {
                         ));
                     }
                     None => {
-                        undecided =
-                            undecided.or(Some(format!("`{of}` fails at an irrational point of the simplex")));
+                        undecided = undecided.or(Some(format!(
+                            "`{of}` fails, but at a point that is irrational in several ways"
+                        )));
                     }
                 },
                 Decision::Undecided(left) => undecided = undecided.or(Some(format!("`{of}`: {left}"))),
@@ -115,7 +132,7 @@ fn refutation(
     family: &Family,
     of: &str,
     value: &Fraction,
-    point: &[(Var, Coordinate)],
+    (point, last): &FamilyPoint,
     zero: &Rational,
     fixed: &[(Var, Fraction)],
 ) -> Witness {
@@ -124,7 +141,11 @@ fn refutation(
     let shown = if exact { value.eval(&coordinates) } else { None };
     // At an irrational point the value is an exact zero.
     let shown = shown.unwrap_or_else(|| zero.clone());
-    let at = named_point(family, point, fixed);
+    let mut at = named_point(family, point, fixed);
+    if let (false, Some(name), Some(last)) = (exact, &family.dependent, last) {
+        at.retain(|(n, _)| *n != name.name);
+        at.push((name.name.clone(), last.clone()));
+    }
     let mut result = Witness { of: of.to_string(), at, value: shown, net: Vec::new(), notes: Vec::new() };
     result.notes.push(format!("`{of}` is {} at {}", result.value, result.point()));
     result
@@ -138,6 +159,8 @@ struct Chart {
     region: Region,
     /// The domain variables as polynomials in the variables of the box; empty on a box, where they are the same.
     by: Vec<(Var, Poly)>,
+    /// The last barycentric coordinate in the same way, unless what is fixed is no polynomial.
+    last: Option<Poly>,
 }
 
 impl Chart {
@@ -147,7 +170,7 @@ impl Chart {
         region.ranges.retain(|(v, _)| free(v));
         let on_simplex: Vec<Var> = family.domain.iter().map(|p| p.var).filter(free).collect();
         if !family.is_simplex() || on_simplex.is_empty() {
-            return Self { region, by: Vec::new() };
+            return Self { region, by: Vec::new(), last: None };
         }
         region.ranges.retain(|(v, _)| !on_simplex.contains(v));
         let mut by = Vec::new();
@@ -159,30 +182,65 @@ impl Chart {
             rest = &rest * &Poly::var(s);
             by.push((*var, coordinate));
         }
-        Self { region, by }
+        // 1 minus the others, what is fixed included.
+        let mut last = Some(Poly::one());
+        for parameter in &family.domain {
+            let own = by.iter().find(|(v, _)| *v == parameter.var).map(|(_, p)| p.clone());
+            let value = own.or_else(|| {
+                let (_, f) = fixed.iter().find(|(v, _)| *v == parameter.var)?;
+                Some(by.iter().fold(f.as_poly()?.clone(), |p, (v, by)| p.substitute(*v, by)))
+            });
+            last = last.zip(value).map(|(last, p)| &last - &p);
+        }
+        Self { region, by, last }
     }
 
     fn pull_back(&self, polynomial: &Poly) -> Poly {
         self.by.iter().fold(polynomial.clone(), |p, (var, by)| p.substitute(*var, by))
     }
 
-    /// The point of the family's variables; `None` when it has irrational coordinates on a simplex.
-    fn point(&self, point: &[(Var, Coordinate)]) -> Option<Vec<(Var, Coordinate)>> {
+    /// The point of the family's variables, with the last barycentric coordinate; `None` when a coordinate is no affine image of
+    /// an irrational one.
+    fn point(&self, point: &[(Var, Coordinate)]) -> Option<FamilyPoint> {
         if self.by.is_empty() {
-            return Some(point.to_vec());
+            return Some((point.to_vec(), None));
         }
-        let len = point.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
-        let coordinates = point::coordinates(point, len);
         let in_box = |v: &Var| self.by.iter().any(|(_, p)| p.depends_on(*v));
-        let mut result: Vec<(Var, Coordinate)> = Vec::new();
-        for (var, c) in point {
-            match c {
-                _ if !in_box(var) => result.push((*var, c.clone())),
-                Coordinate::Rational(_) => {}
-                Coordinate::Algebraic(_) => return None,
-            }
+        let mut result: Vec<(Var, Coordinate)> = point.iter().filter(|(v, _)| !in_box(v)).cloned().collect();
+        for (var, by) in &self.by {
+            result.push((*var, image(by, point)?));
         }
-        result.extend(self.by.iter().map(|(var, by)| (*var, Coordinate::Rational(by.eval(&coordinates)))));
-        Some(result)
+        let last = match &self.last {
+            Some(by) => Some(image(by, point)?),
+            None => None,
+        };
+        Some((result, last))
     }
 }
+
+/// The value of a polynomial that is of degree 1 in the only irrational coordinate that occurs.
+fn image(by: &Poly, point: &[(Var, Coordinate)]) -> Option<Coordinate> {
+    let mut rest = by.clone();
+    for (var, c) in point {
+        if let Coordinate::Rational(x) = c {
+            rest = rest.at(*var, x);
+        }
+    }
+    if let Some(value) = rest.as_constant() {
+        return Some(Coordinate::Rational(value));
+    }
+    let (var, x) = point.iter().find_map(|(v, c)| match c {
+        Coordinate::Algebraic(x) if rest.depends_on(*v) => Some((*v, x)),
+        _ => None,
+    })?;
+    match &rest.coefficients_in(var)[..] {
+        [a, b] => {
+            let moved = x.affine(&a.as_constant()?, &b.as_constant()?)?;
+            Some(Coordinate::Algebraic(moved.tidy(&mut Work::new(TIDYING))?))
+        }
+        _ => None,
+    }
+}
+
+/// The work for writing an irrational coordinate with short numbers.
+const TIDYING: u64 = 1_000_000;

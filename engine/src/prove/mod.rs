@@ -214,8 +214,11 @@ fn named_point(
         .iter()
         .chain(&family.domain)
         .map(|p| {
-            let fixed_value = fixed.iter().find(|(v, _)| *v == p.var).and_then(|(_, f)| f.eval(&rational));
             let given = point.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
+            // What is fixed has an irrational value only where it is given.
+            let is_irrational = matches!(given, Some(Coordinate::Algebraic(_)));
+            let fixed_value = fixed.iter().find(|(v, _)| *v == p.var && !is_irrational);
+            let fixed_value = fixed_value.and_then(|(_, f)| f.eval(&rational));
             let value = fixed_value
                 .map(Coordinate::Rational)
                 .or(given)
