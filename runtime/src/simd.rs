@@ -38,10 +38,12 @@ mod x86_64 {
     pub(super) fn dispatch(kernel: impl Kernel) {
         // The answer is cached by the standard library: one load and one comparison each.
         let avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        #[cfg(has_avx512)]
         if avx2 && is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl") {
             // SAFETY: the processor has the features that the function is compiled for.
-            unsafe { avx512(kernel) }
-        } else if avx2 {
+            return unsafe { avx512(kernel) };
+        }
+        if avx2 {
             // SAFETY: the processor has the features that the function is compiled for.
             unsafe { avx2_fma(kernel) }
         } else {
@@ -49,6 +51,7 @@ mod x86_64 {
         }
     }
 
+    #[cfg(has_avx512)] // from rustc 1.89 on, says build.rs
     #[target_feature(enable = "avx512f,avx512vl,avx2,fma")]
     fn avx512(kernel: impl Kernel) {
         kernel.run::<true>();
