@@ -6,7 +6,6 @@
 //! arguments, files, clocks and tables.
 
 mod args;
-#[allow(dead_code)] // drawn by the gallery
 mod bonnet;
 mod catalogue;
 mod certificates;

@@ -1,5 +1,6 @@
 //! `basis gallery`: the figures of the papers, drawn from generated families, with what was measured in them.
 
+mod bspline;
 mod claims;
 mod families;
 mod figure;
@@ -53,7 +54,13 @@ pub(crate) fn run(arguments: &GalleryArguments) -> Status {
 
 /// The figures of each paper, in the order of [`PAPERS`].
 fn figures() -> [Vec<Figure>; PAPERS.len()] {
-    [quadratic::figures(), quartic::figures(), triangular::figures(), revolution::figures(), Vec::new()]
+    [
+        quadratic::figures(),
+        quartic::figures(),
+        triangular::figures(),
+        revolution::figures(),
+        bspline::figures(),
+    ]
 }
 
 fn draw_all(folder: &Path, only: &str) -> Result<usize, Box<dyn Error>> {

@@ -216,6 +216,9 @@ fn surface<const N: usize>(
     let mesh = scene.surfaces(&parts)?;
     let facts = joints(&segments, claimed).with("area", mesh.area()).with("triangles", mesh.triangles.len());
     scene.colours(vec![0; N]);
+    for segment in &segments {
+        scene.polygon(&segment.control_points().iter().map(|&[x, y]| [x, 0.0, up * y]).collect::<Vec<_>>());
+    }
     Ok(Drawing {
         picture: Picture::Surfaces(scene, view),
         params: params(&profile),

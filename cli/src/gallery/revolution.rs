@@ -137,6 +137,12 @@ fn whole(nets: &[[Plane; 4]], lambdas: &[f64], angle: f64) -> Result<Drawing, Bo
             .with("angle at the join in degrees", joint.angle.to_degrees());
     }
     scene.inside_out();
+    if nets == TWO {
+        facts = facts.with(
+            "largest distance from the published polynomials",
+            distance_from_published(&segments, lambdas),
+        );
+    }
     for net in nets {
         scene.polygon(&net.map(|[x, y]| [x, y, 0.0]));
     }
@@ -151,6 +157,30 @@ fn whole(nets: &[[Plane; 4]], lambdas: &[f64], angle: f64) -> Result<Drawing, Bo
         note: String::from(
             "About the x axis; the control polygon of the generatrix stands on the meridian of angle 0.",
         ),
+    })
+}
+
+/// How far the generatrix is from the polynomials printed with equation (22).
+fn distance_from_published(segments: &[Segment], lambdas: &[f64]) -> f64 {
+    let (a, b) = (lambdas[0], lambdas[1]);
+    let published = |k: usize, s: f64| -> Plane {
+        let power = |coefficients: [f64; 5]| coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c);
+        if k == 0 {
+            [
+                power([0.0, 1.5 + 0.5 * a, -(1.5 + 1.5 * a), 1.0 + a, 0.0]),
+                power([0.5, 1.5 + 0.5 * a, 0.3 - 1.5 * a, -(0.3 - 1.1 * a), -0.1 * a]),
+            ]
+        } else {
+            [
+                power([1.0, 3.0 + b, -3.0 * b, 2.0 * b, 0.0]),
+                power([2.0, -(1.5 + 0.5 * b), -(1.5 - 1.5 * b), 2.0 - 2.0 * b, b]),
+            ]
+        }
+    };
+    let steps = (0..2).flat_map(|k| (0..=100).map(move |step| (k, f64::from(step) / 100.0)));
+    steps.fold(0.0, |most, (k, s)| {
+        let ([x, y], [p, q]) = (segments[k].eval(s), published(k, s));
+        most.max((x - p).hypot(y - q))
     })
 }
 

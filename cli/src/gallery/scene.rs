@@ -109,6 +109,11 @@ impl Scene {
         }
     }
 
+    /// Single points.
+    pub(super) fn points(&mut self, points: &[Point3d]) {
+        self.points.extend_from_slice(points);
+    }
+
     /// A control polygon with its points.
     pub(super) fn polygon(&mut self, points: &[Point3d]) {
         self.points.extend_from_slice(points);

@@ -64,13 +64,16 @@ pub struct EdgeContinuity<S> {
     /// The largest angle in radians by which the surfaces do not continue each other: 0 where the join is smooth, π where one
     /// folds back on the other. NaN if nowhere on the edge both surfaces have a normal.
     pub angle: S,
-    /// The largest difference of the normal curvatures, over all tangent directions; NaN where a curvature does not exist.
+    /// The largest difference of the normal curvatures, over all tangent directions; NaN if nowhere on the edge both surfaces
+    /// have curvatures.
     pub curvature: S,
     /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from which
     /// edges are joined in which direction.
     pub same_side: bool,
     /// The number of samples at which a surface has no normal, which do not count for the angle.
     pub without_normal: usize,
+    /// The number of samples at which a surface has no curvature, as at poles, which do not count for the curvature.
+    pub without_curvature: usize,
 }
 
 impl<S: Scalar> EdgeContinuity<S> {
@@ -124,7 +127,7 @@ where
     let (mut gap, mut angle, mut curvature) = (zero, zero, zero);
     // Two faces have one orientation if they are on different sides of their common edge.
     let same_side = first_edge.surface_on_the_right() ^ second_edge.surface_on_the_right() ^ reversed;
-    let mut without_normal = 0;
+    let (mut without_normal, mut without_curvature) = (0, 0);
     for k in 0..=last {
         let x = ScalarOf::<A>::from_usize(k) / ScalarOf::<A>::from_usize(last);
         let (u, v) = first_edge.parameters(first.domain(), x);
@@ -132,6 +135,7 @@ where
         gap = larger(gap, distance(first.eval(u, v), second.eval(s, t)));
         let (Some(n), Some(m)) = (first.normal(u, v), second.normal(s, t)) else {
             without_normal += 1;
+            without_curvature += 1;
             continue;
         };
         let outwards = conormal(first, first_edge, u, v, n).zip(conormal(second, second_edge, s, t, m));
@@ -142,16 +146,19 @@ where
             None => length(cross(n, m)).atan2(dot(n, m).abs()),
         };
         angle = larger(angle, here);
-        let difference = match (first.curvature(u, v), second.curvature(s, t)) {
-            (Some(a), Some(b)) => curvature_difference(&a, &b, if same_side { one } else { -one }),
-            _ => ScalarOf::<A>::NAN,
-        };
-        curvature = larger(curvature, difference);
+        if let (Some(a), Some(b)) = (first.curvature(u, v), second.curvature(s, t)) {
+            curvature = larger(curvature, curvature_difference(&a, &b, if same_side { one } else { -one }));
+        } else {
+            without_curvature += 1;
+        }
     }
     if without_normal > last {
-        (angle, curvature) = (ScalarOf::<A>::NAN, ScalarOf::<A>::NAN);
+        angle = ScalarOf::<A>::NAN;
     }
-    EdgeContinuity { gap, angle, curvature, same_side, without_normal }
+    if without_curvature > last {
+        curvature = ScalarOf::<A>::NAN;
+    }
+    EdgeContinuity { gap, angle, curvature, same_side, without_normal, without_curvature }
 }
 
 /// The larger one; NaN stays.

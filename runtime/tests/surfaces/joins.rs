@@ -198,6 +198,8 @@ fn along_an_edge_that_is_a_point() {
     let measured = edge_continuity(&pole(1.0), Edge::UStart, &pole(-1.0), Edge::UStart, false, 9);
     assert_eq!((measured.gap, measured.without_normal), (0.0, 0));
     assert!(measured.angle < 1e-15);
+    assert_eq!(measured.without_curvature, 9);
+    assert!(measured.curvature.is_nan());
     let point = bicubic(|_, _| [0.0; 3]);
     let measured = edge_continuity(&point, Edge::UStart, &point, Edge::UStart, false, 0);
     assert_eq!(measured.without_normal, 2);

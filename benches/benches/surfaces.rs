@@ -1,0 +1,92 @@
+//! Grids of surfaces beside the naive sum and curvo, on the same work in the same run:
+//! `cargo bench -p basis-benches --bench surfaces`.
+//!
+//! Prints a table in Markdown. The surface is bicubic, three dimensions in f64, on a grid of 1000 × 1000 parameters; ours is the
+//! generated family `Bernstein(3)`, and the quartic surface with five shape parameters. All contestants take turns; the fastest
+//! of several rounds counts.
+
+use std::time::Instant;
+
+use basis_runtime::{Basis, Point, Surface, TensorSurface, basis};
+use curvo::prelude::{KnotVector, NurbsSurface3D};
+use divan::black_box;
+use nalgebra::Point4;
+
+basis!("../../specs/quartic.basis");
+basis!("../../specs/bernstein.basis", Bernstein(3));
+
+const SIDE: usize = 1000;
+const ROUNDS: usize = 5;
+
+fn main() {
+    let net: [[[f64; 3]; 4]; 4] = core::array::from_fn(|i| {
+        core::array::from_fn(|j| [i as f64, j as f64, ((i * 3 + j * 5) % 4) as f64])
+    });
+    let bicubic = black_box(TensorSurface::new(Bernstein::new(), Bernstein::new(), net));
+    let shape = |value| QuarticBernstein::new(value).expect("in the declared range");
+    let quartic = black_box(TensorSurface::with_rows(shape(0.5), [0.1, -0.4, 0.9, -1.2].map(shape), net));
+    let knots = || KnotVector::from(vec![0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0]);
+    let weighted =
+        net.iter().map(|row| row.iter().map(|&[x, y, z]| Point4::new(x, y, z, 1.0)).collect()).collect();
+    let peer: NurbsSurface3D<f64> = black_box(NurbsSurface3D::new(3, 3, knots(), knots(), weighted));
+
+    let ts: Vec<f64> = (0..SIDE).map(|k| k as f64 / (SIDE - 1) as f64).collect();
+    let mut out = vec![[0.0; 3]; SIDE * SIDE];
+    let mut peer_out = vec![nalgebra::Point3::origin(); SIDE * SIDE];
+
+    let mut best = [f64::MAX; 6];
+    for _ in 0..ROUNDS {
+        let mut time = |index: usize, work: &mut dyn FnMut()| {
+            let start = Instant::now();
+            work();
+            best[index] = best[index].min(start.elapsed().as_nanos() as f64 / (SIDE * SIDE) as f64);
+        };
+        time(0, &mut || each(&ts, &mut peer_out, |u, v| peer.point_at(u, v)));
+        time(1, &mut || each(&ts, &mut out, |u, v| naive(&bicubic, u, v)));
+        time(2, &mut || each(&ts, &mut out, |u, v| bicubic.eval(u, v)));
+        time(3, &mut || bicubic.eval_grid(&ts, &ts, &mut out));
+        time(4, &mut || each(&ts, &mut out, |u, v| naive(&quartic, u, v)));
+        time(5, &mut || quartic.eval_grid(&ts, &ts, &mut out));
+        black_box(&out);
+        black_box(&peer_out);
+    }
+    println!("| surface, 1000 × 1000 points | ns per point | of curvo's time | of the naive sum's time |");
+    println!("| --- | --- | --- | --- |");
+    let names = [
+        "curvo, bicubic",
+        "bicubic, naive double sum",
+        "bicubic, `eval`",
+        "bicubic, `eval_grid`",
+        "quartic with five parameters, naive double sum",
+        "quartic with five parameters, `eval_grid`",
+    ];
+    for (k, name) in names.iter().enumerate() {
+        let sum = if k < 4 { best[1] } else { best[4] };
+        println!("| {name} | {:.2} | 1/{:.1} | 1/{:.1} |", best[k], best[0] / best[k], sum / best[k]);
+    }
+}
+
+fn each<P>(ts: &[f64], out: &mut [P], point: impl Fn(f64, f64) -> P) {
+    for (&u, row) in ts.iter().zip(out.chunks_mut(ts.len())) {
+        for (&v, slot) in ts.iter().zip(row) {
+            *slot = point(u, v);
+        }
+    }
+}
+
+/// `Σ_i Σ_j b_i(u) c_j(v) P_ij`, with the functions evaluated anew for each point.
+fn naive<U, V>(surface: &TensorSurface<U, V, [f64; 3]>, u: f64, v: f64) -> [f64; 3]
+where
+    U: Basis<Scalar = f64>,
+    V: Basis<Scalar = f64>,
+{
+    let weights = surface.u_basis().values(u);
+    let mut sum = [0.0; 3];
+    for (row, &b) in surface.rows().iter().zip(weights.as_ref()) {
+        let values = row.basis().values(v);
+        for (&point, &c) in row.control_points().iter().zip(values.as_ref()) {
+            sum = sum.add_scaled(point, b * c);
+        }
+    }
+    sum
+}
