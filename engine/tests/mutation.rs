@@ -12,6 +12,13 @@ use basis_engine::model::Expected;
 use basis_engine::prove::{self, check};
 use basis_engine::{Disk, Library, Selected, Severity, Source, Verdict};
 
+/// Mutants that are refused without a witness, with the reason, one by one.
+const EXPLAINED: [(&str, &str); 1] = [(
+    "triangular.basis:295: `0` → `1`",
+    "the range of a scalar becomes the single value 1, at which two different expressions agree; equations are decided as \
+     identities of expressions, and no point of the range shows a difference",
+)];
+
 /// What became of a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Fate {
@@ -209,8 +216,10 @@ fn run(every: usize) -> (BTreeMap<Fate, usize>, Vec<String>) {
 #[test]
 fn a_sample_of_the_mutants() {
     let (fates, undecided) = run(71);
-    println!("{fates:?}");
-    assert_eq!(undecided, [""; 0]);
+    assert!(
+        undecided.iter().all(|mutant| EXPLAINED.iter().any(|(known, _)| mutant == known)),
+        "{undecided:?}"
+    );
     assert!(fates[&Fate::Rejected] > 30, "{fates:?}");
 }
 
@@ -219,6 +228,6 @@ fn a_sample_of_the_mutants() {
 fn all_mutants() {
     let (fates, undecided) = run(1);
     println!("{fates:?}");
-    assert_eq!(undecided, [""; 0]);
+    assert_eq!(undecided, EXPLAINED.map(|(mutant, _)| mutant));
     assert!(fates[&Fate::Rejected] > 3000, "{fates:?}");
 }
