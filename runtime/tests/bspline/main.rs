@@ -5,6 +5,7 @@ mod constraints;
 mod fitting;
 mod golden;
 mod knots;
+mod networks;
 mod rational;
 mod refinement;
 mod splicing;

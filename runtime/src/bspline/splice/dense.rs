@@ -28,7 +28,7 @@ pub(super) fn inner(strip: &mut Strip, target: &Strip) -> Result<(), SpliceError
 }
 
 /// The control points over clamped knots of the spline nearest to `wanted`, equal to it at both ends.
-pub(super) fn fit(
+pub(in crate::bspline) fn fit(
     knots: &KnotVector<f64>,
     mut wanted: impl FnMut(f64) -> Result<Vector, SpliceError>,
 ) -> Result<Vec<Vector>, SpliceError> {

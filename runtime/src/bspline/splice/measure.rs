@@ -9,7 +9,7 @@ use crate::vector::{cross, dot, length};
 use crate::{Point, Scalar};
 
 /// Samples in each piece on which both strips are polynomial, its ends included.
-pub(super) const SAMPLES: usize = 13;
+pub(in crate::bspline) const SAMPLES: usize = 13;
 
 /// The gap and the angle along a joint.
 ///
@@ -31,14 +31,17 @@ pub struct JointMeasure {
 
 /// The same for one piece of the joint.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
-    pub(super) ends: [f64; 2],
-    pub(super) gap: f64,
-    pub(super) angle: f64,
+pub(in crate::bspline) struct Piece {
+    pub(in crate::bspline) ends: [f64; 2],
+    pub(in crate::bspline) gap: f64,
+    pub(in crate::bspline) angle: f64,
 }
 
 /// The largest gap and angle, and those of each piece, for strips over the same domain.
-pub(super) fn measure(strip: &Strip, target: &Strip) -> Result<(JointMeasure, Vec<Piece>), SpliceError> {
+pub(in crate::bspline) fn measure(
+    strip: &Strip,
+    target: &Strip,
+) -> Result<(JointMeasure, Vec<Piece>), SpliceError> {
     let mut breakpoints = strip.knots.breakpoints();
     breakpoints.extend(target.knots.breakpoints());
     breakpoints.sort_by(f64::total_cmp);
@@ -93,7 +96,7 @@ fn angle(strip: &Frame, target: &Frame) -> Option<f64> {
 }
 
 /// The unit normal of the plane of two vectors; `None` if they are parallel up to rounding errors.
-pub(super) fn normal(across: Vector, tangent: Vector) -> Option<Vector> {
+pub(in crate::bspline) fn normal(across: Vector, tangent: Vector) -> Option<Vector> {
     let across = crate::vector::direction(across)?;
     let tangent = crate::vector::direction(tangent)?;
     let normal = cross(across, tangent);
@@ -103,7 +106,7 @@ pub(super) fn normal(across: Vector, tangent: Vector) -> Option<Vector> {
 /// The middle of each span of the strip in which a piece is over a tolerance, as a number of the scalar type.
 ///
 /// Neighbours that are much wider are divided too: a spline couples them, and their error would stay.
-pub(super) fn middles<S: Scalar>(
+pub(in crate::bspline) fn middles<S: Scalar>(
     knots: &KnotVector<f64>,
     pieces: &[Piece],
     gap: f64,

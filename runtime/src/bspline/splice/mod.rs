@@ -10,10 +10,10 @@
 //!   instead of folding back.
 
 mod correct;
-mod dense;
+pub(super) mod dense;
 mod error;
 mod exact;
-mod measure;
+pub(super) mod measure;
 #[cfg(all(feature = "nalgebra", feature = "std"))]
 mod midpoints;
 pub(super) mod strip;

@@ -7,7 +7,7 @@ use crate::bspline::rows::{self, Rows};
 use crate::bspline::{BSplineSurface, Direction, Edge, KnotVector};
 use crate::{Point, Point3, Scalar};
 
-pub(super) type Vector = [f64; 3];
+pub(in crate::bspline) type Vector = [f64; 3];
 
 /// The other direction than the one across the edge.
 pub(in crate::bspline) fn along(edge: Edge) -> Direction {
@@ -36,23 +36,23 @@ pub(in crate::bspline) fn place<P: Point>(
 #[derive(Clone, Debug)]
 pub(in crate::bspline) struct Strip {
     /// The knots along the edge.
-    pub(super) knots: KnotVector<f64>,
+    pub(in crate::bspline) knots: KnotVector<f64>,
     /// The row on the edge.
-    pub(super) edge: Vec<Vector>,
+    pub(in crate::bspline) edge: Vec<Vector>,
     /// The row next to it.
-    pub(super) inner: Vec<Vector>,
+    pub(in crate::bspline) inner: Vec<Vector>,
     /// The derivative across the edge, pointing into the surface, is `factor (inner - edge)`.
-    pub(super) factor: f64,
+    pub(in crate::bspline) factor: f64,
 }
 
 /// A strip at one parameter.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame {
-    pub(super) point: Vector,
+pub(in crate::bspline) struct Frame {
+    pub(in crate::bspline) point: Vector,
     /// The derivative along the edge.
-    pub(super) tangent: Vector,
+    pub(in crate::bspline) tangent: Vector,
     /// `inner - edge`.
-    pub(super) across: Vector,
+    pub(in crate::bspline) across: Vector,
 }
 
 impl Strip {
@@ -88,7 +88,7 @@ impl Strip {
 
     /// The strip over the domain `[lo, hi]`, run through backwards if `reversed`. Knots that agree with one of `grid` up to
     /// rounding errors of the scalar type become equal to it; all are made numbers of that type.
-    pub(super) fn mapped<S: Scalar>(
+    pub(in crate::bspline) fn mapped<S: Scalar>(
         &self,
         [lo, hi]: [f64; 2],
         reversed: bool,
@@ -135,12 +135,12 @@ impl Strip {
     }
 
     /// The same strip over more knots.
-    pub(super) fn inserted(&self, knots: &[f64]) -> Result<Self, SpliceError> {
+    pub(in crate::bspline) fn inserted(&self, knots: &[f64]) -> Result<Self, SpliceError> {
         Ok(self.with_rows(&rows::insert(&self.rows(), knots)?))
     }
 
     /// The same strip, of at least that degree.
-    pub(super) fn elevated(&self, degree: usize) -> Result<Self, SpliceError> {
+    pub(in crate::bspline) fn elevated(&self, degree: usize) -> Result<Self, SpliceError> {
         let mut rows = self.rows();
         while rows.knots.degree() < degree {
             rows = rows::elevate(&rows)?;
@@ -148,8 +148,19 @@ impl Strip {
         Ok(self.with_rows(&rows))
     }
 
+    /// The same strip with the second row at another distance: the derivative across the edge stays, its factor changes.
+    pub(in crate::bspline) fn with_factor(&self, factor: f64) -> Self {
+        if factor == self.factor {
+            return self.clone();
+        }
+        let ratio = self.factor / factor;
+        let rows = self.edge.iter().zip(&self.inner);
+        let inner = rows.map(|(edge, inner)| edge.add_scaled(inner.minus(*edge), ratio)).collect();
+        Self { knots: self.knots.clone(), edge: self.edge.clone(), inner, factor }
+    }
+
     /// The polynomial piece of that span at any parameter.
-    pub(super) fn frame(&self, span: usize, t: f64) -> Frame {
+    pub(in crate::bspline) fn frame(&self, span: usize, t: f64) -> Frame {
         let first = span - self.knots.degree();
         let mut frame = Frame { point: [0.0; 3], tangent: [0.0; 3], across: [0.0; 3] };
         let values = self.knots.values_on(span, t);
@@ -163,19 +174,19 @@ impl Strip {
         frame
     }
 
-    pub(super) fn at(&self, t: f64) -> Frame {
+    pub(in crate::bspline) fn at(&self, t: f64) -> Frame {
         self.frame(self.knots.span(t), t)
     }
 
     /// Whether the tangent along the edge may jump.
-    pub(super) fn is_creased(&self) -> bool {
+    pub(in crate::bspline) fn is_creased(&self) -> bool {
         let [lo, hi] = self.knots.domain();
         let inner =
             self.knots.as_slice().chunk_by(|a, b| a == b).filter(|group| group[0] > lo && group[0] < hi);
         inner.into_iter().any(|group| group.len() >= self.knots.degree())
     }
 
-    pub(super) fn spans(&self) -> usize {
+    pub(in crate::bspline) fn spans(&self) -> usize {
         self.knots.spans().count()
     }
 }

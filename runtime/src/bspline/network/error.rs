@@ -1,0 +1,115 @@
+//! Why a network of patches cannot follow.
+
+use core::error::Error;
+use core::fmt::{self, Display, Formatter};
+
+use crate::bspline::{JointMeasure, KnotError, SpliceError};
+
+/// A network that is not one, or whose patches cannot follow one of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NetworkError {
+    /// A seam names a patch that does not exist.
+    Patch {
+        /// The index of the patch.
+        patch: usize,
+    },
+    /// An edge belongs to two seams.
+    EdgeTwice {
+        /// The second of the seams.
+        seam: usize,
+    },
+    /// The deformed patch has another domain than the one it replaces.
+    Domain(KnotError),
+    /// A seam near the deformed patch was not smooth before, so there is no contact that could be kept.
+    NotSmooth {
+        /// The seam.
+        seam: usize,
+        /// How its patches met.
+        measure: JointMeasure,
+    },
+    /// A seam cannot be read, or its equations not be solved.
+    Seam {
+        /// The seam.
+        seam: usize,
+        /// What is wrong.
+        error: SpliceError,
+    },
+    /// Two seams that meet in a corner ask for different mixed derivatives of a patch between them. That happens where the
+    /// ratios of the derivatives across the seams vary along them, or where the corner is not a regular one of four patches.
+    Twist {
+        /// The patch in the corner.
+        patch: usize,
+        /// The two seams.
+        seams: [usize; 2],
+        /// How far the two control points next to the corner are apart.
+        mismatch: f64,
+        /// The seam that is not smooth for this reason.
+        worst: usize,
+        /// Its figures.
+        achieved: JointMeasure,
+    },
+    /// Two patches that both follow also meet each other, in a corner of three or of five and more patches, and their changes
+    /// do not fit.
+    Corner {
+        /// The seam between them.
+        seam: usize,
+        /// How they would meet.
+        achieved: JointMeasure,
+    },
+    /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar type.
+    NotReached {
+        /// The worst seam.
+        seam: usize,
+        /// Its figures.
+        achieved: JointMeasure,
+    },
+}
+
+impl Display for NetworkError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let figures = |f: &mut Formatter<'_>, m: &JointMeasure| {
+            write!(f, "gap {:.3e}, angle {:.3e} rad at the parameter {}", m.gap, m.angle, m.angle_at)
+        };
+        match self {
+            Self::Patch { patch } => write!(f, "a seam names the patch {patch}, which does not exist"),
+            Self::EdgeTwice { seam } => write!(f, "seam {seam} joins an edge that belongs to another seam"),
+            Self::Domain(error) => write!(f, "the deformed patch: {error}"),
+            Self::NotSmooth { seam, measure } => {
+                write!(f, "seam {seam} was not smooth before: ")?;
+                figures(f, measure)?;
+                f.write_str("; splice its patches first")
+            }
+            Self::Seam { seam, error } => write!(f, "seam {seam}: {error}"),
+            Self::Twist { patch, seams: [a, b], mismatch, worst, achieved } => {
+                write!(
+                    f,
+                    "in the corner of patch {patch} between the seams {a} and {b} the twists that they ask for put one control \
+                     point at two places, {mismatch:.3e} apart; seam {worst} is then not smooth: "
+                )?;
+                figures(f, achieved)
+            }
+            Self::Corner { seam, achieved } => {
+                write!(
+                    f,
+                    "both patches of seam {seam} follow, and meet in a corner that is not one of four patches: "
+                )?;
+                figures(f, achieved)
+            }
+            Self::NotReached { seam, achieved } => {
+                write!(f, "seam {seam} does not reach the tolerances: ")?;
+                figures(f, achieved)
+            }
+        }
+    }
+}
+
+impl Error for NetworkError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Domain(error) => Some(error),
+            Self::Seam { error, .. } => Some(error),
+            _ => None,
+        }
+    }
+}

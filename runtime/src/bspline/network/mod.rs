@@ -1,0 +1,185 @@
+//! Networks of patches: after one is deformed its neighbours follow.
+
+mod error;
+mod follow;
+mod transport;
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+pub use error::NetworkError;
+
+use super::{BSplineSurface, Direction, Edge, Joint, JointMeasure, SpliceError, measure_joint};
+use crate::{Point, Point3};
+
+/// Two edges of patches that are one curve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Seam {
+    /// The patches, by their index in the network; they may be the same one, closed to a ring.
+    pub patches: [usize; 2],
+    /// The edge of each.
+    pub edges: [Edge; 2],
+    /// Whether the parameters along the two edges run in opposite directions.
+    pub reversed: bool,
+}
+
+impl Seam {
+    /// The seam as seen from one of its patches, which is to be adjusted.
+    fn joint(&self, side: usize) -> Joint {
+        Joint { edge: self.edges[side], target: self.edges[1 - side], reversed: self.reversed }
+    }
+}
+
+/// Patches that share edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Network<P: Point> {
+    patches: Vec<BSplineSurface<P>>,
+    seams: Vec<Seam>,
+}
+
+/// What a network is to keep while it follows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FollowOptions {
+    /// The largest gap of a seam, in the unit of the points.
+    pub gap: f64,
+    /// The largest angle between the tangent planes along a seam, in radians.
+    pub angle: f64,
+    /// The most spans along an edge of a patch that follows.
+    pub spans: usize,
+}
+
+impl Default for FollowOptions {
+    /// Gap 1e-5, angle 1e-4, at most 400 spans.
+    fn default() -> Self {
+        Self { gap: 1e-5, angle: 1e-4, spans: 400 }
+    }
+}
+
+/// A network after one patch was deformed and its neighbours followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Followed<P: Point> {
+    /// The network.
+    pub network: Network<P>,
+    /// The patches that changed, the deformed one first. All others are bit by bit the same.
+    pub changed: Vec<usize>,
+    /// The seams of these patches, with gap and angle of each.
+    pub seams: Vec<(usize, JointMeasure)>,
+}
+
+impl<P: Point3> Network<P> {
+    /// The network of these patches, joined along these seams.
+    ///
+    /// # Errors
+    /// [`NetworkError::Patch`] or [`NetworkError::EdgeTwice`].
+    pub fn new(patches: Vec<BSplineSurface<P>>, seams: Vec<Seam>) -> Result<Self, NetworkError> {
+        let mut taken = Vec::with_capacity(2 * seams.len());
+        for (index, seam) in seams.iter().enumerate() {
+            for side in 0..2 {
+                let (patch, edge) = (seam.patches[side], seam.edges[side]);
+                if patch >= patches.len() {
+                    return Err(NetworkError::Patch { patch });
+                }
+                if taken.contains(&(patch, edge)) {
+                    return Err(NetworkError::EdgeTwice { seam: index });
+                }
+                taken.push((patch, edge));
+            }
+        }
+        Ok(Self { patches, seams })
+    }
+
+    /// A grid of patches, given by rows: each one's `UEnd` joins the `UStart` of the next row, its `VEnd` the `VStart` of the
+    /// next one in its row.
+    ///
+    /// # Errors
+    /// [`NetworkError::Patch`] if there are not as many patches as `columns` divides.
+    pub fn grid(patches: Vec<BSplineSurface<P>>, columns: usize) -> Result<Self, NetworkError> {
+        let count = patches.len();
+        if columns == 0 || !count.is_multiple_of(columns) {
+            return Err(NetworkError::Patch { patch: count });
+        }
+        let mut seams = Vec::new();
+        for patch in 0..count {
+            let mut join = |next: usize, edges: [Edge; 2]| {
+                seams.push(Seam { patches: [patch, next], edges, reversed: false });
+            };
+            if patch + columns < count {
+                join(patch + columns, [Edge::UEnd, Edge::UStart]);
+            }
+            if !(patch + 1).is_multiple_of(columns) {
+                join(patch + 1, [Edge::VEnd, Edge::VStart]);
+            }
+        }
+        Self::new(patches, seams)
+    }
+
+    /// The patches.
+    pub fn patches(&self) -> &[BSplineSurface<P>] {
+        &self.patches
+    }
+
+    /// The seams.
+    pub fn seams(&self) -> &[Seam] {
+        &self.seams
+    }
+
+    /// The gap and the angle of a seam.
+    ///
+    /// # Errors
+    /// [`NetworkError::Seam`] if it cannot be measured, also if there is no such seam.
+    pub fn measure(&self, seam: usize) -> Result<JointMeasure, NetworkError> {
+        let Some(&Seam { patches: [a, b], .. }) = self.seams.get(seam) else {
+            return Err(NetworkError::Seam { seam, error: SpliceError::OneRow });
+        };
+        let joint = self.seams[seam].joint(0);
+        measure_joint(&self.patches[a], &self.patches[b], joint)
+            .map_err(|error| NetworkError::Seam { seam, error })
+    }
+
+    /// Replaces a patch by a deformed one over the same domain, and lets its neighbours follow: along the seams, and around
+    /// the corners where four patches meet.
+    ///
+    /// Each follower keeps the contact it had: the ratio and the slant of the derivatives across the seam. Only the two rows of
+    /// control points along a seam change, over knots that are inserted until the tolerances are met; patches that share
+    /// neither an edge nor a corner with the deformed one stay bit by bit the same.
+    ///
+    /// # Errors
+    /// If a seam near the patch was not smooth before, if the followers around a corner ask for different twists, or if the
+    /// tolerances cannot be met.
+    pub fn follow(
+        &self,
+        deformed: usize,
+        surface: &BSplineSurface<P>,
+        options: &FollowOptions,
+    ) -> Result<Followed<P>, NetworkError> {
+        follow::follow(self, deformed, surface, options)
+    }
+
+    /// The seams of a patch, each with the side on which the patch is.
+    fn seams_of(&self, patch: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let sides =
+            |(index, seam): (usize, &Seam)| [(index, 0, seam.patches[0]), (index, 1, seam.patches[1])];
+        let all = self.seams.iter().enumerate().flat_map(sides);
+        all.filter(move |&(_, _, of)| of == patch).map(|(index, side, _)| (index, side))
+    }
+}
+
+/// The knots that are inserted into each direction of each patch.
+#[derive(Clone, Debug)]
+struct Inserted<S> {
+    knots: Vec<[Vec<S>; 2]>,
+}
+
+impl<S: Copy> Inserted<S> {
+    fn new(patches: usize) -> Self {
+        Self { knots: vec![[Vec::new(), Vec::new()]; patches] }
+    }
+
+    fn of(&self, patch: usize, direction: Direction) -> &Vec<S> {
+        &self.knots[patch][usize::from(direction == Direction::V)]
+    }
+
+    fn add(&mut self, patch: usize, direction: Direction, knots: impl IntoIterator<Item = S>) {
+        self.knots[patch][usize::from(direction == Direction::V)].extend(knots);
+    }
+}

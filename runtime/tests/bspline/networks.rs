@@ -1,0 +1,241 @@
+//! Networks: neighbours follow a deformed patch, corners included; the others stay bit by bit the same.
+
+use basis_runtime::bspline::{
+    BSplineSurface, Direction, Edge, FollowOptions, Followed, Joint, KnotVector, Method, Net, Network,
+    NetworkError, PointConstraint, Seam, SpliceOptions, measure_joint, splice,
+};
+use proptest::prelude::*;
+
+use crate::support::{P3, distance};
+
+/// A smooth landscape over the unit square.
+fn landscape(spans: usize, waves: [f64; 3]) -> BSplineSurface<P3> {
+    let knots = KnotVector::uniform(3, spans).unwrap();
+    let g = knots.greville();
+    let net = Net::from_fn(g.len(), g.len(), |i, j| {
+        let (x, y): (f64, f64) = (g[i], g[j]);
+        [x + 0.05 * (5.0 * y).sin(), y, waves[0] * (4.0 * x + waves[1]).sin() + waves[2] * x * y]
+    });
+    BSplineSurface::new(knots.clone(), knots, net.unwrap()).unwrap()
+}
+
+/// The landscape cut into `n × n` patches, each with knots of its own.
+fn patches(n: usize, waves: [f64; 3], extra: &[f64]) -> Vec<BSplineSurface<P3>> {
+    let mut rest = landscape(2 * n, waves);
+    let mut all = Vec::new();
+    for i in 1..=n {
+        let mut row = rest.clone();
+        if i < n {
+            let [low, high] = rest.split(Direction::U, i as f64 / n as f64).unwrap();
+            (row, rest) = (low, high);
+        }
+        for j in 1..=n {
+            let mut patch = row.clone();
+            if j < n {
+                let [low, high] = row.split(Direction::V, j as f64 / n as f64).unwrap();
+                (patch, row) = (low, high);
+            }
+            for (k, direction) in [Direction::U, Direction::V].into_iter().enumerate() {
+                if let Some(&part) = extra.get((all.len() * 2 + k) % extra.len().max(1)) {
+                    let [lo, hi] = patch.domain()[k];
+                    patch = patch.insert_knots(direction, &[lo + (hi - lo) * part]).unwrap();
+                }
+            }
+            all.push(patch);
+        }
+    }
+    all
+}
+
+/// A patch that passes through points above it, some near its corners.
+fn dented(patch: &BSplineSurface<P3>, heights: [f64; 5]) -> BSplineSurface<P3> {
+    let [[a, b], [c, d]] = patch.domain();
+    let at = [(0.5, 0.5), (0.02, 0.03), (0.97, 0.05), (0.04, 0.96), (0.98, 0.97)];
+    let constraints: Vec<_> = at
+        .iter()
+        .zip(heights)
+        .map(|(&(x, y), height)| {
+            let at = [a + (b - a) * x, c + (d - c) * y];
+            let [px, py, pz] = patch.eval(at[0], at[1]);
+            PointConstraint::At(at, [px + 0.3 * height, py, pz + height])
+        })
+        .collect();
+    patch.pass_through(&constraints).unwrap().surface
+}
+
+/// The figures of all seams, and that nothing else changed.
+#[track_caller]
+fn check(before: &Network<P3>, found: &Followed<P3>, tolerances: [f64; 2]) {
+    for seam in 0..before.seams().len() {
+        let measure = found.network.measure(seam).unwrap();
+        assert!(measure.gap <= tolerances[0] && measure.angle <= tolerances[1], "seam {seam}: {measure:?}");
+    }
+    for (index, (a, b)) in before.patches().iter().zip(found.network.patches()).enumerate() {
+        if !found.changed.contains(&index) {
+            assert_eq!(a, b);
+        }
+    }
+}
+
+#[test]
+fn eight_neighbours_follow_and_sixteen_stay() {
+    let network = Network::grid(patches(5, [0.2, 0.3, 0.4], &[0.3, 0.62, 0.45]), 5).unwrap();
+    let deformed = dented(&network.patches()[12], [0.05, 0.02, -0.03, 0.01, 0.04]);
+    let found = network.follow(12, &deformed, &FollowOptions::default()).unwrap();
+    let mut changed = found.changed.clone();
+    assert_eq!(changed[0], 12);
+    changed.sort_unstable();
+    assert_eq!(changed, [6, 7, 8, 11, 12, 13, 16, 17, 18]);
+    assert_eq!(found.network.patches()[12], deformed);
+    // Constant ratios across all seams: nothing but rounding.
+    check(&network, &found, [1e-13, 1e-11]);
+    assert_eq!(found.seams.len(), 24); // all seams of nine patches
+}
+
+#[test]
+fn turned_and_mirrored_patches() {
+    let plain = patches(2, [0.2, 0.3, 0.4], &[0.3, 0.62, 0.45]);
+    // The right neighbour has its parameters exchanged, the upper one runs backwards.
+    let turned = vec![
+        plain[0].clone(),
+        plain[1].transposed(),
+        plain[2].reversed(Direction::V).unwrap(),
+        plain[3].reversed(Direction::U).unwrap().transposed(),
+    ];
+    let seams = vec![
+        Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::UStart], reversed: false },
+        Seam { patches: [0, 2], edges: [Edge::UEnd, Edge::UStart], reversed: true },
+        Seam { patches: [1, 3], edges: [Edge::VEnd, Edge::VEnd], reversed: false },
+        Seam { patches: [2, 3], edges: [Edge::VStart, Edge::UStart], reversed: true },
+    ];
+    let network = Network::new(turned, seams).unwrap();
+    for seam in 0..4 {
+        let measure = network.measure(seam).unwrap();
+        assert!(measure.gap < 1e-14 && measure.angle < 1e-12, "{seam}: {measure:?}");
+    }
+    for leader in 0..4 {
+        let deformed = dented(&network.patches()[leader], [0.05, 0.02, -0.03, 0.01, 0.04]);
+        let found = network.follow(leader, &deformed, &FollowOptions::default()).unwrap();
+        assert_eq!(found.changed.len(), 4);
+        check(&network, &found, [1e-13, 1e-11]);
+    }
+}
+
+#[test]
+fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
+    let right = landscape(4, [0.2, 0.0, 0.5]);
+    let mut left = landscape(3, [0.25, 0.5, 0.2]);
+    for point in left.control_points_mut() {
+        point[0] -= 1.0 + 0.2 * point[1];
+    }
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let options = SpliceOptions { method: Method::LeastSquares, angle: 2e-5, ..SpliceOptions::default() };
+    let left = splice(&left, &right, joint, &options).unwrap().surface;
+    let seam = Seam { patches: [0, 1], edges: [Edge::UEnd, Edge::UStart], reversed: false };
+    let network = Network::new(vec![left, right], vec![seam]).unwrap();
+    let deformed = dented(&network.patches()[1], [0.1, 0.02, 0.0, 0.05, 0.0]);
+    let found = network.follow(1, &deformed, &FollowOptions::default()).unwrap();
+    check(&network, &found, [1e-5, 1e-4]);
+    assert!(measure_joint(&network.patches()[0], &deformed, joint).unwrap().gap > 1e-3);
+}
+
+#[test]
+fn a_deformation_inside_moves_no_neighbour() {
+    let network = Network::grid(patches(3, [0.2, 0.3, 0.4], &[]), 3).unwrap();
+    let mut finer = network.patches()[4].refined(Direction::U).refined(Direction::V);
+    let (rows, columns) = (finer.net().rows(), finer.net().columns());
+    assert!(rows > 5);
+    finer.control_points_mut()[rows / 2 * columns + columns / 2][2] += 0.1;
+    let found = network.follow(4, &finer, &FollowOptions::default()).unwrap();
+    assert_eq!(found.changed, [4]);
+    check(&network, &found, [1e-13, 1e-11]);
+}
+
+/// Three quadrilaterals of a hexagon around its middle, flat.
+fn hexagon() -> Network<P3> {
+    let corner = |i: usize| {
+        let angle = std::f64::consts::FRAC_PI_3 * i as f64;
+        [angle.cos(), angle.sin(), 0.0]
+    };
+    let quad = |i: usize| {
+        let ring = [corner(2 * i), corner(2 * i + 1), corner(2 * i + 2)];
+        let net = Net::from_rows([[[0.0; 3], ring[2]], [ring[0], ring[1]]]).unwrap();
+        let surface = BSplineSurface::from_bezier(net).unwrap();
+        let raised = [Direction::U, Direction::V, Direction::U, Direction::V];
+        raised.iter().fold(surface, |surface, &direction| surface.elevate(direction).unwrap())
+    };
+    let seam =
+        |i: usize| Seam { patches: [i, (i + 1) % 3], edges: [Edge::UStart, Edge::VStart], reversed: false };
+    Network::new((0..3).map(quad).collect(), (0..3).map(seam).collect()).unwrap()
+}
+
+#[test]
+fn corners_of_three_say_why_not() {
+    let network = hexagon();
+    for seam in 0..3 {
+        assert!(network.measure(seam).unwrap().gap < 1e-15);
+    }
+    let mut deformed = network.patches()[0].clone();
+    for (point, height) in deformed.control_points_mut().iter_mut().zip([0.1, 0.3, -0.2, 0.1]) {
+        point[2] += height;
+    }
+    let error = network.follow(0, &deformed, &FollowOptions::default()).unwrap_err();
+    assert!(matches!(error, NetworkError::Corner { seam: 1, .. }), "{error}");
+    assert!(error.to_string().contains("not one of four patches"));
+}
+
+#[test]
+fn what_is_refused() {
+    let all = patches(2, [0.2, 0.3, 0.4], &[]);
+    let error = Network::grid(all[..3].to_vec(), 2).unwrap_err();
+    assert_eq!(error, NetworkError::Patch { patch: 3 });
+    let seam = Seam { patches: [0, 9], edges: [Edge::UEnd, Edge::UStart], reversed: false };
+    assert_eq!(Network::new(all.clone(), vec![seam]).unwrap_err(), NetworkError::Patch { patch: 9 });
+    let seam = Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::VStart], reversed: false };
+    let error = Network::new(all.clone(), vec![seam, seam]).unwrap_err();
+    assert_eq!(error, NetworkError::EdgeTwice { seam: 1 });
+
+    let mut torn = all.clone();
+    for point in torn[1].control_points_mut() {
+        point[2] += 0.1;
+    }
+    let network = Network::grid(torn, 2).unwrap();
+    let deformed = dented(&network.patches()[0], [0.1; 5]);
+    let error = network.follow(0, &deformed, &FollowOptions::default()).unwrap_err();
+    assert!(matches!(error, NetworkError::NotSmooth { .. }), "{error}");
+    assert!(error.to_string().contains("splice its patches first"));
+
+    let network = Network::grid(all, 2).unwrap();
+    let error = network.follow(0, &network.patches()[3], &FollowOptions::default()).unwrap_err();
+    assert!(matches!(error, NetworkError::Domain(_)), "{error}");
+    let error = network.follow(7, &deformed, &FollowOptions::default()).unwrap_err();
+    assert_eq!(error, NetworkError::Patch { patch: 7 });
+    assert!(matches!(network.measure(9), Err(NetworkError::Seam { seam: 9, .. })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn random_networks_follow(
+        waves in [0.05..0.3, -1.0..1.0, -0.5..0.5],
+        extra in prop::collection::vec(0.1..0.9, 1..7),
+        leader in 0..9_usize,
+        heights in [-0.05..0.05, -0.05..0.05, -0.05..0.05, -0.05..0.05, -0.05..0.05],
+    ) {
+        let network = Network::grid(patches(3, waves, &extra), 3).unwrap();
+        let deformed = dented(&network.patches()[leader], heights);
+        let found = network.follow(leader, &deformed, &FollowOptions::default()).unwrap();
+        check(&network, &found, [1e-5, 1e-4]);
+        for (index, patch) in found.network.patches().iter().enumerate() {
+            let near = |a: usize, b: usize| a.abs_diff(b) <= 1;
+            prop_assert!(!found.changed.contains(&index) || near(index / 3, leader / 3) && near(index % 3, leader % 3));
+            // Nothing moves far from the patch.
+            let old = &network.patches()[index];
+            let [[a, b], [c, d]] = old.domain();
+            let middle = |surface: &BSplineSurface<P3>| surface.eval(f64::midpoint(a, b), f64::midpoint(c, d));
+            let (p, q) = (middle(patch), middle(old));
+            prop_assert!(distance(p, q) < 0.5);
+        }
+    }
+}
