@@ -10,6 +10,7 @@ use crate::algebra::work::Work;
 use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange};
 use crate::generate::factored;
 use crate::generate::form::IntervalForm;
+use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::model::{Family, Parameter};
 use crate::prove;
 
@@ -21,7 +22,7 @@ const DENOMINATORS: u64 = 1_000_000;
 pub struct Formula {
     /// The name, such as `b[1]`.
     pub label: String,
-    /// As a product; on an interval the powers of the distances to its ends are factors.
+    /// As a product; on an interval the powers of the distances to its ends are factors, on a simplex those of the coordinates.
     pub factored: String,
     /// Expanded into monomials.
     pub expanded: String,
@@ -30,15 +31,18 @@ pub struct Formula {
 /// The formulas of a family.
 pub fn formulas(family: &Family) -> Vec<Formula> {
     let form = IntervalForm::new(family);
+    let on_simplex = if family.is_simplex() { PatchForm::new(family) } else { None };
     family
         .functions
         .iter()
         .enumerate()
         .map(|(k, f)| {
             let expanded = f.value.display(&family.names);
-            let factored = form
-                .as_ref()
-                .map_or_else(|| expanded.clone(), |form| factored(family, form, &form.functions[k]));
+            let factored = match (&form, &on_simplex) {
+                (Some(form), _) => factored(family, form, &form.functions[k]),
+                (_, Some(form)) => factored_text(family, &form.functions[k], &form.groups),
+                _ => expanded.clone(),
+            };
             Formula { label: family.function_label(k), factored, expanded }
         })
         .collect()

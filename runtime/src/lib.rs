@@ -23,6 +23,12 @@
 //! # }
 //! ```
 //!
+//! # Domains
+//!
+//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a triangle
+//! or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on a box of several
+//! variables implements [`BoxBasis`] and makes a [`BoxPatch`].
+//!
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam, the
