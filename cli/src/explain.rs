@@ -74,6 +74,12 @@ fn text(family: &Family) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
+    for contact in explain::contacts(family) {
+        section(&mut text, &contact.title, contact.points.into_iter());
+        if !contact.conditions.is_empty() {
+            text += &format!("    for {}\n", contact.conditions.join(" and "));
+        }
+    }
     let ranges = explain::nonnegative_ranges(family);
     if !ranges.is_empty() {
         text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";

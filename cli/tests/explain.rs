@@ -21,6 +21,22 @@ fn the_quartic_family() {
 }
 
 #[test]
+fn joins_at_both_ends() {
+    let folder = Folder::with("q.basis", QUARTIC);
+    let run = folder.run(&["explain", "q.basis"]);
+    for line in [
+        "C1, Q after P: Q'(0) = P'(1)",
+        "Q[1] = -(3 + λ_P)/(3 + λ_Q)*P[2] + (6 + λ_P + λ_Q)/(3 + λ_Q)*P[3]\n    for λ_Q != -3\n",
+        "C2, Q before P: Q'(1) = P'(0), Q''(1) = P''(0)",
+        "G2, Q after P: f*Q'(0) = P'(1), f^2*Q''(0) + c*Q'(0) = P''(1)",
+        "G1, Q before P: f*Q'(1) = P'(0)",
+        "Q[2] = (3 + λ_P + 3*f + λ_Q*f)/(f*(3 + λ_Q))*P[0] - (3 + λ_P)/(f*(3 + λ_Q))*P[1]",
+    ] {
+        assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
+    }
+}
+
+#[test]
 fn one_order_of_a_family() {
     let folder = Folder::with("b.basis", BERNSTEIN);
     let run = folder.run(&["explain", "b.basis", "Bern(n=3)"]);

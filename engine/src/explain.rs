@@ -1,6 +1,10 @@
 //! What can be said about a family besides its claims: formulas in factored and expanded form, and what its curves do
 //! at their ends.
 
+mod contacts;
+
+pub use contacts::{Contact, contacts};
+
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::{gcd, square_free};
 use crate::algebra::poly::Poly;

@@ -4,6 +4,8 @@
 mod budget;
 mod build;
 mod claims;
+#[cfg(any(test, feature = "tools"))]
+pub mod continuation;
 mod evaluate;
 mod functions;
 mod library;

@@ -1,0 +1,308 @@
+//! Every published claim that is refuted fails on floats, too, and its correction holds; the claims are stated and decided in
+//! `specs/papers`.
+
+use basis_runtime::{Curve, Edge, TensorSurface, basis, edge_continuity};
+use basis_tests::random::Random;
+
+basis!("../../specs/quadratic.basis", QuadraticBezier);
+basis!("../../specs/quartic.basis");
+basis!("../../specs/quartic_surface.basis");
+basis!(
+    "../../specs/triangular.basis",
+    TriangularI(3) as TypeI3,
+    TriangularII(3) as TypeII3,
+    TriangularII(4) as TypeII4,
+    TriangularII(5) as TypeII5,
+    TriangularBernstein(4) as Bernstein4
+);
+
+type Plane = [f64; 2];
+type Net = [[[f64; 3]; 4]; 4];
+
+fn quadratic(lambda: f64, points: [Plane; 3]) -> Curve<QuadraticBezier, Plane> {
+    Curve::new(QuadraticBezier::new(lambda).unwrap(), points)
+}
+
+fn cross(a: Plane, b: Plane) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn minus(a: Plane, b: Plane) -> Plane {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn length(a: Plane) -> f64 {
+    a[0].hypot(a[1])
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-12 * a.abs().max(b.abs()).max(1.0)
+}
+
+/// A convex polygon with legs of different lengths.
+const POINTS: [Plane; 3] = [[0.0, 0.0], [1.0, 2.0], [4.0, 1.0]];
+
+#[test]
+fn quad_l2() {
+    for lambda in [-1.5, -1.0, 0.3, 1.0] {
+        let [_, v, a] = quadratic(lambda, POINTS).eval_with_derivs::<3>(1.0);
+        let legs = cross(minus(POINTS[1], POINTS[0]), minus(POINTS[2], POINTS[1]));
+        assert!(!close(cross(v, a), 2.0 * (lambda + 2.0) * (lambda + 1.0) * legs), "{lambda}");
+        assert!(close(cross(v, a), 2.0 * (lambda + 2.0) * (1.0 - lambda) * legs), "{lambda}");
+    }
+}
+
+#[test]
+fn quad_p1() {
+    let chord = quadratic(-2.0, POINTS);
+    let step = minus(chord.eval(1e-3), POINTS[0]);
+    assert!(cross(step, minus(POINTS[1], POINTS[0])).abs() > 0.1 * length(step));
+    assert!(cross(step, minus(POINTS[2], POINTS[0])).abs() < 1e-12);
+}
+
+#[test]
+fn quad_p2() {
+    let [a, b, c] = POINTS;
+    let (curve, reversed) = (quadratic(0.5, POINTS), quadratic(0.5, [c, b, a]));
+    assert!(length(minus(curve.eval(0.25), reversed.eval(0.25))) > 1.0);
+    assert!(length(minus(curve.eval(0.25), reversed.eval(0.75))) < 1e-15);
+}
+
+#[test]
+fn quad_t1_at_the_end_of_the_range() {
+    // The condition asks for Q₁ = Q₀; the curves meet at an angle.
+    let (p, q) = (quadratic(-2.0, POINTS), quadratic(0.5, [POINTS[2], POINTS[2], [4.0, 5.0]]));
+    let (before, after) = (minus(POINTS[2], p.eval(1.0 - 1e-4)), minus(q.eval(1e-4), POINTS[2]));
+    assert!(cross(before, after) > 0.5 * length(before) * length(after));
+}
+
+#[test]
+fn quad_eq7_and_eq8() {
+    for lambda in [-1.5, 0.3, 0.9] {
+        let curve = quadratic(lambda, POINTS);
+        let legs = [minus(POINTS[1], POINTS[0]), minus(POINTS[2], POINTS[1])];
+        let area = cross(legs[0], legs[1]).abs();
+        let [_, v, a] = curve.eval_with_derivs::<3>(1.0);
+        let (end, d1) = (cross(v, a).abs() / length(v).powi(3), area / length(legs[1]));
+        let published = 2.0 * d1 * (lambda + 1.0) / (lambda + 2.0).powi(2) / length(legs[1]).powi(2);
+        let corrected = 2.0 * d1 * (1.0 - lambda) / (lambda + 2.0).powi(2) / length(legs[1]).powi(2);
+        assert!(!close(end, published) && close(end, corrected), "{end} {published} {corrected}");
+        let [_, v, a] = curve.eval_with_derivs::<3>(0.0);
+        let (start, d2) = (cross(v, a).abs() / length(v).powi(3), area / length(legs[0]));
+        let published = 2.0 * d2 * (lambda - 1.0) / (lambda + 2.0).powi(2) / length(legs[0]).powi(2);
+        assert!(published < 0.0 && close(start, -published), "{start} {published}");
+    }
+}
+
+#[test]
+fn quad_t2() {
+    let (l1, l2, a, b, d2) = (0.25, -0.5, 1.5, 0.75, 0.5);
+    let ratio = (l1 + 2.0_f64).powi(2) / (l2 + 2.0_f64).powi(2) * (a * a) / (b * b);
+    let published = (l2 - 1.0) / (l1 + 1.0) * ratio;
+    let corrected = (1.0 - l2) / (1.0 - l1) * ratio;
+    let curvature = |mu: f64| {
+        let first = quadratic(l1, [[-2.0, mu * d2], [-a, 0.0], [0.0, 0.0]]);
+        let next = quadratic(l2, [[0.0, 0.0], [b, 0.0], [2.0, d2]]);
+        let joint = first.joint(&next);
+        assert!(joint.angle < 1e-15);
+        joint.curvature
+    };
+    assert!(curvature(published) > 0.1);
+    assert!(curvature(corrected) < 1e-14);
+}
+
+#[test]
+#[allow(clippy::approx_constant)] // a published coordinate
+fn quad_examples() {
+    let hat = [
+        quadratic(0.62, [[0.0, 0.04], [1.98, -0.23], [3.14, 0.51]]),
+        quadratic(0.73, [[3.14, 0.51], [0.45, 1.29], [0.52, 1.33]]),
+        quadratic(0.81, [[0.52, 1.33], [5.98, 1.26], [6.02, 1.68]]),
+        quadratic(0.60, [[6.02, 1.68], [6.51, 1.32], [7.85, 1.29]]),
+    ];
+    for pair in hat.windows(2) {
+        let joint = pair[0].joint(&pair[1]);
+        assert!(joint.gap < 1e-15 && joint.angle > 0.5, "{joint:?}");
+    }
+    let first = quadratic(0.57, [[2.58, 6.27], [0.11, 4.45], [2.05, 2.81]]);
+    let next = quadratic(0.52, [[2.05, 2.81], [3.75, 2.13], [2.01, 0.02]]);
+    let joint = first.joint(&next);
+    assert!(joint.gap < 1e-15 && joint.angle > 0.3, "{joint:?}");
+}
+
+#[test]
+fn quart_li() {
+    let basis = QuarticBernstein::new(-3.0).unwrap();
+    for t in [0.1, 0.4, 0.8] {
+        let [_, b1, b2, _]: [f64; 4] = basis.values(t);
+        assert!((b1 - b2).abs() < 1e-15, "{b1} {b2}");
+    }
+}
+
+fn surface(
+    lambda: f64,
+    gamma: [f64; 4],
+    net: &Net,
+) -> TensorSurface<QuarticBernstein, QuarticBernstein, [f64; 3]> {
+    TensorSurface::with_rows(
+        QuarticBernstein::new(lambda).unwrap(),
+        gamma.map(|g| QuarticBernstein::new(g).unwrap()),
+        *net,
+    )
+}
+
+fn net(random: &mut Random) -> Net {
+    core::array::from_fn(|i| {
+        core::array::from_fn(|j| [2.0 * i as f64, 2.0 * j as f64, random.between(-1.0, 1.0)])
+    })
+}
+
+#[test]
+fn quart_p5() {
+    // A Bézier curve of degree 4 would start with 4(P₁ - P₀).
+    let curve = Curve::new(QuarticBernstein::new(0.0).unwrap(), [0.0, 1.0, 3.0, 2.0]);
+    let [_, velocity] = curve.eval_with_derivs(0.0);
+    assert!(close(velocity, 3.0) && !close(velocity, 4.0));
+}
+
+#[test]
+fn quart_eq8() {
+    // P₀ + P₃ = P₁ + P₂: other parameters and other inner points give the same curve.
+    let (l1, l2) = (-1.0_f64, 0.5);
+    let k = (3.0 + l1) / (3.0 + l2);
+    let [a, b, c] = [[0.0, 0.0], [1.0, 2.0], [4.0, 1.0]];
+    let d = [b[0] + c[0] - a[0], b[1] + c[1] - a[1]];
+    let towards = |p: Plane, q: Plane| [p[0] + k * (q[0] - p[0]), p[1] + k * (q[1] - p[1])];
+    let first = Curve::new(QuarticBernstein::new(l1).unwrap(), [a, b, c, d]);
+    let second = Curve::new(QuarticBernstein::new(l2).unwrap(), [a, towards(a, b), towards(d, c), d]);
+    for t in [0.1, 0.35, 0.7] {
+        assert!(length(minus(first.eval(t), second.eval(t))) < 1e-14);
+    }
+    assert!(length(minus(b, towards(a, b))) > 0.5);
+}
+
+#[test]
+fn quart_t6() {
+    let mut random = Random::new(6);
+    let (s, mut t) = (net(&mut random), net(&mut random));
+    let (l1, l2, eta, f) = (0.5, -1.0, -0.5, 0.8);
+    let first = surface(l1, [0.0, eta, eta, eta], &s);
+    let rows = quartic_surface::g2_vv(&s, l1, l2, f).unwrap();
+    t[..3].copy_from_slice(&rows);
+    let order = |t: &Net| {
+        let next = surface(l2, [eta, eta, eta, 0.0], t);
+        edge_continuity(&first, Edge::UEnd, &next, Edge::UStart, false, 33).order(1e-13, 1e-11, 1e-9)
+    };
+    assert_eq!(order(&t), Some(2));
+    // As printed, with the points of the last columns.
+    for j in 0..4 {
+        for d in 0..3 {
+            let published = (1.0 + l1) * (s[j][3][d] - s[j][2][d]) - (s[j][2][d] - s[j][1][d]);
+            t[2][j][d] = t[1][j][d] - (1.0 + l2) * (t[0][j][d] - t[1][j][d]) + published / (f * f);
+        }
+    }
+    assert_eq!(order(&t), Some(1));
+}
+
+#[test]
+fn quart_adj() {
+    let mut random = Random::new(7);
+    let (s, mut t) = (net(&mut random), net(&mut random));
+    let (g1, g2) = ([0.5, -1.0, 0.25, -2.0], [0.0, 0.5, -0.5, 1.0]);
+    for (row, new) in t.iter_mut().zip(quartic_surface::g2_uu(&s, g1, g2, 1.25).unwrap()) {
+        row[..3].copy_from_slice(&new);
+    }
+    let order = |lambda: f64, g1: [f64; 4], g2: [f64; 4]| {
+        let (first, next) = (surface(lambda, g1, &s), surface(lambda, g2, &t));
+        edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 33).order(1e-13, 1e-11, 1e-9)
+    };
+    assert_eq!(order(0.5, g1, g2), Some(2));
+    // The common λ is free; the parameters of the rows are not, but for a common factor of all 3 + γ¹ᵢ.
+    assert_eq!(order(-1.5, g1, g2), Some(2));
+    assert_eq!(order(0.5, [0.5, -1.0, 0.25, 0.0], g2), Some(0));
+    assert_eq!(order(0.5, g1.map(|g| 0.5 * (3.0 + g) - 3.0), g2), Some(1));
+}
+
+/// A random point of the triangle.
+fn barycentric(random: &mut Random) -> [f64; 3] {
+    let (u, v): (f64, f64) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
+    let v = v * (1.0 - u);
+    [u, v, 1.0 - u - v]
+}
+
+/// The place of b[i,j,k] of order n: the indices are in lexicographic order.
+fn place(n: usize, index: [usize; 3]) -> usize {
+    let before: usize = (0..index[0]).map(|i| n - i + 1).sum();
+    before + index[1]
+}
+
+#[test]
+fn tri_p1_4_and_p2_4() {
+    let mut random = Random::new(8);
+    let three = TypeII3::new(1.5, 0.0).unwrap();
+    let five = TypeII5::new(0.5, 1.25).unwrap();
+    // The combination that `basis explain` shows, at λ₂ = 5/4.
+    let l2 = 1.25;
+    let combination = [
+        ([0, 2, 3], 12.0 + 9.0 * l2),
+        ([0, 3, 2], -12.0 - 9.0 * l2),
+        ([1, 1, 3], 6.0 - 3.0 * l2),
+        ([1, 3, 1], -6.0 + 3.0 * l2),
+        ([2, 1, 2], -2.0 + l2),
+        ([2, 2, 1], 2.0 - l2),
+    ];
+    for _ in 0..50 {
+        let at = barycentric(&mut random);
+        // So that the middle control point does not move the surface.
+        assert!(three.values(at)[place(3, [1, 1, 1])].abs() < 1e-16);
+        let values = five.values(at);
+        let sum: f64 = combination.iter().map(|(index, c)| c * values[place(5, *index)]).sum();
+        assert!(sum.abs() < 1e-13, "{sum}");
+    }
+}
+
+#[test]
+fn tri_p3() {
+    let (i, at) = (place(3, [2, 1, 0]), [0.2, 0.7, 0.1]);
+    let one = |l1: f64, l2: f64, at| TypeI3::new(l1, l2).unwrap().values(at)[i];
+    assert!(one(2.0, 1.5, at) < one(2.0, 1.0, at));
+    let other = [0.2, 0.1, 0.7];
+    assert!(one(2.5, 1.0, other) < one(2.0, 1.0, other));
+    let i = place(4, [3, 1, 0]);
+    let two = |l1: f64, l2: f64| TypeII4::new(l1, l2).unwrap().values(at)[i];
+    assert!(two(2.5, 1.0) < two(2.0, 1.0) && two(2.0, 1.5) < two(2.0, 1.0));
+}
+
+#[test]
+fn tri_c1() {
+    let (i, at) = (place(4, [3, 1, 0]), [0.2, 0.7, 0.1]);
+    let [quasi, plain] = [TypeII4::new(1.0, 1.0).unwrap().values(at)[i], Bernstein4::new().values(at)[i]];
+    assert!(quasi > plain, "{quasi} {plain}");
+}
+
+#[test]
+fn rev_t1_at_the_end_of_the_range() {
+    let p = [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 1.0]];
+    let first = Curve::new(QuarticBernstein::new(-3.0).unwrap(), p);
+    let next = Curve::new(QuarticBernstein::new(0.5).unwrap(), [p[3], p[3], [4.0, 4.0], [5.0, 5.0]]);
+    let (before, after) = (minus(p[3], first.eval(1.0 - 1e-4)), minus(next.eval(1e-4), p[3]));
+    assert!(cross(before, after) > 0.5 * length(before) * length(after));
+}
+
+#[test]
+fn rev_angle() {
+    let angle = |t: f64| {
+        let w = 2.0 * t * t - 2.0 * t + 1.0;
+        ((2.0 * t - 2.0 * t * t) / w).atan2((1.0 - 2.0 * t) / w)
+    };
+    for theta in [0.3, 1.0, 2.0, 3.0_f64] {
+        let published = angle(theta / std::f64::consts::PI);
+        assert!((published - theta).abs() > 1e-2, "{theta} {published}");
+        let k = (theta / 2.0).tan();
+        assert!(close(angle(k / (1.0 + k)), theta));
+        // Beyond π: the mirrored half, from its end back to 1/(1 + m).
+        let m = (theta / 2.0).tan();
+        let full = std::f64::consts::PI + theta;
+        assert!(close(2.0 * std::f64::consts::PI - angle(1.0 / (1.0 + m)), full));
+    }
+}
