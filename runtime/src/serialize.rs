@@ -11,7 +11,7 @@ use serde::de::{DeserializeSeed, Error, IgnoredAny, MapAccess, SeqAccess, Visito
 use serde::ser::SerializeStruct;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::{Array, Basis, BernsteinBasis, Curve, Point, Scalar};
+use crate::{Array, Basis, BernsteinBasis, Curve, Point, Scalar, TensorSurface};
 
 /// Implements serde's traits for a generated type: a struct of its shape values, which are checked when they are read.
 #[doc(hidden)]
@@ -202,7 +202,47 @@ where
     }
 }
 
-/// As many control points as the basis has functions.
+#[derive(Serialize)]
+#[serde(rename = "TensorSurface")]
+struct WrittenSurface<'a, U, R> {
+    u_basis: &'a U,
+    rows: &'a [R],
+}
+
+#[derive(Deserialize)]
+#[serde(
+    rename = "TensorSurface",
+    bound(deserialize = "U: Basis + Deserialize<'de>, R: Copy + Deserialize<'de>")
+)]
+struct ReadSurface<U: Basis, R: Copy> {
+    u_basis: U,
+    rows: ControlPoints<U, R>,
+}
+
+impl<U, V, P> Serialize for TensorSurface<U, V, P>
+where
+    U: Basis + Serialize,
+    V: Basis<Scalar = U::Scalar> + Serialize,
+    P: Point<Scalar = U::Scalar> + Serialize,
+{
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        WrittenSurface { u_basis: &self.u_basis(), rows: self.rows() }.serialize(serializer)
+    }
+}
+
+impl<'de, U, V, P> Deserialize<'de> for TensorSurface<U, V, P>
+where
+    U: Basis + Deserialize<'de>,
+    V: Basis<Scalar = U::Scalar> + Deserialize<'de>,
+    P: Point<Scalar = U::Scalar> + Deserialize<'de>,
+{
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let ReadSurface { u_basis, rows } = ReadSurface::deserialize(deserializer)?;
+        Ok(Self::from_rows(u_basis, rows.0))
+    }
+}
+
+/// As many control points as the basis has functions, or as many rows.
 struct ControlPoints<B: Basis, P: Copy>(B::Points<P>);
 
 impl<'de, B: Basis, P: Copy + Deserialize<'de>> Deserialize<'de> for ControlPoints<B, P> {

@@ -58,6 +58,7 @@ fn draw(stage: Stage) -> Result<Drawing, Box<dyn Error>> {
     if matches!(stage, Stage::Apart | Stage::After) {
         measured = measured.with("distance from the constraints", of("distance from the constraints"));
     }
+    scene.inside_out();
     scene.points(&constraints);
     Ok(Drawing {
         picture: Picture::Surfaces(scene, View { azimuth: -40.0, elevation: 30.0 }),

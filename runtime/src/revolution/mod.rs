@@ -38,6 +38,14 @@ pub use rational::RevolutionPatch;
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "B: serde::Serialize, P: serde::Serialize, B::Scalar: serde::Serialize",
+        deserialize = "B: serde::Deserialize<'de>, P: serde::Deserialize<'de>, B::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct SurfaceOfRevolution<B: Basis, P: Point3<Scalar = B::Scalar>> {
     /// `O + h d`, the centres of the circles.
     centres: Curve<B, P>,

@@ -25,6 +25,15 @@ use crate::{Array, Basis, BernsteinOf, Point, Scalar, Surface, TensorSurface};
 /// assert!(x == 1.0 && (y * y + z * z - 1.0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "U: serde::Serialize, V: serde::Serialize, P: serde::Serialize, U::Scalar: serde::Serialize",
+        deserialize = "U: serde::Deserialize<'de>, V: serde::Deserialize<'de>, P: serde::Deserialize<'de>, \
+                   U::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct RationalSurface<U, V, P>
 where
     U: Basis,

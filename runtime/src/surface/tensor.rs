@@ -66,7 +66,7 @@ where
     }
 
     #[inline]
-    pub(super) fn from_rows(u_basis: U, rows: U::Points<Curve<V, P>>) -> Self {
+    pub(crate) fn from_rows(u_basis: U, rows: U::Points<Curve<V, P>>) -> Self {
         Self { u_basis, rows }
     }
 

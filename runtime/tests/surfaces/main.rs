@@ -16,5 +16,7 @@ mod parts;
 #[path = "../numeric/random.rs"]
 mod random;
 mod revolution;
+#[cfg(feature = "serde")]
+mod serialized;
 mod triangles;
 mod values;
