@@ -1,4 +1,4 @@
-//! A next curve that continues a curve with a given order of contact.
+//! Curves that continue a curve, at either end, with a given order of contact.
 
 use crate::vector::{is_finite, largest_component};
 use crate::{Array, Basis, Curve, CurveError, Point, Scalar};
@@ -97,21 +97,68 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         contact: Contact<B::Scalar>,
         points: C::Points<P>,
     ) -> Result<Curve<C, P>, CurveError> {
+        self.touching(basis, contact, points, false)
+    }
+
+    /// A curve of any family that this one continues: its last control points, one more than the order of contact, are computed;
+    /// the others are taken from `points`.
+    ///
+    /// As [`continuation`](Self::continuation) at the other end: the derivatives `Q⁽ᵏ⁾` at the end of the new curve follow
+    /// from those at the start of this one, `P', P'', …`, as [`Contact`] says.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
+    /// use basis_runtime::{Contact, Curve};
+    ///
+    /// let last = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+    /// let free = [[-4.0, 0.0], [-3.0, 1.0], [0.0, 0.0], [0.0, 0.0]]; // the last two will be replaced
+    /// let first = last.preceding(QuarticBernstein::new(-1.0)?, Contact::Tangent { beta1: 1.0 }, free)?;
+    /// assert_eq!(first.control_points(), [[-4.0, 0.0], [-3.0, 1.0], [-1.75, -3.5], [0.0, 0.0]]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`continuation`](Self::continuation), for the last control points.
+    pub fn preceding<C: Basis<Scalar = B::Scalar>>(
+        &self,
+        basis: C,
+        contact: Contact<B::Scalar>,
+        points: C::Points<P>,
+    ) -> Result<Curve<C, P>, CurveError> {
+        self.touching(basis, contact, points, true)
+    }
+
+    /// A curve that touches this one, `before` its start or else after its end. Its control points are counted from the
+    /// common point.
+    fn touching<C: Basis<Scalar = B::Scalar>>(
+        &self,
+        basis: C,
+        contact: Contact<B::Scalar>,
+        points: C::Points<P>,
+        before: bool,
+    ) -> Result<Curve<C, P>, CurveError> {
         contact.check()?;
         let conditions = contact.order().saturating_add(1);
         let undetermined = CurveError::Join { conditions, points: C::LEN };
         if conditions > C::LEN {
             return Err(undetermined);
         }
-        let given = points;
-        let mut points = points;
+        let place = |i: usize| if before { C::LEN - 1 - i } else { i };
+        let (here, there) = (B::domain()[usize::from(!before)], C::domain()[usize::from(before)]);
+        let given = C::Points::<P>::from_fn(|i| points.as_ref()[place(i)]);
+        let mut points = given;
         let targets = &mut points.as_mut()[..conditions];
-        self.derivatives_into(B::domain()[1], targets);
+        self.derivatives_into(here, targets);
         contact.transform(targets);
         if !targets.iter().all(|&p| is_finite(p)) {
             return Err(CurveError::NotFinite);
         }
-        let mut matrix = C::Points::<C::Values>::from_fn(|k| basis.derivatives(C::domain()[0], k));
+        let mut matrix = C::Points::<C::Values>::from_fn(|k| {
+            let row = basis.derivatives(there, k);
+            C::Values::from_components(|i| row.component(place(i)))
+        });
         let matrix = &mut matrix.as_mut()[..conditions];
         for (target, row) in targets.iter_mut().zip(matrix.iter()) {
             for (i, &weight) in row.as_ref().iter().enumerate().skip(conditions) {
@@ -119,7 +166,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             }
         }
         solve(matrix, targets).ok_or(undetermined)?;
-        Ok(Curve::new(basis, points))
+        Ok(Curve::new(basis, C::Points::from_fn(|i| points.as_ref()[place(i)])))
     }
 }
 
