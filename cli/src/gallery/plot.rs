@@ -49,7 +49,15 @@ impl Plot {
     pub(super) fn svg(&self, title: &str, caption: &str) -> String {
         let frame = Frame::new(self);
         let lines = wrap(caption, 112);
-        let height = frame.height + 34.0 + 20.0 * lines.len() as f64;
+        let mut labels: Vec<&str> = Vec::new();
+        for shown in &self.curves {
+            if !labels.contains(&shown.label.as_str()) {
+                labels.push(&shown.label);
+            }
+        }
+        let (entries, legend) = legend(&labels);
+        let below = frame.height + legend;
+        let height = below + 34.0 + 20.0 * lines.len() as f64;
         let mut document = svg::Document::new()
             .set("viewBox", (0.0, 0.0, WIDTH, rounded(height)))
             .set("width", WIDTH)
@@ -63,32 +71,28 @@ impl Plot {
         for polygon in &self.polygons {
             document = document.add(polygon_group(&frame, polygon));
         }
-        let mut labels: Vec<&str> = Vec::new();
         for shown in &self.curves {
-            let index = labels.iter().position(|l| *l == shown.label).unwrap_or_else(|| {
-                labels.push(&shown.label);
-                labels.len() - 1
-            });
+            let index = labels.iter().position(|label| *label == shown.label).unwrap_or_default();
             document = document.add(
                 path(&frame, &shown.points)
                     .set("stroke", COLOURS[index % COLOURS.len()])
                     .set("stroke-width", 2.6),
             );
         }
-        for (k, label) in labels.iter().enumerate().filter(|(_, l)| !l.is_empty()) {
-            let y = 22.0 + 20.0 * k as f64;
+        for ((x, row), (k, label)) in entries.into_iter().zip(labels.iter().enumerate()) {
+            let y = frame.height + 12.0 + 22.0 * row;
             let line = Line::new()
-                .set("x1", 14)
-                .set("x2", 44)
-                .set("y1", y)
-                .set("y2", y)
+                .set("x1", x)
+                .set("x2", x + 30.0)
+                .set("y1", rounded(y))
+                .set("y2", rounded(y))
                 .set("stroke", COLOURS[k % COLOURS.len()])
                 .set("stroke-width", 2.6);
-            document = document.add(line).add(text(label, 52.0, y + 4.5, 14));
+            document = document.add(line).add(text(label, x + 38.0, y + 4.5, 14));
         }
-        document = document.add(text(title, 14.0, frame.height + 18.0, 15).set("font-weight", "bold"));
+        document = document.add(text(title, 14.0, below + 18.0, 15).set("font-weight", "bold"));
         for (k, line) in lines.iter().enumerate() {
-            document = document.add(text(line, 14.0, frame.height + 39.0 + 20.0 * k as f64, 14));
+            document = document.add(text(line, 14.0, below + 39.0 + 20.0 * k as f64, 14));
         }
         document.to_string()
     }
@@ -96,6 +100,23 @@ impl Plot {
     fn points(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
         self.curves.iter().flat_map(|c| &c.points).chain(self.polygons.iter().flatten()).copied()
     }
+}
+
+/// Where the entries of the legend begin and in which row, and the height of all rows.
+fn legend(labels: &[&str]) -> (Vec<(f64, f64)>, f64) {
+    let (mut x, mut row) = (14.0, 0.0);
+    let mut entries = Vec::with_capacity(labels.len());
+    for label in labels {
+        // Wide enough for the letters, which have about this width.
+        let width = 60.0 + 9.0 * label.chars().count() as f64;
+        if x + width > WIDTH {
+            (x, row) = (14.0, row + 1.0);
+        }
+        entries.push((x, row));
+        x += width;
+    }
+    let rows = if labels.is_empty() { 0.0 } else { row + 1.0 };
+    (entries, 6.0 + 22.0 * rows)
 }
 
 fn polygon_group(frame: &Frame, polygon: &[[f64; 2]]) -> Group {
