@@ -127,7 +127,11 @@ impl<P: Point> BSplineCurve<P> {
     pub fn eval(&self, t: P::Scalar) -> P {
         let span = self.knots.span(t);
         let k = self.degree();
-        combine(&self.knots.values_on(span, t), &self.points[span - k..=span])
+        let points = &self.points[span - k..=span];
+        if k == 3 {
+            return combine(&self.knots.cubic_values_on(span, t), points);
+        }
+        combine(&self.knots.values_on(span, t), points)
     }
 
     /// The point `C(t)` for `t` in the domain.

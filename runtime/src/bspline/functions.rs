@@ -48,10 +48,22 @@ impl<S: Scalar> KnotVector<S> {
         match self.degree() {
             1 => self.fill_values::<1>(span, t, &mut values),
             2 => self.fill_values::<2>(span, t, &mut values),
-            3 => self.fill_values::<3>(span, t, &mut values),
+            3 => values.copy_from_slice(&self.cubic_values_on(span, t)),
             _ => self.raise_values(span, t, self.degree(), &mut values),
         }
         values
+    }
+
+    /// The same at degree 3, the one that matters most, without loops or memory.
+    #[inline]
+    pub(super) fn cubic_values_on(&self, span: usize, t: S) -> [S; 4] {
+        let part = |lo: S, hi: S| (t - lo) / (hi - lo);
+        let &[a, b, c, d, e, f] = &self.as_slice()[span - 2..span + 4] else { return [S::ZERO; 4] };
+        let (r, s0, s1) = (part(c, d), part(b, d), part(c, e));
+        let (q0, q1, q2) = (part(a, d), part(b, e), part(c, f));
+        let one = S::ONE;
+        let v = [(one - s0) * (one - r), s0 * (one - r) + (one - s1) * r, s1 * r];
+        [(one - q0) * v[0], q0 * v[0] + (one - q1) * v[1], q1 * v[1] + (one - q2) * v[2], q2 * v[2]]
     }
 
     #[inline]

@@ -46,17 +46,16 @@ pub(in crate::bspline) fn insert<P: Point>(
 
         let knot = |i: usize| if i < head.len() { head[i] } else { old[next + i - head.len()] };
         let first = head.len() - k; // μ - k + 1
-        // Earlier equal knots may have left rows behind `below - 1`: the new row goes between.
+        // The last of these rows is doubled; rows that earlier equal knots left behind it move up.
         let tail = head_points.split_off(below * lanes);
-        let last = head_points[(below - 1) * lanes..].to_vec();
+        head_points.extend_from_within((below - 1) * lanes..);
+        head_points.extend_from_slice(&tail);
         for i in (first..below).rev() {
             let alpha = (t - knot(i)) / (knot(i + k) - knot(i));
             for lane in i * lanes..(i + 1) * lanes {
                 head_points[lane] = between(head_points[lane - lanes], head_points[lane], alpha);
             }
         }
-        head_points.extend_from_slice(&last);
-        head_points.extend_from_slice(&tail);
         head.push(t);
     }
     head.extend_from_slice(&old[next..]);
