@@ -95,6 +95,20 @@ fn assumptions_narrow_the_ranges() {
 }
 
 #[test]
+fn a_range_of_one_number_is_that_number() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        assume λ >= 1;
+        prove λ == 1;
+        prove D(P)(0) == 3*(P[1] - P[0]);
+        prove D(P)(0) parallel P[1] - P[0];
+        prove D(P)(0) == 2*(P[1] - P[0]);",
+    );
+    assert_eq!(&found[..3], ["=", "=", "="]);
+    assert_eq!(found[3], "1 at λ = 1, P[0] = (0, 0), P[1] = (1, 1), P[2] = (2, 4)");
+}
+
+#[test]
 fn numbers_and_coordinates() {
     let found = verdicts(
         "curve P = Quadratic(0.57) [(2.58, 6.27), (0.11, 4.45), (2.05, 2.81)];

@@ -3,12 +3,13 @@
 use basis_engine::{Source, check};
 use basis_tests::random::Random;
 
-const SHIPPED: [&str; 5] = [
+const SHIPPED: [&str; 6] = [
     include_str!("../../specs/quartic.basis"),
     include_str!("../../specs/cardinal.basis"),
     include_str!("../../specs/beta_spline.basis"),
     include_str!("../../specs/lagrange.basis"),
     include_str!("../../specs/triangular.basis"),
+    include_str!("../../specs/papers/quadratic.basis"),
 ];
 
 /// Pieces that a formula can be broken with.

@@ -12,7 +12,7 @@ use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind};
 /// Decides a claim of a theorem.
 pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
     let of = &claim.difference;
-    match &claim.kind {
+    match &settled(theorem, &claim.kind) {
         TheoremClaimKind::Scalar(Comparison::Equal, f) if f.is_zero() => identity(of),
         TheoremClaimKind::Zero(form) if form.is_zero() => identity(of),
         TheoremClaimKind::Scalar(Comparison::Equal, f) => {
@@ -68,6 +68,28 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
         },
     };
     vec![Statement { of, assertion }]
+}
+
+/// The claim with a number in place of every scalar whose range is a single number.
+fn settled(theorem: &Theorem, kind: &TheoremClaimKind) -> TheoremClaimKind {
+    let put = |f: &Fraction| {
+        theorem.scalars.iter().fold(f.clone(), |f, scalar| match scalar.range.finite() {
+            // No denominator vanishes on the ranges.
+            Some((low, high)) if low == high => {
+                f.substitute(scalar.var, &Fraction::constant(low.clone())).unwrap_or(f)
+            }
+            _ => f,
+        })
+    };
+    let form = |form: &Form| {
+        let terms = form.terms.iter().map(|(unit, f)| (*unit, put(f)));
+        Form { terms: terms.filter(|(_, f)| !f.is_zero()).collect() }
+    };
+    match kind {
+        TheoremClaimKind::Scalar(comparison, f) => TheoremClaimKind::Scalar(*comparison, put(f)),
+        TheoremClaimKind::Zero(a) => TheoremClaimKind::Zero(form(a)),
+        TheoremClaimKind::Parallel(a, b) => TheoremClaimKind::Parallel(form(a), form(b)),
+    }
 }
 
 fn identity(of: &str) -> Verdict {
