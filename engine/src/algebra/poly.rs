@@ -3,7 +3,6 @@
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
-use std::collections::BTreeMap;
 
 use super::rational::Rational;
 
@@ -177,16 +176,70 @@ impl fmt::Debug for Monomial {
     }
 }
 
-/// A polynomial: monomials with their coefficients, none of them zero.
+/// A monomial with its coefficient.
+type Term = (Monomial, Rational);
+
+/// A polynomial: monomials with their coefficients, none of them zero, in increasing order of monomials.
+///
+/// Multiplication by a monomial keeps that order, so nearly everything is merging of sorted lists.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Poly {
-    terms: BTreeMap<Monomial, Rational>,
+    terms: Vec<Term>,
+}
+
+/// The sum of two polynomials.
+fn merge(a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
+    if a.is_empty() || b.is_empty() {
+        return if a.is_empty() { b } else { a };
+    }
+    let mut sum = Vec::with_capacity(a.len() + b.len());
+    let mut right = b.into_iter();
+    let mut next = right.next();
+    for (m, mut c) in a {
+        while let Some(term) = next.take() {
+            match term.0.cmp(&m) {
+                Ordering::Less => {
+                    sum.push(term);
+                    next = right.next();
+                    continue;
+                }
+                Ordering::Equal => {
+                    c += &term.1;
+                    next = right.next();
+                }
+                Ordering::Greater => next = Some(term),
+            }
+            break;
+        }
+        if !c.is_zero() {
+            sum.push((m, c));
+        }
+    }
+    sum.extend(next);
+    sum.extend(right);
+    sum
+}
+
+/// The sum of several polynomials, neighbours first.
+fn merge_all(mut all: Vec<Vec<Term>>) -> Vec<Term> {
+    while all.len() > 1 {
+        let mut pairs = Vec::with_capacity(all.len().div_ceil(2));
+        let mut rest = all.into_iter();
+        while let Some(a) = rest.next() {
+            pairs.push(match rest.next() {
+                Some(b) => merge(a, b),
+                None => a,
+            });
+        }
+        all = pairs;
+    }
+    all.pop().unwrap_or_default()
 }
 
 impl Poly {
     /// 0.
     pub const fn zero() -> Self {
-        Self { terms: BTreeMap::new() }
+        Self { terms: Vec::new() }
     }
 
     /// 1.
@@ -211,44 +264,58 @@ impl Poly {
 
     /// One term.
     pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
-        let mut terms = BTreeMap::new();
-        if !coefficient.is_zero() {
-            terms.insert(monomial, coefficient);
+        if coefficient.is_zero() {
+            return Self::zero();
         }
-        Self { terms }
+        Self { terms: vec![(monomial, coefficient)] }
     }
 
     /// The sum of the given terms.
     pub fn from_terms(terms: impl IntoIterator<Item = (Monomial, Rational)>) -> Self {
-        let mut sum = Self::zero();
-        for (m, c) in terms {
-            sum.add_term(m, &c);
+        // Terms often come in order, or in a few ordered runs.
+        let mut runs: Vec<Vec<Term>> = vec![Vec::new()];
+        for term in terms {
+            if term.1.is_zero() {
+                continue;
+            }
+            let last = runs.len() - 1;
+            if runs[last].last().is_some_and(|(m, _)| *m >= term.0) {
+                runs.push(vec![term]);
+            } else {
+                runs[last].push(term);
+            }
         }
-        sum
+        Self { terms: merge_all(runs) }
     }
 
     /// Adds one term in place.
     pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
-        use std::collections::btree_map::Entry;
         if coefficient.is_zero() {
             return;
         }
-        match self.terms.entry(monomial) {
-            Entry::Vacant(e) => {
-                e.insert(coefficient.clone());
-            }
-            Entry::Occupied(mut e) => {
-                *e.get_mut() += coefficient;
-                if e.get().is_zero() {
-                    e.remove();
+        match self.position(&monomial) {
+            Ok(k) => {
+                self.terms[k].1 += coefficient;
+                if self.terms[k].1.is_zero() {
+                    self.terms.remove(k);
                 }
             }
+            Err(k) => self.terms.insert(k, (monomial, coefficient.clone())),
         }
+    }
+
+    /// Where a monomial stands, or would stand.
+    fn position(&self, monomial: &Monomial) -> Result<usize, usize> {
+        // New terms often come last.
+        if self.terms.last().is_none_or(|(m, _)| m < monomial) {
+            return Err(self.terms.len());
+        }
+        self.terms.binary_search_by(|(m, _)| m.cmp(monomial))
     }
 
     /// The terms, in increasing order of monomials.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
-        self.terms.iter()
+        self.terms.iter().map(|(m, c)| (m, c))
     }
 
     /// How many terms there are.
@@ -275,45 +342,45 @@ impl Poly {
     pub fn as_constant(&self) -> Option<Rational> {
         match self.terms.len() {
             0 => Some(Rational::ZERO),
-            1 => self.terms.get(&Monomial::one()).cloned(),
+            1 if self.terms[0].0.is_one() => Some(self.terms[0].1.clone()),
             _ => None,
         }
     }
 
     /// The coefficient of a monomial.
     pub fn coefficient(&self, monomial: &Monomial) -> Rational {
-        self.terms.get(monomial).cloned().unwrap_or(Rational::ZERO)
+        self.position(monomial).map_or(Rational::ZERO, |k| self.terms[k].1.clone())
     }
 
     /// The term with the greatest monomial.
     pub fn leading_term(&self) -> Option<(&Monomial, &Rational)> {
-        self.terms.last_key_value()
+        self.terms.last().map(|(m, c)| (m, c))
     }
 
     /// The highest exponent of a variable; 0 for the zero polynomial.
     pub fn degree(&self, var: Var) -> u32 {
-        self.terms.keys().map(|m| u32::from(m.exponent(var))).max().unwrap_or(0)
+        self.terms.iter().map(|(m, _)| u32::from(m.exponent(var))).max().unwrap_or(0)
     }
 
     /// The highest sum of exponents; 0 for the zero polynomial.
     pub fn total_degree(&self) -> u32 {
-        self.terms.keys().map(Monomial::total_degree).max().unwrap_or(0)
+        self.terms.iter().map(|(m, _)| m.total_degree()).max().unwrap_or(0)
     }
 
     /// The variables that occur, in increasing order.
     pub fn variables(&self) -> Vec<Var> {
-        let count = self.terms.keys().map(Monomial::width).max().unwrap_or(0);
+        let count = self.terms.iter().map(|(m, _)| m.width()).max().unwrap_or(0);
         (0..count).map(Var).filter(|v| self.depends_on(*v)).collect()
     }
 
     /// Whether a variable occurs.
     pub fn depends_on(&self, var: Var) -> bool {
-        self.terms.keys().any(|m| m.exponent(var) > 0)
+        self.terms.iter().any(|(m, _)| m.exponent(var) > 0)
     }
 
     /// The size of the largest coefficient in bits: the work that arithmetic costs.
     pub fn max_bits(&self) -> u64 {
-        self.terms.values().map(Rational::bits).max().unwrap_or(0)
+        self.terms.iter().map(|(_, c)| c.bits()).max().unwrap_or(0)
     }
 
     /// The polynomial times a number.
@@ -374,20 +441,14 @@ impl Poly {
     /// The polynomial with a number put in place of a variable.
     pub fn at(&self, var: Var, value: &Rational) -> Self {
         let mut powers = vec![Rational::ONE];
-        let mut result = Self::zero();
-        for (m, c) in &self.terms {
+        Self::from_terms(self.terms.iter().map(|(m, c)| {
             let e = usize::from(m.exponent(var));
             while powers.len() <= e {
                 let next = &powers[powers.len() - 1] * value;
                 powers.push(next);
             }
-            if e == 0 {
-                result.add_term(m.clone(), c);
-            } else {
-                result.add_term(m.with_exponent(var, 0), &(c * &powers[e]));
-            }
-        }
-        result
+            if e == 0 { (m.clone(), c.clone()) } else { (m.with_exponent(var, 0), c * &powers[e]) }
+        }))
     }
 
     /// The polynomial with another put in place of a variable.
@@ -440,7 +501,7 @@ impl Poly {
             }
             Monomial::new(exponents)
         };
-        Self { terms: self.terms.iter().map(|(m, c)| (rename(m), c.clone())).collect() }
+        Self::from_terms(self.terms.iter().map(|(m, c)| (rename(m), c.clone())))
     }
 
     /// The exact value at a point that gives every variable that occurs; variables beyond the list are 0.
@@ -464,21 +525,21 @@ impl Poly {
         for (m, c) in &self.terms {
             let e = usize::from(m.exponent(var));
             let rest = if e == 0 { m.clone() } else { m.with_exponent(var, 0) };
-            result[e].terms.insert(rest, c.clone());
+            result[e].terms.push((rest, c.clone()));
         }
         result
     }
 
     /// c₀ + c₁ x + c₂ x² + …, the coefficients free of x.
     pub fn from_coefficients(var: Var, coefficients: &[Self]) -> Self {
-        let mut result = Self::zero();
-        for (k, p) in coefficients.iter().enumerate() {
-            for (m, c) in &p.terms {
+        let raised = |(k, p): (usize, &Self)| {
+            let raise = |(m, c): &Term| {
                 debug_assert_eq!(m.exponent(var), 0, "a coefficient contains the variable");
-                result.add_term(m.with_exponent(var, k as u16), c);
-            }
-        }
-        result
+                (m.with_exponent(var, k as u16), c.clone())
+            };
+            p.terms.iter().map(raise).collect()
+        };
+        Self { terms: merge_all(coefficients.iter().enumerate().map(raised).collect()) }
     }
 
     /// The quotient, if `divisor` divides without remainder; `None` also for division by 0.
@@ -487,22 +548,27 @@ impl Poly {
         if let Some(c) = divisor.as_constant() {
             return Some(self.scale(&c.recip()?));
         }
-        let mut rest = self.clone();
-        let mut quotient = Self::zero();
-        while let Some((m, c)) = rest.leading_term() {
+        let mut rest = self.terms.clone();
+        let mut quotient = Vec::new();
+        while let Some((m, c)) = rest.last() {
             let factor = (m.checked_div(lead)?, c / lead_coefficient);
-            for (dm, dc) in &divisor.terms {
-                rest.add_term(dm.mul(&factor.0), &-(dc * &factor.1));
-            }
-            quotient.terms.insert(factor.0, factor.1);
+            let product = divisor.times(&factor.0, &-&factor.1);
+            rest = merge(rest, product);
+            quotient.push(factor);
         }
-        Some(quotient)
+        quotient.reverse();
+        Some(Self { terms: quotient })
+    }
+
+    /// The terms of the polynomial times a term.
+    fn times(&self, monomial: &Monomial, coefficient: &Rational) -> Vec<Term> {
+        self.terms.iter().map(|(m, c)| (m.mul(monomial), c * coefficient)).collect()
     }
 
     /// The positive number by which all coefficients can be divided to become whole without a common
     /// factor; 0 for the zero polynomial.
     pub fn numeric_content(&self) -> Rational {
-        self.terms.values().fold(Rational::ZERO, |g, c| g.gcd(c))
+        self.terms.iter().fold(Rational::ZERO, |g, (_, c)| g.gcd(c))
     }
 
     /// The polynomial divided by its numeric content, with a positive leading coefficient.
@@ -529,36 +595,22 @@ impl Neg for &Poly {
 impl Add for &Poly {
     type Output = Poly;
     fn add(self, other: &Poly) -> Poly {
-        let (mut sum, small) =
-            if self.len() < other.len() { (other.clone(), self) } else { (self.clone(), other) };
-        for (m, c) in &small.terms {
-            sum.add_term(m.clone(), c);
-        }
-        sum
+        Poly { terms: merge(self.terms.clone(), other.terms.clone()) }
     }
 }
 
 impl Sub for &Poly {
     type Output = Poly;
     fn sub(self, other: &Poly) -> Poly {
-        let mut difference = self.clone();
-        for (m, c) in &other.terms {
-            difference.add_term(m.clone(), &-c);
-        }
-        difference
+        Poly { terms: merge(self.terms.clone(), (-other).terms) }
     }
 }
 
 impl Mul for &Poly {
     type Output = Poly;
     fn mul(self, other: &Poly) -> Poly {
-        let mut product = Poly::zero();
-        for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                product.add_term(m.mul(n), &(c * d));
-            }
-        }
-        product
+        let (few, many) = if self.len() < other.len() { (self, other) } else { (other, self) };
+        Poly { terms: merge_all(few.terms.iter().map(|(m, c)| many.times(m, c)).collect()) }
     }
 }
 
