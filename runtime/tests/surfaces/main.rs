@@ -7,6 +7,7 @@ mod curvature;
 mod exports;
 mod families;
 mod grids;
+mod hostile;
 mod joins;
 mod meshes;
 mod normals;
