@@ -235,6 +235,11 @@ fn what_is_refused() {
     let SpliceError::NotReached { achieved, spans, .. } = error else { panic!("{error}") };
     assert!(spans <= 13 && achieved.angle > 1e-4 && error.to_string().contains("wanted 1.000e-4"));
 
+    // Below all rounding errors.
+    let impossible = SpliceOptions { angle: 1e-300, spans: 1000, ..options };
+    let error = splice(&left, &right, joint, &impossible).unwrap_err();
+    assert!(matches!(error, SpliceError::NotReached { .. }), "{error}");
+
     let mut broken = left.clone();
     let last = broken.control_points_mut().len() - 1;
     broken.control_points_mut()[last] = [f64::NAN; 3];

@@ -115,8 +115,9 @@ pub(in crate::bspline) fn middles<S: Scalar>(
     let all = knots.as_slice();
     let spans: Vec<[f64; 2]> = knots.spans().map(|span| [all[span], all[span + 1]]).collect();
     let bad = |&[lo, hi]: &[f64; 2]| {
-        let inside = |piece: &&Piece| piece.ends[0] >= lo && piece.ends[1] <= hi;
-        pieces.iter().filter(inside).any(|piece| piece.gap > gap || piece.angle > angle)
+        let from = pieces.partition_point(|piece| piece.ends[0] < lo);
+        let inside = pieces[from..].iter().take_while(|piece| piece.ends[1] <= hi);
+        inside.into_iter().any(|piece| piece.gap > gap || piece.angle > angle)
     };
     let bad: Vec<bool> = spans.iter().map(bad).collect();
     let width = |i: usize| spans[i][1] - spans[i][0];

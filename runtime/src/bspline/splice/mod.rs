@@ -33,6 +33,9 @@ use crate::{Point, Point3, Scalar};
 /// the measurement is within them too.
 const AIM: f64 = 0.8;
 
+/// After so many rounds without better figures rounding errors are reached, or a tolerance that cannot be met.
+const PATIENCE: usize = 3;
+
 /// Which edges of two surfaces belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Joint {
@@ -196,7 +199,7 @@ pub fn splice<P: Point3>(
 
     let mut best: Option<(JointMeasure, usize)> = None;
     let mut reached = None;
-    let mut rounds = 0;
+    let (mut rounds, mut best_round) = (0, 0);
     loop {
         rounds += 1;
         let mut strip = base.clone();
@@ -206,6 +209,7 @@ pub fn splice<P: Point3>(
         let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / angle);
         if best.is_none_or(|(other, _)| excess(&measured) < excess(&other)) {
             best = Some((measured, spans));
+            best_round = rounds;
         }
         if excess(&measured) <= 1.0 {
             let result = written(&surface, joint.edge, degree, &inserted, &strip)?;
@@ -223,7 +227,8 @@ pub fn splice<P: Point3>(
         }
         let [gap, angle] = [options.gap, angle].map(|tolerance| AIM * tolerance);
         let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, gap, angle);
-        if exact || middles.is_empty() || spans + middles.len() > options.spans {
+        let stalled = rounds - best_round >= PATIENCE;
+        if exact || stalled || middles.is_empty() || spans + middles.len() > options.spans {
             break;
         }
         base = base.inserted(&middles)?;
