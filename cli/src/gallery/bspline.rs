@@ -52,7 +52,7 @@ fn draw(stage: Stage) -> Result<Drawing, Box<dyn Error>> {
     let mesh = scene.surfaces(&patches)?;
     let mut measured = Facts::default()
         .with("gap", of(names[0]))
-        .with("angle in degrees", of(names[1]).map(f64::to_degrees))
+        .with("angle", of(names[1])) // in radians
         .with("area", mesh.area())
         .with("triangles", mesh.triangles.len());
     if matches!(stage, Stage::Apart | Stage::After) {
