@@ -1,6 +1,6 @@
 """The work of benches/curves.rs in SciPy: python3 benches/curves.py (needs numpy and scipy; one thread is enough).
 
-SciPy is called once for 4096 parameters. Nanoseconds for one point, length or nearest point, the best of many rounds.
+SciPy is called once for 4000 parameters. Nanoseconds for one point, length or nearest point, the best of many rounds.
 """
 
 import time
@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from scipy.interpolate import BPoly, BSpline
 from scipy.optimize import minimize_scalar
 
-COUNT = 4096
+COUNT = 4000
 POINTS = np.array([[0.0, 0.0, 0.0], [1.0, 2.0, -1.0], [3.0, 2.5, 0.5], [4.0, 0.0, 1.0]])
 
 

@@ -34,6 +34,6 @@ pub use degree::{centred_powers, differentiate, elevate};
 pub(crate) use product::bilinear;
 pub use product::{bounds, dot, multiply};
 #[cfg(feature = "alloc")]
-pub(crate) use roots::simple_root;
-#[cfg(feature = "alloc")]
 pub use roots::{Root, roots};
+#[cfg(feature = "alloc")]
+pub(crate) use roots::{multiply_binomials, simple_root};

@@ -181,15 +181,19 @@ fn changes_of_sign<S: Scalar>(coefficients: &[S]) -> usize {
 /// bracket or does not halve it.
 pub(crate) fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
     let half = S::of(0.5);
-    let rising = coefficients[0] < S::ZERO;
+    let [first, last] = [coefficients[0], coefficients[coefficients.len() - 1]];
+    let rising = first < S::ZERO;
+    // With the binomial coefficients multiplied in, once: both evaluations are then free of divisions.
     let mut slopes = coefficients.to_vec();
     let slopes = super::differentiate(&mut slopes);
+    multiply_binomials(slopes);
+    let mut values = coefficients.to_vec();
+    multiply_binomials(&mut values);
     let [mut lo, mut hi] = [S::ZERO, S::ONE];
-    let [first, last] = [coefficients[0], coefficients[coefficients.len() - 1]];
     let mut x = first / (first - last); // the zero of the chord
     let mut step = S::ONE;
     for _ in 0..200 {
-        let value = eval(coefficients, x);
+        let value = nested(&values, x);
         if value == S::ZERO {
             return x;
         }
@@ -198,7 +202,7 @@ pub(crate) fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
         } else {
             hi = x;
         }
-        let newton = x - value / eval(slopes, x);
+        let newton = x - value / nested(slopes, x);
         let inside = newton > lo && newton < hi;
         let next = if inside && (newton - x).abs() <= step * half { newton } else { lo + (hi - lo) * half };
         step = (next - x).abs();
@@ -208,6 +212,27 @@ pub(crate) fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
         }
     }
     x
+}
+
+/// Replaces `c[k]` by `binomial(n, k) c[k]`.
+pub(crate) fn multiply_binomials<S: Scalar>(coefficients: &mut [S]) {
+    let degree = coefficients.len().saturating_sub(1);
+    let mut binomial = 1.0;
+    for (k, c) in coefficients.iter_mut().enumerate() {
+        *c = *c * S::of(binomial);
+        binomial = binomial * (degree - k) as f64 / (k + 1) as f64;
+    }
+}
+
+/// `Σ (1-x)^(n-k) x^k c[k]`, without binomial coefficients.
+fn nested<S: Scalar>(c: &[S], x: S) -> S {
+    let Some((&first, rest)) = c.split_first() else { return S::ZERO };
+    let s = S::ONE - x;
+    let mut power = S::ONE;
+    rest.iter().fold(first, |sum, &c| {
+        power = power * x;
+        sum * s + c * power
+    })
 }
 
 #[cfg(test)]

@@ -9,11 +9,14 @@
 
 use super::quadrature::{RULES, Rule};
 use crate::domain::from_unit;
-use crate::vector::{distance, dot, is_finite, length};
+use crate::vector::{distance, dot, is_finite};
 use crate::{Array, Basis, Curve, Point, Scalar, bernstein};
 
 /// The `ρ` of the ellipses that are tried.
 const ELLIPSES: [f64; 6] = [64.0, 16.0, 8.0, 4.0, 2.5, 1.8];
+
+/// The error bound is computed for derivatives with up to so many coefficients after the first.
+const MOST: usize = 100; // the highest degree of a spec
 
 /// Below this depth a piece is narrower than the distance of two floats.
 const DEPTH: u32 = 56;
@@ -32,12 +35,14 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert!((parabola.arclen(1e-12) - 1.478942857544597_f64).abs() < 1e-12);
     /// ```
     pub fn arclen(&self, accuracy: B::Scalar) -> B::Scalar {
+        let Some(whole) = self.prepare(accuracy) else { return B::Scalar::NAN };
+        let unit = whole.unit;
         let mut sum = B::Scalar::ZERO;
-        let finite = self.walk(accuracy, &mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
+        whole.piece.walk(&mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
             sum = sum + leaf.length();
             true
         });
-        if finite { sum } else { B::Scalar::NAN }
+        sum * unit
     }
 
     /// The parameter `t` for which the curve from its start to `C(t)` has that length; the length up to there differs from
@@ -55,21 +60,22 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert!(difference.abs() < 4e-12);
     /// ```
     pub fn inv_arclen(&self, length: B::Scalar, accuracy: B::Scalar) -> B::Scalar {
-        let mut found = B::Scalar::ONE;
         if length.is_nan() {
             return length;
         }
-        let mut rest = length;
-        let finite = self.walk(accuracy, &mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
+        let Some(whole) = self.prepare(accuracy) else { return B::Scalar::NAN };
+        let mut found = B::Scalar::ONE;
+        let mut rest = length / whole.unit;
+        whole.piece.walk(&mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
             let piece = leaf.length();
             if rest < piece {
-                found = leaf.invert(rest);
+                found = leaf.invert(rest.max(B::Scalar::ZERO));
                 return false;
             }
             rest = rest - piece;
             true
         });
-        if finite { from_unit(B::domain(), found) } else { B::Scalar::NAN }
+        from_unit(B::domain(), found)
     }
 
     /// The parameters of `count` points at equal distances along the curve, both ends included; each as in
@@ -78,14 +84,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// All NaN if a control point is infinite or NaN.
     #[cfg(feature = "alloc")]
     pub fn arclen_parameters(&self, count: usize, accuracy: B::Scalar) -> alloc::vec::Vec<B::Scalar> {
-        let total = self.arclen(accuracy);
-        if total.is_nan() {
-            return alloc::vec![total; count];
-        }
+        let Some(whole) = self.prepare(accuracy) else { return alloc::vec![B::Scalar::NAN; count] };
+        let total = self.arclen(accuracy) / whole.unit;
         let step = total / B::Scalar::from_usize(count.saturating_sub(1).max(1));
         let mut parameters = alloc::vec::Vec::with_capacity(count);
         let mut before = B::Scalar::ZERO;
-        self.walk(accuracy, &mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
+        whole.piece.walk(&mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
             let after = before + leaf.length();
             while parameters.len() < count {
                 let target = step * B::Scalar::from_usize(parameters.len());
@@ -123,28 +127,35 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         self.arclen_parameters(count, accuracy).into_iter().map(|t| self.eval(t)).collect()
     }
 
-    /// Calls `visit` with pieces from the start to the end of the curve until it says `false`; returns whether the curve is
-    /// finite.
-    fn walk(
-        &self,
-        accuracy: B::Scalar,
-        visit: &mut impl FnMut(&Leaf<'_, B::Bernstein<P>, P>) -> bool,
-    ) -> bool {
-        let points = self.to_bernstein();
+    /// The whole curve, ready to be walked along; `None` if it is not finite.
+    fn prepare(&self, accuracy: B::Scalar) -> Option<Whole<B::Bernstein<P>, B::Scalar>> {
+        let mut points = self.to_bernstein();
         let polygon = polygon(points.as_ref());
         if !points.as_ref().iter().all(|&p| is_finite(p)) || !polygon.is_finite() {
-            return false;
+            return None;
         }
-        let piece = Piece {
-            points,
-            from: B::Scalar::ZERO,
-            to: B::Scalar::ONE,
-            accuracy: accuracy.max(B::Scalar::EPSILON * polygon),
-            depth: 0,
-        };
-        piece.walk(visit);
-        true
+        let square = polygon * polygon;
+        let margin = B::Scalar::EPSILON * B::Scalar::EPSILON;
+        let in_range = square * margin > B::Scalar::MIN_POSITIVE && (square / margin).is_finite();
+        let unit = if in_range || polygon == B::Scalar::ZERO { B::Scalar::ONE } else { polygon };
+        if unit != B::Scalar::ONE {
+            // The start becomes the origin, so that nothing overflows.
+            let start = points.as_ref()[0];
+            for p in points.as_mut() {
+                let q = p.minus(start);
+                *p = P::from_components(|d| q.component(d) / unit);
+            }
+        }
+        let accuracy = (accuracy / unit).max(B::Scalar::EPSILON * (polygon / unit));
+        let (from, to) = (B::Scalar::ZERO, B::Scalar::ONE);
+        Some(Whole { piece: Piece { points, from, to, accuracy, depth: 0 }, unit })
     }
+}
+
+/// A curve whose lengths are measured in `unit`: so that the squares of velocities neither overflow nor vanish.
+struct Whole<A, S> {
+    piece: Piece<A, S>,
+    unit: S,
 }
 
 /// The length of the control polygon.
@@ -194,14 +205,23 @@ impl<A, S: Scalar> Piece<A, S> {
 fn rule<P: Point>(derivative: &[P], accuracy: P::Scalar) -> Option<&'static Rule> {
     let (&first, rest) = derivative.split_first()?;
     let square = dot(first, first);
+    if rest.len() > MOST {
+        return None;
+    }
+    let [mut sizes, mut along] = [[P::Scalar::ZERO; MOST]; 2];
+    for (j, &d) in rest.iter().enumerate() {
+        sizes[j] = dot(d, d).sqrt();
+        along[j] = dot(first, d).abs();
+    }
+    let (sizes, along) = (&sizes[..rest.len()], &along[..rest.len()]);
     let speed = square.sqrt();
     let mut best: Option<&'static Rule> = None;
     for rho in ELLIPSES {
         let radius = P::Scalar::of(0.5 * (rho + 1.0 / rho));
         let (mut change, mut cross) = (P::Scalar::ZERO, P::Scalar::ZERO);
-        for &d in rest.iter().rev() {
-            change = (change + length(d)) * radius;
-            cross = (cross + dot(first, d).abs()) * radius;
+        for (&size, &along) in sizes.iter().zip(along).rev() {
+            change = (change + size) * radius;
+            cross = (cross + along) * radius;
         }
         // Neither if anything overflows.
         if cross + cross + change * change < square {
@@ -243,7 +263,7 @@ enum Speed<'a, A, P: Point> {
 impl<A: Array<P>, P: Point> Leaf<'_, A, P> {
     fn length(&self) -> P::Scalar {
         match &self.speed {
-            Speed::Smooth { derivative, rule } => rule.integrate(|z| length(value(derivative, z))),
+            Speed::Smooth { derivative, rule } => rule.integrate(|z| speed(derivative, z)),
             Speed::Straight { points } => mean(length_bounds(points.as_ref())),
         }
     }
@@ -280,19 +300,19 @@ fn halve<A: Array<P>, P: Point>(mut points: A, mut target: P::Scalar) -> P::Scal
     part
 }
 
-/// `D(z)`
+/// `|D(z)|`
 #[inline]
-fn value<P: Point>(derivative: &[P], z: P::Scalar) -> P {
-    let Some((&last, rest)) = derivative.split_last() else { return P::zero() };
-    rest.iter().rev().fold(last, |sum, &d| d.add_scaled(sum, z))
+fn speed<P: Point>(derivative: &[P], z: P::Scalar) -> P::Scalar {
+    let Some((&last, rest)) = derivative.split_last() else { return P::Scalar::ZERO };
+    let velocity = rest.iter().rev().fold(last, |sum, &d| d.add_scaled(sum, z));
+    dot(velocity, velocity).sqrt()
 }
 
 /// The part of the piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the bracket.
 fn invert<P: Point>(derivative: &[P], rule: &Rule, target: P::Scalar) -> P::Scalar {
     let [one, two, half] = [P::Scalar::ONE, P::Scalar::of(2.0), P::Scalar::of(0.5)];
     // The length over -1..z, and its derivative.
-    let up_to =
-        |part: P::Scalar| rule.integrate(|y| length(value(derivative, (y + one) * part - one))) * part;
+    let up_to = |part: P::Scalar| rule.integrate(|y| speed(derivative, (y + one) * part - one)) * part;
     let [mut lo, mut hi] = [P::Scalar::ZERO, one];
     let mut part = half;
     for _ in 0..80 {
@@ -305,7 +325,7 @@ fn invert<P: Point>(derivative: &[P], rule: &Rule, target: P::Scalar) -> P::Scal
         } else {
             hi = part;
         }
-        let slope = two * length(value(derivative, two * part - one));
+        let slope = two * speed(derivative, two * part - one);
         let newton = part - gap / slope;
         let next = if newton > lo && newton < hi { newton } else { lo + (hi - lo) * half };
         let step = (next - part).abs();

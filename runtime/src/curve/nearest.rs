@@ -7,9 +7,9 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::bernstein::{self, simple_root};
+use crate::bernstein::{self, multiply_binomials, simple_root};
 use crate::domain::from_unit;
-use crate::vector::{distance, is_finite, largest_component};
+use crate::vector::{distance, dot, is_finite, largest_component};
 use crate::{Array, Basis, Curve, Point, Scalar};
 
 /// Below this depth a piece is narrower than the distance of two floats.
@@ -44,7 +44,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// ```
     pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Nearest<P> {
         let nan = B::Scalar::NAN;
-        let seen = B::Bernstein::<P>::from_fn(|i| self.to_bernstein().as_ref()[i].minus(point));
+        let mut seen = self.to_bernstein();
+        for p in seen.as_mut() {
+            *p = p.minus(point);
+        }
         let size = seen.as_ref().iter().fold(B::Scalar::ZERO, |size, &p| {
             let component = largest_component(p);
             if component <= size { size } else { component }
@@ -89,27 +92,27 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
     /// `curve` is the whole curve as seen from the point, divided by `size`; so is `accuracy`.
     fn run(&mut self, curve: B::Bernstein<P>, size: B::Scalar, accuracy: B::Scalar) {
         let [zero, one, half] = [B::Scalar::ZERO, B::Scalar::ONE, B::Scalar::of(0.5)];
-        let mut square = vec![zero; 2 * B::DEGREE + 1];
+        let mut square = Square::new(B::DEGREE);
         let (mut slope, mut bend) = (Vec::new(), Vec::new());
         let mut pieces = vec![(curve, zero, one, 0)];
         while let Some((mut piece, from, to, depth)) = pieces.pop() {
-            bernstein::dot(piece.as_ref(), piece.as_ref(), &mut square);
-            let [lowest, _] = bernstein::bounds(&square);
-            if lowest.max(zero).sqrt() >= self.best.distance / size - accuracy {
+            let square = square.of(piece.as_ref());
+            let [lowest, _] = bernstein::bounds(square);
+            let gap = self.best.distance / size - accuracy;
+            if gap <= zero || lowest >= gap * gap {
                 continue;
             }
-            let middle = from + (to - from) * half;
-            slope.clone_from(&square);
-            let degree = bernstein::differentiate(&mut slope).len();
-            slope.truncate(degree);
+            slope.clear();
+            // The derivative, but for a positive factor.
+            slope.extend(square.windows(2).map(|pair| pair[1] - pair[0]));
             if one_sign(&slope) {
                 // The end at which f is smaller is an end of the curve, or of the neighbouring piece.
                 self.improve(if slope.iter().any(|&c| c > zero) { from } else { to });
                 continue;
             }
-            bend.clone_from(&slope);
-            let bend = bernstein::differentiate(&mut bend);
-            if one_sign(bend) {
+            bend.clear();
+            bend.extend(slope.windows(2).map(|pair| pair[1] - pair[0]));
+            if one_sign(&bend) {
                 if bend.iter().any(|&c| c < zero) || slope[0] >= zero || slope[slope.len() - 1] <= zero {
                     self.improve(from);
                     self.improve(to);
@@ -118,6 +121,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
                 }
                 continue;
             }
+            let [start, end] = [square[0], square[square.len() - 1]];
+            let middle = from + (to - from) * half;
             self.improve(middle);
             if depth == DEPTH {
                 continue;
@@ -126,9 +131,46 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
             bernstein::split(piece.as_mut(), half, right.as_mut());
             let halves = [(piece, from, middle, depth + 1), (right, middle, to, depth + 1)];
             // The half that ends nearer to the point is looked at first: it is last on the stack.
-            let [start, end] = [square[0], square[square.len() - 1]];
             pieces.extend(if start < end { [halves[1], halves[0]] } else { halves });
         }
+    }
+}
+
+/// The Bernstein coefficients of `|C|²`, with everything that does not depend on the curve computed once.
+struct Square<S> {
+    /// `binomial(n, i)`
+    binomials: Vec<S>,
+    /// `1 / binomial(2n, k)`
+    inverse: Vec<S>,
+    coefficients: Vec<S>,
+}
+
+impl<S: Scalar> Square<S> {
+    fn new(degree: usize) -> Self {
+        let row = |degree: usize| {
+            let mut row = vec![S::ONE; degree + 1];
+            multiply_binomials(&mut row);
+            row
+        };
+        let inverse = row(2 * degree).into_iter().map(|binomial| S::ONE / binomial).collect();
+        Self { binomials: row(degree), inverse, coefficients: vec![S::ZERO; 2 * degree + 1] }
+    }
+
+    /// `Σ_{i+j=k} binomial(n, i) binomial(n, j) / binomial(2n, k) P[i]·P[j]`
+    fn of<P: Point<Scalar = S>>(&mut self, points: &[P]) -> &[S] {
+        self.coefficients.fill(S::ZERO);
+        for (i, (&p, &weight)) in points.iter().zip(&self.binomials).enumerate() {
+            let p = p.scale(weight);
+            self.coefficients[2 * i] = self.coefficients[2 * i] + dot(p, p);
+            let p = p.scale(S::of(2.0));
+            for (j, (&q, &weight)) in points.iter().zip(&self.binomials).enumerate().take(i) {
+                self.coefficients[i + j] = self.coefficients[i + j] + dot(p, q) * weight;
+            }
+        }
+        for (c, &inverse) in self.coefficients.iter_mut().zip(&self.inverse) {
+            *c = *c * inverse;
+        }
+        &self.coefficients
     }
 }
 
