@@ -136,6 +136,12 @@ impl Fraction {
         if self.denom.is_one() && other.denom.is_one() {
             return Some(Self::from(&self.numer * &other.numer));
         }
+        // p·(n/d): only p and d can have a common factor, because n/d is in lowest terms.
+        if self.denom.is_one() || other.denom.is_one() {
+            let (poly, fraction) = if self.denom.is_one() { (self, other) } else { (other, self) };
+            let rest = Self::reduced(poly.numer.clone(), fraction.denom.clone(), work)?;
+            return Some(Self { numer: &rest.numer * &fraction.numer, denom: rest.denom });
+        }
         work.spend_product(&self.denom, &other.denom)?;
         // A product of denominators is not zero.
         Self::reduced(&self.numer * &other.numer, &self.denom * &other.denom, work)
@@ -237,6 +243,16 @@ impl Fraction {
     fn combine(&self, other: &Self, with: fn(&Poly, &Poly) -> Poly, work: &mut Work) -> Option<Self> {
         if self.denom.is_one() && other.denom.is_one() {
             return Some(Self::from(with(&self.numer, &other.numer)));
+        }
+        // n/d + p = (n + p·d)/d is in lowest terms because n/d is.
+        if self.denom.is_one() || other.denom.is_one() {
+            let (poly, denom) =
+                if self.denom.is_one() { (&self.numer, &other.denom) } else { (&other.numer, &self.denom) };
+            work.spend_product(poly, denom)?;
+            let whole = poly * denom;
+            let numer =
+                if self.denom.is_one() { with(&whole, &other.numer) } else { with(&self.numer, &whole) };
+            return Some(Self { numer, denom: denom.clone() });
         }
         let (numer, denom) = if self.denom == other.denom {
             (with(&self.numer, &other.numer), self.denom.clone())
