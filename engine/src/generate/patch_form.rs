@@ -35,7 +35,7 @@ pub struct Group {
 
 /// One function; every coefficient is to be divided by `denom`, which contains shape parameters only.
 ///
-/// The function is content · (powers of the coordinates) · Σ inner[α] · (the monomial with the exponents α).
+/// The function is content · (powers of the coordinates) · Σ `inner[α]` · (the monomial with the exponents α).
 #[derive(Clone, Debug)]
 pub struct PatchFunction {
     /// What stands below the fraction line.
