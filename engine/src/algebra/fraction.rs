@@ -44,7 +44,7 @@ impl Fraction {
     /// The quotient of two polynomials, the divisor not zero; `None` when the work is spent.
     fn reduced(numer: Poly, denom: Poly, work: &mut Work) -> Option<Self> {
         if let Some(c) = denom.as_constant() {
-            return Some(Self::from(numer.scale(&c.recip()?)));
+            return Some(Self::from(if c.is_one() { numer } else { numer.scale(&c.recip()?) }));
         }
         work.spend_product(&numer, &denom)?; // no division below takes more
         if let Some(quotient) = numer.div_exact(&denom) {
@@ -182,6 +182,11 @@ impl Fraction {
     /// # Errors
     /// When the work is spent.
     pub fn substitute_within(&self, var: Var, value: &Self, work: &mut Work) -> Result<Option<Self>, Spent> {
+        if self.denom.is_one()
+            && let Some(poly) = value.as_poly()
+        {
+            return Ok(Some(Self::from(self.numer.substitute(var, poly))));
+        }
         // Over one denominator each: value.denom to the degree of the polynomial.
         let put = |p: &Poly| match value.as_poly() {
             Some(poly) => (p.substitute(var, poly), Poly::one()),

@@ -610,6 +610,9 @@ impl Mul for &Poly {
     type Output = Poly;
     fn mul(self, other: &Poly) -> Poly {
         let (few, many) = if self.len() < other.len() { (self, other) } else { (other, self) };
+        if few.is_one() {
+            return many.clone();
+        }
         Poly { terms: merge_all(few.terms.iter().map(|(m, c)| many.times(m, c)).collect()) }
     }
 }
