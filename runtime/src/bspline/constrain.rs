@@ -9,7 +9,10 @@ use super::{BSplineSurface, Direction, KnotError, Net};
 use crate::{Point, Scalar};
 
 /// A row that the earlier ones determine up to this part of its length says nothing new.
-const DEPENDENT: f64 = 1e-10;
+const DEPENDENT: f64 = 1e-12;
+
+/// Contradictions of so many rounding errors of the scalar type are none.
+const ROUNDING: f64 = 32.0;
 
 /// A point through which a surface is to pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +54,8 @@ pub enum ConstraintError {
     },
     /// A control point of the surface is not finite.
     Surface,
+    /// The points are so far away that a control point would become infinite.
+    Overflow,
     /// A constraint contradicts others: their parameters determine the point of the surface at its own.
     Infeasible {
         /// The index of the constraint.
@@ -70,6 +75,9 @@ impl Display for ConstraintError {
                 write!(f, "the point of constraint {constraint} is not finite")
             }
             Self::Surface => f.write_str("a control point of the surface is not finite"),
+            Self::Overflow => f.write_str(
+                "the points are so far from the surface that a control point would become infinite; use a larger unit",
+            ),
             Self::Infeasible { constraint, against, distance } if against.is_empty() => write!(
                 f,
                 "constraint {constraint} cannot be met: every control point that could move the surface there is held; it misses by {distance}"
@@ -164,15 +172,14 @@ impl<P: Point> BSplineSurface<P> {
         // The second round removes what the rounding of the first one left.
         for round in 0..2 {
             let misses = misses(&surface, constraints, &parameters);
-            let size = constraints.iter().map(|c| size(c)).fold(0.0, f64::max);
-            let change = match system.least_change(&misses, P::DIM) {
-                Ok(change) => change,
-                Err(conflict) if round == 0 && conflict.distance > 1e-9 * (size + largest(&misses)) => {
-                    let Conflict { constraint, against, distance, .. } = conflict;
+            let change = system.least_change(&misses, P::DIM);
+            if round == 0 {
+                let noise = ROUNDING * P::Scalar::EPSILON.to_f64() * self.size(constraints);
+                if let Some((constraint, distance)) = system.contradiction(&misses, &change, P::DIM, noise) {
+                    let against = system.determining(constraint);
                     return Err(ConstraintError::Infeasible { constraint, against, distance });
                 }
-                Err(conflict) => conflict.change,
-            };
+            }
             for (sum, step) in total.iter_mut().zip(&change) {
                 *sum += step;
             }
@@ -183,9 +190,22 @@ impl<P: Point> BSplineSurface<P> {
                     P::from_components(|i| P::Scalar::of(old.component(i).to_f64() + change[i]));
             }
         }
+        if !surface.net().as_slice().iter().all(finite) {
+            return Err(ConstraintError::Overflow);
+        }
         let miss = misses(&surface, constraints, &parameters);
         let miss = miss.chunks(P::DIM.max(1)).map(norm).fold(0.0, f64::max);
         Ok(Constrained { surface, parameters, change: norm(&total), miss })
+    }
+
+    /// The largest component of a control point or of the point of a constraint.
+    fn size(&self, constraints: &[PointConstraint<P>]) -> f64 {
+        let wanted = constraints.iter().map(|constraint| match constraint {
+            PointConstraint::At(_, point) | PointConstraint::Nearest(point) => point,
+        });
+        let points = self.net().as_slice().iter().chain(wanted);
+        let components = points.flat_map(|point| (0..P::DIM).map(|i| point.component(i).to_f64().abs()));
+        components.fold(0.0, f64::max)
     }
 
     /// `N[i](u) N[j](v)` for the control points that may move, by their index in the net.
@@ -209,12 +229,6 @@ impl<P: Point> BSplineSurface<P> {
     }
 }
 
-/// The components of the point of a constraint, at most.
-fn size<P: Point>(constraint: &PointConstraint<P>) -> f64 {
-    let (PointConstraint::At(_, point) | PointConstraint::Nearest(point)) = constraint;
-    (0..P::DIM).map(|i| point.component(i).to_f64().abs()).fold(0.0, f64::max)
-}
-
 /// `point - S(u, v)` for each constraint, component by component, in double precision.
 fn misses<P: Point>(
     surface: &BSplineSurface<P>,
@@ -235,8 +249,13 @@ fn misses<P: Point>(
     all
 }
 
+/// The Euclidean length, also of components whose squares overflow or vanish.
 fn norm(components: &[f64]) -> f64 {
-    Scalar::sqrt(components.iter().map(|x| x * x).sum::<f64>())
+    let size = largest(components);
+    if size == 0.0 || !size.is_finite() {
+        return size;
+    }
+    size * Scalar::sqrt(components.iter().map(|x| (x / size) * (x / size)).sum::<f64>())
 }
 
 fn largest(components: &[f64]) -> f64 {
@@ -251,16 +270,17 @@ struct Orthogonal {
     touched: Vec<usize>,
     /// Orthonormal rows.
     units: Vec<Vec<f64>>,
-    /// For each constraint its factors, and the unit row that it added, if it is not determined by the ones before.
-    rows: Vec<(Vec<f64>, Option<usize>)>,
+    rows: Vec<Row>,
 }
 
-/// The change that satisfies all constraints but those that contradict earlier ones, and the worst of these.
-struct Conflict {
-    constraint: usize,
-    against: Vec<usize>,
-    distance: f64,
-    change: Vec<f64>,
+/// The row of one constraint.
+struct Row {
+    /// Its factors of the unit rows; the last one is that of the row it added, if it added one.
+    factors: Vec<f64>,
+    /// The unit row that it added, if it is not determined by the ones before.
+    added: Option<usize>,
+    /// The length of what the unit rows before it leave.
+    left: f64,
 }
 
 impl Orthogonal {
@@ -295,31 +315,26 @@ impl Orthogonal {
                 }
                 units.push(rest);
             }
-            rows.push((factors, added.then(|| units.len() - 1)));
+            rows.push(Row { factors, added: added.then(|| units.len() - 1), left });
         }
         Self { touched, units, rows }
     }
 
-    /// The shortest change with the given products with all rows, `lanes` numbers for each.
-    fn least_change(&self, wanted: &[f64], lanes: usize) -> Result<Vec<f64>, Conflict> {
+    /// The shortest change with the given products with all rows that are not determined by earlier ones, `lanes` numbers
+    /// for each.
+    fn least_change(&self, wanted: &[f64], lanes: usize) -> Vec<f64> {
         let mut along: Vec<Vec<f64>> = Vec::new();
-        let mut worst: Option<(usize, f64)> = None;
-        for (constraint, (factors, added)) in self.rows.iter().enumerate() {
+        for (constraint, row) in self.rows.iter().enumerate() {
+            if row.added.is_none() {
+                continue;
+            }
             let mut rest = wanted[constraint * lanes..(constraint + 1) * lanes].to_vec();
-            for (part, factor) in along.iter().zip(factors) {
+            for (part, factor) in along.iter().zip(&row.factors) {
                 for (x, y) in rest.iter_mut().zip(part) {
                     *x -= y * factor;
                 }
             }
-            if added.is_some() {
-                let length = factors[factors.len() - 1];
-                along.push(rest.iter().map(|x| x / length).collect());
-            } else {
-                let distance = norm(&rest);
-                if worst.is_none_or(|(_, other)| distance > other) {
-                    worst = Some((constraint, distance));
-                }
-            }
+            along.push(rest.iter().map(|x| x / row.left).collect());
         }
         let mut change = vec![0.0; self.touched.len() * lanes];
         for (unit, part) in self.units.iter().zip(&along) {
@@ -329,31 +344,63 @@ impl Orthogonal {
                 }
             }
         }
-        match worst {
-            Some((constraint, distance)) if distance > 0.0 => {
-                Err(Conflict { constraint, against: self.determining(constraint), distance, change })
-            }
-            _ => Ok(change),
-        }
+        change
     }
 
-    /// The constraints of which this one is a combination.
-    fn determining(&self, constraint: usize) -> Vec<usize> {
-        // Solve from the last unit row to the first: each was added by one constraint.
-        let mut rest = self.rows[constraint].0.clone();
-        let mut against = Vec::new();
-        let size = largest(&rest);
-        for (other, (factors, added)) in self.rows[..constraint].iter().enumerate().rev() {
-            let Some(unit) = *added else { continue };
-            let share = rest[unit] / factors[unit];
-            if rest[unit].abs() > 1e-9 * size {
-                against.push(other);
-                for (x, y) in rest.iter_mut().zip(factors) {
+    /// The constraint that is furthest from what the ones before it determine, and how far; none if all distances are
+    /// rounding errors, `noise` being those of one point.
+    fn contradiction(
+        &self,
+        wanted: &[f64],
+        change: &[f64],
+        lanes: usize,
+        noise: f64,
+    ) -> Option<(usize, f64)> {
+        let mut worst: Option<(usize, f64)> = None;
+        for (constraint, row) in self.rows.iter().enumerate() {
+            if row.added.is_some() {
+                continue;
+            }
+            let mut rest = wanted[constraint * lanes..(constraint + 1) * lanes].to_vec();
+            let combination = self.combination(constraint);
+            for &(other, share) in &combination {
+                for (x, y) in rest.iter_mut().zip(&wanted[other * lanes..]) {
                     *x -= share * y;
                 }
             }
+            let distance = norm(&rest);
+            let shares: f64 = combination.iter().map(|(_, share)| share.abs()).sum();
+            // What is left of a row, though too little to be solved for, still sees the change.
+            let allowed = noise * (1.0 + shares) + ROUNDING * row.left * norm(change);
+            if distance > allowed && worst.is_none_or(|(_, other)| distance > other) {
+                worst = Some((constraint, distance));
+            }
         }
-        against.reverse();
-        against
+        worst
+    }
+
+    /// The constraints that determine this one.
+    fn determining(&self, constraint: usize) -> Vec<usize> {
+        let combination = self.combination(constraint);
+        let largest = combination.iter().fold(0.0, |size: f64, (_, share)| size.max(share.abs()));
+        let matters = |&(other, share): &(usize, f64)| (share.abs() > 1e-9 * largest).then_some(other);
+        combination.iter().filter_map(matters).collect()
+    }
+
+    /// The factors with which this row is a combination of those before it, the ones of which no other is.
+    fn combination(&self, constraint: usize) -> Vec<(usize, f64)> {
+        // Solve from the last unit row to the first: each was added by one constraint.
+        let mut rest = self.rows[constraint].factors.clone();
+        let mut combination = Vec::new();
+        for (other, row) in self.rows[..constraint].iter().enumerate().rev() {
+            let Some(unit) = row.added else { continue };
+            let share = rest[unit] / row.left;
+            combination.push((other, share));
+            for (x, y) in rest.iter_mut().zip(&row.factors) {
+                *x -= share * y;
+            }
+        }
+        combination.reverse();
+        combination
     }
 }

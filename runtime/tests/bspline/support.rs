@@ -5,9 +5,9 @@ use proptest::prelude::*;
 
 pub(crate) type P3 = [f64; 3];
 
-/// A knot vector over `[0, 1]` with random inner knots of multiplicity up to `degree`, clamped or not.
+/// A knot vector over `[0, 1]` with random inner knots of multiplicity up to `degree + 1`, clamped or not.
 pub(crate) fn knots(degree: usize) -> impl Strategy<Value = KnotVector<f64>> {
-    let inner = prop::collection::vec((0.02..1.0, 1..=degree.max(1)), 0..5);
+    let inner = prop::collection::vec((0.02..1.0, 1..=degree + 1), 0..5);
     let outer = prop::collection::vec(0.01..0.5, 2 * degree);
     (inner, prop::option::of(outer)).prop_map(move |(inner, outer)| {
         let mut all = vec![0.0];
@@ -44,7 +44,7 @@ pub(crate) fn curve_of(degree: usize) -> impl Strategy<Value = BSplineCurve<P3>>
 }
 
 pub(crate) fn curve() -> impl Strategy<Value = BSplineCurve<P3>> {
-    (1..=5_usize).prop_flat_map(curve_of)
+    (0..=5_usize).prop_flat_map(curve_of)
 }
 
 pub(crate) fn surface() -> impl Strategy<Value = BSplineSurface<P3>> {
