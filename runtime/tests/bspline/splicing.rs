@@ -190,6 +190,51 @@ fn positions_only() {
 }
 
 #[test]
+fn positions_only_where_no_tangent_plane_is() {
+    // The second row of the target is its edge, or its edge is one point.
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let (columns, row) = (right.net().columns(), right.net().row(0).to_vec());
+    let (mut narrow, mut pole) = (right.clone(), right);
+    narrow.control_points_mut()[columns..2 * columns].copy_from_slice(&row);
+    pole.control_points_mut()[..columns].fill(row[0]);
+    for target in [narrow, pole] {
+        // The tangents to which the published method adjusts the edge do not exist at a pole.
+        for options in methods().into_iter().filter(|options| !is_published(options)) {
+            let found =
+                splice(&left, &target, joint, &SpliceOptions { continuity: Continuity::G0, ..options });
+            let found = found.unwrap();
+            for i in 0..=100 {
+                let t = f64::from(i) / 100.0;
+                assert!(distance(found.surface.eval(1.0, t), target.eval(0.0, t)) <= options.gap);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_scale_of_the_parameters_has_no_say() {
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
+    let folded = sheet(3, 5, 0.0, [1.0, -0.5, 4.0, 1.0]);
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    for surface in [left, folded] {
+        for options in methods().into_iter().filter(|options| !is_published(options)) {
+            let expected = splice(&surface, &right, joint, &options).unwrap();
+            for size in [2.0_f64.powi(-20), 2.0_f64.powi(20)] {
+                let [u, v] =
+                    [Direction::U, Direction::V].map(|d| surface.knots(d).mapped([0.0, size]).unwrap());
+                let scaled = BSplineSurface::new(u, v, surface.net().clone()).unwrap();
+                let found = splice(&scaled, &right, joint, &options).unwrap();
+                // Powers of two are exact: the net is the same, bit by bit.
+                assert_eq!(found.surface.net(), expected.surface.net());
+            }
+        }
+    }
+}
+
+#[test]
 fn surfaces_never_fold_back() {
     // Both sheets lie over 0 <= x <= 1: the first has to leave the edge in the other direction.
     let lower = sheet(3, 5, 0.0, [0.0, 0.0, 3.0, 0.4]);

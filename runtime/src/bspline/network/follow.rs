@@ -7,7 +7,7 @@ use super::transport::Leader;
 use super::{FollowOptions, Followed, Inserted, Network, NetworkError};
 use crate::bspline::splice::measure::{Piece, measure, middles};
 use crate::bspline::splice::strip::{Strip, Vector, along, place};
-use crate::bspline::{BSplineSurface, Direction, JointMeasure, KnotError, SpliceError, rows};
+use crate::bspline::{BSplineSurface, Continuity, Direction, JointMeasure, KnotError, SpliceError, rows};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
@@ -290,7 +290,7 @@ fn figures<P: Point3>(network: &Network<P>, round: &Round<P>) -> Result<Figures,
         let other = Strip::new(&patch(1 - side), seam.edges[1 - side]).map_err(wrong)?;
         let other =
             other.mapped::<P::Scalar>(strip.knots.domain(), seam.reversed, &strip.knots).map_err(wrong)?;
-        let (measured, pieces) = measure(&strip, &other).map_err(wrong)?;
+        let (measured, pieces) = measure(&strip, &other, Continuity::G1).map_err(wrong)?;
         all.push((index, measured, pieces));
     }
     Ok(all)

@@ -6,7 +6,7 @@ use super::strip::{Frame, Strip, Vector};
 use crate::Point;
 use crate::vector::{direction, dot, length};
 
-/// The derivative out of the strip keeps at least this part of its length in the direction into the target.
+/// The way from the second row to the edge keeps at least this part of its length in the direction into the target.
 const FORWARD: f64 = 0.02;
 
 /// The change of `inner` that brings the strip's derivative across the edge into the tangent plane of the target.
@@ -27,14 +27,14 @@ pub(super) fn correction(strip: &Strip, target: &Strip, t: f64) -> Result<Vector
         return Err(SpliceError::Degenerate { parameter: t });
     };
     let out = strip.at(t).across.scale(-1.0);
+    // Widths in space: how the parameters across the edges are scaled has no say.
+    let least = FORWARD * length(out).max(FORWARD * length(to.across));
     if target.is_creased() {
         let across = direction(to.across).unwrap_or(d);
-        let least = FORWARD * length(out).max(FORWARD * length(to.across) * target.factor / strip.factor);
         return Ok(out.minus(across.scale(dot(out, across).max(least))));
     }
     let mut change = n.scale(dot(out, n));
     let wanted = out.minus(change);
-    let least = FORWARD * length(out).max(FORWARD * length(to.across) * target.factor / strip.factor);
     let forward = dot(wanted, d);
     if forward < least {
         change = change.add_scaled(d, forward - least);

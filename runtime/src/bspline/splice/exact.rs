@@ -21,8 +21,8 @@ pub(super) fn rows(strip: &mut Strip, target: &Strip) {
     let least = 0.1 * lengths[0] / lengths[1];
     let mut factor = product / square;
     if !(factor > least && factor.is_finite()) {
-        // The strip turns back, or has no width: keep a part of its width, or take the target's derivative.
-        factor = if least > 0.0 && least.is_finite() { least } else { target.factor / strip.factor };
+        // The strip turns back, or has no width: keep a part of its width, or take the target's.
+        factor = if least > 0.0 && least.is_finite() { least } else { 1.0 };
     }
     strip.edge.clone_from(&target.edge);
     let rows = target.edge.iter().zip(&target.inner);

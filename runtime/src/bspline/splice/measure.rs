@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::SpliceError;
 use super::strip::{Frame, Strip, Vector};
+use super::{Continuity, SpliceError};
 use crate::bspline::KnotVector;
 use crate::vector::{cross, dot, length};
 use crate::{Point, Scalar};
@@ -21,7 +21,7 @@ pub struct JointMeasure {
     /// The parameter at which it occurs.
     pub gap_at: f64,
     /// The largest angle between the tangent planes, in radians from 0 to π; above π/2 one surface folds back over the
-    /// other.
+    /// other. A splice of [`Continuity::G0`](super::Continuity::G0) leaves out the parameters without tangent planes.
     pub angle: f64,
     /// The parameter at which it occurs.
     pub angle_at: f64,
@@ -37,10 +37,12 @@ pub(in crate::bspline) struct Piece {
     pub(in crate::bspline) angle: f64,
 }
 
-/// The largest gap and angle, and those of each piece, for strips over the same domain.
+/// The largest gap and angle, and those of each piece, for strips over the same domain. Tangent planes must exist for
+/// [`Continuity::G1`] only.
 pub(in crate::bspline) fn measure(
     strip: &Strip,
     target: &Strip,
+    continuity: Continuity,
 ) -> Result<(JointMeasure, Vec<Piece>), SpliceError> {
     let mut breakpoints = strip.knots.breakpoints();
     breakpoints.extend(target.knots.breakpoints());
@@ -63,9 +65,10 @@ pub(in crate::bspline) fn measure(
             let aside = t + (middle - t) * 1e-4;
             let angle = match angle(&frames[0], &frames[1]) {
                 Some(angle) => angle,
-                None => match angle_aside(strip, target, spans, aside) {
-                    Some(angle) => angle,
-                    None => return Err(SpliceError::Degenerate { parameter: t }),
+                None => match (angle_aside(strip, target, spans, aside), continuity) {
+                    (Some(angle), _) => angle,
+                    (None, Continuity::G0) => 0.0,
+                    (None, Continuity::G1) => return Err(SpliceError::Degenerate { parameter: t }),
                 },
             };
             whole.samples += 1;

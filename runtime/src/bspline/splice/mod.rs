@@ -100,7 +100,8 @@ pub struct SpliceOptions {
     pub gap: f64,
     /// The largest angle between the tangent planes, in radians.
     pub angle: f64,
-    /// The most spans along the edge.
+    /// The most spans along the edge to which knots are inserted for the sake of the tolerances. Those that merging needs
+    /// are inserted in any case.
     pub spans: usize,
     /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent near
     /// its edge, and many more spans are needed.
@@ -150,10 +151,19 @@ pub fn measure_joint<P: Point3>(
     target: &BSplineSurface<P>,
     joint: Joint,
 ) -> Result<JointMeasure, SpliceError> {
+    measured(surface, target, joint, Continuity::G1)
+}
+
+fn measured<P: Point3>(
+    surface: &BSplineSurface<P>,
+    target: &BSplineSurface<P>,
+    joint: Joint,
+    continuity: Continuity,
+) -> Result<JointMeasure, SpliceError> {
     let strip = Strip::new(&surface.clamped(), joint.edge)?;
     let other = Strip::new(&target.clamped(), joint.target)?;
     let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.reversed, &strip.knots)?;
-    Ok(measure(&strip, &other)?.0)
+    Ok(measure(&strip, &other, continuity)?.0)
 }
 
 /// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
@@ -204,17 +214,17 @@ pub fn splice<P: Point3>(
         rounds += 1;
         let mut strip = base.clone();
         solve(&mut strip, &fixed, options)?;
-        let (measured, pieces) = measure(&strip, &fixed)?;
+        let (found, pieces) = measure(&strip, &fixed, options.continuity)?;
         let spans = strip.spans();
         let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / angle);
-        if best.is_none_or(|(other, _)| excess(&measured) < excess(&other)) {
-            best = Some((measured, spans));
+        if best.is_none_or(|(other, _)| excess(&found) < excess(&other)) {
+            best = Some((found, spans));
             best_round = rounds;
         }
-        if excess(&measured) <= 1.0 {
+        if excess(&found) <= 1.0 {
             let result = written(&surface, joint.edge, degree, &inserted, &strip)?;
             // The figures of what is handed back, in its own precision.
-            let measure = measure_joint(&result, target, joint)?;
+            let measure = measured(&result, target, joint, options.continuity)?;
             if excess(&measure) > 1.0 {
                 best = Some((measure, spans));
                 break;
