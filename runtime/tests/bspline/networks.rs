@@ -184,11 +184,40 @@ fn corners_of_three_say_why_not() {
     assert!(error.to_string().contains("not one of four patches"));
 }
 
+/// A pipe whose first parameter runs around it.
+fn pipe() -> BSplineSurface<P3> {
+    let around = KnotVector::new(3, (-3..13).map(f64::from).collect::<Vec<_>>()).unwrap();
+    let net = Net::from_fn(12, 6, |i, j| {
+        let angle = std::f64::consts::TAU * (i % 9) as f64 / 9.0;
+        [angle.cos(), angle.sin(), j as f64]
+    });
+    BSplineSurface::new(around, KnotVector::uniform(3, 3).unwrap(), net.unwrap()).unwrap()
+}
+
+#[test]
+fn a_patch_that_meets_itself() {
+    let seam = Seam { patches: [0, 0], edges: [Edge::UEnd, Edge::UStart], reversed: false };
+    let network = Network::new(vec![pipe()], vec![seam]).unwrap();
+    let wider = pipe().map_points(|[x, y, z]| [x * (1.0 + 0.1 * z), y, z]);
+    let found = network.follow(0, &wider, &FollowOptions::default()).unwrap();
+    assert_eq!(found.changed, [0]);
+    check(&network, &found, [1e-13, 1e-11]);
+    let mut torn = wider;
+    torn.control_points_mut()[2][0] += 0.1;
+    let error = network.follow(0, &torn, &FollowOptions::default()).unwrap_err();
+    assert!(matches!(error, NetworkError::Ring { seam: 0, .. }), "{error}");
+    assert!(error.to_string().contains("meets itself along seam 0; deform both edges alike"));
+}
+
 #[test]
 fn what_is_refused() {
     let all = patches(2, [0.2, 0.3, 0.4], &[]);
     let error = Network::grid(all[..3].to_vec(), 2).unwrap_err();
-    assert_eq!(error, NetworkError::Patch { patch: 3 });
+    assert_eq!(error, NetworkError::Grid { patches: 3, columns: 2 });
+    assert_eq!(
+        Network::<P3>::grid(Vec::new(), 0).unwrap_err(),
+        NetworkError::Grid { patches: 0, columns: 0 }
+    );
     let seam = Seam { patches: [0, 9], edges: [Edge::UEnd, Edge::UStart], reversed: false };
     assert_eq!(Network::new(all.clone(), vec![seam]).unwrap_err(), NetworkError::Patch { patch: 9 });
     let seam = Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::VStart], reversed: false };
@@ -210,7 +239,16 @@ fn what_is_refused() {
     assert!(matches!(error, NetworkError::Domain(_)), "{error}");
     let error = network.follow(7, &deformed, &FollowOptions::default()).unwrap_err();
     assert_eq!(error, NetworkError::Patch { patch: 7 });
-    assert!(matches!(network.measure(9), Err(NetworkError::Seam { seam: 9, .. })));
+    assert_eq!(network.measure(9).unwrap_err(), NetworkError::NoSeam { seam: 9 });
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        for options in [
+            FollowOptions { gap: bad, ..Default::default() },
+            FollowOptions { angle: bad, ..Default::default() },
+        ] {
+            let error = network.follow(0, &deformed, &options).unwrap_err();
+            assert!(matches!(error, NetworkError::Tolerance { .. }), "{error}");
+        }
+    }
 }
 
 proptest! {

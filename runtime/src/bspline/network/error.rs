@@ -9,10 +9,27 @@ use crate::bspline::{JointMeasure, KnotError, SpliceError};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NetworkError {
-    /// A seam names a patch that does not exist.
+    /// There is no such patch.
     Patch {
         /// The index of the patch.
         patch: usize,
+    },
+    /// There is no such seam.
+    NoSeam {
+        /// The index of the seam.
+        seam: usize,
+    },
+    /// So many patches do not fill the rows of a grid.
+    Grid {
+        /// The number of patches.
+        patches: usize,
+        /// The number of columns.
+        columns: usize,
+    },
+    /// A tolerance is not a positive number.
+    Tolerance {
+        /// The tolerance.
+        tolerance: f64,
     },
     /// An edge belongs to two seams.
     EdgeTwice {
@@ -49,6 +66,13 @@ pub enum NetworkError {
         /// Its figures.
         achieved: JointMeasure,
     },
+    /// The deformed patch meets itself along a seam, and its two edges were not deformed alike.
+    Ring {
+        /// The seam.
+        seam: usize,
+        /// How its edges meet.
+        achieved: JointMeasure,
+    },
     /// Two patches that both follow also meet each other, in a corner of three or of five and more patches, and their changes
     /// do not fit.
     Corner {
@@ -72,7 +96,14 @@ impl Display for NetworkError {
             write!(f, "gap {:.3e}, angle {:.3e} rad at the parameter {}", m.gap, m.angle, m.angle_at)
         };
         match self {
-            Self::Patch { patch } => write!(f, "a seam names the patch {patch}, which does not exist"),
+            Self::Patch { patch } => write!(f, "there is no patch {patch}"),
+            Self::NoSeam { seam } => write!(f, "there is no seam {seam}"),
+            Self::Grid { patches, columns } => {
+                write!(f, "{patches} patches do not fill the rows of a grid with {columns} columns")
+            }
+            Self::Tolerance { tolerance } => {
+                write!(f, "a tolerance of {tolerance}; tolerances are positive numbers")
+            }
             Self::EdgeTwice { seam } => write!(f, "seam {seam} joins an edge that belongs to another seam"),
             Self::Domain(error) => write!(f, "the deformed patch: {error}"),
             Self::NotSmooth { seam, measure } => {
@@ -87,6 +118,10 @@ impl Display for NetworkError {
                     "in the corner of patch {patch} between the seams {a} and {b} the twists that they ask for put one control \
                      point at two places, {mismatch:.3e} apart; seam {worst} is then not smooth: "
                 )?;
+                figures(f, achieved)
+            }
+            Self::Ring { seam, achieved } => {
+                write!(f, "the deformed patch meets itself along seam {seam}; deform both edges alike: ")?;
                 figures(f, achieved)
             }
             Self::Corner { seam, achieved } => {

@@ -51,6 +51,11 @@ pub(super) fn follow<P: Point3>(
             return Err(NetworkError::Domain(KnotError::Domains { domains }));
         }
     }
+    for tolerance in [options.gap, options.angle] {
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(NetworkError::Tolerance { tolerance });
+        }
+    }
     let mut inserted = Inserted::new(network.patches.len());
     let mut reached = None;
     for number in 0..ROUNDS {
@@ -330,6 +335,9 @@ fn explain<P: Point3>(
     options: &FollowOptions,
 ) -> NetworkError {
     let seam = &network.seams[worst];
+    if seam.patches[0] == seam.patches[1] && seam.patches[0] == round.changed[0] {
+        return NetworkError::Ring { seam: worst, achieved };
+    }
     let changed = |side: usize| round.patches[seam.patches[side]].is_some();
     if round.followed[worst].is_none() && changed(0) && changed(1) {
         return NetworkError::Corner { seam: worst, achieved };

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 
 pub use error::NetworkError;
 
-use super::{BSplineSurface, Direction, Edge, Joint, JointMeasure, SpliceError, measure_joint};
+use super::{BSplineSurface, Direction, Edge, Joint, JointMeasure, measure_joint};
 use crate::{Point, Point3};
 
 /// Two edges of patches that are one curve.
@@ -72,17 +72,14 @@ impl<P: Point3> Network<P> {
     /// # Errors
     /// [`NetworkError::Patch`] or [`NetworkError::EdgeTwice`].
     pub fn new(patches: Vec<BSplineSurface<P>>, seams: Vec<Seam>) -> Result<Self, NetworkError> {
-        let mut taken = Vec::with_capacity(2 * seams.len());
+        let mut taken = vec![[false; 4]; patches.len()];
         for (index, seam) in seams.iter().enumerate() {
-            for side in 0..2 {
-                let (patch, edge) = (seam.patches[side], seam.edges[side]);
-                if patch >= patches.len() {
-                    return Err(NetworkError::Patch { patch });
-                }
-                if taken.contains(&(patch, edge)) {
+            for (&patch, &edge) in seam.patches.iter().zip(&seam.edges) {
+                let edges = taken.get_mut(patch).ok_or(NetworkError::Patch { patch })?;
+                let place = Edge::ALL.iter().position(|&other| other == edge).unwrap_or(0); // it is one of them
+                if core::mem::replace(&mut edges[place], true) {
                     return Err(NetworkError::EdgeTwice { seam: index });
                 }
-                taken.push((patch, edge));
             }
         }
         Ok(Self { patches, seams })
@@ -92,11 +89,11 @@ impl<P: Point3> Network<P> {
     /// next one in its row.
     ///
     /// # Errors
-    /// [`NetworkError::Patch`] if there are not as many patches as `columns` divides.
+    /// [`NetworkError::Grid`] if `columns` does not divide the number of patches.
     pub fn grid(patches: Vec<BSplineSurface<P>>, columns: usize) -> Result<Self, NetworkError> {
         let count = patches.len();
         if columns == 0 || !count.is_multiple_of(columns) {
-            return Err(NetworkError::Patch { patch: count });
+            return Err(NetworkError::Grid { patches: count, columns });
         }
         let mut seams = Vec::new();
         for patch in 0..count {
@@ -126,10 +123,10 @@ impl<P: Point3> Network<P> {
     /// The gap and the angle of a seam.
     ///
     /// # Errors
-    /// [`NetworkError::Seam`] if it cannot be measured, also if there is no such seam.
+    /// [`NetworkError::NoSeam`], or [`NetworkError::Seam`] if it cannot be measured.
     pub fn measure(&self, seam: usize) -> Result<JointMeasure, NetworkError> {
         let Some(&Seam { patches: [a, b], .. }) = self.seams.get(seam) else {
-            return Err(NetworkError::Seam { seam, error: SpliceError::OneRow });
+            return Err(NetworkError::NoSeam { seam });
         };
         let joint = self.seams[seam].joint(0);
         measure_joint(&self.patches[a], &self.patches[b], joint)
@@ -144,8 +141,8 @@ impl<P: Point3> Network<P> {
     /// neither an edge nor a corner with the deformed one stay bit by bit the same.
     ///
     /// # Errors
-    /// If a seam near the patch was not smooth before, if the followers around a corner ask for different twists, or if the
-    /// tolerances cannot be met.
+    /// If a tolerance is not a positive number, a seam near the patch was not smooth before, the followers around a corner ask
+    /// for different twists, or the tolerances cannot be met.
     pub fn follow(
         &self,
         deformed: usize,
