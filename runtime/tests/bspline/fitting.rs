@@ -38,6 +38,11 @@ fn each_mistake_has_its_error() {
     let uniform = BSplineCurve::interpolate(1, &broken, Spacing::Uniform);
     assert_eq!(uniform, Err(FitError::NotFinite { index: 1 }));
 
+    let over = KnotVector::clamped(1, &[0.0, 0.5, 1.0]).unwrap();
+    let through = BSplineCurve::interpolate_at(over, &[0.0, 0.2, 0.5, 1.0], &points).unwrap_err();
+    assert_eq!(through, FitError::Functions { functions: 3, points: 4 });
+    assert!(through.to_string().starts_with("4 points; a curve over these knots passes through 3"));
+
     // All parameters are in the first span: the last function is nowhere.
     let over = KnotVector::clamped(1, &[0.0, 0.5, 1.0]).unwrap();
     let fit = BSplineCurve::fit(over.clone(), &[0.0, 0.1, 0.2, 0.3], &points, None);
@@ -48,6 +53,38 @@ fn each_mistake_has_its_error() {
     assert!(matches!(fit, Err(FitError::Knots(KnotError::Outside { .. }))));
     let fit = BSplineCurve::fit(over, &[0.0, 0.1, 0.2, f64::NAN], &points, None);
     assert_eq!(fit, Err(FitError::NotFinite { index: 3 }));
+}
+
+#[test]
+fn the_point_of_a_grid_that_is_not_finite() {
+    let mut grid = Net::from_fn(4, 5, |i, j| [i as f64, j as f64]).unwrap();
+    grid[[2, 3]][1] = f64::NAN;
+    for spacing in [Spacing::Uniform, Spacing::Chord] {
+        let surface = BSplineSurface::interpolate([2, 2], &grid, spacing);
+        assert_eq!(surface.unwrap_err(), FitError::NotFinite { index: 2 * 5 + 3 });
+    }
+    let knots = KnotVector::uniform(1, 1).unwrap();
+    let near = [0.0, 0.2, 0.5, 0.8, 1.0];
+    let surface = BSplineSurface::fit([knots.clone(), knots], [&near[1..], &near], &grid);
+    assert_eq!(surface.unwrap_err(), FitError::NotFinite { index: 2 * 5 + 3 });
+}
+
+#[test]
+fn heavy_weights_pin_points() {
+    let t: Vec<f64> = (0..40).map(|i| f64::from(i) / 39.0).collect();
+    let points: Vec<[f64; 1]> = t.iter().map(|x| [(5.0 * x).sin()]).collect();
+    for weight in [1e6, 1e14, 1e20, 1e100] {
+        let mut weights = vec![1.0; 40];
+        for pinned in [0, 20, 39] {
+            weights[pinned] = weight;
+        }
+        let knots = KnotVector::uniform(3, 6).unwrap();
+        let curve = BSplineCurve::fit(knots, &t, &points, Some(&weights)).unwrap();
+        for pinned in [0, 20, 39] {
+            assert!((curve.eval(t[pinned])[0] - points[pinned][0]).abs() < 1e-11);
+        }
+        assert!(t.iter().zip(&points).all(|(&t, p)| (curve.eval(t)[0] - p[0]).abs() < 2e-3));
+    }
 }
 
 #[test]

@@ -15,15 +15,24 @@ pub(in crate::bspline) struct Banded {
     lanes: usize,
     band: Vec<f64>,
     right: Vec<f64>,
+    /// For each row of the band the size of the numbers it was computed from: its rounding errors are a part of that.
+    sizes: Vec<f64>,
 }
 
 impl Banded {
     pub(in crate::bspline) fn new(unknowns: usize, width: usize, lanes: usize) -> Self {
-        Self { width, lanes, band: vec![0.0; unknowns * width], right: vec![0.0; unknowns * lanes] }
+        Self {
+            width,
+            lanes,
+            band: vec![0.0; unknowns * width],
+            right: vec![0.0; unknowns * lanes],
+            sizes: vec![0.0; unknowns],
+        }
     }
 
     /// Adds the equation `Σ factors[i] x[first + i] = right`, both of which it uses up.
     pub(in crate::bspline) fn add(&mut self, first: usize, factors: &mut [f64], right: &mut [f64]) {
+        let mut own = factors.iter().fold(0.0, |size: f64, x| Scalar::max(size, Scalar::abs(*x)));
         for i in 0..factors.len() {
             if factors[i] == 0.0 {
                 continue;
@@ -44,6 +53,8 @@ impl Banded {
             for (x, y) in pivots.iter_mut().zip(right.iter_mut()) {
                 rotate(x, y);
             }
+            let (cos, sin, size) = (Scalar::abs(cos), Scalar::abs(sin), &mut self.sizes[row]);
+            (*size, own) = (Scalar::max(cos * *size, sin * own), Scalar::max(cos * own, sin * *size));
         }
     }
 
@@ -54,11 +65,10 @@ impl Banded {
     pub(in crate::bspline) fn solve(mut self) -> Result<Vec<f64>, usize> {
         let (width, lanes) = (self.width, self.lanes);
         let unknowns = self.band.len() / width;
-        let size = self.band.iter().fold(0.0, |size: f64, x| Scalar::max(size, Scalar::abs(*x)));
         for row in (0..unknowns).rev() {
             let pivot = self.band[row * width];
             // Rounding errors of the rotations; what is smaller is not information.
-            if Scalar::abs(pivot) <= 1e-14 * size || !pivot.is_finite() {
+            if Scalar::abs(pivot) <= 1e-14 * self.sizes[row] || !pivot.is_finite() {
                 return Err(row);
             }
             for lane in 0..lanes {
@@ -86,6 +96,27 @@ mod tests {
         system.add(0, &mut [1.0, 0.0], &mut [3.0]);
         let found = system.solve().unwrap();
         assert!((found[0] - 2.0).abs() < 1e-15 && (found[1] - 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn equations_of_any_weight() {
+        for weight in [1e-200, 1e-16, 1e16, 1e200] {
+            // Whichever comes first.
+            for heavy in 0..3 {
+                let mut system = Banded::new(3, 3, 1);
+                let rows = [([1.0, 1.0, 1.0], 6.0), ([1.0, 2.0, 4.0], 17.0), ([1.0, 3.0, 9.0], 34.0)];
+                for (i, (factors, right)) in rows.into_iter().enumerate() {
+                    let weight = if i == heavy { weight } else { 1.0 };
+                    system.add(0, &mut factors.map(|x| x * weight), &mut [right * weight]);
+                }
+                let found = system.solve().unwrap();
+                assert!(found.iter().zip([1.0, 2.0, 3.0]).all(|(a, b)| (a - b).abs() < 1e-13), "{found:?}");
+            }
+        }
+        let mut system = Banded::new(2, 2, 1);
+        system.add(0, &mut [1.0, 1.0 / 3.0], &mut [1.0]);
+        system.add(0, &mut [3e9, 1e9], &mut [3e9]);
+        assert_eq!(system.solve(), Err(1)); // the same equation twice
     }
 
     #[test]

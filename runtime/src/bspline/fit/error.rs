@@ -18,6 +18,13 @@ pub enum FitError {
         /// The number of points.
         found: usize,
     },
+    /// There are not as many points as basis functions, so that no curve over the knots, or more than one, passes through them.
+    Functions {
+        /// The number of basis functions.
+        functions: usize,
+        /// The number of points.
+        points: usize,
+    },
     /// There are not as many parameters, or weights, as points.
     Count {
         /// The number of points.
@@ -27,7 +34,7 @@ pub enum FitError {
     },
     /// A point, parameter or weight is NaN or infinite.
     NotFinite {
-        /// Its index; in a grid row by row.
+        /// Its index; that of a point of a grid counts row by row.
         index: usize,
     },
     /// A parameter is not larger than the one before it; with parameters from distances, two neighbouring points coincide.
@@ -48,6 +55,10 @@ impl Display for FitError {
         match *self {
             Self::Knots(error) => error.fmt(f),
             Self::TooFew { needed, found } => write!(f, "{found} points; at least {needed} are needed"),
+            Self::Functions { functions, points } => write!(
+                f,
+                "{points} points; a curve over these knots passes through {functions}, one for each basis function"
+            ),
             Self::Count { expected, found } => {
                 write!(f, "{found} parameters or weights for {expected} points; each point has one")
             }

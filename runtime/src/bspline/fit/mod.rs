@@ -47,9 +47,9 @@ impl<P: Point> BSplineCurve<P> {
         parameters: &[P::Scalar],
         points: &[P],
     ) -> Result<Self, FitError> {
-        let (needed, found) = (knots.functions(), points.len());
-        if needed != found {
-            return Err(FitError::TooFew { needed, found });
+        let (functions, points_given) = (knots.functions(), points.len());
+        if functions != points_given {
+            return Err(FitError::Functions { functions, points: points_given });
         }
         if let Some(index) = parameters.windows(2).position(|pair| pair[0] >= pair[1]) {
             return Err(FitError::NotIncreasing { index: index + 1 });
@@ -81,6 +81,7 @@ impl<P: Point> BSplineSurface<P> {
     /// # Errors
     /// As [`BSplineCurve::interpolate`] for the rows and columns of the grid.
     pub fn interpolate(degrees: [usize; 2], grid: &Net<P>, spacing: Spacing) -> Result<Self, FitError> {
+        check_finite(grid)?;
         let [u, v] = [common_parameters(&grid.transposed(), spacing)?, common_parameters(grid, spacing)?];
         let knots = [averaged(degrees[0], &u)?, averaged(degrees[1], &v)?];
         Self::fit(knots, [&u, &v], grid)
@@ -97,6 +98,7 @@ impl<P: Point> BSplineSurface<P> {
         parameters: [&[P::Scalar]; 2],
         grid: &Net<P>,
     ) -> Result<Self, FitError> {
+        check_finite(grid)?;
         // The normal equations are a product of those of both directions: one direction after the other.
         let rows = fit_rows(&u, parameters[0], grid.as_slice(), grid.columns(), None)?;
         let turned = Net::trusted(rows, grid.columns()).transposed();
@@ -104,6 +106,13 @@ impl<P: Point> BSplineSurface<P> {
         let net = Net::trusted(columns, turned.columns()).transposed();
         Self::new(u, v, net)
             .map_err(|_| FitError::Count { expected: grid.rows(), found: parameters[0].len() })
+    }
+}
+
+fn check_finite<P: Point>(grid: &Net<P>) -> Result<(), FitError> {
+    match grid.as_slice().iter().position(|&point| !crate::vector::is_finite(point)) {
+        Some(index) => Err(FitError::NotFinite { index }),
+        None => Ok(()),
     }
 }
 
