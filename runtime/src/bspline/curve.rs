@@ -198,7 +198,17 @@ impl<P: Point> BSplineCurve<P> {
         times: usize,
         tolerance: P::Scalar,
     ) -> Result<(Self, usize), KnotError> {
-        let (rows, removed) = rows::remove(&self.to_rows(), knot, times, tolerance)?;
+        self.remove_knot_if(knot, times, rows::within(tolerance))
+    }
+
+    /// As [`remove_knot`](Self::remove_knot), while each control point may become what it then is.
+    pub(super) fn remove_knot_if(
+        &self,
+        knot: P::Scalar,
+        times: usize,
+        may_become: impl Fn(P, P) -> bool,
+    ) -> Result<(Self, usize), KnotError> {
+        let (rows, removed) = rows::remove(&self.to_rows(), knot, times, may_become)?;
         Ok((Self::from_rows(rows), removed))
     }
 

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 
 use super::homogeneous::{binomial, check_weights};
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
+use crate::vector::length;
 use crate::{Point, Scalar};
 
 /// The rational curve `C(t) = Σ w[i] N[i](t) P[i] / Σ w[i] N[i](t)` with positive weights.
@@ -154,9 +155,6 @@ impl<P: Point> NurbsCurve<P> {
     /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
     /// curve and how often the knot was removed.
     ///
-    /// A homogeneous tolerance of `tolerance · w / (1 + m + tolerance)`, where `w` is the smallest weight and `m` the largest distance
-    /// of a control point from the origin, guarantees that.
-    ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].
     pub fn remove_knot(
@@ -165,9 +163,9 @@ impl<P: Point> NurbsCurve<P> {
         times: usize,
         tolerance: P::Scalar,
     ) -> Result<(Self, usize), KnotError> {
-        let tolerance = homogeneous_tolerance(self.homogeneous.control_points(), tolerance);
-        let (homogeneous, removed) = self.homogeneous.remove_knot(knot, times, tolerance)?;
-        // The bound keeps every weight positive unless the tolerance is as large as the curve.
+        let within = within(self.homogeneous.control_points(), tolerance);
+        let (homogeneous, removed) = self.homogeneous.remove_knot_if(knot, times, within)?;
+        // The weights of the curve stay positive, but a control point that is removed may lie beyond them.
         Ok(Self::from_homogeneous(homogeneous).map_or((self.clone(), 0), |curve| (curve, removed)))
     }
 
@@ -177,23 +175,43 @@ impl<P: Point> NurbsCurve<P> {
     }
 }
 
-/// How much homogeneous points may move so that no point of the curve moves by more than `tolerance`.
+/// Whether homogeneous points change so little that no point of the curve or surface moves by more than `tolerance`.
 ///
-/// From `A/w - A'/w' = ((A - A') - C' (w - w')) / w`, where `C'` is at most `tolerance` outside of the hull of the control
-/// points: `|C'| <= m + tolerance`.
-pub(super) fn homogeneous_tolerance<P: Point>(points: &[Homogeneous<P>], tolerance: P::Scalar) -> P::Scalar {
-    let (mut smallest, mut largest) = (None, P::Scalar::ZERO);
+/// With the numerators `A = w C` and `A' = w' C'` it is `C' - C = Σ N[i] (ΔA[i] - C' Δw[i]) / w`. The point `C` is in the hull
+/// of the control points `P[i]`, whose box has a diagonal `d`, so `|C' - P[i]| <= d + tolerance` as long as
+///
+/// ```text
+/// |ΔA[i] - P[i] Δw[i]| + (d + tolerance) |Δw[i]| <= tolerance · (the smallest weight)
+/// ```
+///
+/// holds for all of them. Where the origin lies has no say.
+pub(super) fn within<P: Point>(
+    points: &[Homogeneous<P>],
+    tolerance: P::Scalar,
+) -> impl Fn(Homogeneous<P>, Homogeneous<P>) -> bool + use<P> {
+    let mut smallest = P::Scalar::INFINITY;
+    let (mut lower, mut upper) =
+        (points.first().map(Homogeneous::project), points.first().map(Homogeneous::project));
     for point in points {
-        if smallest.is_none_or(|weight| point.weight < weight) {
-            smallest = Some(point.weight);
+        if point.weight < smallest {
+            smallest = point.weight;
         }
-        let distance = crate::vector::length(point.project());
-        if distance > largest {
-            largest = distance;
-        }
+        let place = point.project();
+        let extreme = |other: Option<P>, pick: fn(P::Scalar, P::Scalar) -> P::Scalar| {
+            other.map(|other| P::from_components(|i| pick(other.component(i), place.component(i))))
+        };
+        lower = extreme(lower, |a, b| if b < a { b } else { a });
+        upper = extreme(upper, |a, b| if b > a { b } else { a });
     }
-    let smallest = smallest.unwrap_or(P::Scalar::ONE);
-    tolerance * smallest / (P::Scalar::ONE + largest + tolerance)
+    let diagonal = match (lower, upper) {
+        (Some(lower), Some(upper)) => length(upper.minus(lower)),
+        _ => P::Scalar::ZERO,
+    };
+    move |before, after| {
+        let change = after.weight - before.weight;
+        let moved = after.scaled.minus(before.scaled).add_scaled(before.project(), -change);
+        length(moved) + (diagonal + tolerance) * change.abs() <= tolerance * smallest
+    }
 }
 
 impl<P: Point> From<BSplineCurve<P>> for NurbsCurve<P> {

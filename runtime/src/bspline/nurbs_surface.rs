@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 
 use super::homogeneous::{binomial, check_weights};
-use super::nurbs_curve::homogeneous_tolerance;
+use super::nurbs_curve::within;
 use super::{
     BSplineSurface, BezierPatch, Direction, Homogeneous, KnotError, KnotVector, Net, NurbsCurve, SplineError,
 };
@@ -133,8 +133,8 @@ impl<P: Point> NurbsSurface<P> {
         times: usize,
         tolerance: P::Scalar,
     ) -> Result<(Self, usize), KnotError> {
-        let tolerance = homogeneous_tolerance(self.homogeneous.net().as_slice(), tolerance);
-        let (homogeneous, removed) = self.homogeneous.remove_knot(direction, knot, times, tolerance)?;
+        let within = within(self.homogeneous.net().as_slice(), tolerance);
+        let (homogeneous, removed) = self.homogeneous.remove_knot_if(direction, knot, times, within)?;
         Ok(Self::from_homogeneous(homogeneous).map_or((self.clone(), 0), |surface| (surface, removed)))
     }
 

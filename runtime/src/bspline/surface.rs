@@ -277,7 +277,18 @@ impl<P: Point> BSplineSurface<P> {
         times: usize,
         tolerance: P::Scalar,
     ) -> Result<(Self, usize), KnotError> {
-        let (rows, removed) = rows::remove(&self.to_rows(direction), knot, times, tolerance)?;
+        self.remove_knot_if(direction, knot, times, rows::within(tolerance))
+    }
+
+    /// As [`remove_knot`](Self::remove_knot), while each control point may become what it then is.
+    pub(super) fn remove_knot_if(
+        &self,
+        direction: Direction,
+        knot: P::Scalar,
+        times: usize,
+        may_become: impl Fn(P, P) -> bool,
+    ) -> Result<(Self, usize), KnotError> {
+        let (rows, removed) = rows::remove(&self.to_rows(direction), knot, times, may_become)?;
         Ok((self.with_rows(direction, rows), removed))
     }
 

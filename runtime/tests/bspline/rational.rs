@@ -118,6 +118,41 @@ fn turns_by_any_angle_are_exact() {
     assert_eq!(refused, Err(SplineError::Axis));
 }
 
+#[test]
+fn removal_far_from_the_origin_and_in_any_unit() {
+    for (unit, offset) in [(1.0, 0.0), (1.0, 1e6), (1e6, 0.0), (1e-6, 0.0), (1e-6, 1.0)] {
+        let circle = circle();
+        let points: Vec<_> = circle.control_points().iter().map(|p| p.map(|x| x * unit + offset)).collect();
+        let circle = NurbsCurve::new(circle.knots().clone(), points, circle.weights()).unwrap();
+        let finer = circle.insert_knots(&[0.3, 2.7]).unwrap();
+        for knot in [0.3, 2.7] {
+            assert_eq!(finer.remove_knot(knot, 1, 1e-6 * unit).unwrap().1, 1, "{unit} {offset}");
+        }
+    }
+}
+
+#[test]
+fn an_uneven_net_is_kept_together_with_its_weights() {
+    // Different weights, and one point at a distance: what the bound says holds for the curve.
+    let knots = KnotVector::uniform(2, 4).unwrap();
+    let points: Vec<P3> =
+        (0..6).map(|i| [f64::from(i), f64::from(i * i % 5), if i == 3 { 50.0 } else { 0.0 }]).collect();
+    let weights = [1.0, 1.2, 0.9, 1.05, 1.0, 0.8];
+    let curve = NurbsCurve::new(knots, points, weights).unwrap();
+    let mut removals = 0;
+    for tolerance in [1e-9, 1.0, 5.0, 20.0, 60.0, 200.0, 1e3, 1e4] {
+        for knot in [0.25, 0.5, 0.75] {
+            let (fewer, removed) = curve.remove_knot(knot, 1, tolerance).unwrap();
+            removals += removed;
+            for i in 0..=200 {
+                let t = f64::from(i) / 200.0;
+                assert!(distance(fewer.eval(t), curve.eval(t)) <= tolerance);
+            }
+        }
+    }
+    assert!(removals > 0 && removals < 24, "{removals}");
+}
+
 proptest! {
     #[test]
     fn equal_weights_change_nothing(curve in curve(), weight in 0.1..10.0, t in 0.0..=1.0) {

@@ -67,6 +67,32 @@ fn a_jump_survives_elevation_and_extraction() {
     assert!((pieces[0].points[3] - 1.0).abs() < 1e-15 && (pieces[1].points[0] - 5.0).abs() < 1e-15);
 }
 
+#[test]
+fn many_jumps_survive_elevation() {
+    for degree in 0..4_usize {
+        let mut breakpoints = vec![0.0];
+        for i in 1..8 {
+            breakpoints.extend(std::iter::repeat_n(
+                f64::from(i),
+                if i % 3 == 0 { degree.max(1) } else { degree + 1 },
+            ));
+        }
+        breakpoints.push(8.0);
+        let knots = KnotVector::clamped(degree, &breakpoints).unwrap();
+        let points: Vec<f64> = (0..knots.functions()).map(|i| (i * i % 7) as f64).collect();
+        let curve = BSplineCurve::new(knots, points).unwrap();
+        let higher = curve.elevate().unwrap();
+        for i in 0..=80 {
+            let t = f64::from(i) / 10.0;
+            assert!((higher.eval(t) - curve.eval(t)).abs() < 1e-14);
+        }
+        for i in 1..8 {
+            let t = f64::from(i);
+            assert_eq!(higher.knots().multiplicity(t), curve.knots().multiplicity(t) + 1);
+        }
+    }
+}
+
 proptest! {
     #[test]
     fn insertion_moves_no_point(

@@ -5,7 +5,7 @@
 
 use alloc::vec::Vec;
 
-use super::{Rows, clamp, insert, split};
+use super::{Rows, clamp, insert};
 use crate::bspline::{KnotError, KnotVector, MAX_DEGREE};
 use crate::{Point, Scalar};
 
@@ -17,22 +17,24 @@ pub(in crate::bspline) fn elevate<P: Point>(
     if degree > MAX_DEGREE {
         return Err(KnotError::Degree { degree });
     }
-    // At a knot of multiplicity k + 1 the spline may jump: the parts are elevated one by one.
-    let mut rest = clamp(rows);
-    let jumps: Vec<_> = {
-        let breakpoints = rest.knots.breakpoints();
-        let inner = &breakpoints[1..breakpoints.len() - 1];
-        inner.iter().copied().filter(|&t| rest.knots.multiplicity(t) == degree).collect()
-    };
-    let mut knots: Vec<P::Scalar> = Vec::new();
-    let mut points = Vec::new();
-    for t in jumps {
-        let [part, remaining] = split(&rest, t)?;
-        append(&mut knots, &mut points, &connected(&part)?);
-        rest = remaining;
+    // At a knot of multiplicity k + 1 the spline may jump: the parts between such knots are elevated one by one.
+    let Rows { knots: clamped, points: all, lanes } = clamp(rows);
+    let (mut knots, mut points): (Vec<P::Scalar>, _) = (Vec::new(), Vec::new());
+    let (mut first, mut below) = (0, 0);
+    for group in clamped.as_slice().chunk_by(|a, b| a == b) {
+        let above = below + group.len();
+        if below > 0 && group.len() == degree {
+            let part = Rows {
+                knots: KnotVector::trusted(degree - 1, clamped.as_slice()[first..above].to_vec()),
+                points: all[first * lanes..below * lanes].to_vec(),
+                lanes,
+            };
+            append(&mut knots, &mut points, &connected(&part)?);
+            first = below;
+        }
+        below = above;
     }
-    append(&mut knots, &mut points, &connected(&rest)?);
-    Ok(Rows { knots: KnotVector::trusted(degree, knots), points, lanes: rows.lanes })
+    Ok(Rows { knots: KnotVector::trusted(degree, knots), points, lanes })
 }
 
 /// Adds a part behind the ones before it; they share `degree + 1` equal knots.

@@ -16,7 +16,7 @@ pub(super) use bezier::bezier;
 pub(super) use elevate::elevate;
 pub(super) use insert::{clamp, insert};
 pub(super) use merge::missing;
-pub(super) use remove::remove;
+pub(super) use remove::{remove, within};
 pub(super) use split::split;
 
 use super::KnotVector;

@@ -10,13 +10,13 @@ use crate::bspline::{KnotError, KnotVector};
 use crate::vector::length;
 use crate::{Point, Scalar};
 
-/// Removes an inner knot up to `times` times, as long as no point of the spline moves by more than `tolerance`; also
-/// says how often it was removed.
+/// Removes an inner knot up to `times` times, as long as each control point may become what it then is; also says how often
+/// it was removed.
 pub(in crate::bspline) fn remove<P: Point>(
     rows: &Rows<P::Scalar, P>,
     knot: P::Scalar,
     times: usize,
-    tolerance: P::Scalar,
+    may_become: impl Fn(P, P) -> bool,
 ) -> Result<(Rows<P::Scalar, P>, usize), KnotError> {
     let [lo, hi] = rows.knots.domain();
     let multiplicity = rows.knots.multiplicity(knot);
@@ -29,14 +29,18 @@ pub(in crate::bspline) fn remove<P: Point>(
         let fewer = remove_once(&best, knot);
         copies.push(knot);
         let again = insert(&fewer, &copies)?;
-        // The basis functions are not negative and sum to 1, so no point moves further than a control point.
-        let within = |(a, b): (&P, &P)| length(a.minus(*b)) <= tolerance;
-        if !again.points.iter().zip(&rows.points).all(within) {
+        if !rows.points.iter().zip(&again.points).all(|(&before, &after)| may_become(before, after)) {
             return Ok((best, removed));
         }
         best = fewer;
     }
     Ok((best, times.min(multiplicity)))
+}
+
+/// Whether a control point moves by at most `tolerance`: the basis functions are not negative and sum to 1, so no point of the
+/// spline moves further than a control point.
+pub(in crate::bspline) fn within<P: Point>(tolerance: P::Scalar) -> impl Fn(P, P) -> bool {
+    move |before, after| length(after.minus(before)) <= tolerance
 }
 
 /// Solves the equations of [`insert`] for the rows before, from both sides towards the middle. There is one equation more
