@@ -1,6 +1,6 @@
 //! No text makes the engine panic, and every text is answered within the work budgets.
 
-use basis_engine::{Source, check};
+use basis_engine::{Report, Source, check};
 use basis_tests::random::Random;
 
 const SHIPPED: [&str; 6] = [
@@ -65,6 +65,14 @@ fn mutate(text: &str, random: &mut Random) -> String {
     text.into_iter().collect()
 }
 
+/// Every message can be shown with its place.
+fn rendered(report: &Report) {
+    for diagnostic in &report.diagnostics {
+        let text = diagnostic.render(&report.sources, false);
+        assert!(text.starts_with("error: ") || text.starts_with("warning: "), "{text}");
+    }
+}
+
 #[test]
 fn broken_specs_are_answered() {
     let mut random = Random::new(2024);
@@ -75,6 +83,7 @@ fn broken_specs_are_answered() {
         let start: String = text.chars().take(1200).collect();
         let report = check(Source::text("mutant.basis", &mutate(&start, &mut random)));
         refused += usize::from(!report.diagnostics.is_empty());
+        rendered(&report);
     }
     assert!(refused > 75, "only {refused} of 150 broken specs were refused");
 }
@@ -100,8 +109,20 @@ fn specs_that_ask_for_too_much_are_refused() {
         let text = format!("family F {{ domain 0 <= t <= 1; shape 0 <= λ <= 1; b[0] = {formula}; }}");
         let report = check(Source::text("hostile.basis", &text));
         assert!(!report.diagnostics.is_empty(), "{formula:.60} is accepted");
+        rendered(&report);
     }
     for formula in [negative, long] {
-        check(Source::text("long.basis", &format!("family F {{ domain 0 <= t <= 1; b[0] = {formula}; }}")));
+        let text = format!("family F {{ domain 0 <= t <= 1; b[0] = {formula}; }}");
+        rendered(&check(Source::text("long.basis", &text)));
+    }
+    // Claims about tables of large numbers: more functions than coefficients, and many of high degree.
+    for (claim, functions) in [
+        ("refute independent", "b[i] = ((i + 1)/(i + 2) + t)^40 for i in 0..=300;"),
+        ("prove independent", "b[i] = binomial(90, i) * t^i * (1 - t)^(90 - i) for i in 0..=90;"),
+        ("prove independent", "b[i] = (t + 1/(i + 2))^40 for i in 0..=40;"),
+        ("prove independent except λ = 1/3", "b[i] = (t + λ/(i + 2))^20 for i in 0..=20;"),
+    ] {
+        let text = format!("family F {{ domain 0 <= t <= 1; shape 0 < λ <= 1; {functions} {claim}; }}");
+        rendered(&check(Source::text("table.basis", &text)));
     }
 }

@@ -1,16 +1,23 @@
 //! Matrices of numbers and of polynomials: rank, determinants, combinations of rows that vanish.
 
 use super::gcd::{checked_product, gcd_all};
+use super::modular;
 use super::poly::Poly;
 use super::rational::Rational;
-use super::work::Work;
+use super::work::{Spent, Work};
 use crate::sorting::sort_by;
 
 /// A matrix by rows.
 pub type Rows<T> = Vec<Vec<T>>;
 
-/// The columns in which an elimination of numbers finds its pivots: as many as the rank.
-pub fn pivot_columns(rows: &[Vec<Rational>]) -> Vec<usize> {
+/// The columns in which an elimination of numbers finds its pivots: as many as the rank; `None` when the work is spent.
+pub fn pivot_columns(rows: &[Vec<Rational>], work: &mut Work) -> Option<Vec<usize>> {
+    // A minor that is not zero modulo a prime is not zero: nearly always this is all that is to be done.
+    if let Some(columns) = modular::pivot_columns(rows, work).ok()?
+        && columns.len() == rows.len()
+    {
+        return Some(columns);
+    }
     let mut rows = rows.to_vec();
     let mut columns = Vec::new();
     let width = rows.first().map_or(0, Vec::len);
@@ -19,14 +26,19 @@ pub fn pivot_columns(rows: &[Vec<Rational>]) -> Vec<usize> {
         let Some(pivot) = (done..rows.len()).find(|r| !rows[*r][column].is_zero()) else { continue };
         rows.swap(done, pivot);
         let (upper, lower) = rows.split_at_mut(done + 1);
-        eliminate(&upper[done], lower.iter_mut(), column);
+        eliminate(&upper[done], lower.iter_mut(), column, work)?;
         columns.push(column);
     }
-    columns
+    Some(columns)
 }
 
-/// Subtracts multiples of a row, so that a column becomes zero in the others.
-fn eliminate<'a>(pivot: &[Rational], others: impl Iterator<Item = &'a mut Vec<Rational>>, column: usize) {
+/// Subtracts multiples of a row, so that a column becomes zero in the others; `None` when the work is spent.
+fn eliminate<'a>(
+    pivot: &[Rational],
+    others: impl Iterator<Item = &'a mut Vec<Rational>>,
+    column: usize,
+    work: &mut Work,
+) -> Option<()> {
     for row in others {
         if row[column].is_zero() {
             continue;
@@ -34,18 +46,20 @@ fn eliminate<'a>(pivot: &[Rational], others: impl Iterator<Item = &'a mut Vec<Ra
         let factor = &row[column] / &pivot[column];
         for (x, p) in row.iter_mut().zip(pivot) {
             if !p.is_zero() {
+                work.spend_fractions(p.bits().max(x.bits()) + factor.bits())?;
                 *x -= &(p * &factor);
             }
         }
     }
+    Some(())
 }
 
-/// The determinant of a square matrix of numbers.
-pub fn determinant(mut rows: Rows<Rational>) -> Rational {
+/// The determinant of a square matrix of numbers; `None` when the work is spent.
+pub fn determinant(mut rows: Rows<Rational>, work: &mut Work) -> Option<Rational> {
     let mut result = Rational::ONE;
     for column in 0..rows.len() {
         let Some(pivot) = (column..rows.len()).find(|r| !rows[*r][column].is_zero()) else {
-            return Rational::ZERO;
+            return Some(Rational::ZERO);
         };
         if pivot != column {
             rows.swap(pivot, column);
@@ -53,26 +67,42 @@ pub fn determinant(mut rows: Rows<Rational>) -> Rational {
         }
         result *= &rows[column][column];
         let (upper, lower) = rows.split_at_mut(column + 1);
-        eliminate(&upper[column], lower.iter_mut(), column);
+        eliminate(&upper[column], lower.iter_mut(), column, work)?;
     }
-    result
+    Some(result)
 }
 
 /// Whole numbers cᵢ without common factor, not all zero, with Σ cᵢ rowᵢ = 0; `None` when the rows are independent.
 ///
 /// The first of them that is not zero is positive; of several combinations the one with the fewest and smallest numbers
 /// that the elimination finds.
-pub fn vanishing_combination(rows: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+///
+/// # Errors
+/// When the work is spent.
+pub fn vanishing_combination(
+    rows: &[Vec<Rational>],
+    work: &mut Work,
+) -> Result<Option<Vec<Rational>>, Spent> {
+    if modular::pivot_columns(rows, work)?.is_some_and(|columns| columns.len() == rows.len()) {
+        return Ok(None);
+    }
     let size = |row: &Vec<Rational>| {
         let count = row.iter().filter(|c| !c.is_zero()).count();
         (count, row.iter().fold(Rational::ZERO, |sum, c| &sum + &c.abs()))
     };
-    vanishing_combinations(rows).into_iter().min_by_key(size)
+    // One row more than there are columns is enough for a combination.
+    let enough = rows.len().min(rows.first().map_or(0, Vec::len) + 1);
+    let all = vanishing_combinations(&rows[..enough], work).ok_or(Spent)?;
+    let mut best = all.into_iter().min_by_key(size);
+    if let Some(best) = &mut best {
+        best.resize(rows.len(), Rational::ZERO);
+    }
+    Ok(best)
 }
 
 /// A basis of all combinations cᵢ with Σ cᵢ rowᵢ = 0, in reduced echelon form; each of whole numbers without common
-/// factor, the first that is not zero positive.
-pub fn vanishing_combinations(rows: &[Vec<Rational>]) -> Rows<Rational> {
+/// factor, the first that is not zero positive. `None` when the work is spent.
+pub fn vanishing_combinations(rows: &[Vec<Rational>], work: &mut Work) -> Option<Rows<Rational>> {
     // Each row is extended by its unit vector, which records the operations.
     let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
     let unit = |i: usize| (0..height).map(move |k| if k == i { Rational::ONE } else { Rational::ZERO });
@@ -83,7 +113,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>]) -> Rows<Rational> {
         let Some(pivot) = (done..height).find(|r| !rows[*r][column].is_zero()) else { continue };
         rows.swap(done, pivot);
         let (upper, lower) = rows.split_at_mut(done + 1);
-        eliminate(&upper[done], lower.iter_mut(), column);
+        eliminate(&upper[done], lower.iter_mut(), column, work)?;
         done += 1;
     }
     // What is left of the other rows are independent combinations; reduced among themselves they are simple.
@@ -97,7 +127,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>]) -> Rows<Rational> {
         combinations.swap(reduced, pivot);
         let row = combinations[reduced].clone();
         let others = combinations.iter_mut().enumerate().filter(|(k, _)| *k != reduced).map(|(_, r)| r);
-        eliminate(&row, others, column);
+        eliminate(&row, others, column, work)?;
         reduced += 1;
     }
     let whole = |row: &Vec<Rational>| {
@@ -106,7 +136,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>]) -> Rows<Rational> {
         let factor = if lead.is_negative() { -content } else { content }.recip()?;
         Some(row.iter().map(|c| c * &factor).collect::<Vec<_>>())
     };
-    combinations.iter().filter_map(whole).collect()
+    Some(combinations.iter().filter_map(whole).collect())
 }
 
 /// The determinant of the square matrix of some columns.
@@ -377,14 +407,47 @@ mod tests {
     #[test]
     fn numbers_rank_and_combination() {
         let m = numbers(&[&[1, 2, 3], &[2, 4, 6], &[0, 0, 5]]);
-        assert_eq!(pivot_columns(&m), vec![0, 2]);
-        let c = vanishing_combination(&m).expect("dependent");
-        assert_eq!(c, [2, -1, 0].map(Rational::from));
-        assert_eq!(vanishing_combination(&numbers(&[&[1, 0], &[0, 2]])), None);
-        assert_eq!(vanishing_combination(&numbers(&[&[0, 0]])), Some(vec![Rational::ONE]));
-        assert_eq!(vanishing_combination(&[]), None);
-        assert_eq!(determinant(numbers(&[&[0, 2, 1], &[1, 0, 3], &[2, 1, 0]])), Rational::from(13));
-        assert_eq!(determinant(numbers(&[&[1, 2], &[2, 4]])), Rational::ZERO);
+        let combination = |rows: &[&[i64]]| {
+            let found = vanishing_combination(&numbers(rows), &mut work()).expect("unlimited");
+            found.map(|c| c.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "))
+        };
+        assert_eq!(pivot_columns(&m, &mut work()), Some(vec![0, 2]));
+        assert_eq!(combination(&[&[1, 2, 3], &[2, 4, 6], &[0, 0, 5]]).as_deref(), Some("2 -1 0"));
+        assert_eq!(combination(&[&[1, 0], &[0, 2]]), None);
+        assert_eq!(combination(&[&[0, 0]]).as_deref(), Some("1"));
+        assert_eq!(combination(&[]), None);
+        // Three rows of two numbers are dependent, whatever comes after them.
+        assert_eq!(combination(&[&[1, 0], &[0, 1], &[3, 2], &[7, 7]]).as_deref(), Some("3 2 -1 0"));
+        let determinant = |rows: &[&[i64]]| determinant(numbers(rows), &mut work());
+        assert_eq!(determinant(&[&[0, 2, 1], &[1, 0, 3], &[2, 1, 0]]), Some(Rational::from(13)));
+        assert_eq!(determinant(&[&[1, 2], &[2, 4]]), Some(Rational::ZERO));
+    }
+
+    #[test]
+    fn a_rank_that_a_prime_does_not_show() {
+        // Modulo the prime the rows are the same.
+        let p = modular::PRIME as i64;
+        let m = numbers(&[&[1, 1], &[1, 1 + p]]);
+        assert_eq!(modular::pivot_columns(&m, &mut work()), Ok(Some(vec![0])));
+        assert_eq!(pivot_columns(&m, &mut work()), Some(vec![0, 1]));
+        assert_eq!(vanishing_combination(&m, &mut work()), Ok(None));
+        // It divides a denominator.
+        let m = vec![vec![Rational::new(1, p), Rational::ONE]];
+        assert_eq!(modular::pivot_columns(&m, &mut work()), Ok(None));
+        assert_eq!(pivot_columns(&m, &mut work()), Some(vec![0]));
+    }
+
+    #[test]
+    fn eliminations_of_large_numbers_end() {
+        // Dependent, and with numbers that grow: seconds of work for the exact elimination.
+        let entry = |i: i64, j: u32| Rational::new(i * i + 3, i + 2).pow(j);
+        let m: Rows<Rational> =
+            (0..60_i64).map(|i| (0..40).map(|j| &entry(i, j) + &Rational::ONE).collect()).collect();
+        assert_eq!(vanishing_combination(&m, &mut Work::new(1_000_000)), Err(Spent));
+        assert_eq!(pivot_columns(&m, &mut Work::new(1_000_000)), None);
+        // Full rank needs no large numbers.
+        let few = &m[..20];
+        assert_eq!(pivot_columns(few, &mut Work::new(10_000)).map(|c| c.len()), Some(20));
     }
 
     #[test]

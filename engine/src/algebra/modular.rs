@@ -1,6 +1,8 @@
-//! Images of polynomials modulo a prime: cheap proofs that two polynomials have no common factor.
+//! Images modulo a prime: cheap proofs that two polynomials have no common factor, or that a determinant is not zero.
 
 use super::poly::{Poly, Var};
+use super::rational::Rational;
+use super::work::{Spent, Work};
 
 /// The prime 2³¹ − 1: products of two residues fit in a machine word.
 pub const PRIME: u64 = 2_147_483_647;
@@ -40,6 +42,46 @@ pub fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
     }
     trim(&mut result);
     Some(result)
+}
+
+/// The columns in which an elimination modulo [`PRIME`] finds its pivots; `None` when the prime divides
+/// a denominator.
+///
+/// The minor of these columns and of as many rows is not zero; the rank may be greater.
+///
+/// # Errors
+/// When the work is spent.
+pub fn pivot_columns(rows: &[Vec<Rational>], work: &mut Work) -> Result<Option<Vec<usize>>, Spent> {
+    let residue = |x: &Rational| x.modulo(PRIME as u32).map(u64::from);
+    let images: Option<Vec<Vec<u64>>> = rows.iter().map(|row| row.iter().map(residue).collect()).collect();
+    let Some(mut rows) = images else { return Ok(None) };
+    let width = rows.first().map_or(0, Vec::len);
+    let mut columns = Vec::new();
+    for column in 0..width {
+        let done = columns.len();
+        let Some(pivot) = (done..rows.len()).find(|r| rows[*r][column] != 0) else { continue };
+        rows.swap(done, pivot);
+        let (upper, lower) = rows.split_at_mut(done + 1);
+        let pivot = &upper[done][column..];
+        let inverse = power(pivot[0], PRIME - 2);
+        for row in lower {
+            let row = &mut row[column..];
+            if row[0] == 0 {
+                continue;
+            }
+            // Several of these are one product of numbers.
+            work.spend(row.len() as u64 / 8 + 1).ok_or(Spent)?;
+            let factor = PRIME - row[0] * inverse % PRIME;
+            for (x, p) in row.iter_mut().zip(pivot) {
+                *x = (*x + p * factor) % PRIME;
+            }
+        }
+        columns.push(column);
+        if columns.len() == rows.len() {
+            break;
+        }
+    }
+    Ok(Some(columns))
 }
 
 fn power(mut base: u64, mut e: u64) -> u64 {

@@ -37,6 +37,13 @@ impl Work {
         self.spend(6 * (a.len() as u64) * (b.len() as u64) * words + 1)
     }
 
+    /// Counts the work of a product and a difference of fractions with so many bits.
+    pub fn spend_fractions(&mut self, bits: u64) -> Option<()> {
+        // Beyond machine words, bit by bit for common divisors.
+        let common_divisors = if bits <= 128 { 0 } else { 4 * bits + bits * bits / 128 };
+        self.spend(2 + common_divisors)
+    }
+
     /// The units that are left.
     pub const fn left(&self) -> u64 {
         self.left

@@ -87,10 +87,12 @@ fn one_parameter(
     let range = region.range(var);
     for point in candidates(table, var, &range, &mut budget.work)? {
         let combination = match &point {
-            Coordinate::Rational(x) => match vanishing_combination(&at(rows, &[(var, x.clone())])) {
-                Some(c) => Some(c.into_iter().map(Poly::constant).collect()),
-                None => continue,
-            },
+            Coordinate::Rational(x) => {
+                match vanishing_combination(&at(rows, &[(var, x.clone())]), &mut budget.work).ok()? {
+                    Some(c) => Some(c.into_iter().map(Poly::constant).collect()),
+                    None => continue,
+                }
+            }
             Coordinate::Algebraic(_) => match irrational(rows, &[(var, point.clone())], &mut budget.work)? {
                 Irrational::Independent(_) => continue,
                 Irrational::Dependent => None,

@@ -20,7 +20,7 @@ use crate::algebra::matrix::{
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::work::Work;
+use crate::algebra::work::{Spent, Work};
 use crate::sorting::{sort_by, sort_unique};
 
 /// Values of some parameters, the others free.
@@ -143,8 +143,11 @@ fn on_piece(table: &Table, region: Region, budget: &mut Budget) -> Result<Piece,
     let rows = table.fix(&single);
     let Some(cut) = Cut::new(&rows, &table.symmetries) else {
         let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
-        let combination = vanishing_combination(&at(&rows, &start));
-        return Err(Failure::Dependent(Dependence { point: rational(start), combination }));
+        let combination = vanishing_combination(&at(&rows, &start), &mut budget.work);
+        return Err(match combination {
+            Ok(combination) => Failure::Dependent(Dependence { point: rational(start), combination }),
+            Err(Spent) => spent(&rows),
+        });
     };
     match cut.minors(&region, budget) {
         Ok(blocks) => return Ok(Piece { region, change: cut.change, blocks }),
@@ -153,8 +156,10 @@ fn on_piece(table: &Table, region: Region, budget: &mut Budget) -> Result<Piece,
             return Err(Failure::Dependent(Dependence { point, combination: None }));
         }
         Err(Failed::Everywhere(point) | Failed::Point(point)) => {
-            if let Some(dependence) = dependence_at(&rows, point, &mut budget.work) {
-                return Err(Failure::Dependent(dependence));
+            match dependence_at(&rows, point, &mut budget.work) {
+                Err(Spent) => return Err(spent(&rows)),
+                Ok(Some(dependence)) => return Err(Failure::Dependent(dependence)),
+                Ok(None) => {}
             }
         }
     }
@@ -163,7 +168,7 @@ fn on_piece(table: &Table, region: Region, budget: &mut Budget) -> Result<Piece,
         Ok(blocks) => Ok(Piece { region, change: None, blocks }),
         Err(Failed::Undecided(left)) => Err(Failure::Undecided(left)),
         Err(Failed::Everywhere(point) | Failed::Point(point)) => {
-            let found = dependence_at(&rows, point, &mut budget.work);
+            let found = dependence_at(&rows, point, &mut budget.work).ok().flatten();
             Err(found.map_or_else(|| spent(&rows), Failure::Dependent))
         }
     }
@@ -248,18 +253,20 @@ impl Cut {
     }
 }
 
-/// The functions at a point at which they may be dependent.
-fn dependence_at(rows: &[Vec<Poly>], point: Vec<(Var, Coordinate)>, work: &mut Work) -> Option<Dependence> {
-    match as_rational(&point) {
-        Some(exact) => {
-            let combination = Some(vanishing_combination(&at(rows, &exact))?);
-            Some(Dependence { point, combination })
-        }
-        None => match irrational(rows, &point, work)? {
-            Irrational::Independent(_) => None,
-            Irrational::Dependent => Some(Dependence { point, combination: None }),
-        },
+/// The functions at a point at which they may be dependent; `None` when they are not.
+fn dependence_at(
+    rows: &[Vec<Poly>],
+    point: Vec<(Var, Coordinate)>,
+    work: &mut Work,
+) -> Result<Option<Dependence>, Spent> {
+    if let Some(exact) = as_rational(&point) {
+        let combination = vanishing_combination(&at(rows, &exact), work)?;
+        return Ok(combination.map(|c| Dependence { point, combination: Some(c) }));
     }
+    Ok(match irrational(rows, &point, work).ok_or(Spent)? {
+        Irrational::Independent(_) => None,
+        Irrational::Dependent => Some(Dependence { point, combination: None }),
+    })
 }
 
 /// Minors of a block that do not vanish together, and why.
@@ -269,7 +276,7 @@ fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Res
     };
     let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
     let numbers = at(rows, &start);
-    let pivots = pivot_columns(&numbers);
+    let pivots = pivot_columns(&numbers, &mut budget.work).ok_or_else(spent)?;
     if pivots.len() < rows.len() {
         return Err(Failed::Point(rational(start)));
     }
@@ -308,7 +315,7 @@ fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Res
             Decision::Refuted(witness) => witness.point,
         };
         let more = match as_rational(&point) {
-            Some(exact) => pivot_columns(&at(rows, &exact)),
+            Some(exact) => pivot_columns(&at(rows, &exact), &mut budget.work).ok_or_else(spent)?,
             None => match irrational(rows, &point, &mut budget.work).ok_or_else(spent)? {
                 Irrational::Independent(columns) => columns,
                 Irrational::Dependent => Vec::new(),
@@ -374,7 +381,7 @@ pub(super) fn irrational(
         }
     }
     // Near to the point the largest pivots are those that do not vanish at the point itself.
-    let columns = largest_pivots(at(rows, &near));
+    let columns = largest_pivots(at(rows, &near), work)?;
     let candidate = minor(&exact, &columns, work)?;
     if !is_zero(&candidate, &algebraic, work)? {
         return Some(Irrational::Independent(columns));
@@ -392,8 +399,8 @@ pub(super) fn irrational(
     is_zero(&determinant, &algebraic, work)?.then_some(Irrational::Dependent)
 }
 
-/// The columns of the pivots when always the entry with the greatest absolute value is taken.
-fn largest_pivots(mut rows: Vec<Vec<Rational>>) -> Vec<usize> {
+/// The columns of the pivots when always the entry with the greatest absolute value is taken; `None` when the work is spent.
+fn largest_pivots(mut rows: Vec<Vec<Rational>>, work: &mut Work) -> Option<Vec<usize>> {
     let mut columns = Vec::new();
     while !rows.is_empty() {
         let entries =
@@ -404,13 +411,14 @@ fn largest_pivots(mut rows: Vec<Vec<Rational>>) -> Vec<usize> {
         for row in &mut rows {
             let factor = &row[j] / &pivot[j];
             for (x, p) in row.iter_mut().zip(&pivot) {
+                work.spend_fractions(p.bits().max(x.bits()) + factor.bits())?;
                 *x -= &(p * &factor);
             }
         }
         columns.push(j);
     }
     sort_unique(&mut columns);
-    columns
+    Some(columns)
 }
 
 /// Whether the rows are dependent wherever some parameters have the given values.
@@ -465,7 +473,7 @@ pub(super) fn generic(rows: &[Vec<Poly>], region: &Region, work: &mut Work) -> O
             _ => inner(r, k + 1).pop().unwrap_or_else(|| simple(r)),
         };
         let point: Values = region.ranges.iter().map(|(v, r)| (*v, number(r))).collect();
-        if pivot_columns(&at(rows, &point)).len() == rows.len() {
+        if pivot_columns(&at(rows, &point), work)?.len() == rows.len() {
             return Some(Generic::Independent(point));
         }
     }
@@ -492,7 +500,7 @@ pub(super) fn generic(rows: &[Vec<Poly>], region: &Region, work: &mut Work) -> O
 pub fn dependent_at(table: &Table, point: &[(Var, Coordinate)], budget: &mut Budget) -> Option<bool> {
     let rows = &table.rows;
     if let Some(exact) = as_rational(&point.to_vec()) {
-        return Some(vanishing_combination(&at(rows, &exact)).is_some());
+        return Some(vanishing_combination(&at(rows, &exact), &mut budget.work).ok()?.is_some());
     }
     let Some(cut) = Cut::new(rows, &table.symmetries) else { return Some(true) };
     let mut square = true;

@@ -101,37 +101,43 @@ impl FunctionForm {
 
 /// The coefficients of p(low + width·x).
 fn affine(coefficients: &[Poly], low: &Rational, width: &Rational) -> Vec<Poly> {
-    if low.is_zero() && width.is_one() {
-        return coefficients.to_vec();
-    }
-    let mut result = vec![Poly::zero(); coefficients.len()];
-    // The coefficients of (low + width·x)^k, k = 0, 1, …
-    let mut power = vec![Rational::ONE];
-    for c in coefficients {
-        for (sum, factor) in result.iter_mut().zip(&power) {
-            *sum = &*sum + &c.scale(factor);
+    let mut result = coefficients.to_vec();
+    shift(&mut result, low);
+    if !width.is_one() {
+        let mut power = Rational::ONE;
+        for c in &mut result {
+            *c = c.scale(&power);
+            power *= width;
         }
-        let mut next: Vec<Rational> = power.iter().map(|p| p * low).collect();
-        next.push(Rational::ZERO);
-        for (j, p) in power.iter().enumerate() {
-            next[j + 1] += &(p * width);
-        }
-        power = next;
     }
     result
 }
 
-/// The Bernstein coefficients of degree n: c_j = Σ_k binomial(j, k) / binomial(n, k) · a_k.
-fn to_bernstein(coefficients: &[Poly], n: u32) -> Vec<Poly> {
-    let mut result = vec![Poly::zero(); n as usize + 1];
-    for (k, a) in coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
-        let k = k as u32;
-        let mut factor = binomial(n, k).recip().unwrap_or(Rational::ONE);
-        for j in k..=n {
-            result[j as usize] = &result[j as usize] + &a.scale(&factor);
-            // binomial(j + 1, k) = binomial(j, k) · (j + 1)/(j + 1 − k)
-            factor *= &Rational::new(i64::from(j) + 1, i64::from(j + 1 - k));
+/// The coefficients of p(by + x), by Horner's scheme: sums of the coefficients, which do not become fractions.
+fn shift(coefficients: &mut [Poly], by: &Rational) {
+    if by.is_zero() {
+        return;
+    }
+    for start in 0..coefficients.len() {
+        for k in (start..coefficients.len() - 1).rev() {
+            let next = if by.is_one() { coefficients[k + 1].clone() } else { coefficients[k + 1].scale(by) };
+            coefficients[k] = &coefficients[k] + &next;
         }
+    }
+}
+
+/// The Bernstein coefficients of degree n: c_j binomial(n, j) are the coefficients of (1 + x)^n p(x/(1 + x)) = x^n r(1 + 1/x),
+/// where r has the coefficients of p in reverse.
+fn to_bernstein(coefficients: &[Poly], n: u32) -> Vec<Poly> {
+    let mut result = coefficients.to_vec();
+    result.resize(n as usize + 1, Poly::zero());
+    result.reverse();
+    shift(&mut result, &Rational::ONE);
+    result.reverse();
+    let mut binomial = Rational::ONE;
+    for (j, c) in (0_i64..).zip(&mut result) {
+        *c = c.scale(&binomial.recip().unwrap_or(Rational::ONE));
+        binomial *= &Rational::new(i64::from(n) - j, j + 1);
     }
     result
 }

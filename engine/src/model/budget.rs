@@ -28,7 +28,7 @@ pub(super) struct Budget {
 
 /// How much an operation on coefficients of so many bits costs, compared with one on machine words.
 const fn weight(bits: u64) -> u64 {
-    if bits <= 128 { 1 } else { 6 + bits / 64 }
+    if bits <= 128 { 1 } else { 6 + bits / 8 }
 }
 
 /// Why an expansion was stopped, in words that follow "the formula …".

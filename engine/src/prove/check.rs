@@ -336,7 +336,10 @@ fn dependence(family: &Family, except: &[Values], witness: &Witness, point: &Poi
         table.rows.iter().map(|row| row.iter().map(|p| p.eval(&exact)).collect()).collect();
     let product =
         |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
-    let squares = determinant(rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect());
+    let gram = rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect();
+    let work = &mut crate::decide::Budget::scaled(family.budget).work;
+    let spent = || String::from("the budget is spent on the determinant of the coefficients");
+    let squares = determinant(gram, work).ok_or_else(spent)?;
     if witness.of == independent::SQUARES {
         return if squares == witness.value && !squares.is_zero() && except.iter().any(listed) {
             Ok(())
@@ -349,7 +352,7 @@ fn dependence(family: &Family, except: &[Values], witness: &Witness, point: &Poi
     }
     let dependence = crate::decide::Dependence {
         point: shapes.iter().cloned().enumerate().map(|(k, c)| (Var(k), c)).collect(),
-        combination: crate::algebra::matrix::vanishing_combination(&rows),
+        combination: crate::algebra::matrix::vanishing_combination(&rows, work).map_err(|_| spent())?,
     };
     let expected = independent::dependent_at(family, &dependence);
     if expected.of == witness.of && witness.value.is_zero() {

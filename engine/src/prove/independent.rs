@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{Evidence, Step, StepProof, Verdict, Witness, named_point, point};
+use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_point, point};
 use crate::algebra::matrix::determinant;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
@@ -35,7 +35,14 @@ pub(super) fn independent(family: &Family, except: &[Values]) -> Verdict {
         match decide::dependent(&table, values, &region, &mut budget()) {
             Exception::Dependent(combination) => exceptions.push(combination),
             Exception::Independent(point) => {
-                return Verdict::Refuted(no_exception(family, &table, values, point));
+                return no_exception(family, &table, values, point).map_or_else(
+                    || {
+                        Verdict::Undecided(String::from(
+                            "the budget is spent on the determinant of the coefficients",
+                        ))
+                    },
+                    Verdict::Refuted,
+                );
             }
             // The range contains every exception, or else the claim is an error.
             Exception::Outside => exceptions.push(Vec::new()),
@@ -149,8 +156,8 @@ fn power_of_sum(len: usize, power: u32) -> Vec<(Vec<u32>, Rational)> {
         .collect()
 }
 
-/// The refutation when the functions are not dependent at a listed exception.
-fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) -> Witness {
+/// The refutation when the functions are not dependent at a listed exception; `None` when the budget is spent.
+fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) -> Option<Witness> {
     let point: Vec<(Var, Coordinate)> =
         point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).collect();
     let coordinates = point::coordinates(&point, family.names.len());
@@ -159,15 +166,17 @@ fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) 
     // The sum of the squares of the minors is the determinant of the table times its transpose (Cauchy–Binet).
     let product =
         |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
-    let value = determinant(rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect());
+    let squares = rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect();
+    let value = determinant(squares, &mut Budget::scaled(family.budget).work)?;
     let described: Vec<String> = values.iter().map(|(v, x)| format!("{} = {x}", family.names[v.0])).collect();
-    Witness {
+    Some(Witness {
         of: String::from(SQUARES),
         at: named_point(family, &point, &[]),
+        idle: domain_names(family),
         net: Vec::new(),
         value,
         notes: vec![format!("at {} the functions are independent: it is no exception", described.join(", "))],
-    }
+    })
 }
 
 /// What is evaluated where there is no combination to show.
@@ -198,7 +207,8 @@ pub(super) fn dependent_at(family: &Family, dependence: &decide::Dependence) -> 
         None => (String::from(SQUARES), format!("the functions are linearly dependent{at}")),
     };
     let at = named_point(family, point, &[]);
-    Witness { of, at, net: Vec::new(), value: Rational::ZERO, notes: vec![note] }
+    let idle = domain_names(family);
+    Witness { of, at, idle, net: Vec::new(), value: Rational::ZERO, notes: vec![note] }
 }
 
 /// `b[1] - 2*b[2]`, numbers made whole; factors of several terms in brackets.
