@@ -348,7 +348,7 @@ fn witness(value: &Value) -> Result<Witness, String> {
     }
     let value = number(fields.text("value")?)?;
     fields.end()?;
-    Ok(Witness { of, at, net, value, notes: Vec::new() })
+    Ok(Witness { of, at, idle: Vec::new(), net, value, notes: Vec::new() })
 }
 
 /// A point such as `(1, 1/2)`.

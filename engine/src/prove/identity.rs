@@ -1,6 +1,6 @@
 //! Equations: expand, subtract, and nothing or something is left.
 
-use super::{Evidence, Step, StepProof, Verdict, Witness, named_point, point};
+use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_point, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
@@ -189,6 +189,9 @@ pub(super) fn decide(family: &Family, kind: &ClaimKind, differences: Vec<(String
     let mut steps = Vec::new();
     for (k, (of, difference)) in differences.into_iter().enumerate() {
         if let Some(mut witness) = witness(family, of.clone(), &difference, fixed) {
+            if matches!(kind, ClaimKind::Continuity(_)) {
+                witness.idle = domain_names(family);
+            }
             witness.notes = notes(family, kind, k, &difference, &witness);
             return Verdict::Refuted(witness);
         }
@@ -257,5 +260,6 @@ fn witness(family: &Family, of: String, difference: &Fraction, fixed: &[(Var, Fr
     // The denominator vanishes nowhere on the declared ranges.
     let point = point::nonzero(family, difference.numer(), fixed)?;
     let value = difference.eval(&point::coordinates(&point, family.names.len()))?;
-    Some(Witness { of, at: named_point(family, &point, fixed), value, net: Vec::new(), notes: Vec::new() })
+    let at = named_point(family, &point, fixed);
+    Some(Witness { of, at, idle: Vec::new(), value, net: Vec::new(), notes: Vec::new() })
 }

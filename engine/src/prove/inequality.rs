@@ -146,7 +146,14 @@ fn refutation(
         at.retain(|(n, _)| *n != name.name);
         at.push((name.name.clone(), last.clone()));
     }
-    let mut result = Witness { of: of.to_string(), at, value: shown, net: Vec::new(), notes: Vec::new() };
+    let mut result = Witness {
+        of: of.to_string(),
+        at,
+        idle: Vec::new(),
+        value: shown,
+        net: Vec::new(),
+        notes: Vec::new(),
+    };
     result.notes.push(format!("`{of}` is {} at {}", result.value, result.point()));
     result
 }

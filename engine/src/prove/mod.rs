@@ -108,6 +108,9 @@ pub struct Witness {
     pub of: String,
     /// The point: every shape parameter and domain variable.
     pub at: Vec<(String, Coordinate)>,
+    /// Those of them on which the expression does not depend, such as t for a difference at the ends of the domain: they are
+    /// left out of texts.
+    pub idle: Vec<String>,
     /// For claims of theorems: the control points with their coordinates.
     pub net: Vec<(String, Vec<Rational>)>,
     /// The exact value of the expression there.
@@ -119,7 +122,8 @@ pub struct Witness {
 impl Witness {
     /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
-        let mut parts: Vec<String> = self.at.iter().map(|(name, c)| c.describe(name)).collect();
+        let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
+        let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).collect();
         parts.extend(self.net.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
         parts.join(", ")
     }
@@ -195,6 +199,11 @@ pub const fn as_declared(expected: Expected, verdict: &Verdict) -> bool {
         (expected, verdict),
         (Expected::True, Verdict::Proved(_)) | (Expected::False, Verdict::Refuted(_))
     )
+}
+
+/// The names of the domain variables.
+fn domain_names(family: &Family) -> Vec<String> {
+    family.domain_variables().map(|p| p.name.clone()).collect()
 }
 
 /// A point of the variables as a point of the names, complete with what `at` fixes.

@@ -132,7 +132,14 @@ fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
 fn refutation(theorem: &Theorem, net: &Net, of: String, value: &Fraction, at: &[Rational]) -> Witness {
     let value = value.eval(at).unwrap_or(Rational::ZERO);
     let named = theorem.scalars.iter().map(|p| (p.name.clone(), Coordinate::Rational(at[p.var.0].clone())));
-    Witness { of, at: named.collect(), net: evaluated(theorem, net, at), value, notes: Vec::new() }
+    Witness {
+        of,
+        at: named.collect(),
+        idle: Vec::new(),
+        net: evaluated(theorem, net, at),
+        value,
+        notes: Vec::new(),
+    }
 }
 
 /// A polynomial with the sign of a quotient: the denominator vanishes nowhere on the ranges, so that its sign at one
