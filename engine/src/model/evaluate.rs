@@ -284,7 +284,11 @@ impl Scope<'_> {
                 return value.clone().map(Value::Scalar);
             }
             if self.missing_is_zero {
-                return Some(Value::Scalar(Fraction::zero()));
+                let Some((message, help)) = super::functions::gap(self, &index) else {
+                    return Some(Value::Scalar(Fraction::zero()));
+                };
+                self.report(self.error(span, message).help(help));
+                return None;
             }
             let wanted = super::label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use super::scope::{Scope, multi_indices};
 use super::{Function, label};
+use proc_macro2::Span;
+
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -17,6 +19,7 @@ const MAX_FUNCTIONS: usize = 512;
 pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
     name_functions(scope, written);
     let mut base = None;
+    let (mut bases, mut raises) = (None, None);
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Let(name, value) => {
@@ -27,15 +30,30 @@ pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
                 }
             }
             StatementKind::Function(def) => function(scope, def),
-            StatementKind::Base(order, functions) => base = self::base(scope, order, functions),
-            StatementKind::Raise(def) => match &base {
-                Some((name, lowest)) => raise(scope, def, name, *lowest),
-                None => scope.report(
-                    scope
-                        .error(def.name.span, "`raise` needs the functions of the lowest order before it")
-                        .help("write `base n = 3 { … }`"),
-                ),
-            },
+            StatementKind::Base(order, functions) => {
+                let first = once(scope, &mut bases, order.name.span, "`base`", "there is one lowest order");
+                base = if first { self::base(scope, order, functions) } else { base };
+            }
+            StatementKind::Raise(def) => {
+                let help = "write the whole formula in one statement";
+                match &base {
+                    _ if !once(scope, &mut raises, def.name.span, "`raise`", help) => {}
+                    Some((name, lowest)) => raise(scope, def, name, *lowest),
+                    // A lowest order that went wrong has been reported.
+                    None if bases.is_some() => {}
+                    None => {
+                        scope.cut_short = true;
+                        scope.report(
+                            scope
+                                .error(
+                                    def.name.span,
+                                    "`raise` needs the functions of the lowest order before it",
+                                )
+                                .help("write `base n = 3 { … }`"),
+                        );
+                    }
+                }
+            }
             _ => {}
         }
     }
@@ -52,6 +70,17 @@ pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
         );
         scope.cut_short = true;
     }
+}
+
+/// Whether a statement that a family has at most once is the first one; the others are errors.
+fn once(scope: &Scope<'_>, first: &mut Option<Span>, span: Span, what: &str, help: &str) -> bool {
+    let Some(first) = *first else {
+        *first = Some(span);
+        return true;
+    };
+    let error = scope.error(span, format!("{what} is given twice")).label("given again here");
+    scope.report(error.also(scope.place(first), "first given here").help(help));
+    false
 }
 
 /// All definitions of functions, also those of the lowest order.
@@ -303,6 +332,30 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
         return None;
     }
     Some(indices)
+}
+
+/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the order
+/// before, where the functions are 0.
+pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
+    let sizes = sizes(scope);
+    if index.len() != sizes.len() || index.iter().any(|i| *i < 0) {
+        return None;
+    }
+    let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
+    let wanted = label(&scope.function_name, index);
+    let missing = format!("`{wanted}` is missing in the order before");
+    let define = "the recursion needs all functions of the lowest order: define it in `base`";
+    if !corners {
+        return index.iter().zip(&sizes).all(|(i, size)| i < size).then_some((missing, define));
+    }
+    let sum = |index: &[i64]| index.iter().sum::<i64>();
+    let before = scope.functions.keys().map(|other| sum(other)).max().unwrap_or(0);
+    if sum(index) == before {
+        return Some((missing, define));
+    }
+    let message =
+        format!("the indices of `{wanted}` sum to {}, those of the order before to {before}", sum(index));
+    Some((message, "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`"))
 }
 
 /// One more than the greatest index, in every place.
