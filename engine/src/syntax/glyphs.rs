@@ -20,7 +20,7 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
     let mut open: Vec<(char, usize)> = Vec::new();
     let mut previous = ' ';
     let mut balanced = true;
-    let mut rest = Scanner { text, at: 0, unterminated: false };
+    let mut rest = Scanner { text, at: 0, unterminated: false, backslashes: Vec::new() };
     while let Some((at, c)) = rest.next_code_char(&mut errors) {
         match c {
             '(' | '[' | '{' => {
@@ -36,6 +36,9 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
                 }
             }
             ')' | ']' | '}' => balanced &= close(text, c, at, &mut open, &mut errors),
+            _ if QUOTES.contains(c) && is_path(text, at) => {
+                errors.push(quoted(text, at, &mut rest, repaired.to_mut()));
+            }
             _ => {
                 if let Some((message, help, instead)) = wrong_glyph(c, previous) {
                     errors.push(new(text, at, &message, &help));
@@ -48,22 +51,53 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
             return (errors, None);
         }
     }
+    for at in rest.backslashes {
+        repaired.to_mut().replace_range(at..=at, "/");
+    }
     // What is left open at the end of the text: a bracket, a comment or a string.
     balanced &= open.is_empty() && !rest.unterminated;
     for (c, at) in open {
-        errors.push(new(
-            text,
-            at,
-            &format!("this `{c}` is never closed"),
-            &format!("add the missing `{}`", partner(c)),
-        ));
+        errors.push(never_closed(text, c, at));
     }
     (errors, balanced.then_some(repaired))
 }
 
 /// The text with white space added up to a length in bytes.
 fn padded(text: &str, len: usize) -> String {
-    format!("{text:len$}")
+    text.to_string() + &" ".repeat(len.saturating_sub(text.len()))
+}
+
+fn never_closed(text: &str, open: char, at: usize) -> SyntaxError {
+    new(text, at, &format!("this `{open}` is never closed"), &format!("add the missing `{}`", partner(open)))
+}
+
+/// Marks that are meant as quotation marks around a path.
+const QUOTES: &str = "'’‘′`“”„«»";
+
+/// Whether the path of a `use` begins here.
+fn is_path(text: &str, at: usize) -> bool {
+    let line = text[..at].rsplit('\n').next().unwrap_or_default();
+    line.trim() == "use"
+}
+
+/// The error about a path in other quotation marks than `"`; goes on behind them, and repairs them.
+fn quoted(text: &str, at: usize, rest: &mut Scanner<'_>, repaired: &mut String) -> SyntaxError {
+    let line = text[at..].lines().next().unwrap_or_default();
+    let path = line.trim_end_matches(|c: char| c == ';' || c.is_whitespace());
+    let mut inner = path.chars();
+    let (first, last) = (inner.next(), inner.next_back());
+    let shown = inner.as_str().replace('\\', "/");
+    let help = format!("write it in the straight quotation marks of the keyboard: `use \"{shown}\";`");
+    let len = |c: Option<char>| c.map_or(0, char::len_utf8);
+    if last.is_some_and(|c| QUOTES.contains(c) || c == '"') {
+        repaired.replace_range(at..at + path.len(), &padded(&format!("\"{shown}\""), path.len()));
+        rest.at = at + path.len();
+    } else {
+        repaired.replace_range(at..at + len(first), &padded("", len(first)));
+    }
+    let mut error = new(text, at, "a path cannot stand in these quotation marks", &help);
+    error.place = SyntaxPlace::Bytes(at..at + path.len());
+    error
 }
 
 fn close(
@@ -77,6 +111,12 @@ fn close(
         Some((o, _)) if partner(*o) == c => {
             open.pop();
             return true;
+        }
+        // A brace ends everything that is open inside of it.
+        Some(_) if c == '}' && open.iter().any(|(o, _)| *o == '{') => {
+            while let Some((o, start)) = open.pop().filter(|(o, _)| *o != '{') {
+                errors.push(never_closed(text, o, start));
+            }
         }
         // A range in interval notation is the usual reason.
         Some((o, start)) if *o != '{' => {
@@ -172,11 +212,17 @@ fn is_name_part(c: char) -> bool {
     syn::parse_str::<proc_macro2::Ident>(&format!("a{c}")).is_ok()
 }
 
+/// What is wrong with a path, and what to write instead.
+pub(super) const BACKSLASH: &str = "a path cannot have a backslash";
+pub(super) const SLASH: &str = "write `/` between folders, on every system: `use \"../quartic.basis\";`";
+
 /// Walks over a text, leaving out comments and strings.
 struct Scanner<'a> {
     text: &'a str,
     at: usize,
     unterminated: bool,
+    /// Where they stand in strings.
+    backslashes: Vec<usize>,
 }
 
 impl Scanner<'_> {
@@ -223,11 +269,18 @@ impl Scanner<'_> {
     fn skip_string(&mut self, errors: &mut Vec<SyntaxError>) {
         let start = self.at;
         self.at += 1;
+        let known = self.backslashes.len();
         while let Some(c) = self.text[self.at..].chars().next() {
+            let at = self.at;
             self.at += c.len_utf8();
             match c {
                 '"' => return,
-                '\\' => self.at += self.text[self.at..].chars().next().map_or(0, char::len_utf8),
+                '\\' => {
+                    if self.backslashes.len() == known {
+                        errors.push(new(self.text, at, BACKSLASH, SLASH));
+                    }
+                    self.backslashes.push(at);
+                }
                 _ => {}
             }
         }
@@ -271,12 +324,33 @@ mod tests {
     }
 
     #[test]
+    fn paths_are_read_as_they_are_meant() {
+        let path = "use \"a/b.basis\";";
+        for text in ["use 'a/b.basis';", "use `a/b.basis`;", "use 'a\\b.basis';", "use \"a\\b.basis\";"] {
+            let (errors, repaired) = check(text);
+            assert_eq!(errors.len(), 1, "{text}");
+            assert!(errors[0].help.as_deref().is_some_and(|h| h.contains("use \"")), "{text}");
+            assert_eq!(repaired.as_deref(), Some(path));
+        }
+        assert_eq!(check("use “a/b.basis” ;\n").1.as_deref(), Some("use \"a/b.basis\"     ;\n"));
+        assert_eq!(messages("use 'a;").len(), 1);
+        assert_eq!(messages("use '").len(), 1);
+        assert!(messages("use a'")[0].contains("D(b)"));
+    }
+
+    #[test]
     fn brackets_must_balance() {
         assert!(
             messages("λ in (0, 4]")[0]
                 .contains("`(` is closed by `]` | brackets must balance; write a range as inequalities")
         );
         assert!(messages("f(")[0].contains("never closed"));
+        // At the bracket that is left open, not at the brace that ends the block.
+        let (errors, _) = check("family F { b[0] = (1 - t; }");
+        assert_eq!(errors.len(), 1);
+        assert!(matches!(errors[0].place, SyntaxPlace::Bytes(ref r) if *r == (18..19)), "{errors:?}");
+        assert_eq!(messages("{ ( [ } (").len(), 3);
+        assert_eq!(messages("( }").len(), 1);
         assert!(messages(")")[0].contains("closes nothing"));
         assert!(messages(&"(".repeat(100_000))[0].contains("too deeply"));
         assert!(messages("/* ")[0].contains("never closed"));

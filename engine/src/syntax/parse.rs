@@ -119,6 +119,10 @@ fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<It
         let path: syn::LitStr = input.parse().map_err(|e| {
             error(e.span(), "expected a path in quotation marks", "write `use \"quartic.basis\";`")
         })?;
+        // Of a file this is said before; the compiler has its own words for escapes that it does not know.
+        if path.token().to_string().contains('\\') {
+            return Err(error(path.span(), glyphs::BACKSLASH, glyphs::SLASH));
+        }
         if !input.peek(Token![;]) {
             return Err(error(path.span(), "expected `;` after the path", "write `use \"quartic.basis\";`"));
         }
