@@ -35,6 +35,28 @@ fn distance(a: &str, b: &str) -> usize {
     rows[a.len()][b.len()]
 }
 
+/// `here is 1`, `here are 2`: how many there are instead.
+pub(crate) fn here(n: usize) -> String {
+    if n == 1 { String::from("here is 1") } else { format!("here are {n}") }
+}
+
+/// `1 index`, `2 indices`.
+pub(crate) fn indices(n: usize) -> String {
+    if n == 1 { String::from("1 index") } else { format!("{n} indices") }
+}
+
+/// How derivatives along the edges of a simplex are written, for those who differentiate by the last coordinate.
+pub(crate) fn along_edges(function: &str, independent: &[&str], last: &str) -> String {
+    let [first, second, ..] = independent else { return String::new() };
+    let d = |name: &str| format!("D({function}, {name})");
+    format!(
+        "along the edge from the corner {last} = 1 to {first} = 1 it is `{}`, from {second} = 1 to {first} = 1 `{} - {}`",
+        d(first),
+        d(first),
+        d(second)
+    )
+}
+
 /// `a`, `b` and `c`.
 pub(crate) fn list(words: &[String]) -> String {
     match words {

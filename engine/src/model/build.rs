@@ -39,7 +39,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         scope.report(error.help("write `b[0] = …;`, or `b[i] = … for i in 0..=n;`"));
         return None;
     }
-    functions::check_indices(scope, written);
+    super::indices::check_indices(scope, written);
     let (shapes, (domain, dependent)) = (shapes?, domain?);
     // A function whose formula went wrong is left out here; the family is then not used, except to look for
     // more mistakes in its claims.
@@ -142,9 +142,20 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
             let closed = range.low.is_included() && range.high.is_included() && range.low != range.high;
             if !closed {
                 let name = &decl.name.text;
-                let error =
-                    scope.error(decl.name.span, format!("the domain of `{name}` is not a closed interval"));
-                scope.report(error.help(format!("write `domain 0 <= {name} <= 1;`")));
+                let error = match range.finite() {
+                    Some((a, b)) if a == b => scope
+                        .error(decl.name.span, format!("the domain of `{name}` is a single point"))
+                        .help(format!("let the upper end be above {a}")),
+                    finite => {
+                        let (a, b) = finite.map_or((String::from("0"), String::from("1")), |(a, b)| {
+                            (a.to_string(), b.to_string())
+                        });
+                        scope
+                            .error(decl.name.span, format!("the domain of `{name}` is not a closed interval"))
+                            .help(format!("write `domain {a} <= {name} <= {b};`"))
+                    }
+                };
+                scope.report(error);
             }
             closed
         });
@@ -167,6 +178,7 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
     let mut all = Vec::new();
     for name in names {
         let var = variable(scope, name)?;
+        scope.domain.push(var);
         let place = scope.place(name.span);
         all.push(Parameter { name: name.text.clone(), doc: doc.to_vec(), place, var, range: Range::unit() });
     }

@@ -127,7 +127,11 @@ fn property(
                 return None;
             };
             if family.interval().is_none() || family.functions.iter().any(|f| f.index.len() != 1) {
-                scope.report(scope.error(span, "only segments of curves have neighbours: `continuity` needs one domain variable and one index"));
+                let error = scope.error(
+                    span,
+                    "only segments of curves have neighbours: `continuity` needs one domain variable and one index",
+                );
+                scope.report(error.help("claim in a `theorem` how two patches join"));
                 return None;
             }
             (format!("continuity({order})"), ClaimKind::Continuity(order))
@@ -365,7 +369,13 @@ fn differences(
                         r.len()
                     ),
                 );
-                scope.report(error.help(format!("write {} values", l.len())));
+                let family =
+                    matches!(relation.right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
+                scope.report(error.help(match l.len() {
+                    0 => String::from("write the values of the left side"),
+                    n if family => format!("compare with a family of {}", crate::words::count(n, "function")),
+                    n => format!("write {}", crate::words::count(n, "value")),
+                }));
                 return None;
             }
             (l, r, true)

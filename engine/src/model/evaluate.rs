@@ -9,7 +9,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
 use crate::syntax::{Expr, ExprKind, Loops};
-use crate::words::count;
+use crate::words::{along_edges, count, here};
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;
@@ -292,9 +292,24 @@ impl Scope<'_> {
             }
             let wanted = super::label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
-            self.report(match (self.complete, self.functions.keys().next_back()) {
-                (true, Some(last)) => error.help(format!("the last one is `{}`", super::label(name, last))),
-                _ => error.help("a formula may use functions that are defined before it"),
+            let known = self
+                .complete
+                .then(|| self.functions.keys())
+                .and_then(|mut keys| Some((keys.next()?, keys.next_back())));
+            self.report(match known {
+                Some((first, last)) => {
+                    let last = super::label(name, last.unwrap_or(first));
+                    error.help(if first.len() == index.len() {
+                        format!("the last one is `{last}`")
+                    } else {
+                        format!(
+                            "the functions have {}: from `{}` to `{last}`",
+                            crate::words::indices(first.len()),
+                            super::label(name, first)
+                        )
+                    })
+                }
+                None => error.help("a formula may use functions that are defined before it"),
             });
             return None;
         }
@@ -363,8 +378,11 @@ impl Scope<'_> {
         let all = self.domain.len() + usize::from(self.dependent.is_some());
         if arguments.len() != all {
             let expected = count(all, "argument");
+            let error = self.error(span, format!("the functions take {expected}, {}", here(arguments.len())));
+            let variables: Vec<&str> =
+                self.domain.iter().chain(&self.dependent).map(|v| self.names[v.0].as_str()).collect();
             self.report(
-                self.error(span, format!("the functions take {expected}, here are {}", arguments.len())),
+                error.help(format!("write one for each coordinate: `(…)({})`", variables.join(", "))),
             );
             return None;
         }
@@ -376,9 +394,8 @@ impl Scope<'_> {
             let sum = by.iter().fold(Fraction::zero(), |sum, f| &sum + f);
             if sum != Fraction::constant(Rational::ONE) {
                 let shown = sum.display(&self.names);
-                self.report(
-                    self.error(span, format!("the barycentric coordinates sum to {shown}, not to 1")),
-                );
+                let error = self.error(span, format!("the barycentric coordinates sum to {shown}, not to 1"));
+                self.report(error.help("choose coordinates that sum to 1"));
                 return None;
             }
             by.pop();
@@ -448,9 +465,10 @@ impl Scope<'_> {
                             argument.span,
                             format!("`{name}` depends on the other barycentric coordinates"),
                         );
-                        let [first, ..] = self.domain.as_slice() else { return None };
-                        let first = &self.names[first.0];
-                        self.report(error.help(format!("`D(b, {first})` is the derivative along the edge from the corner {name} = 1 to {first} = 1")));
+                        let names: Vec<&str> = self.domain.iter().map(|v| self.names[v.0].as_str()).collect();
+                        let own =
+                            if self.function_name.is_empty() { "b" } else { self.function_name.as_str() };
+                        self.report(error.help(along_edges(own, &names, name)));
                         return None;
                     }
                     Some(var) => steps.push((var, 1)),
@@ -608,7 +626,7 @@ impl Scope<'_> {
             let wanted: Vec<String> = family.shapes.iter().map(|s| s.name.clone()).collect();
             let error = self.error(
                 span,
-                format!("`{name}` has {}, here are {}", count(wanted.len(), "shape parameter"), shapes.len()),
+                format!("`{name}` has {}, {}", count(wanted.len(), "shape parameter"), here(shapes.len())),
             );
             let call = if order.is_empty() { name.to_string() } else { family.title() };
             self.report(error.help(if wanted.is_empty() {
@@ -627,7 +645,8 @@ impl Scope<'_> {
             };
             let theirs = kind(family.is_simplex(), family.domain.len());
             let ours = kind(self.dependent.is_some(), self.domain.len());
-            self.report(self.error(span, format!("`{name}` lives on {theirs}, this family on {ours}")));
+            let error = self.error(span, format!("`{name}` lives on {theirs}, this family on {ours}"));
+            self.report(error.help("compare with a family on the same domain, or with formulas"));
             return None;
         }
         let mut by = Vec::new();

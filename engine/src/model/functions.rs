@@ -2,23 +2,24 @@
 
 use std::collections::BTreeMap;
 
-use super::scope::{Scope, multi_indices};
-use super::{Function, label};
 use proc_macro2::Span;
 
+use super::indices::{check_indices, grid, sizes};
+use super::scope::{Definition, Scope, multi_indices};
+use super::{Function, label};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
-use crate::words::{count, list};
+use crate::words::{count, indices};
 
 /// More functions than this are refused.
-const MAX_FUNCTIONS: usize = 512;
+pub(super) const MAX_FUNCTIONS: usize = 512;
 
 /// Defines what the statements define, in the order in which they are written.
 pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
     name_functions(scope, written);
-    let mut base = None;
+    let mut base: Option<(String, i64)> = None;
     let (mut bases, mut raises) = (None, None);
     for statement in &written.statements {
         match &statement.kind {
@@ -31,27 +32,20 @@ pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
             }
             StatementKind::Function(def) => function(scope, def),
             StatementKind::Base(order, functions) => {
-                let first = once(scope, &mut bases, order.name.span, "`base`", "there is one lowest order");
-                base = if first { self::base(scope, order, functions) } else { base };
+                let help = "give the functions of one order; `raise` gives all others";
+                if once(scope, &mut bases, order.name.span, "`base`", help) {
+                    base = self::base(scope, written, order, functions);
+                    scope.cut_short |= base.is_none();
+                }
             }
             StatementKind::Raise(def) => {
                 let help = "write the whole formula in one statement";
                 match &base {
                     _ if !once(scope, &mut raises, def.name.span, "`raise`", help) => {}
-                    Some((name, lowest)) => raise(scope, def, name, *lowest),
+                    Some((name, lowest)) => raise(scope, written, def, name, *lowest),
                     // A lowest order that went wrong has been reported.
                     None if bases.is_some() => {}
-                    None => {
-                        scope.cut_short = true;
-                        scope.report(
-                            scope
-                                .error(
-                                    def.name.span,
-                                    "`raise` needs the functions of the lowest order before it",
-                                )
-                                .help("write `base n = 3 { … }`"),
-                        );
-                    }
+                    None => no_base(scope, written, def),
                 }
             }
             _ => {}
@@ -63,11 +57,11 @@ pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
     {
         let error = scope
             .error(written.name.span, format!("the functions of order {name} > {lowest} are not defined"));
-        scope.report(
-            error.help(
-                "write `raise b[i] = …;`, which gives the functions of order n from those of order n - 1",
-            ),
-        );
+        let width = scope.functions.keys().next().map_or(1, Vec::len).min(4);
+        let raised = format!("{}[{}]", scope.function_name, ["i", "j", "k", "l"][..width].join(", "));
+        scope.report(error.help(format!(
+            "write `raise {raised} = …;`, which gives the functions of order {name} from those of order {name} - 1"
+        )));
         scope.cut_short = true;
     }
 }
@@ -81,6 +75,19 @@ fn once(scope: &Scope<'_>, first: &mut Option<Span>, span: Span, what: &str, hel
     let error = scope.error(span, format!("{what} is given twice")).label("given again here");
     scope.report(error.also(scope.place(first), "first given here").help(help));
     false
+}
+
+/// `raise` without the functions it starts from.
+fn no_base(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef) {
+    let error = scope.error(def.name.span, "`raise` needs the functions of the lowest order before it");
+    let order = written.orders.first().and_then(|order| Some((&order.name.text, scope.bounds(order)?.0)));
+    scope.report(match order {
+        Some((name, lowest)) => error.help(format!("write `base {name} = {lowest} {{ … }}`")),
+        None => {
+            error.help(format!("write `family {}(n in 3..=8)` and `base n = 3 {{ … }}`", written.name.text))
+        }
+    });
+    scope.cut_short = true;
 }
 
 /// All definitions of functions, also those of the lowest order.
@@ -116,23 +123,39 @@ fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
         let value = scope.scalar(&def.value);
         scope.cut_short |= value.is_none() && (def.permute || !def.loops.generators.is_empty());
         if def.permute {
-            return value.is_some_and(|value| permutations(scope, def, &index, &value));
-        }
-        if scope.functions.contains_key(&index) {
-            let name = label(&def.name.text, &index);
-            let error = scope.error(def.name.span, format!("`{name}` is defined twice"));
-            scope.report(error.label("defined again here").help("remove one of the definitions"));
-            return false;
+            let fine = value.is_some_and(|value| permutations(scope, def, &index, &value));
+            scope.cut_short |= !fine;
+            return fine;
         }
         let fine = value.is_some();
-        scope.functions.insert(index, value);
-        fine
+        insert(scope, def, index, value) && fine
     });
     // A range that depends on the order may well be empty for the lowest one.
     if fine && !any && scope.constants.is_empty() {
         let error = scope.error(def.name.span, "the loop is empty: no function is defined");
         scope.report(error.help("write the smaller bound first, `0..=n` includes n"));
     }
+}
+
+/// Adds a function; reports one that is there already.
+fn insert(scope: &mut Scope<'_>, def: &FunctionDef, index: Vec<i64>, value: Option<Fraction>) -> bool {
+    if let Some(Definition { span: first, permuted, .. }) = scope.defined.get(&index) {
+        let name = label(&def.name.text, &index);
+        let error = scope
+            .error(def.name.span, format!("`{name}` is defined twice"))
+            .label("defined again here")
+            .also(scope.place(*first), "first defined here");
+        scope.report(error.help(if *permuted || def.permute {
+            "`permute` defines all permutations of the index"
+        } else {
+            "remove one of the definitions"
+        }));
+        return false;
+    }
+    let definition = Definition { place: scope.defined.len(), span: def.name.span, permuted: def.permute };
+    scope.defined.insert(index.clone(), definition);
+    scope.functions.insert(index, value);
+    true
 }
 
 /// The index that a definition gives, checked.
@@ -156,7 +179,6 @@ fn index(scope: &mut Scope<'_>, def: &FunctionDef) -> Option<Vec<i64>> {
         return None;
     }
     if let Some(other) = scope.functions.keys().next().filter(|k| k.len() != index.len()) {
-        let indices = |n: usize| if n == 1 { String::from("1 index") } else { format!("{n} indices") };
         let (new, old) = (label(&def.name.text, &index), label(&def.name.text, other));
         let message = format!("`{new}` has {}, `{old}` has {}", indices(index.len()), indices(other.len()));
         scope.report(
@@ -202,17 +224,7 @@ fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: 
             }
         }
     }
-    for (index, value) in new {
-        if scope.functions.contains_key(&index) {
-            let name = label(&def.name.text, &index);
-            let error =
-                scope.error(def.name.span, format!("`{name}` is defined twice")).label("defined again here");
-            scope.report(error.help("`permute` defines all permutations of the index"));
-            return false;
-        }
-        scope.functions.insert(index, Some(value));
-    }
-    true
+    new.into_iter().all(|(index, value)| insert(scope, def, index, Some(value)))
 }
 
 /// All orders of 0, 1, …, len − 1.
@@ -233,12 +245,19 @@ fn orders(len: usize) -> Vec<Vec<usize>> {
 }
 
 /// The functions of the lowest order; its index parameter and value.
-fn base(scope: &mut Scope<'_>, order: &Binding, functions: &[FunctionDef]) -> Option<(String, i64)> {
+fn base(
+    scope: &mut Scope<'_>,
+    written: &syntax::Family,
+    order: &Binding,
+    functions: &[FunctionDef],
+) -> Option<(String, i64)> {
     let name = &order.name.text;
     let lowest = scope.whole(&order.value, "the lowest order");
     let Some(wanted) = scope.constant(name) else {
         let error = scope.error(order.name.span, format!("`{name}` is not an index parameter of the family"));
-        scope.report(error.help(format!("declare it: `family Name({name} in 1..=8)`")));
+        let from = lowest.unwrap_or(1);
+        let help = format!("declare it: `family {}({name} in {from}..={})`", written.name.text, from + 5);
+        scope.report(error.help(help));
         return None;
     };
     let lowest = lowest?;
@@ -247,8 +266,9 @@ fn base(scope: &mut Scope<'_>, order: &Binding, functions: &[FunctionDef]) -> Op
             order.value.span,
             format!("the order {name} = {wanted} is below the lowest order {lowest}"),
         );
-        scope.report(error.help(format!("declare the range from there on: `{name} in {lowest}..=8`")));
-        scope.cut_short = true;
+        let declared = written.orders.iter().find(|o| o.name.text == *name);
+        let last = declared.and_then(|o| scope.bounds(o)).map_or(lowest, |(_, last)| last.max(lowest));
+        scope.report(error.help(format!("declare the range from there on: `{name} in {lowest}..={last}`")));
         return None;
     }
     scope.constants.push((name.clone(), lowest));
@@ -260,7 +280,7 @@ fn base(scope: &mut Scope<'_>, order: &Binding, functions: &[FunctionDef]) -> Op
 }
 
 /// The functions of every order after the lowest, each from those of the order before.
-fn raise(scope: &mut Scope<'_>, def: &FunctionDef, order: &str, lowest: i64) {
+fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, order: &str, lowest: i64) {
     let mut names = Vec::new();
     for i in &def.indices {
         match &i.kind {
@@ -272,6 +292,11 @@ fn raise(scope: &mut Scope<'_>, def: &FunctionDef, order: &str, lowest: i64) {
                 return;
             }
         }
+    }
+    // What is missing in the lowest order would be taken for zero in the next.
+    if !check_indices(scope, written) {
+        scope.cut_short = true;
+        return;
     }
     let wanted = scope.constant(order).unwrap_or(lowest);
     if wanted > lowest {
@@ -335,87 +360,21 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
 }
 
 /// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the order
-/// before, where the functions are 0.
+/// before, which has no gap and whose functions are 0 elsewhere.
 pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
-    let sizes = sizes(scope);
-    if index.len() != sizes.len() || index.iter().any(|i| *i < 0) {
+    let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
+    if !corners || index.iter().any(|i| *i < 0) {
         return None;
     }
-    let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
+    let (sum, before) =
+        (index.iter().sum::<i64>(), scope.functions.keys().next().map_or(0, |other| other.iter().sum()));
     let wanted = label(&scope.function_name, index);
-    let missing = format!("`{wanted}` is missing in the order before");
-    let define = "the recursion needs all functions of the lowest order: define it in `base`";
-    if !corners {
-        return index.iter().zip(&sizes).all(|(i, size)| i < size).then_some((missing, define));
-    }
-    let sum = |index: &[i64]| index.iter().sum::<i64>();
-    let before = scope.functions.keys().map(|other| sum(other)).max().unwrap_or(0);
-    if sum(index) == before {
-        return Some((missing, define));
-    }
-    let message =
-        format!("the indices of `{wanted}` sum to {}, those of the order before to {before}", sum(index));
-    Some((message, "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`"))
-}
-
-/// One more than the greatest index, in every place.
-fn sizes(scope: &Scope<'_>) -> Vec<i64> {
-    let width = scope.functions.keys().next().map_or(0, Vec::len);
-    (0..width).map(|k| scope.functions.keys().map(|index| index[k]).max().unwrap_or(0) + 1).collect()
-}
-
-/// All tuples below the given sizes, in lexicographic order; at most one more than a family may have.
-fn grid(sizes: &[i64]) -> Vec<Vec<i64>> {
-    let mut all = vec![Vec::new()];
-    for size in sizes {
-        all = all
-            .iter()
-            .flat_map(|start: &Vec<i64>| (0..*size).map(move |k| [start.as_slice(), &[k]].concat()))
-            .take(MAX_FUNCTIONS + 1)
-            .collect();
-    }
-    all
-}
-
-/// Indices run from 0 without a gap: on a simplex with one index for each corner all tuples of one sum, else
-/// every place on its own.
-pub(super) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) {
-    // A formula that went wrong has left out the rest of its loop.
-    let (false, Some(width)) = (scope.cut_short, scope.functions.keys().next().map(Vec::len)) else { return };
-    let corners = scope.dependent.is_some() && width == scope.domain.len() + 1;
-    let sum = scope.functions.keys().map(|index| index.iter().sum::<i64>()).max().unwrap_or(0);
-    let wanted = if corners { multi_indices(width, sum, MAX_FUNCTIONS) } else { grid(&sizes(scope)) };
-    let mut missing: Vec<String> = wanted
-        .iter()
-        .filter(|index| !scope.functions.contains_key(*index))
-        .map(|index| format!("`{}`", label(&scope.function_name, index)))
-        .collect();
-    let too_low = scope.functions.keys().find(|index| corners && index.iter().sum::<i64>() != sum);
-    if missing.is_empty() && too_low.is_none() {
-        return;
-    }
-    if missing.len() > 4 {
-        missing.truncate(4);
-        missing.push(String::from("others"));
-    }
-    let last = scope.functions.keys().next_back().map(|i| label(&scope.function_name, i)).unwrap_or_default();
-    let span = definitions(written).last().map_or(written.name.span, |def| def.name.span);
-    let error = match too_low {
-        Some(index) => {
-            let (low, high) = (label(&scope.function_name, index), index.iter().sum::<i64>());
-            scope
-                .error(span, format!("the indices of `{low}` sum to {high}, those of `{last}` to {sum}"))
-                .help("on a simplex the indices of all functions have the same sum")
-        }
-        None => {
-            let verb = if missing.len() == 1 { "is" } else { "are" };
-            scope
-                .error(span, format!("{} {verb} missing", list(&missing)))
-                .label(format!("indices go up to `{last}`"))
-                .help("indices run from 0 without a gap")
-        }
-    };
-    scope.report(error);
+    (sum != before).then(|| {
+        (
+            format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
+            "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
+        )
+    })
 }
 
 impl Scope<'_> {

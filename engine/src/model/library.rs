@@ -323,9 +323,9 @@ impl<'f> Library<'f> {
                 format!("write `{name}({})` with numbers", wanted.join(", "))
             };
             let message = format!(
-                "`{name}` has {}, here are {}",
+                "`{name}` has {}, {}",
                 crate::words::count(wanted.len(), "index parameter"),
-                order.len()
+                crate::words::here(order.len())
             );
             return Err(Some((message, help)));
         }

@@ -8,6 +8,7 @@ mod claims;
 pub mod continuation;
 mod evaluate;
 mod functions;
+mod indices;
 mod library;
 mod obligations;
 mod print;

@@ -31,6 +31,15 @@ pub(super) enum Value {
     List(Vec<(Vec<i64>, Fraction)>),
 }
 
+/// Where a function is defined.
+pub(super) struct Definition {
+    /// Its place in the order of the definitions.
+    pub(super) place: usize,
+    pub(super) span: Span,
+    /// Whether `permute` defines it, perhaps from another index.
+    pub(super) permuted: bool,
+}
+
 /// The names of one family while it is being expanded.
 pub(super) struct Scope<'a> {
     pub(super) library: &'a Library<'a>,
@@ -49,6 +58,8 @@ pub(super) struct Scope<'a> {
     pub(super) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
     pub(super) functions: BTreeMap<Vec<i64>, Option<Fraction>>,
+    /// Where each of them is defined; the functions of the lowest order also after others are raised from them.
+    pub(super) defined: BTreeMap<Vec<i64>, Definition>,
     /// The functions of the lowest order, once others are raised from them.
     pub(super) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
@@ -286,6 +297,7 @@ impl Scope<'_> {
             dependent: None,
             function_name: String::new(),
             functions: BTreeMap::new(),
+            defined: BTreeMap::new(),
             base: Vec::new(),
             missing_is_zero: false,
             cut_short: false,

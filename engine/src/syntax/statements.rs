@@ -277,11 +277,19 @@ fn base(input: ParseStream<'_>) -> Result<StatementKind> {
 /// `triangle (u, v, w)` or `tetrahedron (u, v, w, x)`; `None` when something else follows.
 fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
     let Some((word, after)) = input.cursor().ident() else { return Ok(None) };
-    if !matches!(after.token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
-    {
-        return Ok(None);
-    }
     let text = word.to_string();
+    match after.token_tree() {
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {}
+        Some((TokenTree::Ident(_), _)) if text == "triangle" => {
+            let help = "write `domain triangle (u, v, w);`";
+            return Err(error(word.span(), "a triangle needs its coordinates in parentheses", help));
+        }
+        Some((TokenTree::Ident(_), _)) if text == "tetrahedron" => {
+            let help = "write `domain tetrahedron (u, v, w, x);`";
+            return Err(error(word.span(), "a tetrahedron needs its coordinates in parentheses", help));
+        }
+        _ => return Ok(None),
+    }
     let corners = match text.as_str() {
         "triangle" => 3,
         "tetrahedron" => 4,
@@ -296,6 +304,7 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         }
     };
     take_word(input)?;
+    let example = if corners == 3 { "triangle (u, v, w)" } else { "tetrahedron (u, v, w, x)" };
     let content;
     syn::parenthesized!(content in input);
     let mut names = Vec::new();
@@ -306,9 +315,14 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         }
     }
     if names.len() != corners {
-        let message = format!("a {text} has {corners} barycentric coordinates, here are {}", names.len());
-        let example = if corners == 3 { "triangle (u, v, w)" } else { "tetrahedron (u, v, w, x)" };
-        return Err(error(word.span(), message, format!("write `domain {example};`")));
+        let here = crate::words::here(names.len());
+        let message = format!("a {text} has {corners} barycentric coordinates, {here}");
+        let help = match names.len() {
+            3 => String::from("write `domain tetrahedron (u, v, w, x);`, or `domain triangle (u, v, w);`"),
+            4 => String::from("write `domain triangle (u, v, w);`, or `domain tetrahedron (u, v, w, x);`"),
+            _ => format!("write `domain {example};`"),
+        };
+        return Err(error(word.span(), message, help));
     }
     Ok(Some(names))
 }

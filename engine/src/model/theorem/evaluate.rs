@@ -9,7 +9,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::scope::BUILTINS;
 use crate::syntax::{Expr, ExprKind};
-use crate::words::closest;
+use crate::words::{closest, here};
 
 /// The functions of theorems that families do not have.
 const PRODUCTS: [&str; 2] = ["cross", "dot"];
@@ -339,7 +339,7 @@ impl Elaboration<'_> {
     fn vector_product(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
         let [a, b] = arguments else {
             let error =
-                self.scope.error(span, format!("`{name}` has two arguments, here are {}", arguments.len()));
+                self.scope.error(span, format!("`{name}` has two arguments, {}", here(arguments.len())));
             self.scope.report(error.help(format!("write `{name}(a, b)`")));
             return None;
         };

@@ -8,7 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::syntax::{Expr, ExprKind};
-use crate::words::count;
+use crate::words::{along_edges, count, here};
 
 impl Elaboration<'_> {
     /// P(t), D(S, v, 2)(u, 0): Σ of the differentiated functions at the arguments, times the control points.
@@ -25,8 +25,7 @@ impl Elaboration<'_> {
         if arguments.len() != all {
             let names: Vec<&str> = def.parameters.iter().chain(&def.dependent).map(String::as_str).collect();
             let (wanted, names) = (count(all, "parameter"), names.join(", "));
-            let error =
-                self.scope.error(span, format!("`{name}` has {wanted}, here are {}", arguments.len()));
+            let error = self.scope.error(span, format!("`{name}` has {wanted}, {}", here(arguments.len())));
             self.scope.report(error.help(format!("write `{name}({names})`")));
             return None;
         }
@@ -153,13 +152,11 @@ impl Elaboration<'_> {
                 return Some(Var(own));
             }
             if def.dependent.as_deref() == Some(name) {
-                let first = def.parameters.first().cloned().unwrap_or_default();
+                let parameters: Vec<&str> = def.parameters.iter().map(String::as_str).collect();
+                let help = along_edges(&def.name, &parameters, name);
                 let error =
                     self.scope.error(span, format!("`{name}` depends on the other barycentric coordinates"));
-                self.scope.report(error.help(format!(
-                    "`D({}, {first})` is the derivative along the edge from the corner {name} = 1 to {first} = 1",
-                    def.name
-                )));
+                self.scope.report(error.help(help));
                 return None;
             }
         }

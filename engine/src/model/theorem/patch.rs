@@ -14,7 +14,7 @@ use crate::model::obligations::Inside;
 use crate::model::print::Printer;
 use crate::model::{Family, label};
 use crate::syntax::{Expr, ExprKind, Name};
-use crate::words::count;
+use crate::words::{count, here};
 
 /// A patch while the theorem is read.
 pub(super) struct PatchDef {
@@ -130,7 +130,7 @@ impl Elaboration<'_> {
             let has = count(wanted.len(), "shape parameter");
             let error = self
                 .scope
-                .error(expr.span, format!("`{}` has {has}, here are {}", family.title(), shapes.len()));
+                .error(expr.span, format!("`{}` has {has}, {}", family.title(), here(shapes.len())));
             self.scope.report(error.help(format!("write `{call}`")));
             return None;
         }
@@ -370,9 +370,9 @@ impl Elaboration<'_> {
             })
             .collect();
         if flat.len() != def.functions.len() {
-            let (wanted, here) = (count_points(def.functions.len()), flat.len());
+            let wanted = count_points(def.functions.len());
             let error =
-                self.scope.error(value.span, format!("`{}` has {wanted}, here are {here}", name.text));
+                self.scope.error(value.span, format!("`{}` has {wanted}, {}", name.text, here(flat.len())));
             let last = def.functions.last().map_or_else(String::new, |(index, _)| label(&name.text, index));
             self.scope
                 .report(error.help(format!("write one point for each index, the last one is `{last}`")));
