@@ -2,9 +2,10 @@
 
 use core::fmt::Debug;
 
+use crate::curve::{eliminate, touching};
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
-use crate::{BernsteinBasis, Point, Scalar};
+use crate::{BernsteinBasis, Contact, Curve, CurveError, Point, Scalar};
 
 /// An array `[T; N]` of a length that a [`Basis`] has fixed.
 ///
@@ -104,6 +105,93 @@ pub trait Basis: Copy + PartialEq + Debug {
             let weights = coefficients.as_ref()[j];
             combination(points.as_ref().iter().copied().zip(weights.as_ref().iter().copied()))
         })
+    }
+
+    /// The control points of a curve with the derivatives `[C, C', …]` at the start of the domain: the first points, as many as
+    /// there are derivatives, are replaced by the solution of `Σ_i b[i]⁽ᵏ⁾(lo) points[i] = derivatives[k]`.
+    ///
+    /// A generated family has the solution up to the second derivative as formulas, in which other points than the first are
+    /// replaced where those do not matter; all else is solved by elimination.
+    ///
+    /// # Errors
+    /// [`CurveError::Join`] if these control points do not determine the derivatives: some families have shape values at which
+    /// their derivative at the start is zero.
+    #[inline]
+    fn start_points<P: Point<Scalar = Self::Scalar>>(
+        &self,
+        derivatives: &[P],
+        points: Self::Points<P>,
+    ) -> Result<Self::Points<P>, CurveError> {
+        eliminate(self, derivatives, points, false)
+    }
+
+    /// As [`start_points`](Self::start_points) for the derivatives at the end of the domain and the last points.
+    ///
+    /// # Errors
+    /// As [`start_points`](Self::start_points).
+    #[inline]
+    fn end_points<P: Point<Scalar = Self::Scalar>>(
+        &self,
+        derivatives: &[P],
+        points: Self::Points<P>,
+    ) -> Result<Self::Points<P>, CurveError> {
+        eliminate(self, derivatives, points, true)
+    }
+
+    /// The curve Q over this family that continues a curve P of any family where that ends: the first control points, one
+    /// more than the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
+    /// use basis_runtime::{Basis, Contact, Curve};
+    ///
+    /// let first = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+    /// let free = [[0.0, 0.0], [0.0, 0.0], [7.0, 0.0], [8.0, 1.0]]; // the first two will be replaced
+    /// let next = QuarticBernstein::new(-1.0)?.curve_after(&first, Contact::Tangent { f: 1.0 }, free)?;
+    /// assert_eq!(next.control_points(), [[4.0, 0.0], [5.75, -3.5], [7.0, 0.0], [8.0, 1.0]]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Factor`] if `f` is not positive or a factor not finite, [`CurveError::NotFinite`] if a point is not,
+    /// [`CurveError::Join`] if the first control points do not determine the derivatives, see
+    /// [`start_points`](Self::start_points).
+    fn curve_after<B: Basis<Scalar = Self::Scalar>, P: Point<Scalar = Self::Scalar>>(
+        &self,
+        curve: &Curve<B, P>,
+        contact: Contact<Self::Scalar>,
+        points: Self::Points<P>,
+    ) -> Result<Curve<Self, P>, CurveError> {
+        Ok(Curve::new(*self, touching(self, curve, contact, points, false)?))
+    }
+
+    /// The curve Q over this family that ends where a curve P of any family starts: the last control points, one more than
+    /// the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
+    /// use basis_runtime::{Basis, Contact, Curve};
+    ///
+    /// let last = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+    /// let free = [[-4.0, 0.0], [-3.0, 1.0], [0.0, 0.0], [0.0, 0.0]]; // the last two will be replaced
+    /// let first = QuarticBernstein::new(-1.0)?.curve_before(&last, Contact::Tangent { f: 1.0 }, free)?;
+    /// assert_eq!(first.control_points(), [[-4.0, 0.0], [-3.0, 1.0], [-1.75, -3.5], [0.0, 0.0]]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`curve_after`](Self::curve_after), for the last control points.
+    fn curve_before<B: Basis<Scalar = Self::Scalar>, P: Point<Scalar = Self::Scalar>>(
+        &self,
+        curve: &Curve<B, P>,
+        contact: Contact<Self::Scalar>,
+        points: Self::Points<P>,
+    ) -> Result<Curve<Self, P>, CurveError> {
+        Ok(Curve::new(*self, touching(self, curve, contact, points, true)?))
     }
 }
 

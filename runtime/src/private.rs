@@ -8,13 +8,14 @@ pub use ::serde;
 
 use crate::basis::combination;
 pub use crate::boxes::box_sum;
+use crate::curve::eliminate;
 pub use crate::domain::unit;
 use crate::form::{binomials, nested};
 #[cfg(feature = "serde")]
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
 pub use crate::simplex::raise::raise_weights;
-use crate::{Point, Scalar, ShapeError};
+use crate::{Basis, CurveError, Point, Scalar, ShapeError};
 
 /// `value`, if it is finite and lies between the bounds; a bound that is no float stands for the nearest one.
 ///
@@ -44,6 +45,34 @@ pub fn check_shape<S: Scalar>(
     } else {
         Err(ShapeError::new(family, parameter, value.to_f64(), range))
     }
+}
+
+/// The error of [`Basis::start_points`](crate::Basis::start_points) if a divisor is zero, as it is `at` some shape values.
+///
+/// # Errors
+/// See above.
+#[inline]
+pub fn check_end<S: Scalar>(
+    family: &'static str,
+    conditions: usize,
+    at: &'static str,
+    divisor: S,
+) -> Result<(), CurveError> {
+    if divisor == S::ZERO { Err(CurveError::Join { family, conditions, at }) } else { Ok(()) }
+}
+
+/// [`Basis::start_points`](crate::Basis::start_points) and, `at_end`, [`Basis::end_points`](crate::Basis::end_points) for any order,
+/// by elimination.
+///
+/// # Errors
+/// As these.
+pub fn end_points<B: Basis, P: Point<Scalar = B::Scalar>>(
+    basis: &B,
+    derivatives: &[P],
+    points: B::Points<P>,
+    at_end: bool,
+) -> Result<B::Points<P>, CurveError> {
+    eliminate(basis, derivatives, points, at_end)
 }
 
 /// `Σ weights[i] points[i]`; a weight of zero is added like any other.

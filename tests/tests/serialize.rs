@@ -55,11 +55,11 @@ fn curves() {
 #[test]
 fn curves_of_several_segments() {
     let mut curve = PiecewiseCurve::from(quartic());
-    curve.append(QuarticBernstein::new(-1.0).unwrap(), Contact::Tangent { beta1: 0.75 }, POINTS).unwrap();
+    curve.append(QuarticBernstein::new(-1.0).unwrap(), Contact::Tangent { f: 0.75 }, POINTS).unwrap();
     let text = serde_json::to_string(&curve).unwrap();
     assert_eq!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>(&text).unwrap(), curve);
     assert!(serde_json::from_str::<PiecewiseCurve<QuarticBernstein, [f64; 2]>>("[]").is_err());
-    let contact = Contact::Curvature { beta1: 0.75, beta2: 0.5 };
+    let contact = Contact::Curvature { f: 0.75, c: 0.5 };
     let text = serde_json::to_string(&contact).unwrap();
     assert_eq!(serde_json::from_str::<Contact<f64>>(&text).unwrap(), contact);
     let joint = curve.joints()[0];

@@ -3,6 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
+use super::ends::Ends;
 use super::form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
 use super::formula::factored;
 use super::powers::Powers;
@@ -23,7 +24,7 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
         .enumerate()
         .map(|(k, f)| format!("{} = {}", family.function_label(k), factored(family, form, f)))
         .collect();
-    let emitter = Emitter { shell, family, form, runtime };
+    let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
     let basis = emitter.basis(&shell.core());
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
@@ -39,6 +40,7 @@ struct Emitter<'a> {
     family: &'a Family,
     form: &'a IntervalForm,
     runtime: &'a TokenStream,
+    ends: Ends<'a>,
 }
 
 impl Emitter<'_> {
@@ -63,6 +65,7 @@ impl Emitter<'_> {
             doc(&format!("The monomial coefficients of each function: entry `k` is the factor of `{t}^k`."));
         let values = self.values();
         let coefficients = self.coefficients();
+        let continuations = self.ends.methods();
         quote_spanned! {site()=>
             #values_doc
             #[inline]
@@ -96,6 +99,8 @@ impl Emitter<'_> {
             pub fn to_bernstein<P: #runtime::Point<Scalar = S>>(&self, points: &[P; #len]) -> [P; #terms] {
                 #runtime::Basis::to_bernstein(self, points)
             }
+
+            #continuations
         }
     }
 
@@ -107,6 +112,7 @@ impl Emitter<'_> {
         let (low, high) = (number(&form.low), number(&form.high));
         let weights = self.weights();
         let (form_type, bind) = self.bind();
+        let solutions = self.ends.solutions();
         quote_spanned! {site()=>
             type Scalar = S;
             type Values = [S; #len];
@@ -135,6 +141,8 @@ impl Emitter<'_> {
             fn bind<P: #runtime::Point<Scalar = S>>(&self, points: &[P; #len]) -> Self::Form<P> {
                 #bind
             }
+
+            #solutions
         }
     }
 

@@ -6,8 +6,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::{ScalarCode, Variable};
-use super::{doc, docs, names, shell, site};
-use crate::algebra::fraction::Fraction;
+use super::{doc, docs, names, shell, site, weights};
 use crate::diagnostic::Diagnostic;
 use crate::model::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use crate::model::{Parameter, label};
@@ -307,35 +306,6 @@ pub(super) fn combination(
     quote_spanned!(site()=> #runtime::__private::combine(&[#(#points),*], [#(#weights),*]))
 }
 
-/// The points as formulas, such as `Q[1] = P[2] + …`.
-pub(crate) fn formula(form: &Form, points: &[GivenPoint], names: &[String]) -> String {
-    let mut text = String::new();
-    for (unit, weight) in &form.terms {
-        let Unit::Point(p) = unit else { continue };
-        let point = &points[*p].name;
-        let term = term(weight, point, names);
-        text += &match (text.is_empty(), term.strip_prefix('-')) {
-            (true, _) => term,
-            (false, Some(rest)) => format!(" - {rest}"),
-            (false, None) => format!(" + {term}"),
-        };
-    }
-    if text.is_empty() { String::from("0") } else { text }
-}
-
-/// A weight times a point.
-fn term(weight: &Fraction, point: &str, names: &[String]) -> String {
-    match weight.as_constant() {
-        Some(c) if c.is_one() => point.to_string(),
-        Some(c) if c.abs().is_one() => format!("-{point}"),
-        Some(c) => format!("{c}*{point}"),
-        None if weight.as_poly().is_some_and(|p| p.len() > 1) => {
-            format!("({})*{point}", weight.display(names))
-        }
-        None => format!("{}*{point}", weight.display(names)),
-    }
-}
-
 fn documentation(
     theorem: &Theorem,
     verdicts: &[Verdict],
@@ -369,7 +339,11 @@ fn documentation(
     lines.extend(["", "# Result", "", "```text"].map(String::from));
     for (patch, points) in determined {
         for (index, form) in points {
-            let formula = formula(form, &theorem.points, &theorem.names);
+            let terms = form.terms.iter().filter_map(|(unit, weight)| match unit {
+                Unit::Point(p) => Some((theorem.points[*p].name.as_str(), weight)),
+                Unit::Pair(..) => None,
+            });
+            let formula = weights::combination(terms, &theorem.names);
             lines.push(format!("{} = {formula}", label(&patch.name, index)));
         }
     }

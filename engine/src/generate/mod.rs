@@ -6,6 +6,7 @@
 //! simplices and boxes, which other targets can share.
 
 mod docs;
+mod ends;
 pub mod form;
 mod formula;
 mod interval;
@@ -16,6 +17,7 @@ pub mod patch_form;
 mod powers;
 mod scalar;
 mod shell;
+mod weights;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote_spanned;
@@ -29,6 +31,8 @@ use form::IntervalForm;
 pub(crate) use formula::factored;
 pub use names::ascii;
 use shell::Shell;
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use weights::{combination, zero, zeros};
 
 /// How to emit a family.
 #[derive(Clone, Debug)]

@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
 /// Methods that every generated type has.
-const METHODS: [&str; 8] = [
+const METHODS: [&str; 12] = [
     "partials",
     "new",
     "values",
@@ -16,6 +16,10 @@ const METHODS: [&str; 8] = [
     "bernstein_coefficients",
     "to_bernstein",
     "bind",
+    "start_points",
+    "end_points",
+    "curve_after",
+    "curve_before",
 ];
 
 const LOWER: [(char, &str); 25] = [

@@ -7,7 +7,11 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::model::Parameter;
+
+/// The work for the control points at an end; formulas that take more are of no use to a reader.
+const WORK: u64 = 200_000;
 
 /// Which end of the given curve P is continued by the curve Q.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,68 +42,129 @@ pub struct Continuation {
     pub determinant: Poly,
 }
 
-/// The continuation with geometric continuity of an order; `None` for families on other domains and where the derivatives at
-/// an end are linearly dependent for all shape values.
+/// The control points next to an end of a curve C, in terms of its derivatives C, C′, … there and of its other control points.
+#[derive(Clone, Debug)]
+pub struct EndPoints {
+    /// The positions of the determined points among the functions, as many as there are derivatives.
+    pub positions: Vec<usize>,
+    /// The weights of the derivatives in each determined point.
+    pub inverse: Vec<Vec<Fraction>>,
+    /// The weights of other points in each determined point, with their positions; only those that are not zero.
+    pub others: Vec<Vec<(usize, Fraction)>>,
+    /// The derivatives do not determine the points where this polynomial in the shape parameters is zero.
+    pub determinant: Poly,
+}
+
+impl EndPoints {
+    /// The points that are determined by the derivatives up to each order from 0 on, at the start or else at the end of the domain.
+    /// Left out is an order for which the derivatives are linearly dependent for all shape values, or the formulas would be
+    /// too long; there are none for families on other domains.
+    pub fn up_to(family: &Family, order: u32, at_start: bool) -> Vec<Self> {
+        let work = &mut Work::new(WORK);
+        let Some((var, low, high)) = family.interval() else { return Vec::new() };
+        let end = if at_start { low } else { high };
+        let Some(rows) = derivatives(family, var, end, order, work) else { return Vec::new() };
+        (1..=rows.len()).filter_map(|count| Self::of(&rows[..count], at_start, work)).collect()
+    }
+
+    /// From the derivatives of all functions, one row for each order.
+    fn of(rows: &[Vec<Fraction>], at_start: bool, work: &mut Work) -> Option<Self> {
+        let positions = independent_columns(rows, at_start, work)?;
+        let square = rows.iter().map(|row| positions.iter().map(|k| row[*k].clone()).collect()).collect();
+        let (inverse, determinant) = inverse(square, work)?;
+        let mut others = Vec::new();
+        for factors in &inverse {
+            let mut weights = Vec::new();
+            for k in (0..rows[0].len()).filter(|k| !positions.contains(k)) {
+                let mut weight = Fraction::zero();
+                for (factor, row) in
+                    factors.iter().zip(rows).filter(|(f, row)| !f.is_zero() && !row[k].is_zero())
+                {
+                    weight = weight.sub_within(&factor.mul_within(&row[k], work)?, work)?;
+                }
+                if !weight.is_zero() {
+                    weights.push((k, weight));
+                }
+            }
+            others.push(weights);
+        }
+        Some(Self { positions, inverse, others, determinant })
+    }
+}
+
+/// The derivatives of all functions at a number, one row for each order.
+fn derivatives(
+    family: &Family,
+    var: Var,
+    at: &Rational,
+    order: u32,
+    work: &mut Work,
+) -> Option<Vec<Vec<Fraction>>> {
+    let mut rows = vec![Vec::new(); order as usize + 1];
+    for function in &family.functions {
+        // A denominator has shape parameters only.
+        let (numer, denom) = (function.value.numer(), function.value.denom());
+        let coefficients = numer.coefficients_in(var);
+        for (k, row) in rows.iter_mut().enumerate() {
+            // Σ j!/(j-k)! at^(j-k) times the coefficient of the j-th power.
+            let mut value = Poly::zero();
+            for (j, coefficient) in coefficients.iter().enumerate().skip(k) {
+                let power = at.pow((j - k) as u32);
+                let factor = (0..k).fold(power, |product, i| &product * &Rational::from((j - i) as i64));
+                if !factor.is_zero() {
+                    work.spend(coefficient.len() as u64)?;
+                    value = &value + &coefficient.scale(&factor);
+                }
+            }
+            row.push(Fraction::new(value, denom.clone())?);
+        }
+    }
+    Some(rows)
+}
+
+/// The continuation with geometric continuity of an order; `None` where there are no [`EndPoints`].
 pub fn continuation(family: &Family, order: u32, side: Side) -> Option<Continuation> {
     let (var, low, high) = family.interval()?;
     let (shapes, len) = (family.shapes.len(), family.functions.len());
-    let (here, there) = match side {
-        Side::After => (high, low),
-        Side::Before => (low, high),
-    };
+    let ends = EndPoints::up_to(family, order, side == Side::After);
+    let end = ends.into_iter().find(|end| end.positions.len() == order as usize + 1)?;
+    let work = &mut Work::new(WORK);
+    let given = derivatives(family, var, if side == Side::After { high } else { low }, order, work)?;
     // Shape parameters of P are variables 0, 1, …, those of Q follow, then f and c.
-    let of = |offset: usize| -> Vec<Var> { (0..family.names.len()).map(|k| Var(k + offset)).collect() };
-    let rows = |end: &Rational, names: &[Var]| -> Vec<Vec<Fraction>> {
-        let mut functions: Vec<Fraction> = family.functions.iter().map(|f| f.value.clone()).collect();
-        let mut rows = Vec::new();
-        for _ in 0..=order {
-            // A denominator has shape parameters only.
-            let at = |f: &Fraction| {
-                f.substitute(var, &Fraction::constant(end.clone())).unwrap_or_else(Fraction::zero)
-            };
-            rows.push(functions.iter().map(|f| at(f).rename(names)).collect());
-            functions = functions.iter().map(|f| f.derivative(var)).collect();
-        }
-        rows
-    };
-    let (given, wanted) = (rows(here, &of(0)), rows(there, &of(shapes)));
-    let columns = independent_columns(&wanted, side)?;
-    let square: Vec<Vec<Fraction>> =
-        wanted.iter().map(|row| columns.iter().map(|k| row[*k].clone()).collect()).collect();
-    let (inverse, determinant) = inverse(square)?;
-    // What f and c make of the derivatives of P, less what the other points of Q contribute.
+    let of_q: Vec<Var> = (0..family.names.len()).map(|k| Var(k + shapes)).collect();
     let (f, c) = (Var(2 * shapes), Var(2 * shapes + 1));
+    // What f and c make of the derivatives of P: Q′ = P′/f, Q″ = (P″ − c·Q′)/f².
     let mut targets: Vec<Form> = Vec::new();
     for (k, row) in given.iter().enumerate() {
-        let mut target = Form::default();
-        add(&mut target, row.iter().enumerate().map(|(i, a)| (i, a.clone())));
-        if k == 2 {
-            let minus_c = -&Fraction::var(c);
-            let first: Vec<(usize, Fraction)> = entries(&targets[1]);
-            add(&mut target, first.into_iter().map(|(i, a)| (i, &a * &minus_c)));
-        }
         let scale = Fraction::new(Poly::one(), Poly::var(f).pow(k as u32))?;
-        let scaled: Vec<(usize, Fraction)> =
-            entries(&target).into_iter().map(|(i, a)| (i, &a * &scale)).collect();
         let mut target = Form::default();
-        add(&mut target, scaled.into_iter());
+        for (i, weight) in row.iter().enumerate() {
+            add(&mut target, i, weight, &scale, work)?;
+        }
+        if k == 2 {
+            let factor = -&(&Fraction::var(c) * &scale);
+            for (i, weight) in entries(&targets[1]) {
+                add(&mut target, i, &weight, &factor, work)?;
+            }
+        }
         targets.push(target);
     }
-    for (target, row) in targets.iter_mut().zip(&wanted) {
-        let others = (0..len).filter(|j| !columns.contains(j));
-        add(target, others.map(|j| (len + j, -&row[j])));
-    }
-    let determined = columns
-        .iter()
-        .zip(&inverse)
-        .map(|(column, row)| {
-            let mut form = Form::default();
-            for (target, factor) in targets.iter().zip(row) {
-                add(&mut form, entries(target).into_iter().map(|(i, a)| (i, &a * factor)));
+    let one = Fraction::constant(Rational::ONE);
+    let mut determined = Vec::new();
+    for (row, position) in end.positions.iter().enumerate() {
+        let mut form = Form::default();
+        for (target, factor) in targets.iter().zip(&end.inverse[row]) {
+            let factor = factor.rename(&of_q);
+            for (i, weight) in entries(target) {
+                add(&mut form, i, &weight, &factor, work)?;
             }
-            (*column, form)
-        })
-        .collect();
+        }
+        for (k, weight) in &end.others[row] {
+            add(&mut form, len + k, &weight.rename(&of_q), &one, work)?;
+        }
+        determined.push((*position, form));
+    }
+    let determinant = end.determinant.rename(&of_q);
     let mut names = Vec::new();
     let mut scalars = Vec::new();
     for curve in ["P", "Q"] {
@@ -135,32 +200,41 @@ fn entries(form: &Form) -> Vec<(usize, Fraction)> {
     form.terms.iter().filter_map(entry).collect()
 }
 
-fn add(form: &mut Form, parts: impl Iterator<Item = (usize, Fraction)>) {
-    for (point, value) in parts {
-        let unit = Unit::Point(point);
-        let sum = &form.coefficient(unit) + &value;
-        if sum.is_zero() {
-            form.terms.remove(&unit);
-        } else {
-            form.terms.insert(unit, sum);
+/// Adds weight·factor times a point; `None` when the work is spent.
+fn add(form: &mut Form, point: usize, weight: &Fraction, factor: &Fraction, work: &mut Work) -> Option<()> {
+    let unit = Unit::Point(point);
+    let sum = form.coefficient(unit).add_within(&weight.mul_within(factor, work)?, work)?;
+    if sum.is_zero() {
+        form.terms.remove(&unit);
+    } else {
+        form.terms.insert(unit, sum);
+    }
+    Some(())
+}
+
+/// column − factor·other
+fn subtract(column: &mut [Fraction], factor: &Fraction, other: &[Fraction], work: &mut Work) -> Option<()> {
+    for (x, y) in column.iter_mut().zip(other) {
+        if !y.is_zero() {
+            *x = x.sub_within(&factor.mul_within(y, work)?, work)?;
         }
     }
+    Some(())
 }
 
 /// The first columns, from the start or from the end, that are linearly independent; as many as there are rows.
-fn independent_columns(rows: &[Vec<Fraction>], side: Side) -> Option<Vec<usize>> {
+fn independent_columns(rows: &[Vec<Fraction>], from_start: bool, work: &mut Work) -> Option<Vec<usize>> {
     let len = rows.first()?.len();
     // Reduced columns with the row of the pivot of each.
     let mut basis: Vec<(usize, Vec<Fraction>)> = Vec::new();
     let mut columns = Vec::new();
     for k in 0..len {
-        let k = if side == Side::After { k } else { len - 1 - k };
+        let k = if from_start { k } else { len - 1 - k };
         let mut column: Vec<Fraction> = rows.iter().map(|row| row[k].clone()).collect();
         for (pivot, reduced) in &basis {
-            let Some(factor) = column[*pivot].checked_div(&reduced[*pivot]) else { continue };
-            for (x, y) in column.iter_mut().zip(reduced) {
-                *x = &*x - &(&factor * y);
-            }
+            // A pivot is not zero.
+            let factor = column[*pivot].div_within(&reduced[*pivot], work).ok().flatten()?;
+            subtract(&mut column, &factor, reduced, work)?;
         }
         if let Some(pivot) = column.iter().position(|x| !x.is_zero()) {
             basis.push((pivot, column));
@@ -175,7 +249,7 @@ fn independent_columns(rows: &[Vec<Fraction>], side: Side) -> Option<Vec<usize>>
 }
 
 /// The inverse of a square matrix and the numerator of its determinant, by Gauss–Jordan elimination.
-fn inverse(mut rows: Vec<Vec<Fraction>>) -> Option<(Vec<Vec<Fraction>>, Poly)> {
+fn inverse(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<(Vec<Vec<Fraction>>, Poly)> {
     let n = rows.len();
     let one = Fraction::constant(Rational::ONE);
     for (k, row) in rows.iter_mut().enumerate() {
@@ -186,19 +260,16 @@ fn inverse(mut rows: Vec<Vec<Fraction>>) -> Option<(Vec<Vec<Fraction>>, Poly)> {
         let pivot = (k..n).find(|r| !rows[*r][k].is_zero())?;
         rows.swap(k, pivot);
         let value = rows[k][k].clone();
-        determinant = &determinant * &value;
-        let reciprocal = one.checked_div(&value)?;
+        determinant = determinant.mul_within(&value, work)?;
+        let reciprocal = one.div_within(&value, work).ok().flatten()?;
         for x in &mut rows[k] {
-            *x = &*x * &reciprocal;
+            *x = x.mul_within(&reciprocal, work)?;
         }
         let pivot_row = rows[k].clone();
         for (r, row) in rows.iter_mut().enumerate() {
             let factor = row[k].clone();
-            if r == k || factor.is_zero() {
-                continue;
-            }
-            for (x, y) in row.iter_mut().zip(&pivot_row) {
-                *x = &*x - &(&factor * y);
+            if r != k && !factor.is_zero() {
+                subtract(row, &factor, &pivot_row, work)?;
             }
         }
     }
@@ -230,13 +301,18 @@ mod tests {
         Family::clone(&family)
     }
 
-    fn join(spec: &str, name: &str) -> Theorem {
-        let library = Library::from_source(&Disk, Source::text("spec.basis", spec));
+    fn join(library: &Library<'_>, name: &str) -> Theorem {
         library.theorems().into_iter().find(|t| t.name == name).expect("the join is there")
     }
 
     /// The determined points of a published join are the derived ones, with `by` in place of the variables of the latter.
-    fn same(published: &Theorem, derived: &Continuation, by: &[(&str, Fraction)]) {
+    /// `P` and `Q` say which points of the join the points of the curves are.
+    fn same(
+        published: &Theorem,
+        derived: &Continuation,
+        by: &[(&str, Fraction)],
+        [p, q]: [&dyn Fn(i64) -> String; 2],
+    ) {
         let value = |name: &str| by.iter().find(|(n, _)| *n == name).map(|(_, f)| f.clone());
         let put = |weight: &Fraction| {
             // By way of variables that the join does not have, so that none is put into another.
@@ -248,14 +324,17 @@ mod tests {
             })
         };
         for (position, form) in &derived.determined {
-            let index = &derived.points[derived.points.len() / 2 + position].index;
-            let point = published.patches[1].points.iter().find(|p| p.index == *index).expect("it is there");
+            let name = q(*position as i64);
+            let patch = &published.patches[1];
+            let point =
+                patch.points.iter().find(|p| label(&patch.name, &p.index) == name).expect("it is there");
             assert_eq!(form.terms.len(), point.value.terms.len());
             for (unit, weight) in &form.terms {
-                let Unit::Point(p) = unit else { panic!("a point") };
-                let name = &derived.points[*p].name;
-                let q = published.points.iter().position(|g| g.name == *name).expect("it is given");
-                assert_eq!(put(weight), point.value.coefficient(Unit::Point(q)), "{name}");
+                let Unit::Point(k) = unit else { panic!("a point") };
+                let of_p = derived.points[*k].patch == 0;
+                let name = if of_p { p } else { q }(derived.points[*k].index[0]);
+                let given = published.points.iter().position(|g| g.name == name).expect("it is given");
+                assert_eq!(put(weight), point.value.coefficient(Unit::Point(given)), "{name}");
             }
         }
     }
@@ -265,21 +344,49 @@ mod tests {
     }
 
     #[test]
-    fn published_joins_are_the_derived_ones() {
+    fn published_joins_of_curves_are_the_derived_ones() {
+        let (p, q) = (|k| format!("P[{k}]"), |k| format!("Q[{k}]"));
         let quadratic = family(QUADRATIC);
         for (name, order) in [("G1", 1), ("G2", 2)] {
-            let published = join(QUADRATIC, name);
+            let published = join(&Library::from_source(&Disk, Source::text("spec.basis", QUADRATIC)), name);
             let var = |name: &str| variable(&published, name);
             let c = if order == 2 { var("c") } else { Fraction::zero() };
             let by = [("λ_P", var("λ1")), ("λ_Q", var("λ2")), ("f", var("δ")), ("c", c)];
-            same(&published, &continuation(&quadratic, order, Side::After).expect("derived"), &by);
+            same(&published, &continuation(&quadratic, order, Side::After).expect("derived"), &by, [&p, &q]);
         }
         // There the factor is on the other side: Q'(0) = α P'(1).
-        let published = join(REVOLUTION, "G1");
+        let published = join(&Library::from_source(&Disk, Source::text("spec.basis", REVOLUTION)), "G1");
         let var = |name: &str| variable(&published, name);
         let f = Fraction::constant(Rational::ONE).checked_div(&var("α")).expect("not zero");
         let by = [("λ_P", var("λ1")), ("λ_Q", var("λ2")), ("f", f), ("c", Fraction::zero())];
-        same(&published, &continuation(&family(REVOLUTION), 1, Side::After).expect("derived"), &by);
+        let derived = continuation(&family(REVOLUTION), 1, Side::After).expect("derived");
+        same(&published, &derived, &by, [&p, &q]);
+    }
+
+    /// Across a common edge a surface is joined curve by curve: rows of the net, columns, or a row with a column.
+    #[test]
+    fn published_joins_of_surfaces_are_the_derived_ones() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/quartic_surface.basis");
+        let source = crate::source::read(&Disk, path, &[]).expect("it is there");
+        let library = Library::from_source(&Disk, source);
+        let quartic = family(include_str!("../../../specs/quartic.basis"));
+        for (order, kind) in [1, 2].into_iter().flat_map(|order| ["UU", "UV", "VV"].map(|kind| (order, kind)))
+        {
+            let published = join(&library, &format!("G{order}{kind}"));
+            let derived = continuation(&quartic, order, Side::After).expect("derived");
+            for i in 0..4 {
+                let row = |name: &'static str| move |k| format!("{name}[{i},{k}]");
+                let column = |name: &'static str| move |k| format!("{name}[{k},{i}]");
+                let (s, t, [of_s, of_t]): (&dyn Fn(i64) -> String, &dyn Fn(i64) -> String, _) = match kind {
+                    "UU" => (&row("S"), &row("T"), [format!("γ1[{i}]"), format!("γ2[{i}]")]),
+                    "UV" => (&row("S"), &column("T"), [format!("γ1[{i}]"), String::from("λ2")]),
+                    _ => (&column("S"), &column("T"), ["λ1", "λ2"].map(String::from)),
+                };
+                let var = |name: &str| variable(&published, name);
+                let by = [("λ_P", var(&of_s)), ("λ_Q", var(&of_t)), ("f", var("f")), ("c", Fraction::zero())];
+                same(&published, &derived, &by, [s, t]);
+            }
+        }
     }
 
     #[test]
@@ -323,11 +430,10 @@ mod tests {
                             .expect("a polynomial")
                             .rename(&names);
                         let point = derived.determined.iter().find(|(p, _)| offset == 1 && *p == i);
-                        match point {
-                            Some((_, value)) => {
-                                add(&mut form, entries(value).into_iter().map(|(p, x)| (p, &x * &w)));
-                            }
-                            None => add(&mut form, core::iter::once((offset * len + i, w))),
+                        let one = Fraction::constant(Rational::ONE);
+                        let parts = point.map_or_else(|| vec![(offset * len + i, one)], |(_, v)| entries(v));
+                        for (p, x) in parts {
+                            add(&mut form, p, &x, &w, &mut Work::unlimited()).expect("enough work");
                         }
                     }
                     form
@@ -335,12 +441,15 @@ mod tests {
                 let (f, c) = (Fraction::var(Var(2 * shapes)), Fraction::var(Var(2 * shapes + 1)));
                 for k in 0..=order {
                     let mut difference = derivative(here, k, 0);
-                    let scaled = |form: &Form, factor: Fraction| -> Vec<(usize, Fraction)> {
-                        entries(form).into_iter().map(|(p, x)| (p, -&(&x * &factor))).collect()
+                    let mut subtract = |form: &Form, factor: &Fraction| {
+                        for (p, x) in entries(form) {
+                            add(&mut difference, p, &x, &-factor, &mut Work::unlimited())
+                                .expect("enough work");
+                        }
                     };
-                    add(&mut difference, scaled(&derivative(there, k, 1), f.pow(k)).into_iter());
+                    subtract(&derivative(there, k, 1), &f.pow(k));
                     if k == 2 {
-                        add(&mut difference, scaled(&derivative(there, 1, 1), c.clone()).into_iter());
+                        subtract(&derivative(there, 1, 1), &c);
                     }
                     assert!(difference.is_zero(), "{}, order {order}, {side:?}, derivative {k}", family.name);
                 }

@@ -4,7 +4,6 @@
 mod budget;
 mod build;
 mod claims;
-#[cfg(any(test, feature = "tools"))]
 pub mod continuation;
 mod evaluate;
 mod functions;

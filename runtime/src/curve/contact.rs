@@ -3,26 +3,26 @@
 use crate::vector::{is_finite, largest_component};
 use crate::{Array, Basis, Curve, CurveError, Point, Scalar};
 
-/// How the derivatives `Q', Q'', …` at the start of a curve follow from those at the end of another, `P', P'', …`.
+/// How the derivatives of two curves P and Q, each in its own parameter, agree at a common point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Contact<S> {
-    /// Parametric continuity Cⁿ: the derivatives up to this order are the same.
+    /// Parametric continuity Cⁿ: `Q⁽ᵏ⁾ = P⁽ᵏ⁾` for all `k` up to this order.
     Parametric {
         /// The order; 0 for a common point.
         order: usize,
     },
-    /// Geometric continuity G1: `Q' = β1 P'`, a common tangent.
+    /// Geometric continuity G1, a common tangent: `f Q' = P'`.
     Tangent {
-        /// The ratio of the velocities, positive.
-        beta1: S,
+        /// How many times as long the velocity of P is, positive.
+        f: S,
     },
-    /// Geometric continuity G2: `Q' = β1 P'`, `Q'' = β1² P'' + β2 P'`, a common tangent and curvature (Barsky's β-constraints).
+    /// Geometric continuity G2, a common tangent and a common curvature: `f Q' = P'`, `f² Q'' + c Q' = P''`.
     Curvature {
-        /// The ratio of the velocities, positive.
-        beta1: S,
+        /// How many times as long the velocity of P is, positive.
+        f: S,
         /// Any number; it moves the second derivative along the tangent.
-        beta2: S,
+        c: S,
     },
 }
 
@@ -36,138 +36,93 @@ impl<S: Scalar> Contact<S> {
         }
     }
 
-    fn check(&self) -> Result<(), CurveError> {
-        let (beta1, beta2) = match *self {
-            Self::Parametric { .. } => return Ok(()),
-            Self::Tangent { beta1 } => (beta1, S::ZERO),
-            Self::Curvature { beta1, beta2 } => (beta1, beta2),
+    /// The two factors; `None` for those of parametric continuity, 1 and 0.
+    fn factors(&self) -> Result<Option<(S, S)>, CurveError> {
+        let (f, c) = match *self {
+            Self::Parametric { .. } => return Ok(None),
+            Self::Tangent { f } => (f, S::ZERO),
+            Self::Curvature { f, c } => (f, c),
         };
-        if !(beta1 > S::ZERO && beta1.is_finite()) {
-            return Err(CurveError::Factor { value: beta1.to_f64() });
+        if !(f > S::ZERO && f.is_finite()) {
+            return Err(CurveError::Factor { value: f.to_f64() });
         }
-        if !beta2.is_finite() {
-            return Err(CurveError::Factor { value: beta2.to_f64() });
+        if !c.is_finite() {
+            return Err(CurveError::Factor { value: c.to_f64() });
+        }
+        Ok(Some((f, c)))
+    }
+
+    /// Replaces the derivatives of P by those of Q.
+    fn transform<P: Point<Scalar = S>>(&self, derivatives: &mut [P]) -> Result<(), CurveError> {
+        if let (Some((f, c)), [_, first, rest @ ..]) = (self.factors()?, derivatives) {
+            let inverse = S::ONE / f;
+            *first = first.scale(inverse);
+            if let Some(second) = rest.first_mut() {
+                *second = second.add_scaled(*first, -c).scale(inverse * inverse);
+            }
         }
         Ok(())
     }
-
-    /// Replaces the derivatives at the end of the first curve by those at the start of the next one.
-    fn transform<P: Point<Scalar = S>>(&self, derivatives: &mut [P]) {
-        let (beta1, beta2) = match *self {
-            Self::Parametric { .. } => return,
-            Self::Tangent { beta1 } => (beta1, S::ZERO),
-            Self::Curvature { beta1, beta2 } => (beta1, beta2),
-        };
-        if let [_, first, rest @ ..] = derivatives {
-            if let Some(second) = rest.first_mut() {
-                *second = second.scale(beta1 * beta1).add_scaled(*first, beta2);
-            }
-            *first = first.scale(beta1);
-        }
-    }
 }
 
-impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
-    /// A curve of any family that continues this one: its first control points, one more than the order of contact, are
-    /// computed; the others are taken from `points`.
-    ///
-    /// The computed points solve `Σ_i b[i]⁽ᵏ⁾(lo) Q[i] = Q⁽ᵏ⁾` for `k` from 0 to the order, with the derivatives `Q⁽ᵏ⁾` of
-    /// [`Contact`].
-    ///
-    /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
-    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
-    /// use basis_runtime::{Contact, Curve};
-    ///
-    /// let first = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
-    /// let free = [[0.0, 0.0], [0.0, 0.0], [7.0, 0.0], [8.0, 1.0]]; // the first two will be replaced
-    /// let next = first.continuation(QuarticBernstein::new(-1.0)?, Contact::Tangent { beta1: 1.0 }, free)?;
-    /// assert_eq!(next.control_points(), [[4.0, 0.0], [5.75, -3.5], [7.0, 0.0], [8.0, 1.0]]);
-    /// # Ok(())
-    /// # }
-    /// ```
-    ///
-    /// # Errors
-    /// [`CurveError::Factor`] if `β1` is not positive or a factor not finite, [`CurveError::NotFinite`] if this curve is not,
-    /// [`CurveError::Join`] if the first control points of the family do not determine these derivatives: some families have
-    /// shape values at which their derivative at the start is zero.
-    pub fn continuation<C: Basis<Scalar = B::Scalar>>(
-        &self,
-        basis: C,
-        contact: Contact<B::Scalar>,
-        points: C::Points<P>,
-    ) -> Result<Curve<C, P>, CurveError> {
-        self.touching(basis, contact, points, false)
+/// The control points of a curve over `basis` that touches `curve`, `before` its start or else after its end.
+pub(crate) fn touching<B: Basis, C: Basis<Scalar = B::Scalar>, P: Point<Scalar = B::Scalar>>(
+    basis: &C,
+    curve: &Curve<B, P>,
+    contact: Contact<B::Scalar>,
+    points: C::Points<P>,
+    before: bool,
+) -> Result<C::Points<P>, CurveError> {
+    let conditions = contact.order().saturating_add(1);
+    if conditions > C::LEN {
+        return Err(CurveError::Join { family: C::NAME, conditions, at: "" });
     }
+    let mut derivatives = points;
+    let derivatives = &mut derivatives.as_mut()[..conditions];
+    curve.derivatives_into(B::domain()[usize::from(!before)], derivatives);
+    contact.transform(derivatives)?;
+    let points =
+        if before { basis.end_points(derivatives, points) } else { basis.start_points(derivatives, points) }?;
+    if !points.as_ref().iter().all(|&p| is_finite(p)) {
+        return Err(CurveError::NotFinite);
+    }
+    Ok(points)
+}
 
-    /// A curve of any family that this one continues: its last control points, one more than the order of contact, are computed;
-    /// the others are taken from `points`.
-    ///
-    /// As [`continuation`](Self::continuation) at the other end: the derivatives `Q⁽ᵏ⁾` at the end of the new curve follow
-    /// from those at the start of this one, `P', P'', …`, as [`Contact`] says.
-    ///
-    /// ```
-    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
-    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
-    /// use basis_runtime::{Contact, Curve};
-    ///
-    /// let last = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
-    /// let free = [[-4.0, 0.0], [-3.0, 1.0], [0.0, 0.0], [0.0, 0.0]]; // the last two will be replaced
-    /// let first = last.preceding(QuarticBernstein::new(-1.0)?, Contact::Tangent { beta1: 1.0 }, free)?;
-    /// assert_eq!(first.control_points(), [[-4.0, 0.0], [-3.0, 1.0], [-1.75, -3.5], [0.0, 0.0]]);
-    /// # Ok(())
-    /// # }
-    /// ```
-    ///
-    /// # Errors
-    /// As [`continuation`](Self::continuation), for the last control points.
-    pub fn preceding<C: Basis<Scalar = B::Scalar>>(
-        &self,
-        basis: C,
-        contact: Contact<B::Scalar>,
-        points: C::Points<P>,
-    ) -> Result<Curve<C, P>, CurveError> {
-        self.touching(basis, contact, points, true)
+/// [`Basis::start_points`] and, `at_end`, [`Basis::end_points`] for any order, by elimination.
+pub(crate) fn eliminate<B: Basis, P: Point<Scalar = B::Scalar>>(
+    basis: &B,
+    derivatives: &[P],
+    points: B::Points<P>,
+    at_end: bool,
+) -> Result<B::Points<P>, CurveError> {
+    let conditions = derivatives.len();
+    let undetermined = CurveError::Join { family: B::NAME, conditions, at: "" };
+    if conditions > B::LEN {
+        return Err(undetermined);
     }
-
-    /// A curve that touches this one, `before` its start or else after its end. Its control points are counted from the
-    /// common point.
-    fn touching<C: Basis<Scalar = B::Scalar>>(
-        &self,
-        basis: C,
-        contact: Contact<B::Scalar>,
-        points: C::Points<P>,
-        before: bool,
-    ) -> Result<Curve<C, P>, CurveError> {
-        contact.check()?;
-        let conditions = contact.order().saturating_add(1);
-        let undetermined = CurveError::Join { conditions, points: C::LEN };
-        if conditions > C::LEN {
-            return Err(undetermined);
+    // Points and functions are counted from the end.
+    let place = |i: usize| if at_end { B::LEN - 1 - i } else { i };
+    let end = B::domain()[usize::from(at_end)];
+    let mut matrix = B::Points::<B::Values>::from_fn(|k| {
+        let row = basis.derivatives(end, k);
+        B::Values::from_components(|i| row.component(place(i)))
+    });
+    let matrix = &mut matrix.as_mut()[..conditions];
+    let mut solved = points;
+    let targets = &mut solved.as_mut()[..conditions];
+    targets.copy_from_slice(derivatives);
+    for (target, row) in targets.iter_mut().zip(matrix.iter()) {
+        for (i, &weight) in row.as_ref().iter().enumerate().skip(conditions) {
+            *target = target.add_scaled(points.as_ref()[place(i)], -weight);
         }
-        let place = |i: usize| if before { C::LEN - 1 - i } else { i };
-        let (here, there) = (B::domain()[usize::from(!before)], C::domain()[usize::from(before)]);
-        let given = C::Points::<P>::from_fn(|i| points.as_ref()[place(i)]);
-        let mut points = given;
-        let targets = &mut points.as_mut()[..conditions];
-        self.derivatives_into(here, targets);
-        contact.transform(targets);
-        if !targets.iter().all(|&p| is_finite(p)) {
-            return Err(CurveError::NotFinite);
-        }
-        let mut matrix = C::Points::<C::Values>::from_fn(|k| {
-            let row = basis.derivatives(there, k);
-            C::Values::from_components(|i| row.component(place(i)))
-        });
-        let matrix = &mut matrix.as_mut()[..conditions];
-        for (target, row) in targets.iter_mut().zip(matrix.iter()) {
-            for (i, &weight) in row.as_ref().iter().enumerate().skip(conditions) {
-                *target = target.add_scaled(given.as_ref()[i], -weight);
-            }
-        }
-        solve(matrix, targets).ok_or(undetermined)?;
-        Ok(Curve::new(basis, C::Points::from_fn(|i| points.as_ref()[place(i)])))
     }
+    solve(matrix, targets).ok_or(undetermined)?;
+    let mut points = points;
+    for (i, &value) in targets.iter().enumerate() {
+        points.as_mut()[place(i)] = value;
+    }
+    Ok(points)
 }
 
 /// Solves `matrix · x = right` by elimination with the largest pivot; `x` replaces `right`. `None` if the matrix is singular

@@ -51,12 +51,14 @@ pub enum CurveError {
     },
     /// A curve of several segments needs at least one.
     NoSegments,
-    /// The first control points of the next segment do not determine its derivatives at its start.
+    /// The control points next to an end of a curve do not determine its derivatives there.
     Join {
+        /// The family of the curve.
+        family: &'static str,
         /// The number of derivatives that were to be met, the value included.
         conditions: usize,
-        /// The number of control points of the segment.
-        points: usize,
+        /// The shape values at which this is so, such as `λ = -3`; empty where no formula says it.
+        at: &'static str,
     },
     /// A factor of a join is not finite, or a ratio of velocities not positive.
     Factor {
@@ -97,11 +99,14 @@ impl Display for CurveError {
                 )
             }
             Self::NoSegments => write!(f, "a curve needs at least one segment"),
-            Self::Join { conditions, points } => write!(
-                f,
-                "the first of the {points} control points do not determine {conditions} derivatives at the start \
-                 of the segment: choose other shape values or a lower order of contact"
-            ),
+            Self::Join { family, conditions, at } => {
+                let separator = if at.is_empty() { "" } else { " at " };
+                write!(
+                    f,
+                    "{family}{separator}{at}: the control points do not determine {conditions} derivatives at this \
+                     end; choose other shape values or a lower order of contact"
+                )
+            }
             Self::Factor { value } => {
                 write!(f, "the factor {value} of a join must be finite, and a ratio of velocities positive")
             }

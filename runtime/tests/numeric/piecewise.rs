@@ -13,24 +13,24 @@ fn joins_hold<B: Basis<Scalar = f64>, C: Basis<Scalar = f64>>(first: B, next: C,
     let first = random_curve(first, random);
     let free = random_curve(next, random);
     let points = C::Points::from_fn(|i| free.control_points()[i]);
-    let (beta1, beta2) = (random.between(0.5, 2.0), random.between(-1.0, 1.0));
+    let (f, c) = (random.between(0.5, 2.0), random.between(-1.0, 1.0));
     let small = |order: usize| (0.0_f64).max(1e-9 * 10_f64.powi(order as i32));
     for order in 0..C::LEN.min(4) {
-        let next = first.continuation(next, Contact::Parametric { order }, points).unwrap();
+        let next = next.curve_after(&first, Contact::Parametric { order }, points).unwrap();
         let joint = first.joint(&next);
         assert!(joint.gap < 1e-12, "{joint:?}");
         assert!((1..=order).all(|k| joint.derivatives[k - 1] < small(k)), "order {order}: {joint:?}");
         assert_eq!(next.control_points()[order + 1..], free.control_points()[order + 1..]);
         assert_eq!(joint.parametric_order(1e-9, [small(1), small(2), small(3)]), Some(order));
     }
-    let next_g1 = first.continuation(next, Contact::Tangent { beta1 }, points).unwrap();
+    let next_g1 = next.curve_after(&first, Contact::Tangent { f }, points).unwrap();
     let [_, before] = first.eval_with_derivs(first.domain()[1]);
     let [_, after] = next_g1.eval_with_derivs(next_g1.domain()[0]);
-    assert!((0..3).all(|d| (after[d] - beta1 * before[d]).abs() < 1e-9));
+    assert!((0..3).all(|d| (f * after[d] - before[d]).abs() < 1e-9));
     let joint = first.joint(&next_g1);
     assert_eq!(joint.geometric_order(1e-9, 1e-9, 1e-9), Some(1), "{joint:?}");
     if C::LEN > 2 {
-        let next_g2 = first.continuation(next, Contact::Curvature { beta1, beta2 }, points).unwrap();
+        let next_g2 = next.curve_after(&first, Contact::Curvature { f, c }, points).unwrap();
         let joint = first.joint(&next_g2);
         assert_eq!(joint.geometric_order(1e-9, 1e-7, 1e-6), Some(2), "{joint:?}");
         assert_eq!(joint.parametric_order(1e-9, [1e-9; 3]), Some(0));
@@ -56,28 +56,25 @@ fn joins_that_do_not_exist() {
     let first =
         Curve::new(QuarticBernstein::new(0.5).unwrap(), [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0_f64]]);
     let join =
-        |lambda, contact| first.continuation(QuarticBernstein::new(lambda).unwrap(), contact, [[0.0; 2]; 4]);
+        |lambda, contact| QuarticBernstein::new(lambda).unwrap().curve_after(&first, contact, [[0.0; 2]; 4]);
     // At λ = -3 the derivative at the start is zero for all control points.
-    let error = join(-3.0, Contact::Tangent { beta1: 1.0 }).unwrap_err();
-    assert_eq!(error, CurveError::Join { conditions: 2, points: 4 });
+    let error = join(-3.0, Contact::Tangent { f: 1.0 }).unwrap_err();
+    assert_eq!(error, CurveError::Join { family: "QuarticBernstein", conditions: 2, at: "" });
     assert!(join(-3.0, Contact::Parametric { order: 0 }).is_ok());
     // At λ = 1 the cross product of the first two derivatives is that of the points: G2 exists.
-    assert!(join(1.0, Contact::Curvature { beta1: 1.0, beta2: 0.0 }).is_ok());
+    assert!(join(1.0, Contact::Curvature { f: 1.0, c: 0.0 }).is_ok());
     assert_eq!(
         join(0.0, Contact::Parametric { order: 4 }),
-        Err(CurveError::Join { conditions: 5, points: 4 })
+        Err(CurveError::Join { family: "QuarticBernstein", conditions: 5, at: "" })
     );
     assert!(join(0.0, Contact::Parametric { order: usize::MAX }).is_err());
     for bad in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(join(0.0, Contact::Tangent { beta1: bad }), Err(CurveError::Factor { value: bad }));
+        assert_eq!(join(0.0, Contact::Tangent { f: bad }), Err(CurveError::Factor { value: bad }));
     }
-    assert!(join(0.0, Contact::Curvature { beta1: 1.0, beta2: f64::NAN }).is_err());
+    assert!(join(0.0, Contact::Curvature { f: 1.0, c: f64::NAN }).is_err());
     let infinite = Bezier::from_points([[0.0, f64::INFINITY], [1.0, 1.0]]);
-    let next = infinite.continuation(
-        BernsteinBasis::<f64, 3>::new(),
-        Contact::Tangent { beta1: 1.0 },
-        [[0.0; 2]; 3],
-    );
+    let next =
+        BernsteinBasis::<f64, 3>::new().curve_after(&infinite, Contact::Tangent { f: 1.0 }, [[0.0; 2]; 3]);
     assert_eq!(next, Err(CurveError::NotFinite));
 }
 

@@ -19,7 +19,7 @@ use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar
 /// let first = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
 /// let mut curve = PiecewiseCurve::from(first);
 /// let free = [[0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [8.0, 1.0]]; // the first three will be replaced
-/// curve.append(QuarticBernstein::new(0.0)?, Contact::Curvature { beta1: 1.0, beta2: 0.0 }, free)?;
+/// curve.append(QuarticBernstein::new(0.0)?, Contact::Curvature { f: 1.0, c: 0.0 }, free)?;
 ///
 /// assert_eq!(curve.eval(1.0), [4.0, 0.0]);
 /// let [joint] = curve.joints().try_into().unwrap();
@@ -53,17 +53,17 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         self.segments.push(segment);
     }
 
-    /// Adds a segment that continues the last one with the given order of contact; see [`Curve::continuation`].
+    /// Adds a segment that continues the last one with the given order of contact; see [`Basis::curve_after`].
     ///
     /// # Errors
-    /// Those of [`Curve::continuation`]; the curve is then unchanged.
+    /// Those of [`Basis::curve_after`]; the curve is then unchanged.
     pub fn append(
         &mut self,
         basis: B,
         contact: Contact<B::Scalar>,
         points: B::Points<P>,
     ) -> Result<(), CurveError> {
-        let next = self.last().continuation(basis, contact, points)?;
+        let next = basis.curve_after(self.last(), contact, points)?;
         self.segments.push(next);
         Ok(())
     }
