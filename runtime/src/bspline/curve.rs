@@ -179,7 +179,7 @@ impl<P: Point> BSplineCurve<P> {
     /// # Errors
     /// If a knot is outside of the domain, or would occur more than `degree + 1` times.
     pub fn insert_knots(&self, knots: &[P::Scalar]) -> Result<Self, KnotError> {
-        rows::insert(&self.to_rows(), knots).map(Self::from_rows)
+        rows::insert_into(&self.knots, &self.points, 1, knots).map(Self::from_rows)
     }
 
     /// The same curve with the middle of each span as a new knot.

@@ -10,6 +10,14 @@ use crate::bspline::{KnotError, KnotVector};
 use crate::{Point, Scalar};
 
 /// The same rows over the knots and all of `inserted`, in any order.
+pub(in crate::bspline) fn insert<P: Point>(
+    rows: &Rows<P::Scalar, P>,
+    inserted: &[P::Scalar],
+) -> Result<Rows<P::Scalar, P>, KnotError> {
+    insert_into(&rows.knots, &rows.points, rows.lanes, inserted)
+}
+
+/// The same for rows that are borrowed: `lanes` points for each basis function.
 ///
 /// Inserting `t` into `t[μ] <= t < t[μ+1]` replaces `P[i]`, for `μ - k < i <= μ - s`, by
 ///
@@ -18,64 +26,76 @@ use crate::{Point, Scalar};
 /// ```
 ///
 /// where `s` is the multiplicity that `t` had; the points after those move up by one.
-pub(in crate::bspline) fn insert<P: Point>(
-    rows: &Rows<P::Scalar, P>,
+pub(in crate::bspline) fn insert_into<P: Point>(
+    knots: &KnotVector<P::Scalar>,
+    points: &[P],
+    lanes: usize,
     inserted: &[P::Scalar],
 ) -> Result<Rows<P::Scalar, P>, KnotError> {
-    let Rows { knots, points, lanes } = rows;
-    let (k, lanes, old) = (knots.degree(), *lanes, knots.as_slice());
-    let inserted = checked(knots, inserted)?;
+    let (k, mut old) = (knots.degree(), knots.as_slice());
+    let inserted = in_order(knots, inserted)?;
 
-    // Both lists are split where the work is done: `head…` is new, the rest of the old list follows at `next…`.
+    // Both lists are split where the work is done: `head…` is new, what follows is the rest of the old list.
     let mut head = Vec::with_capacity(old.len() + inserted.len());
-    let mut next = 0;
+    let mut rest = points;
     let mut head_points: Vec<P> = Vec::with_capacity(points.len() + inserted.len() * lanes);
-    let mut next_point = 0;
+    let mut below = 0; // the number of knots below t
 
-    for t in inserted {
-        while next < old.len() && old[next] <= t {
-            head.push(old[next]);
-            next += 1;
+    for (index, &t) in inserted.iter().enumerate() {
+        if index == 0 || inserted[index - 1] < t {
+            advance(&mut head, &mut old, |knot| knot < t);
+            below = head.len();
+            advance(&mut head, &mut old, |knot| knot == t);
         }
-        let below = head.partition_point(|&knot| knot < t);
+        if head.len() - below > k {
+            let multiplicity =
+                head.len() - below + inserted[index..].iter().take_while(|&&other| other == t).count();
+            return Err(KnotError::Multiplicity { knot: t.to_f64(), multiplicity, degree: k });
+        }
         // Rows below - 1 and before it are those whose functions begin before t.
-        let missing = (below * lanes).saturating_sub(head_points.len());
-        head_points.extend_from_slice(&points[next_point..next_point + missing]);
-        next_point += missing;
-        debug_assert!(below > 0 && head_points.len() >= below * lanes);
+        let (missing, later) = rest.split_at((below * lanes).saturating_sub(head_points.len()));
+        head_points.extend_from_slice(missing);
+        rest = later;
 
-        let knot = |i: usize| if i < head.len() { head[i] } else { old[next + i - head.len()] };
-        let first = head.len() - k; // μ - k + 1
         // The last of these rows is doubled; rows that earlier equal knots left behind it move up.
-        let tail = head_points.split_off(below * lanes);
-        head_points.extend_from_within((below - 1) * lanes..);
-        head_points.extend_from_slice(&tail);
-        for i in (first..below).rev() {
-            let alpha = (t - knot(i)) / (knot(i + k) - knot(i));
-            for lane in i * lanes..(i + 1) * lanes {
-                head_points[lane] = between(head_points[lane - lanes], head_points[lane], alpha);
+        let end = head_points.len();
+        head_points.extend_from_within(end - lanes..);
+        head_points.copy_within((below - 1) * lanes..end, below * lanes);
+        // Of the knots t[i], …, t[i+k] the first is at most head[below - 1] and the last is not in the head.
+        let first = head.len() - k; // μ - k + 1
+        let ends = head[first..below].iter().zip(old).enumerate().rev();
+        for (i, (&lo, &hi)) in ends {
+            let alpha = (t - lo) / (hi - lo);
+            let changed = &mut head_points[(first + i - 1) * lanes..(first + i + 1) * lanes];
+            let (before, here) = changed.split_at_mut(lanes);
+            for (point, &before) in here.iter_mut().zip(&*before) {
+                *point = between(before, *point, alpha);
             }
         }
         head.push(t);
     }
-    head.extend_from_slice(&old[next..]);
-    head_points.extend_from_slice(&points[next_point..]);
+    head.extend_from_slice(old);
+    head_points.extend_from_slice(rest);
     Ok(Rows { knots: KnotVector::trusted(k, head), points: head_points, lanes })
 }
 
-/// The knots in increasing order, if each may be inserted.
-fn checked<S: Scalar>(knots: &KnotVector<S>, inserted: &[S]) -> Result<Vec<S>, KnotError> {
+/// Moves the knots at the front of `old` for which that holds to the end of `head`.
+#[inline]
+fn advance<S: Scalar>(head: &mut Vec<S>, old: &mut &[S], moves: impl Fn(S) -> bool) {
+    let count = old.iter().position(|&knot| !moves(knot)).unwrap_or(old.len());
+    let (moved, rest) = old.split_at(count);
+    head.extend_from_slice(moved);
+    *old = rest;
+}
+
+/// The knots in increasing order, if all are in the domain.
+fn in_order<S: Scalar>(knots: &KnotVector<S>, inserted: &[S]) -> Result<Vec<S>, KnotError> {
     let mut sorted = Vec::with_capacity(inserted.len());
     for &knot in inserted {
         sorted.push(knots.check(knot)?);
     }
-    sorted.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal)); // none is NaN
-    for group in sorted.chunk_by(|a, b| a == b) {
-        let multiplicity = knots.multiplicity(group[0]) + group.len();
-        if multiplicity > knots.degree() + 1 {
-            let (knot, degree) = (group[0].to_f64(), knots.degree());
-            return Err(KnotError::Multiplicity { knot, multiplicity, degree });
-        }
+    if !sorted.is_sorted() {
+        sorted.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal)); // none is NaN
     }
     Ok(sorted)
 }

@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 
 pub(super) use bezier::bezier;
 pub(super) use elevate::elevate;
-pub(super) use insert::{clamp, insert};
+pub(super) use insert::{clamp, insert, insert_into};
 pub(super) use merge::missing;
 pub(super) use remove::{remove, within};
 pub(super) use split::split;
