@@ -129,17 +129,6 @@ fn what_cannot_be_read() {
 }
 
 #[test]
-fn projections_on_a_plane_are_feet() {
-    let plane = plane();
-    let found = plane.project([0.3, 0.6, -2.0]).unwrap();
-    assert!((found.parameters[0] - 0.3).abs() < 1e-8 && (found.parameters[1] - 0.6).abs() < 1e-8);
-    assert!((found.distance - 2.0).abs() < 1e-14);
-    let beyond = plane.project([1.5, -0.5, 0.0]).unwrap();
-    assert_eq!(beyond.parameters, [1.0, 0.0]);
-    assert_eq!(plane.project([f64::NAN; 3]), None);
-}
-
-#[test]
 fn projected_constraints_in_single_precision() {
     let knots = KnotVector::<f32>::uniform(3, 4).unwrap();
     let net = Net::from_fn(7, 7, |i, j| [i as f32, j as f32, 0.0]).unwrap();
@@ -170,41 +159,6 @@ proptest! {
             Err(error) => {
                 let too_many = wanted.len() > 4;
                 prop_assert!(too_many, "{}", error);
-            }
-        }
-    }
-
-    #[test]
-    fn projections_are_minima(surface in surface(), point in point()) {
-        // Where a surface jumps, no point need be the nearest one.
-        let jumps = |d| surface.knots(d).breakpoints().into_iter().skip(1).any(|t| {
-            t < 1.0 && surface.knots(d).multiplicity(t) > surface.knots(d).degree()
-        });
-        prop_assume!(!jumps(Direction::U) && !jumps(Direction::V));
-        let found = surface.project(point).unwrap();
-        let [u, v] = found.parameters;
-        prop_assert_eq!(found.point, surface.eval(u, v));
-        prop_assert!((distance(found.point, point) - found.distance).abs() < 1e-12);
-        for [du, dv] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.7, 0.7], [-0.7, 0.7]] {
-            let near = surface.eval_clamped(u + 1e-5 * du, v + 1e-5 * dv);
-            prop_assert!(distance(near, point) >= found.distance - 1e-9);
-        }
-    }
-
-    #[test]
-    fn projections_on_a_landscape_are_the_nearest_points(
-        heights in prop::collection::vec(-0.15..0.15, 49),
-        point in [-0.5..1.5, -0.5..1.5, -1.0..1.0],
-    ) {
-        let mut surface = plane();
-        for (point, height) in surface.control_points_mut().iter_mut().zip(heights) {
-            point[2] = height;
-        }
-        let found = surface.project(point).unwrap();
-        for i in 0..=40 {
-            for j in 0..=40 {
-                let sample = surface.eval(f64::from(i) / 40.0, f64::from(j) / 40.0);
-                prop_assert!(distance(sample, point) >= found.distance - 1e-9);
             }
         }
     }

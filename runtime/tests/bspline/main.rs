@@ -6,6 +6,7 @@ mod fitting;
 mod golden;
 mod knots;
 mod networks;
+mod projections;
 mod rational;
 mod refinement;
 mod splicing;

@@ -58,25 +58,34 @@ pub(in crate::bspline) fn insert_into<P: Point>(
         rest = later;
 
         // The last of these rows is doubled; rows that earlier equal knots left behind it move up.
-        let end = head_points.len();
-        head_points.extend_from_within(end - lanes..);
-        head_points.copy_within((below - 1) * lanes..end, below * lanes);
-        // Of the knots t[i], …, t[i+k] the first is at most head[below - 1] and the last is not in the head.
         let first = head.len() - k; // μ - k + 1
-        let ends = head[first..below].iter().zip(old).enumerate().rev();
-        for (i, (&lo, &hi)) in ends {
-            let alpha = (t - lo) / (hi - lo);
-            let changed = &mut head_points[(first + i - 1) * lanes..(first + i + 1) * lanes];
-            let (before, here) = changed.split_at_mut(lanes);
-            for (point, &before) in here.iter_mut().zip(&*before) {
-                *point = between(before, *point, alpha);
-            }
+        if lanes == 1 {
+            head_points.insert(below, head_points[below - 1]);
+            blend(&mut head_points[first - 1..], 1, t, &head[first..below], old);
+        } else {
+            let end = head_points.len();
+            head_points.extend_from_within(end - lanes..);
+            head_points.copy_within((below - 1) * lanes..end, below * lanes);
+            blend(&mut head_points[(first - 1) * lanes..], lanes, t, &head[first..below], old);
         }
         head.push(t);
     }
     head.extend_from_slice(old);
     head_points.extend_from_slice(rest);
     Ok(Rows { knots: KnotVector::trusted(k, head), points: head_points, lanes })
+}
+
+/// Replaces the row `i + 1` by a mean of it and the row before it, for each pair of knots `t[i]`, `t[i+k]`.
+#[inline(always)]
+#[allow(clippy::inline_always)] // only then is there nothing left of the lanes of a curve
+fn blend<P: Point>(rows: &mut [P], lanes: usize, t: P::Scalar, starts: &[P::Scalar], ends: &[P::Scalar]) {
+    for (i, (&start, &end)) in starts.iter().zip(ends).enumerate().rev() {
+        let alpha = (t - start) / (end - start);
+        let (before, here) = rows[i * lanes..(i + 2) * lanes].split_at_mut(lanes);
+        for (point, &before) in here.iter_mut().zip(&*before) {
+            *point = between(before, *point, alpha);
+        }
+    }
 }
 
 /// Moves the knots at the front of `old` for which that holds to the end of `head`.
