@@ -46,6 +46,7 @@ pub fn elevate<P: Point>(points: &[P], elevated: &mut [P]) {
 /// bernstein::centred_powers(&mut parabola);
 /// assert_eq!(parabola, [5.0, 2.0, -3.0]);
 /// ```
+#[inline]
 pub fn centred_powers<P: Point>(points: &mut [P]) {
     super::keep_left(points, P::Scalar::of(0.5));
     points.reverse();

@@ -36,4 +36,4 @@ pub use product::{bounds, dot, multiply};
 #[cfg(feature = "alloc")]
 pub use roots::{Root, roots};
 #[cfg(feature = "alloc")]
-pub(crate) use roots::{multiply_binomials, simple_root};
+pub(crate) use roots::{bracketed_root, changes_of_sign};

@@ -171,29 +171,36 @@ impl<S: Scalar> Piece<S> {
     }
 }
 
-fn changes_of_sign<S: Scalar>(coefficients: &[S]) -> usize {
+/// How often the sign changes from one coefficient to the next; zeros have none.
+#[inline]
+pub(crate) fn changes_of_sign<S: Scalar>(coefficients: &[S]) -> usize {
     let mut signs = coefficients.iter().filter(|&&c| c != S::ZERO).map(|&c| c > S::ZERO);
     let Some(mut last) = signs.next() else { return 0 };
     signs.filter(|&sign| core::mem::replace(&mut last, sign) != sign).count()
 }
 
-/// The only zero of a polynomial with different signs at both ends: Newton's method, and halving where it leaves the
-/// bracket or does not halve it.
-pub(crate) fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
+/// The only zero of a polynomial with different signs at both ends.
+fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
+    bracketed_root(&mut coefficients.to_vec(), &mut vec![S::ZERO; coefficients.len()])
+}
+
+/// The only zero of a polynomial whose coefficients change their sign once: Newton's method, and halving where it leaves the
+/// bracket or does not halve it. Overwrites the coefficients; `scratch` is not shorter.
+#[inline] // callers know the degree
+pub(crate) fn bracketed_root<S: Scalar>(values: &mut [S], scratch: &mut [S]) -> S {
     let half = S::of(0.5);
-    let [first, last] = [coefficients[0], coefficients[coefficients.len() - 1]];
-    let rising = first < S::ZERO;
+    let mut x = polygon_zero(values);
+    let rising = values.iter().find(|&&c| c != S::ZERO).is_some_and(|&c| c < S::ZERO);
     // With the binomial coefficients multiplied in, once: both evaluations are then free of divisions.
-    let mut slopes = coefficients.to_vec();
-    let slopes = super::differentiate(&mut slopes);
+    let slopes = &mut scratch[..values.len()];
+    slopes.copy_from_slice(values);
+    let slopes = super::differentiate(slopes);
     multiply_binomials(slopes);
-    let mut values = coefficients.to_vec();
-    multiply_binomials(&mut values);
+    multiply_binomials(values);
     let [mut lo, mut hi] = [S::ZERO, S::ONE];
-    let mut x = first / (first - last); // the zero of the chord
-    let mut step = S::ONE;
+    let (mut step, mut before) = (S::ONE, S::ZERO);
     for _ in 0..200 {
-        let value = nested(&values, x);
+        let value = nested(values, x);
         if value == S::ZERO {
             return x;
         }
@@ -203,18 +210,37 @@ pub(crate) fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
             hi = x;
         }
         let newton = x - value / nested(slopes, x);
-        let inside = newton > lo && newton < hi;
-        let next = if inside && (newton - x).abs() <= step * half { newton } else { lo + (hi - lo) * half };
+        let good = newton > lo && newton < hi && (newton - x).abs() <= step * half;
+        let next = if good { newton } else { lo + (hi - lo) * half };
         step = (next - x).abs();
         x = next;
-        if step <= S::EPSILON * half * x || hi - lo <= S::EPSILON * hi || next == lo || next == hi {
+        // After two of Newton's steps, s[k+1] ≈ c s[k]² says that the next one would not change the number.
+        let converged = step * step * step <= S::EPSILON * half * x * before * before;
+        before = if good { step } else { S::ZERO };
+        if converged
+            || step <= S::EPSILON * half * x
+            || hi - lo <= S::EPSILON * hi
+            || next == lo
+            || next == hi
+        {
             break;
         }
     }
     x
 }
 
+/// The first zero of the control polygon, whose corners are the coefficients at `k/n`.
+#[inline]
+fn polygon_zero<S: Scalar>(coefficients: &[S]) -> S {
+    let Some(k) = coefficients.windows(2).position(|pair| (pair[0] < S::ZERO) != (pair[1] < S::ZERO)) else {
+        return S::of(0.5);
+    };
+    let part = coefficients[k] / (coefficients[k] - coefficients[k + 1]);
+    (S::from_usize(k) + part) / S::from_usize(coefficients.len() - 1)
+}
+
 /// Replaces `c[k]` by `binomial(n, k) c[k]`.
+#[inline]
 pub(crate) fn multiply_binomials<S: Scalar>(coefficients: &mut [S]) {
     let degree = coefficients.len().saturating_sub(1);
     let mut binomial = 1.0;
@@ -225,6 +251,7 @@ pub(crate) fn multiply_binomials<S: Scalar>(coefficients: &mut [S]) {
 }
 
 /// `Σ (1-x)^(n-k) x^k c[k]`, without binomial coefficients.
+#[inline]
 fn nested<S: Scalar>(c: &[S], x: S) -> S {
     let Some((&first, rest)) = c.split_first() else { return S::ZERO };
     let s = S::ONE - x;

@@ -1,22 +1,62 @@
 //! Arc length, with an error bound that is proved rather than estimated.
 //!
-//! On a piece of the curve let `D(z)`, `-1 <= z <= 1`, be its derivative in powers of `z`: `D = d0 + d1 z + …`. If
-//! `Σ_{j≥1} (2 |d0·dj| rʲ) + (Σ_{j≥1} |dj| rʲ)² < |d0|²`, the speed `|D|` continues to an analytic function of modulus at most
-//! `M` on the disc `|z| <= r`, hence on the Bernstein ellipse with `r = (ρ + 1/ρ)/2`, and the Gauss–Legendre rule with `n` nodes
-//! has an error of at most `8 M ρ / (ρ - 1) ρ^(-2n)` (from the best approximation of degree `2n - 1`; Trefethen,
-//! *Approximation Theory and Approximation Practice*, theorems 8.2 and 19.3). Pieces for which no rule is good enough are
-//! halved; next to a cusp, where the condition fails, pieces end when chord and control polygon agree to within the accuracy.
+//! On a piece of the curve, `-1 <= z <= 1`, the square of the speed is a polynomial `q = c0 (1 + c1 T1(z) + c2 T2(z) + …)`. On the
+//! Bernstein ellipse of the parameter `ρ` no `|Tj|` is larger than `(ρʲ + ρ⁻ʲ)/2`; with `κ = Σ_{j≥1} |cj| (ρʲ + ρ⁻ʲ)/2` no `|q|` is
+//! larger than `c0 (1 + κ)`. If `q` has no zero there, the speed `√q` continues to an analytic function and the Gauss–Legendre
+//! rule with `n` nodes has an error of at most `8 √(c0 (1 + κ)) ρ / (ρ - 1) ρ^(-2n)` (from the best approximation of degree
+//! `2n - 1`; Trefethen, *Approximation Theory and Approximation Practice*, theorems 8.2 and 19.3).
+//!
+//! There is no zero if `κ < 1`. That test is sharper for `q(z) q(-z)`, a polynomial in `y = T2(z)` of the same kind, whose
+//! ellipse has the parameter `ρ²` (Graeffe's method). Pieces for which no rule is good enough are halved; next to a cusp, where
+//! no test succeeds, pieces end when chord and control polygon agree to within the accuracy.
 
 use super::quadrature::{RULES, Rule};
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite};
-use crate::{Array, Basis, Curve, Point, Scalar, bernstein};
+use crate::{Array, Basis, Curve, FUSED_HERE, Point, Scalar, bernstein};
 
 /// The `ρ` of the ellipses that are tried.
-const ELLIPSES: [f64; 6] = [64.0, 16.0, 8.0, 4.0, 2.5, 1.8];
+const ELLIPSES: [f64; 8] = [1.4, 1.55, 1.75, 2.0, 2.5, 3.5, 6.0, 24.0];
 
-/// The error bound is computed for derivatives with up to so many coefficients after the first.
-const MOST: usize = 100; // the highest degree of a spec
+/// For all ellipses `ρ` and `(1 + ρ⁻²)/2`, so that `(ρʲ + ρ⁻ʲ)/2 <= (1 + ρ⁻²)/2 ρʲ`; then the same for `ρ²` and for `ρ⁴`.
+static RADII: [[[f64; ELLIPSES.len()]; 2]; 3] = {
+    let mut radii = [[[0.0; ELLIPSES.len()]; 2]; 3];
+    let mut e = 0;
+    while e < ELLIPSES.len() {
+        let mut rho = ELLIPSES[e];
+        let mut step = 0;
+        while step < radii.len() {
+            radii[step][0][e] = rho;
+            radii[step][1][e] = 0.5 + 0.5 / (rho * rho);
+            rho *= rho;
+            step += 1;
+        }
+        e += 1;
+    }
+    radii
+};
+
+/// `8 ρ / (ρ - 1) ρ^(-2n)` for each ellipse and the number of nodes `n` of each rule.
+static FACTORS: [[f64; RULES.len()]; ELLIPSES.len()] = {
+    let mut factors = [[0.0; RULES.len()]; ELLIPSES.len()];
+    let mut e = 0;
+    while e < ELLIPSES.len() {
+        let rho = ELLIPSES[e];
+        let mut r = 0;
+        while r < RULES.len() {
+            let mut factor = 8.0 * rho / (rho - 1.0);
+            let mut n = 0;
+            while n < RULES[r].len() {
+                factor /= rho * rho;
+                n += 1;
+            }
+            factors[e][r] = factor;
+            r += 1;
+        }
+        e += 1;
+    }
+    factors
+};
 
 /// Below this depth a piece is narrower than the distance of two floats.
 const DEPTH: u32 = 56;
@@ -38,8 +78,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let Some(whole) = self.prepare(accuracy) else { return B::Scalar::NAN };
         let unit = whole.unit;
         let mut sum = B::Scalar::ZERO;
-        whole.piece.walk(&mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
-            sum = sum + leaf.length();
+        whole.piece.walk(&mut |leaf| {
+            sum = sum + leaf.length;
             true
         });
         sum * unit
@@ -66,8 +106,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let Some(whole) = self.prepare(accuracy) else { return B::Scalar::NAN };
         let mut found = B::Scalar::ONE;
         let mut rest = length / whole.unit;
-        whole.piece.walk(&mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
-            let piece = leaf.length();
+        whole.piece.walk(&mut |leaf| {
+            let piece = leaf.length;
             if rest < piece {
                 found = leaf.invert(rest.max(B::Scalar::ZERO));
                 return false;
@@ -89,8 +129,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let step = total / B::Scalar::from_usize(count.saturating_sub(1).max(1));
         let mut parameters = alloc::vec::Vec::with_capacity(count);
         let mut before = B::Scalar::ZERO;
-        whole.piece.walk(&mut |leaf: &Leaf<'_, B::Bernstein<P>, P>| {
-            let after = before + leaf.length();
+        whole.piece.walk(&mut |leaf| {
+            let after = before + leaf.length;
             while parameters.len() < count {
                 let target = step * B::Scalar::from_usize(parameters.len());
                 if target >= after {
@@ -128,15 +168,16 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     }
 
     /// The whole curve, ready to be walked along; `None` if it is not finite.
-    fn prepare(&self, accuracy: B::Scalar) -> Option<Whole<B::Bernstein<P>, B::Scalar>> {
+    fn prepare(&self, accuracy: B::Scalar) -> Option<Whole<B, P>> {
         let mut points = self.to_bernstein();
         let polygon = polygon(points.as_ref());
         if !points.as_ref().iter().all(|&p| is_finite(p)) || !polygon.is_finite() {
             return None;
         }
-        let square = polygon * polygon;
+        // Products of eight velocities are formed.
+        let power = (0..3).fold(polygon, |power, _| power * power);
         let margin = B::Scalar::EPSILON * B::Scalar::EPSILON;
-        let in_range = square * margin > B::Scalar::MIN_POSITIVE && (square / margin).is_finite();
+        let in_range = power * margin > B::Scalar::MIN_POSITIVE && (power / margin).is_finite();
         let unit = if in_range || polygon == B::Scalar::ZERO { B::Scalar::ONE } else { polygon };
         if unit != B::Scalar::ONE {
             // The start becomes the origin, so that nothing overflows.
@@ -152,10 +193,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     }
 }
 
-/// A curve whose lengths are measured in `unit`: so that the squares of velocities neither overflow nor vanish.
-struct Whole<A, S> {
-    piece: Piece<A, S>,
-    unit: S,
+/// A curve whose lengths are measured in `unit`: so that powers of velocities neither overflow nor vanish.
+struct Whole<B: Basis, P: Point<Scalar = B::Scalar>> {
+    piece: Piece<B, P>,
+    unit: B::Scalar,
 }
 
 /// The length of the control polygon.
@@ -163,78 +204,228 @@ fn polygon<P: Point>(points: &[P]) -> P::Scalar {
     points.windows(2).fold(P::Scalar::ZERO, |sum, pair| sum + distance(pair[0], pair[1]))
 }
 
-struct Piece<A, S> {
-    points: A,
-    from: S,
-    to: S,
-    accuracy: S,
+struct Piece<B: Basis, P: Point<Scalar = B::Scalar>> {
+    points: B::Bernstein<P>,
+    from: B::Scalar,
+    to: B::Scalar,
+    accuracy: B::Scalar,
     depth: u32,
 }
 
-impl<A, S: Scalar> Piece<A, S> {
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Piece<B, P> {
     /// Returns whether to go on after this piece.
-    fn walk<P: Point<Scalar = S>>(self, visit: &mut impl FnMut(&Leaf<'_, A, P>) -> bool) -> bool
-    where
-        A: Array<P>,
-    {
+    fn walk(self, visit: &mut impl FnMut(&Leaf<B, P>) -> bool) -> bool {
         let Self { points, from, to, accuracy, depth } = self;
-        // The derivative in z = 2x - 1 over the piece, x from 0 to 1.
-        let mut derivative = points;
-        let derivative = bernstein::differentiate(derivative.as_mut());
-        bernstein::centred_powers(derivative);
-        for d in derivative.iter_mut() {
-            *d = d.scale(S::of(0.5));
-        }
-        if let Some(rule) = rule(derivative, accuracy) {
-            return visit(&Leaf { from, to, speed: Speed::Smooth { derivative, rule } });
+        let square = SquaredSpeed::<B>::of(points);
+        if let Some(rule) = square.rule(accuracy) {
+            let length = square.length(rule);
+            return visit(&Leaf { from, to, length, speed: Speed::Smooth { square, rule } });
         }
         let [shortest, longest] = length_bounds(points.as_ref());
         if longest - shortest <= accuracy + accuracy || depth == DEPTH {
-            return visit(&Leaf { from, to, speed: Speed::Straight { points } });
+            let length = mean([shortest, longest]);
+            return visit(&Leaf { from, to, length, speed: Speed::Straight { points } });
         }
-        let middle = from + (to - from) * S::of(0.5);
+        let half = B::Scalar::of(0.5);
+        let middle = from + (to - from) * half;
         let (mut left, mut right) = (points, points);
-        bernstein::split(left.as_mut(), S::of(0.5), right.as_mut());
-        let (accuracy, depth) = (accuracy * S::of(0.5), depth + 1);
-        Piece { points: left, from, to: middle, accuracy, depth }.walk(visit)
-            && Piece { points: right, from: middle, to, accuracy, depth }.walk(visit)
+        bernstein::split(left.as_mut(), half, right.as_mut());
+        let (accuracy, depth) = (accuracy * half, depth + 1);
+        Self { points: left, from, to: middle, accuracy, depth }.walk(visit)
+            && Self { points: right, from: middle, to, accuracy, depth }.walk(visit)
     }
 }
 
-/// The smallest rule whose error for `∫ |D(z)| dz` is proved to be at most `accuracy`.
-fn rule<P: Point>(derivative: &[P], accuracy: P::Scalar) -> Option<&'static Rule> {
-    let (&first, rest) = derivative.split_first()?;
-    let square = dot(first, first);
-    if rest.len() > MOST {
-        return None;
-    }
-    let [mut sizes, mut along] = [[P::Scalar::ZERO; MOST]; 2];
-    for (j, &d) in rest.iter().enumerate() {
-        sizes[j] = dot(d, d).sqrt();
-        along[j] = dot(first, d).abs();
-    }
-    let (sizes, along) = (&sizes[..rest.len()], &along[..rest.len()]);
-    let speed = square.sqrt();
-    let mut best: Option<&'static Rule> = None;
-    for rho in ELLIPSES {
-        let radius = P::Scalar::of(0.5 * (rho + 1.0 / rho));
-        let (mut change, mut cross) = (P::Scalar::ZERO, P::Scalar::ZERO);
-        for (&size, &along) in sizes.iter().zip(along).rev() {
-            change = (change + size) * radius;
-            cross = (cross + along) * radius;
+/// The square of the speed `|dC/dz|` of a piece in powers of `z`: pairs of coefficients `[q[2k], q[2k+1]]`, of which the last
+/// ones are zero. The degree is `2n - 2` on a curve of degree `n`, and there are `n + 1` pairs.
+struct SquaredSpeed<B: Basis> {
+    coefficients: B::Bernstein<[B::Scalar; 2]>,
+}
+
+impl<B: Basis> SquaredSpeed<B> {
+    /// The number of coefficients that need not be zero.
+    const LEN: usize = if B::DEGREE == 0 { 0 } else { 2 * B::DEGREE - 1 };
+
+    /// Of the piece with these Bézier control points over `0 <= x <= 1`, with `z = 2x - 1`.
+    fn of<P: Point<Scalar = B::Scalar>>(mut points: B::Bernstein<P>) -> Self {
+        let velocity = bernstein::differentiate(points.as_mut());
+        bernstein::centred_powers(velocity);
+        let quarter = B::Scalar::of(0.25); // of (dx/dz)²
+        let half = B::Scalar::of(0.5);
+        let mut coefficients = B::Bernstein::from_fn(|_| [B::Scalar::ZERO; 2]);
+        let q = coefficients.as_mut().as_flattened_mut();
+        for (i, &v) in velocity.iter().enumerate() {
+            q[2 * i] = q[2 * i] + dot(v, v) * quarter;
+            for (j, &w) in velocity.iter().enumerate().take(i) {
+                q[i + j] = q[i + j] + dot(v, w) * half;
+            }
         }
-        // Neither if anything overflows.
-        if cross + cross + change * change < square {
-            let bound = P::Scalar::of(8.0 * rho / (rho - 1.0)) * (speed + change);
-            let smaller = RULES.iter().take_while(|rule| best.is_none_or(|best| rule.len() < best.len()));
-            let shrink = P::Scalar::of(1.0 / (rho * rho));
-            best = smaller
-                .into_iter()
-                .find(|rule| (0..rule.len()).fold(bound, |error, _| error * shrink) <= accuracy)
-                .or(best);
-        }
+        Self { coefficients }
     }
-    best
+
+    /// The smallest rule whose error for `∫ |dC/dz| dz` is proved to be at most `accuracy`.
+    #[inline]
+    fn rule(&self, accuracy: B::Scalar) -> Option<&'static Rule> {
+        let margin = B::Scalar::of(0.99); // for rounding errors
+        let powers = self.coefficients.as_ref().as_flattened();
+        let mut sum = Chebyshev::of(self);
+        let mean = sum.mean()?;
+        let absolute = powers.iter().fold(B::Scalar::ZERO, |sum, c| sum + c.abs());
+        // The powers must not cancel each other.
+        let stable = absolute <= B::Scalar::of(4.0) * mean;
+        if !stable {
+            return None;
+        }
+        let change = sum.largest_changes(&RADII[0]);
+        let mut analytic = change.map(|change| change < mean * margin);
+        for radii in &RADII[1..] {
+            sum = sum.opposites();
+            let Some(mean) = sum.mean() else { break };
+            let change = sum.largest_changes(radii);
+            for k in 0..ELLIPSES.len() {
+                analytic[k] |= change[k] < mean * margin;
+            }
+        }
+        // The ellipses grow, and so do the changes.
+        let largest = analytic.iter().filter(|&&analytic| analytic).count().checked_sub(1)?;
+        let bound = (mean + change[largest]).sqrt();
+        let bad = FACTORS[largest].iter().filter(|&&factor| bound * B::Scalar::of(factor) > accuracy);
+        RULES.get(bad.count())
+    }
+
+    /// The sum of the rule, by even and odd powers.
+    fn length(&self, rule: &Rule) -> B::Scalar {
+        let pairs = &self.coefficients.as_ref()[..B::DEGREE];
+        rule.integrate_fours(|z: [B::Scalar; 4]| {
+            let [mut even, mut odd] = [[B::Scalar::ZERO; 4]; 2];
+            for &[a, b] in pairs.iter().rev() {
+                for k in 0..4 {
+                    let square = z[k] * z[k];
+                    even[k] = even[k].fma::<FUSED_HERE>(square, a);
+                    odd[k] = odd[k].fma::<FUSED_HERE>(square, b);
+                }
+            }
+            let mut speeds = [[B::Scalar::ZERO; 4]; 2];
+            for k in 0..4 {
+                let odd = odd[k] * z[k];
+                speeds[0][k] = (even[k] + odd).sqrt();
+                speeds[1][k] = (even[k] - odd).sqrt();
+            }
+            speeds
+        })
+    }
+
+    #[inline]
+    fn speed(&self, z: B::Scalar) -> B::Scalar {
+        let q = self.coefficients.as_ref().as_flattened().iter().rev();
+        q.fold(B::Scalar::ZERO, |sum, &c| sum * z + c).sqrt()
+    }
+
+    /// The part of the piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the bracket.
+    fn invert(&self, rule: &Rule, target: B::Scalar) -> B::Scalar {
+        let [one, two, half] = [B::Scalar::ONE, B::Scalar::of(2.0), B::Scalar::of(0.5)];
+        // The length over -1..z, and its derivative.
+        let up_to = |part: B::Scalar| rule.integrate(|y| self.speed((y + one) * part - one)) * part;
+        let [mut lo, mut hi] = [B::Scalar::ZERO, one];
+        let mut part = half;
+        for _ in 0..80 {
+            let gap = up_to(part) - target;
+            if gap == B::Scalar::ZERO {
+                break;
+            }
+            if gap < B::Scalar::ZERO {
+                lo = part;
+            } else {
+                hi = part;
+            }
+            let slope = two * self.speed(two * part - one);
+            let newton = part - gap / slope;
+            let next = if newton > lo && newton < hi { newton } else { lo + (hi - lo) * half };
+            let step = (next - part).abs();
+            part = next;
+            if step <= B::Scalar::EPSILON * part {
+                break;
+            }
+        }
+        part
+    }
+}
+
+/// `c0 + c1 T1 + c2 T2 + …`, each coefficient with an error of at most `noise`.
+struct Chebyshev<B: Basis> {
+    coefficients: B::Bernstein<[B::Scalar; 2]>,
+    noise: B::Scalar,
+}
+
+impl<B: Basis> Chebyshev<B> {
+    /// From powers: `zᵐ = Σ_k 2^(1-m) binomial(m, k) T(m-2k)`, half of the last one if it is that of `T0`.
+    #[inline]
+    fn of(powers: &SquaredSpeed<B>) -> Self {
+        let powers = &powers.coefficients.as_ref().as_flattened()[..SquaredSpeed::<B>::LEN];
+        let mut coefficients = B::Bernstein::from_fn(|_| [B::Scalar::ZERO; 2]);
+        let c = coefficients.as_mut().as_flattened_mut();
+        let mut first = 4.0; // 2^(1-m)
+        for (m, &power) in powers.iter().enumerate() {
+            first *= 0.5;
+            let mut weight = first;
+            for k in 0..=m / 2 {
+                let half = if m == 2 * k { 0.5 } else { 1.0 };
+                c[m - 2 * k] = c[m - 2 * k] + power * B::Scalar::of(weight * half);
+                weight = weight * (m - k) as f64 / (k + 1) as f64;
+            }
+        }
+        Self { coefficients, noise: B::Scalar::ZERO }
+    }
+
+    /// The first coefficient, if it is positive for certain.
+    #[inline]
+    fn mean(&self) -> Option<B::Scalar> {
+        let mean = *self.coefficients.as_ref().as_flattened().first()? - self.noise;
+        (mean > B::Scalar::ZERO).then_some(mean)
+    }
+
+    /// `Σ_{j≥1} |cj| (ρʲ + ρ⁻ʲ)/2` for each `ρ`; in one loop for all, without a branch.
+    #[inline]
+    fn largest_changes(&self, radii: &[[f64; ELLIPSES.len()]; 2]) -> [B::Scalar; ELLIPSES.len()] {
+        let [rho, stretch] = radii;
+        let mut sums = [B::Scalar::ZERO; ELLIPSES.len()];
+        for &c in self.coefficients.as_ref().as_flattened()[1..SquaredSpeed::<B>::LEN].iter().rev() {
+            let largest = c.abs() + self.noise;
+            for k in 0..ELLIPSES.len() {
+                sums[k] = (sums[k] + largest) * B::Scalar::of(rho[k]);
+            }
+        }
+        for k in 0..ELLIPSES.len() {
+            sums[k] = sums[k] * B::Scalar::of(stretch[k]);
+        }
+        sums
+    }
+
+    /// `q(z) q(-z)` as a polynomial in `y = T2(z)`, with `Ta Tb = (T(a+b) + T(a-b))/2` and `T2j(z) = Tj(y)`; what has odd indices
+    /// cancels.
+    #[inline]
+    fn opposites(&self) -> Self {
+        let half = B::Scalar::of(0.5);
+        let c = &self.coefficients.as_ref().as_flattened()[..SquaredSpeed::<B>::LEN];
+        let mut product = B::Bernstein::from_fn(|_| [B::Scalar::ZERO; 2]);
+        let p = product.as_mut().as_flattened_mut();
+        let mut absolute = B::Scalar::ZERO;
+        for (a, &size) in c.iter().enumerate() {
+            absolute = absolute + size.abs() + self.noise;
+            let ca = if a % 2 == 0 { size } else { -size };
+            let square = ca * size * half;
+            p[0] = p[0] + square;
+            p[a] = p[a] + square;
+            for b in (a % 2..a).step_by(2) {
+                let both = ca * c[b];
+                p[a.midpoint(b)] = p[a.midpoint(b)] + both;
+                p[(a - b) / 2] = p[(a - b) / 2] + both;
+            }
+        }
+        let count = B::Scalar::from_usize(SquaredSpeed::<B>::LEN);
+        let noise = absolute * (absolute * B::Scalar::EPSILON + self.noise) * (count + count);
+        Self { coefficients: product, noise }
+    }
 }
 
 /// The lengths of the chord and of the control polygon, between which the length of the curve lies.
@@ -246,32 +437,26 @@ fn length_bounds<P: Point>(points: &[P]) -> [P::Scalar; 2] {
 }
 
 /// A piece whose length is known.
-struct Leaf<'a, A, P: Point> {
-    from: P::Scalar,
-    to: P::Scalar,
-    speed: Speed<'a, A, P>,
+struct Leaf<B: Basis, P: Point<Scalar = B::Scalar>> {
+    from: B::Scalar,
+    to: B::Scalar,
+    length: B::Scalar,
+    speed: Speed<B, P>,
 }
 
-enum Speed<'a, A, P: Point> {
-    /// `|D(z)|`, for which the rule is good enough on every part of the piece that starts at its start.
-    Smooth { derivative: &'a [P], rule: &'static Rule },
+enum Speed<B: Basis, P: Point<Scalar = B::Scalar>> {
+    /// The rule is good enough on every part of the piece that starts at its start.
+    Smooth { square: SquaredSpeed<B>, rule: &'static Rule },
     /// Chord and control polygon agree; so they do on every part, because subdivision shortens the polygons and
     /// lengthens the chords.
-    Straight { points: A },
+    Straight { points: B::Bernstein<P> },
 }
 
-impl<A: Array<P>, P: Point> Leaf<'_, A, P> {
-    fn length(&self) -> P::Scalar {
-        match &self.speed {
-            Speed::Smooth { derivative, rule } => rule.integrate(|z| speed(derivative, z)),
-            Speed::Straight { points } => mean(length_bounds(points.as_ref())),
-        }
-    }
-
+impl<B: Basis, P: Point<Scalar = B::Scalar>> Leaf<B, P> {
     /// The parameter in the unit interval up to which the piece has that length.
-    fn invert(&self, target: P::Scalar) -> P::Scalar {
+    fn invert(&self, target: B::Scalar) -> B::Scalar {
         let part = match &self.speed {
-            Speed::Smooth { derivative, rule } => invert(derivative, rule, target),
+            Speed::Smooth { square, rule } => square.invert(rule, target),
             Speed::Straight { points } => halve(*points, target),
         };
         self.from + (self.to - self.from) * part
@@ -295,43 +480,6 @@ fn halve<A: Array<P>, P: Point>(mut points: A, mut target: P::Scalar) -> P::Scal
             target = target - left;
             part = part + width;
             points = right;
-        }
-    }
-    part
-}
-
-/// `|D(z)|`
-#[inline]
-fn speed<P: Point>(derivative: &[P], z: P::Scalar) -> P::Scalar {
-    let Some((&last, rest)) = derivative.split_last() else { return P::Scalar::ZERO };
-    let velocity = rest.iter().rev().fold(last, |sum, &d| d.add_scaled(sum, z));
-    dot(velocity, velocity).sqrt()
-}
-
-/// The part of the piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the bracket.
-fn invert<P: Point>(derivative: &[P], rule: &Rule, target: P::Scalar) -> P::Scalar {
-    let [one, two, half] = [P::Scalar::ONE, P::Scalar::of(2.0), P::Scalar::of(0.5)];
-    // The length over -1..z, and its derivative.
-    let up_to = |part: P::Scalar| rule.integrate(|y| speed(derivative, (y + one) * part - one)) * part;
-    let [mut lo, mut hi] = [P::Scalar::ZERO, one];
-    let mut part = half;
-    for _ in 0..80 {
-        let gap = up_to(part) - target;
-        if gap == P::Scalar::ZERO {
-            break;
-        }
-        if gap < P::Scalar::ZERO {
-            lo = part;
-        } else {
-            hi = part;
-        }
-        let slope = two * speed(derivative, two * part - one);
-        let newton = part - gap / slope;
-        let next = if newton > lo && newton < hi { newton } else { lo + (hi - lo) * half };
-        let step = (next - part).abs();
-        part = next;
-        if step <= P::Scalar::EPSILON * part {
-            break;
         }
     }
     part

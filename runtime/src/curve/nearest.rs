@@ -1,13 +1,14 @@
 //! The point of a curve nearest to a given one: the global minimum, by branch and bound.
 //!
 //! On a piece of the curve `f(x) = |C(x) - p|²` is a polynomial, and its smallest Bernstein coefficient bounds it from below.
-//! A piece is put aside when this bound shows that it cannot improve on the best point found by more than the accuracy;
-//! when `f` is monotone or concave on it, so that an end is nearest; and when `f` is convex on it, after Newton's method.
+//! A piece is put aside when this bound shows that it cannot improve on the best point found by more than the accuracy, and
+//! when the differences of the coefficients change their sign not more than once: `f` then has at most one minimum inside (Descartes'
+//! rule of signs), which Newton's method finds. What is put aside is good enough also if all coefficients are wrong by
+//! their rounding errors; otherwise the piece is halved, which makes it and its rounding errors smaller.
 
-use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::bernstein::{self, multiply_binomials, simple_root};
+use crate::bernstein::{self, bracketed_root, changes_of_sign};
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite, largest_component};
 use crate::{Array, Basis, Curve, Point, Scalar};
@@ -55,14 +56,17 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         if !seen.as_ref().iter().all(|&p| is_finite(p)) || !size.is_finite() {
             return Nearest { t: nan, point: P::from_components(|_| nan), distance: nan };
         }
-        let mut search = Search { curve: self, point, best: self.candidate(point, B::Scalar::ZERO) };
+        let best = self.candidate(point, B::Scalar::ZERO);
+        let mut search = Search { curve: self, point, size, accuracy: B::Scalar::ZERO, best };
         search.improve(B::Scalar::ONE);
         if size > B::Scalar::ZERO {
             // Scaled, so that no square overflows or vanishes.
-            let unit =
-                B::Bernstein::<P>::from_fn(|i| P::from_components(|d| seen.as_ref()[i].component(d) / size));
+            for p in seen.as_mut() {
+                *p = P::from_components(|d| p.component(d) / size);
+            }
             let rounding = B::Scalar::EPSILON * B::Scalar::from_usize(8 * (B::DEGREE + 1));
-            search.run(unit, size, (accuracy / size).max(rounding));
+            search.accuracy = (accuracy / size).max(rounding);
+            search.run(seen);
         }
         search.best
     }
@@ -78,104 +82,152 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 struct Search<'a, B: Basis, P: Point<Scalar = B::Scalar>> {
     curve: &'a Curve<B, P>,
     point: P,
+    /// The unit in which the pieces and the accuracy are measured.
+    size: B::Scalar,
+    accuracy: B::Scalar,
     best: Nearest<P>,
 }
 
+/// A part of the curve as seen from the point, in the search's unit.
+struct Piece<A, S> {
+    points: A,
+    from: S,
+    to: S,
+    depth: u32,
+}
+
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
-    fn improve(&mut self, x: B::Scalar) {
+    /// Returns the square of the distance at `x`.
+    fn improve(&mut self, x: B::Scalar) -> B::Scalar {
         let candidate = self.curve.candidate(self.point, x);
         if candidate.distance < self.best.distance {
             self.best = candidate;
         }
+        let distance = candidate.distance / self.size;
+        distance * distance
     }
 
-    /// `curve` is the whole curve as seen from the point, divided by `size`; so is `accuracy`.
-    fn run(&mut self, curve: B::Bernstein<P>, size: B::Scalar, accuracy: B::Scalar) {
-        let [zero, one, half] = [B::Scalar::ZERO, B::Scalar::ONE, B::Scalar::of(0.5)];
-        let mut square = Square::new(B::DEGREE);
-        let (mut slope, mut bend) = (Vec::new(), Vec::new());
-        let mut pieces = vec![(curve, zero, one, 0)];
-        while let Some((mut piece, from, to, depth)) = pieces.pop() {
-            let square = square.of(piece.as_ref());
-            let [lowest, _] = bernstein::bounds(square);
-            let gap = self.best.distance / size - accuracy;
-            if gap <= zero || lowest >= gap * gap {
+    /// Whether no distance whose square is at least `square` improves on the best point by more than the accuracy.
+    fn is_settled(&self, square: B::Scalar) -> bool {
+        let gap = self.best.distance / self.size - self.accuracy;
+        gap <= B::Scalar::ZERO || square >= gap * gap
+    }
+
+    fn run(&mut self, curve: B::Bernstein<P>) {
+        let half = B::Scalar::of(0.5);
+        let mut next = Some(Piece { points: curve, from: B::Scalar::ZERO, to: B::Scalar::ONE, depth: 0 });
+        let mut pieces = Vec::new();
+        while let Some(Piece { mut points, from, to, depth }) = next.take().or_else(|| pieces.pop()) {
+            let square = Square::<B>::of(&points);
+            let [lowest, _] = bernstein::bounds(square.coefficients());
+            if self.is_settled(lowest - square.noise) {
                 continue;
             }
-            slope.clear();
-            // The derivative, but for a positive factor.
-            slope.extend(square.windows(2).map(|pair| pair[1] - pair[0]));
-            if one_sign(&slope) {
-                // The end at which f is smaller is an end of the curve, or of the neighbouring piece.
-                self.improve(if slope.iter().any(|&c| c > zero) { from } else { to });
+            if let Some(reached) = self.minimum(&square, from, to)
+                && self.is_settled(reached - (square.noise + square.noise))
+            {
                 continue;
             }
-            bend.clear();
-            bend.extend(slope.windows(2).map(|pair| pair[1] - pair[0]));
-            if one_sign(&bend) {
-                if bend.iter().any(|&c| c < zero) || slope[0] >= zero || slope[slope.len() - 1] <= zero {
-                    self.improve(from);
-                    self.improve(to);
-                } else {
-                    self.improve(from + (to - from) * simple_root(&slope));
-                }
-                continue;
-            }
-            let [start, end] = [square[0], square[square.len() - 1]];
             let middle = from + (to - from) * half;
             self.improve(middle);
             if depth == DEPTH {
                 continue;
             }
-            let mut right = piece;
-            bernstein::split(piece.as_mut(), half, right.as_mut());
-            let halves = [(piece, from, middle, depth + 1), (right, middle, to, depth + 1)];
-            // The half that ends nearer to the point is looked at first: it is last on the stack.
-            pieces.extend(if start < end { [halves[1], halves[0]] } else { halves });
+            let [start, .., end] = square.coefficients() else { continue };
+            let mut right = points;
+            bernstein::split(points.as_mut(), half, right.as_mut());
+            let depth = depth + 1;
+            let left = Piece { points, from, to: middle, depth };
+            let right = Piece { points: right, from: middle, to, depth };
+            // The half that ends nearer to the point is looked at first.
+            let (first, second) = if start < end { (left, right) } else { (right, left) };
+            pieces.push(second);
+            next = Some(first);
+        }
+    }
+
+    /// The smallest square of a distance on the piece; `None` if it may have more than one minimum.
+    fn minimum(&mut self, square: &Square<B>, from: B::Scalar, to: B::Scalar) -> Option<B::Scalar> {
+        let [start, .., end] = *square.coefficients() else { return None };
+        // The derivative, but for a positive factor.
+        let mut buffers = [(); 2].map(|()| B::Bernstein::from_fn(|_| [B::Scalar::ZERO; 2]));
+        let [slope, bend] = buffers.each_mut().map(|buffer| buffer.as_mut().as_flattened_mut());
+        let slope = &mut slope[..2 * B::DEGREE];
+        for (slope, pair) in slope.iter_mut().zip(square.coefficients().windows(2)) {
+            *slope = pair[1] - pair[0];
+        }
+        match changes_of_sign(slope) {
+            1 if slope.iter().find(|&&c| c != B::Scalar::ZERO).is_some_and(|&c| c < B::Scalar::ZERO) => {
+                let root = bracketed_root(slope, bend);
+                Some(self.improve(from + (to - from) * root))
+            }
+            // Monotone, or with a maximum: an end is nearest.
+            0 | 1 if start < end => Some(self.improve(from)),
+            0 | 1 => Some(self.improve(to)),
+            _ => None,
         }
     }
 }
 
-/// The Bernstein coefficients of `|C|²`, with everything that does not depend on the curve computed once.
-struct Square<S> {
-    /// `binomial(n, i)`
-    binomials: Vec<S>,
-    /// `1 / binomial(2n, k)`
-    inverse: Vec<S>,
-    coefficients: Vec<S>,
+/// The Bernstein coefficients of `|C|²`.
+struct Square<B: Basis> {
+    /// One more than there are.
+    coefficients: B::Bernstein<[B::Scalar; 2]>,
+    /// A bound of the rounding errors of the polynomial.
+    noise: B::Scalar,
 }
 
-impl<S: Scalar> Square<S> {
-    fn new(degree: usize) -> Self {
-        let row = |degree: usize| {
-            let mut row = vec![S::ONE; degree + 1];
-            multiply_binomials(&mut row);
-            row
-        };
-        let inverse = row(2 * degree).into_iter().map(|binomial| S::ONE / binomial).collect();
-        Self { binomials: row(degree), inverse, coefficients: vec![S::ZERO; 2 * degree + 1] }
-    }
-
+impl<B: Basis> Square<B> {
     /// `Σ_{i+j=k} binomial(n, i) binomial(n, j) / binomial(2n, k) P[i]·P[j]`
-    fn of<P: Point<Scalar = S>>(&mut self, points: &[P]) -> &[S] {
-        self.coefficients.fill(S::ZERO);
-        for (i, (&p, &weight)) in points.iter().zip(&self.binomials).enumerate() {
-            let p = p.scale(weight);
-            self.coefficients[2 * i] = self.coefficients[2 * i] + dot(p, p);
-            let p = p.scale(S::of(2.0));
-            for (j, (&q, &weight)) in points.iter().zip(&self.binomials).enumerate().take(i) {
-                self.coefficients[i + j] = self.coefficients[i + j] + dot(p, q) * weight;
+    #[inline]
+    fn of<P: Point<Scalar = B::Scalar>>(points: &B::Bernstein<P>) -> Self {
+        let (zero, two) = (B::Scalar::ZERO, B::Scalar::of(2.0));
+        let mut coefficients = B::Bernstein::from_fn(|_| [zero; 2]);
+        let c = coefficients.as_mut().as_flattened_mut();
+        let mut largest = zero;
+        let mut weights = Binomials::new(B::DEGREE);
+        for (i, &p) in points.as_ref().iter().enumerate() {
+            let weight = weights.next();
+            let square = dot(p, p);
+            largest = largest.max(square);
+            c[2 * i] = c[2 * i] + square * B::Scalar::of(weight * weight);
+            let mut others = Binomials::new(B::DEGREE);
+            for (j, &q) in points.as_ref().iter().enumerate().take(i) {
+                let both = B::Scalar::of(weight * others.next());
+                c[i + j] = c[i + j] + two * dot(p, q) * both;
             }
         }
-        for (c, &inverse) in self.coefficients.iter_mut().zip(&self.inverse) {
-            *c = *c * inverse;
+        let mut weights = Binomials::new(2 * B::DEGREE);
+        for c in &mut c[..=2 * B::DEGREE] {
+            *c = *c * B::Scalar::of(1.0 / weights.next());
         }
-        &self.coefficients
+        let noise = largest * B::Scalar::EPSILON * B::Scalar::from_usize(2 * B::DEGREE + P::DIM + 6);
+        Self { coefficients, noise }
+    }
+
+    fn coefficients(&self) -> &[B::Scalar] {
+        &self.coefficients.as_ref().as_flattened()[..=2 * B::DEGREE]
     }
 }
 
-/// Whether no two coefficients have different signs.
-fn one_sign<S: Scalar>(coefficients: &[S]) -> bool {
-    let [lowest, highest] = bernstein::bounds(coefficients);
-    lowest >= S::ZERO || highest <= S::ZERO
+/// A row of Pascal's triangle, from its start.
+struct Binomials {
+    degree: usize,
+    index: usize,
+    value: f64,
+}
+
+impl Binomials {
+    #[inline]
+    fn new(degree: usize) -> Self {
+        Self { degree, index: 0, value: 1.0 }
+    }
+
+    #[inline]
+    fn next(&mut self) -> f64 {
+        let value = self.value;
+        self.value = value * (self.degree - self.index.min(self.degree)) as f64 / (self.index + 1) as f64;
+        self.index += 1;
+        value
+    }
 }

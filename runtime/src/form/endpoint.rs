@@ -74,28 +74,29 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
         }
         derivatives[0] = self.eval(x);
 
+        let (two, four) = (P::Scalar::of(2.0), P::Scalar::of(4.0));
         let s = P::Scalar::ONE - x;
         let y = x - s;
         let mut taylor = [P::zero(); K];
-        for &coefficient in self.inner.iter().rev() {
-            for j in (1..K.min(R)).rev() {
-                taylor[j] = taylor[j - 1].add_scaled(taylor[j], y);
+        for (step, &coefficient) in self.inner.iter().rev().enumerate() {
+            // The higher ones are zero so far.
+            for j in (1..K.min(step + 1)).rev() {
+                taylor[j] = if j < step { taylor[j - 1].add_scaled(taylor[j], y) } else { taylor[j - 1] };
             }
-            taylor[0] = coefficient.add_scaled(taylor[0], y);
+            taylor[0] = if step > 0 { coefficient.add_scaled(taylor[0], y) } else { coefficient };
         }
 
-        let two = P::Scalar::of(2.0);
+        let chord = self.ends[1].minus(self.ends[0]);
         let mut factor = P::Scalar::of(0.25); // 2ᵏ⁻² k!
         for k in 1..K.min(R + 2) {
             factor = factor * two * P::Scalar::from_usize(k);
-            let mut sum = taylor[k].scale(P::Scalar::of(4.0) * s * x).add_scaled(taylor[k - 1], -two * y);
-            if k >= 2 {
-                sum = sum.minus(taylor[k - 2]);
-            }
-            derivatives[k] = sum.scale(factor);
-        }
-        if K > 1 {
-            derivatives[1] = derivatives[1].add_scaled(self.ends[1].minus(self.ends[0]), P::Scalar::ONE);
+            let constant = match k {
+                1 => Some((chord, P::Scalar::ONE)),
+                _ => taylor.get(k - 2).filter(|_| k - 2 < R).map(|&t| (t, -factor)),
+            };
+            let linear = (k - 1 < R).then(|| (taylor[k - 1], -(two * factor) * y));
+            let product = (k < R).then(|| (taylor[k], (four * factor) * (s * x)));
+            derivatives[k] = combination([constant, linear, product].into_iter().flatten());
         }
         derivatives
     }

@@ -75,6 +75,34 @@ fn random_curves_in_space() {
     }
 }
 
+/// The rule for a whole curve against the sum of 64 short parts, for which any rule is good.
+#[test]
+fn every_degree_and_accuracy() {
+    fn check<const N: usize>(random: &mut Random) {
+        for _ in 0..20 {
+            let curve = Bezier::<[f64; 2], N>::from_points(core::array::from_fn(|_| {
+                [random.between(-1.0, 1.0), random.between(-1.0, 1.0)]
+            }));
+            let part = |k: usize| curve.subsegment(k as f64 / 64.0..(k + 1) as f64 / 64.0).arclen(0.0);
+            let expected: f64 = (0..64).map(part).sum();
+            for accuracy in [1e-1, 1e-2, 1e-4, 1e-7, 1e-10, 1e-12] {
+                let gap = (curve.arclen(accuracy) - expected).abs();
+                assert!(gap <= accuracy + 1e-13, "{gap:e} {accuracy:e} {curve:?}");
+            }
+            let single = Bezier::<[f32; 2], N>::from_points(core::array::from_fn(|i| {
+                curve.control_points()[i].map(|c| c as f32)
+            }));
+            let gap = (f64::from(single.arclen(1e-3)) - expected).abs();
+            assert!(gap <= 1e-3 + 2e-5, "{gap:e} {curve:?}");
+        }
+    }
+    let random = &mut Random::new(53);
+    check::<3>(random);
+    check::<4>(random);
+    check::<6>(random);
+    check::<10>(random);
+}
+
 #[test]
 fn the_inverse_splits_the_length() {
     let random = &mut Random::new(52);

@@ -87,6 +87,23 @@ fn symmetric_and_straight_curves() {
     is_nearest(&back, [0.3, 0.0], 0.0);
 }
 
+/// A curve that halts: the squares of the distances next to the halt are smaller than the rounding errors of the whole.
+#[test]
+fn from_points_at_a_halt() {
+    for offset in [0.0, 1e-12, 1e-8, 1e-4] {
+        // (x - 1/2)³ (1, 2), and the fifth power
+        let cubic = Bezier::from_points([-1.0_f64, 1.0, -1.0, 1.0].map(|c| [3.0 + c, 1.0 + 2.0 * c]));
+        let fifth =
+            Bezier::from_points([-1.0_f64, 1.0, -1.0, 1.0, -1.0, 1.0].map(|c| [3.0 + c, 1.0 + 2.0 * c]));
+        let point = [3.0 - 2.0 * offset, 1.0 + offset];
+        let expected = offset * 5_f64.sqrt();
+        assert!((cubic.nearest(point, 0.0).distance - expected).abs() < 2e-15, "{offset:e}");
+        assert!((fifth.nearest(point, 0.0).distance - expected).abs() < 2e-15, "{offset:e}");
+        is_nearest(&cubic, point, 0.0);
+        is_nearest(&fifth, point, 0.0);
+    }
+}
+
 #[test]
 fn degenerate_curves_and_points() {
     is_nearest(&Curve::new(Constant::default(), [[1.0, 2.0]]), [4.0, 6.0], 0.0);
