@@ -5,6 +5,10 @@ pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let length = word.chars().count();
     // Two names of one letter have nothing in common.
     let limit = (length / 3).max(1).min(length.saturating_sub(1));
+    let exact = candidates.iter().find(|c| **c == word);
+    if exact.is_some() || limit == 0 {
+        return exact.copied();
+    }
     candidates
         .iter()
         .map(|c| (distance(&word.to_lowercase(), &c.to_lowercase()), *c))

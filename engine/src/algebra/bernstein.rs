@@ -104,7 +104,7 @@ impl Form {
         self.degrees[axis + 1..].iter().map(|d| d + 1).product()
     }
 
-    /// Applies a function to every fibre along an axis.
+    /// Applies a linear function to every fibre along an axis.
     fn along(&mut self, axis: usize, work: &mut Work, f: impl Fn(&mut [Rational])) -> Option<()> {
         let (n, stride) = (self.degrees[axis], self.stride(axis));
         let count = self.coefficients.len() / (n + 1);
@@ -113,6 +113,10 @@ impl Form {
         let mut fibre = vec![Rational::ZERO; n + 1];
         for k in 0..count {
             let start = k / stride * stride * (n + 1) + k % stride;
+            // Zeros stay zeros.
+            if (0..=n).all(|i| self.coefficients[start + i * stride].is_zero()) {
+                continue;
+            }
             for (i, c) in fibre.iter_mut().enumerate() {
                 core::mem::swap(c, &mut self.coefficients[start + i * stride]);
             }

@@ -70,7 +70,7 @@ pub fn upper_part(c: &mut [Rational]) {
 }
 
 /// Multiplies cₖ by the k-th power of a number.
-fn powers(c: &mut [Rational], factor: &Rational) {
+pub(super) fn powers(c: &mut [Rational], factor: &Rational) {
     if factor.is_one() {
         return;
     }
@@ -84,7 +84,7 @@ fn powers(c: &mut [Rational], factor: &Rational) {
 }
 
 /// Replaces x by x + h in a sum of powers of x.
-fn shift(c: &mut [Rational], h: &Rational) {
+pub(super) fn shift(c: &mut [Rational], h: &Rational) {
     let n = c.len();
     if h.is_zero() || n == 0 {
         return;

@@ -23,7 +23,7 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
     }
     let (m, a) = split_monomial(a);
     let (n, b) = split_monomial(b);
-    let common = Poly::term(meet(&m, &n), super::rational::Rational::ONE);
+    let common = Poly::term(m.meet(&n), super::rational::Rational::ONE);
     Some(&common * &gcd_without_monomials(&a.normalized(), &b.normalized(), work)?)
 }
 
@@ -50,17 +50,18 @@ pub fn content(poly: &Poly, var: Var, work: &mut Work) -> Option<Poly> {
 pub fn split_monomial(poly: &Poly) -> (Monomial, Poly) {
     let mut terms = poly.terms();
     let Some((first, _)) = terms.next() else { return (Monomial::one(), Poly::zero()) };
-    let common = terms.fold(first.clone(), |m, (n, _)| meet(&m, n));
+    let mut common = first.clone();
+    while !common.is_one()
+        && let Some((m, _)) = terms.next()
+    {
+        common = common.meet(m);
+    }
     if common == Monomial::one() {
         return (common, poly.clone());
     }
     let divided = poly.terms().filter_map(|(m, c)| Some((m.checked_div(&common)?, c.clone())));
     let quotient = Poly::from_terms(divided);
     (common, quotient)
-}
-
-fn meet(m: &Monomial, n: &Monomial) -> Monomial {
-    Monomial::new(m.exponents().iter().zip(&n.exponents()).map(|(x, y)| *x.min(y)).collect())
 }
 
 /// For polynomials without common factors of their terms.

@@ -3,7 +3,9 @@
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
+use std::collections::BTreeMap;
 
+use super::fibre;
 use super::rational::Rational;
 
 /// A variable, by its place in the table of names of the item it belongs to.
@@ -107,9 +109,23 @@ impl Monomial {
     /// The sum of all exponents.
     pub fn total_degree(&self) -> u32 {
         match &self.0 {
-            Packed(all) => all.to_be_bytes().iter().map(|e| u32::from(*e)).sum(),
+            // Sums of neighbouring bytes, then of those, side by side in one number.
+            Packed(all) => {
+                let low = 0x00ff_00ff_00ff_00ff_00ff_00ff_00ff_00ff;
+                let pairs = (all & low) + (all >> 8 & low);
+                let halves = (pairs as u64) + (pairs >> 64) as u64;
+                (halves.wrapping_mul(0x0001_0001_0001_0001) >> 48) as u32
+            }
             Wide(e) => e.iter().map(|e| u32::from(*e)).sum(),
         }
+    }
+
+    /// The greatest common divisor.
+    pub fn meet(&self, other: &Self) -> Self {
+        if self.is_one() || other.is_one() {
+            return Self::one();
+        }
+        Self::new(self.exponents().iter().zip(&other.exponents()).map(|(x, y)| *x.min(y)).collect())
     }
 
     fn mul(&self, other: &Self) -> Self {
@@ -188,35 +204,48 @@ pub struct Poly {
 }
 
 /// The sum of two polynomials.
-fn merge(a: Vec<Term>, b: Vec<Term>) -> Vec<Term> {
-    if a.is_empty() || b.is_empty() {
-        return if a.is_empty() { b } else { a };
+fn merge(mut a: Vec<Term>, mut b: Vec<Term>) -> Vec<Term> {
+    let (Some(a_first), Some(a_last)) = (a.first(), a.last()) else { return b };
+    let (Some(b_first), Some(b_last)) = (b.first(), b.last()) else { return a };
+    if a_last.0 < b_first.0 {
+        a.append(&mut b);
+        return a;
     }
+    if b_last.0 < a_first.0 {
+        b.append(&mut a);
+        return b;
+    }
+    combined(&a, &b, false)
+}
+
+/// The sum or the difference of two polynomials that are kept.
+fn combined(a: &[Term], b: &[Term], minus: bool) -> Vec<Term> {
+    let of_b = |(m, c): &Term| (m.clone(), if minus { -c } else { c.clone() });
     let mut sum = Vec::with_capacity(a.len() + b.len());
-    let mut right = b.into_iter();
-    let mut next = right.next();
-    for (m, mut c) in a {
-        while let Some(term) = next.take() {
-            match term.0.cmp(&m) {
-                Ordering::Less => {
-                    sum.push(term);
-                    next = right.next();
-                    continue;
-                }
-                Ordering::Equal => {
-                    c += &term.1;
-                    next = right.next();
-                }
-                Ordering::Greater => next = Some(term),
+    let (mut i, mut j) = (0, 0);
+    while i < a.len() && j < b.len() {
+        let ((m, c), (n, d)) = (&a[i], &b[j]);
+        match m.cmp(n) {
+            Ordering::Less => {
+                sum.push((m.clone(), c.clone()));
+                i += 1;
             }
-            break;
-        }
-        if !c.is_zero() {
-            sum.push((m, c));
+            Ordering::Greater => {
+                sum.push(of_b(&b[j]));
+                j += 1;
+            }
+            Ordering::Equal => {
+                let value = if minus { c - d } else { c + d };
+                if !value.is_zero() {
+                    sum.push((m.clone(), value));
+                }
+                i += 1;
+                j += 1;
+            }
         }
     }
-    sum.extend(next);
-    sum.extend(right);
+    sum.extend_from_slice(&a[i..]);
+    sum.extend(b[j..].iter().map(of_b));
     sum
 }
 
@@ -440,6 +469,10 @@ impl Poly {
 
     /// The polynomial with a number put in place of a variable.
     pub fn at(&self, var: Var, value: &Rational) -> Self {
+        if value.is_zero() {
+            let without = self.terms.iter().filter(|(m, _)| m.exponent(var) == 0);
+            return Self { terms: without.cloned().collect() };
+        }
         let mut powers = vec![Rational::ONE];
         Self::from_terms(self.terms.iter().map(|(m, c)| {
             let e = usize::from(m.exponent(var));
@@ -456,11 +489,41 @@ impl Poly {
         if let Some(c) = value.as_constant() {
             return self.at(var, &c);
         }
+        if let Some(moved) = self.substitute_linear(var, value) {
+            return moved;
+        }
         let mut result = Self::zero();
         for coefficient in self.coefficients_in(var).iter().rev() {
             result = &(&result * value) + coefficient;
         }
         result
+    }
+
+    /// The polynomial with a + b·y, two numbers and a variable, put in place of a variable; `None` for other values.
+    fn substitute_linear(&self, var: Var, value: &Self) -> Option<Self> {
+        let [(one, a), (power, b)] = value.terms.as_slice() else { return None };
+        let y = Var(power.width().checked_sub(1)?);
+        if !one.is_one() || power.total_degree() != 1 || y != var && self.depends_on(y) {
+            return None;
+        }
+        // By the rest of the monomial the coefficients of the powers of the variable.
+        let mut fibres: BTreeMap<Monomial, Vec<Rational>> = BTreeMap::new();
+        for (m, c) in &self.terms {
+            let fibre = fibres.entry(m.with_exponent(var, 0)).or_default();
+            let e = usize::from(m.exponent(var));
+            if fibre.len() <= e {
+                fibre.resize(e + 1, Rational::ZERO);
+            }
+            fibre[e] = c.clone();
+        }
+        let mut terms = Vec::with_capacity(self.len());
+        for (rest, mut fibre) in fibres {
+            fibre::shift(&mut fibre, a);
+            fibre::powers(&mut fibre, b);
+            let raised = |(k, c)| (rest.with_exponent(y, k as u16), c);
+            terms.extend(fibre.into_iter().enumerate().map(raised));
+        }
+        Some(Self::from_terms(terms))
     }
 
     /// The polynomial with others put in place of all variables at once, by their index; variables beyond
@@ -595,14 +658,14 @@ impl Neg for &Poly {
 impl Add for &Poly {
     type Output = Poly;
     fn add(self, other: &Poly) -> Poly {
-        Poly { terms: merge(self.terms.clone(), other.terms.clone()) }
+        Poly { terms: combined(&self.terms, &other.terms, false) }
     }
 }
 
 impl Sub for &Poly {
     type Output = Poly;
     fn sub(self, other: &Poly) -> Poly {
-        Poly { terms: merge(self.terms.clone(), (-other).terms) }
+        Poly { terms: combined(&self.terms, &other.terms, true) }
     }
 }
 
@@ -663,6 +726,12 @@ mod tests {
     fn y() -> Poly {
         Poly::var(Var(1))
     }
+    fn z() -> Poly {
+        Poly::var(Var(2))
+    }
+    fn w() -> Poly {
+        Poly::var(Var(3))
+    }
     fn names() -> Vec<String> {
         vec!["x".into(), "y".into()]
     }
@@ -690,6 +759,23 @@ mod tests {
         let q = p.substitute(Var(0), &(&Poly::one() - &y()));
         assert_eq!(q.eval(&[Rational::ZERO, Rational::new(1, 2)]), Rational::new(1, 16));
         assert_eq!(p.substitute_all(&[y(), x()]), &y().pow(3) * &x());
+        // Values of every shape, against all variables put in at once.
+        let p = &(&x().pow(3) * &y()) + &(&x().pow(2) - &(&y().pow(2) * &z()));
+        let values = [
+            &Poly::integer(2) - &x(),
+            &(&z() * &x()) - &x(),
+            &y() + &Poly::one(),
+            &Poly::integer(3) - &(&z() * &w()),
+            w().scale(&Rational::new(1, 2)),
+            &Poly::one() - &w().pow(2),
+            &(&Poly::one() - &y()).scale(&Rational::new(2, 3)) - &z(),
+            Poly::integer(-2),
+            Poly::zero(),
+        ];
+        for value in values {
+            assert_eq!(p.substitute(Var(0), &value), p.substitute_all(&[value, y()]), "{p:?}");
+            assert_eq!(p.substitute(Var(3), &w()), p);
+        }
     }
 
     #[test]

@@ -138,9 +138,11 @@ impl Rational {
         if denom < 0 {
             (numer, denom) = (-numer, -denom);
         }
-        let g = gcd_of_words(numer.unsigned_abs(), denom.unsigned_abs()) as i128;
-        if g > 1 {
-            (numer, denom) = (numer / g, denom / g);
+        if denom != 1 {
+            let g = gcd_of_words(numer.unsigned_abs(), denom.unsigned_abs()) as i128;
+            if g > 1 {
+                (numer, denom) = (numer / g, denom / g);
+            }
         }
         match (i64::try_from(numer), i64::try_from(denom)) {
             (Ok(n), Ok(d)) if n != i64::MIN => Self(Small(n, d)),
@@ -416,10 +418,17 @@ impl Neg for Rational {
 
 /// Implements one operator for references and values: in 128 bits on small numbers, in big integers else.
 macro_rules! operator {
-    ($trait:ident $method:ident $assign_trait:ident $assign:ident, |$a:ident, $b:ident, $c:ident, $d:ident| $small:expr, $big:expr) => {
+    ($trait:ident $method:ident $assign_trait:ident $assign:ident $checked:ident, |$a:ident, $b:ident, $c:ident, $d:ident| $small:expr, $big:expr) => {
         impl $trait<&Rational> for &Rational {
             type Output = Rational;
             fn $method(self, other: &Rational) -> Rational {
+                // Most numbers are whole.
+                if let (Small(a, 1), Small(c, 1)) = (&self.0, &other.0)
+                    && let Some(n) = a.$checked(*c)
+                    && n != i64::MIN
+                {
+                    return Rational(Small(n, 1));
+                }
                 if let (Small($a, $b), Small($c, $d)) = (&self.0, &other.0) {
                     let ($a, $b, $c, $d) =
                         (i128::from(*$a), i128::from(*$b), i128::from(*$c), i128::from(*$d));
@@ -445,9 +454,9 @@ macro_rules! operator {
         }
     };
 }
-operator!(Add add AddAssign add_assign, |a, b, c, d| if b == d { (a + c, b) } else { (a * d + c * b, b * d) }, sum);
-operator!(Sub sub SubAssign sub_assign, |a, b, c, d| if b == d { (a - c, b) } else { (a * d - c * b, b * d) }, difference);
-operator!(Mul mul MulAssign mul_assign, |a, b, c, d| (a * c, b * d), product);
+operator!(Add add AddAssign add_assign checked_add, |a, b, c, d| if b == d { (a + c, b) } else { (a * d + c * b, b * d) }, sum);
+operator!(Sub sub SubAssign sub_assign checked_sub, |a, b, c, d| if b == d { (a - c, b) } else { (a * d - c * b, b * d) }, difference);
+operator!(Mul mul MulAssign mul_assign checked_mul, |a, b, c, d| (a * c, b * d), product);
 
 impl Div<&Rational> for &Rational {
     type Output = Rational;

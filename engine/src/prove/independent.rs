@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_point, point};
 use crate::algebra::matrix::determinant;
 use crate::algebra::poly::{Monomial, Poly, Var};
-use crate::algebra::rational::{Rational, binomial};
+use crate::algebra::rational::Rational;
 use crate::decide::{
     self, Budget, Coordinate, Exception, Independence, Piece, Symmetries, Symmetry, Table, Values,
 };
@@ -69,56 +69,53 @@ pub fn coefficient_table(family: &Family) -> Table {
         let symmetries = vec![vec![Symmetry { rows: reversed(rows.len()), columns: reversed(width) }]];
         return Table { rows, symmetries };
     }
-    let first = family.shapes.len();
-    let split = |m: &Monomial| {
-        let e = m.exponents();
-        let at = first.min(e.len());
-        (e[at..].to_vec(), Monomial::new(e[..at].to_vec()))
+    let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
+    let domain_degree = |m: &Monomial| domain.iter().map(|v| m.exponent(*v)).sum::<u16>();
+    let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
+    let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);
+    // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the degree.
+    let mut powers = vec![Poly::one()];
+    if family.is_simplex() {
+        let sum = domain.iter().fold(Poly::one(), |sum, v| &sum + &Poly::var(*v));
+        for k in 0..usize::from(degree) {
+            powers.push(&powers[k] * &sum);
+        }
+    }
+    let row = |p: &Poly| -> BTreeMap<Monomial, Poly> {
+        let mut parts = vec![Vec::new(); powers.len()];
+        for (m, c) in p.terms() {
+            let missing = if family.is_simplex() { usize::from(degree - domain_degree(m)) } else { 0 };
+            parts[missing].push((m.clone(), c.clone()));
+        }
+        let raised = parts.into_iter().zip(&powers).map(|(part, power)| &Poly::from_terms(part) * power);
+        let mut row: BTreeMap<Monomial, Poly> = BTreeMap::new();
+        for (m, c) in raised.fold(Poly::zero(), |sum, p| &sum + &p).terms() {
+            let shape = domain.iter().fold(m.clone(), |m, v| m.with_exponent(*v, 0));
+            let column = family.shapes.iter().fold(m.clone(), |m, p| m.with_exponent(p.var, 0));
+            row.entry(column).or_default().add_term(shape, c);
+        }
+        row
     };
-    let domain_degree = |m: &Monomial| split(m).0.iter().map(|e| u32::from(*e)).sum::<u32>();
-    let degree =
-        family.functions.iter().flat_map(|f| f.value.numer().terms().map(|(m, _)| domain_degree(m))).max();
-    let powers: Vec<Vec<(Vec<u32>, Rational)>> = if family.is_simplex() {
-        (0..=degree.unwrap_or(0)).map(|missing| power_of_sum(family.domain.len() + 1, missing)).collect()
-    } else {
-        Vec::new()
-    };
-    let rows: Vec<BTreeMap<Vec<u16>, Poly>> = family
-        .functions
-        .iter()
-        .map(|f| {
-            let mut row: BTreeMap<Vec<u16>, Poly> = BTreeMap::new();
-            for (m, c) in f.value.numer().terms() {
-                let (mut domain, shape) = split(m);
-                domain.resize(family.domain.len(), 0);
-                if !family.is_simplex() {
-                    row.entry(domain).or_default().add_term(shape, c);
-                    continue;
-                }
-                // Times (u + v + w)^missing = 1.
-                let missing = degree.unwrap_or(0) - domain_degree(m);
-                for (raise, factor) in &powers[missing as usize] {
-                    let column: Vec<u16> = raise
-                        .iter()
-                        .enumerate()
-                        .map(|(i, e)| domain.get(i).copied().unwrap_or(0) + *e as u16)
-                        .collect();
-                    row.entry(column).or_default().add_term(shape.clone(), &(c * factor));
-                }
-            }
-            row
-        })
-        .collect();
-    let mut columns: Vec<&Vec<u16>> = rows.iter().flat_map(BTreeMap::keys).collect();
+    let rows: Vec<BTreeMap<Monomial, Poly>> = family.functions.iter().map(|f| row(f.value.numer())).collect();
+    let mut columns: Vec<&Monomial> = rows.iter().flat_map(BTreeMap::keys).collect();
     sort_unique(&mut columns);
-    let symmetries = if family.is_simplex() { exchanges(family, &columns) } else { Symmetries::new() };
+    let symmetries = if family.is_simplex() {
+        let exponents = |m: &&Monomial| {
+            let mut all: Vec<u16> = domain.iter().map(|v| m.exponent(*v)).collect();
+            all.push(degree - domain_degree(m));
+            all
+        };
+        exchanges(family, &columns.iter().map(exponents).collect::<Vec<_>>())
+    } else {
+        Symmetries::new()
+    };
     let filled =
         rows.iter().map(|row| columns.iter().map(|c| row.get(*c).cloned().unwrap_or_default()).collect());
     Table { rows: filled.collect(), symmetries }
 }
 
 /// For each corner of a simplex the exchanges with those before it, of indices and exponents alike.
-fn exchanges(family: &Family, columns: &[&Vec<u16>]) -> Symmetries {
+fn exchanges(family: &Family, columns: &[Vec<u16>]) -> Symmetries {
     let corners = family.domain.len() + 1;
     let swapped = |index: &Vec<i64>, a: usize, b: usize| {
         let mut index = index.clone();
@@ -131,29 +128,14 @@ fn exchanges(family: &Family, columns: &[&Vec<u16>]) -> Symmetries {
             .map(|i| if i.len() == corners { swapped(i, a, b) } else { None })
             .collect::<Option<_>>()?;
         let moved = columns.iter().map(|c| {
-            let mut column = (*c).clone();
+            let mut column = c.clone();
             column.swap(a, b);
-            columns.binary_search(&&column).ok()
+            columns.binary_search(&column).ok()
         });
         Some(Symmetry { rows, columns: moved.collect::<Option<_>>()? })
     };
     let sums = (1..corners).map(|k| (0..k).map(|j| exchange(j, k)).collect::<Option<Vec<_>>>());
     sums.collect::<Option<Symmetries>>().unwrap_or_default()
-}
-
-/// The terms of (x₁ + … + x_len)^power: exponents with their multinomial coefficients.
-fn power_of_sum(len: usize, power: u32) -> Vec<(Vec<u32>, Rational)> {
-    if len == 1 {
-        return vec![(vec![power], Rational::ONE)];
-    }
-    (0..=power)
-        .flat_map(|first| {
-            let chosen = binomial(power, first);
-            power_of_sum(len - 1, power - first)
-                .into_iter()
-                .map(move |(rest, factor)| ([&[first], rest.as_slice()].concat(), &factor * &chosen))
-        })
-        .collect()
 }
 
 /// The refutation when the functions are not dependent at a listed exception; `None` when the budget is spent.

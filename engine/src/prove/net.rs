@@ -30,33 +30,27 @@ impl Net {
 
 /// Nets in general position first, in the plane for curves and in space for surfaces; then points of which only one or
 /// two are not zero, at which a form with few terms is seen to be different from zero.
-pub(super) fn nets(theorem: &Theorem) -> Vec<Net> {
+pub(super) fn nets(theorem: &Theorem) -> impl Iterator<Item = Net> {
     let count = theorem.points.len();
-    if count == 0 {
-        return vec![Net { points: Vec::new() }];
-    }
     let usual = if theorem.patches.iter().all(|p| p.curve) { 2 } else { 3 };
-    let mut all = vec![regular(theorem, theorem.dimension.unwrap_or(usual))];
+    let dimension = theorem.dimension.unwrap_or(usual);
+    // Without points all nets are alike.
+    let attempts = if count == 0 { 0 } else { ATTEMPTS };
     let mut seed = 1;
-    for attempt in 0..ATTEMPTS {
+    let random = move |attempt| {
         // In a space of as many dimensions as there are points, their dot products are independent.
         let wide = if attempt % 2 == 0 { usual } else { count.clamp(2, 8) };
         let dimension = theorem.dimension.unwrap_or(wide);
         let points = (0..count).map(|_| (0..dimension).map(|_| small(&mut seed)).collect()).collect();
-        all.push(Net { points });
-    }
-    let dimension = theorem.dimension.unwrap_or(usual);
-    let unit = |k: usize, p: usize, q: usize| -> Vec<Rational> {
-        (0..dimension)
-            .map(|c| if (c == 0 && k == p) || (c == 1 && k == q) { Rational::ONE } else { Rational::ZERO })
-            .collect()
+        Net { points }
     };
-    for p in 0..count {
-        for q in p + 1..count.max(p + 2) {
-            all.push(Net { points: (0..count).map(|k| unit(k, p, q)).collect() });
-        }
-    }
-    all
+    let unit = move |k: usize, p: usize, q: usize| -> Vec<Rational> {
+        let place = |c| i64::from((c == 0 && k == p) || (c == 1 && k == q));
+        (0..dimension).map(|c| Rational::from(place(c))).collect()
+    };
+    let pairs = (0..count).flat_map(move |p| (p + 1..count.max(p + 2)).map(move |q| (p, q)));
+    let sparse = pairs.map(move |(p, q)| Net { points: (0..count).map(|k| unit(k, p, q)).collect() });
+    core::iter::once_with(move || regular(theorem, dimension)).chain((0..attempts).map(random)).chain(sparse)
 }
 
 /// Points over a grid of their indices on a curved surface, each patch moved a little.

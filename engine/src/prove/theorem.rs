@@ -16,19 +16,19 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
         TheoremClaimKind::Scalar(Comparison::Equal, f) if f.is_zero() => identity(of),
         TheoremClaimKind::Zero(form) if form.is_zero() => identity(of),
         TheoremClaimKind::Scalar(Comparison::Equal, f) => {
-            let found = nets(theorem).iter().find_map(|net| {
-                let value = on_net(theorem, f, net);
+            let found = nets(theorem).find_map(|net| {
+                let value = on_net(theorem, f, &net);
                 let at = nonzero(theorem, &value)?;
-                Some(refutation(theorem, net, of.clone(), &value, &at))
+                Some(refutation(theorem, &net, of.clone(), &value, &at))
             });
             found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
         }
         TheoremClaimKind::Zero(form) => {
-            let found = nets(theorem).iter().find_map(|net| {
-                parts(theorem, form, net).into_iter().find_map(|(label, value)| {
+            let found = nets(theorem).find_map(|net| {
+                parts(theorem, form, &net).into_iter().find_map(|(label, value)| {
                     let at = nonzero(theorem, &value)?;
                     let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
-                    Some(refutation(theorem, net, of, &value, &at))
+                    Some(refutation(theorem, &net, of, &value, &at))
                 })
             });
             found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
@@ -261,9 +261,9 @@ fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verd
     };
     let at = coordinates(theorem, &witness.point);
     let rational = witness.point.iter().all(|(_, c)| matches!(c, Coordinate::Rational(_)));
-    for net in nets(theorem).iter().filter(|_| rational) {
+    for net in nets(theorem).filter(|_| rational) {
         let values = |form: &Form| -> Vec<Rational> {
-            parts(theorem, form, net).iter().map(|(_, f)| f.eval(&at).unwrap_or(Rational::ZERO)).collect()
+            parts(theorem, form, &net).iter().map(|(_, f)| f.eval(&at).unwrap_or(Rational::ZERO)).collect()
         };
         let (x, y) = (values(a), values(b));
         if x.iter().chain(&y).all(Rational::is_zero) {
@@ -276,7 +276,7 @@ fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verd
             "the two sides have opposite directions"
         };
         let mut result =
-            refutation(theorem, net, format!("dot({left}, {right})"), &Fraction::constant(dot), &at);
+            refutation(theorem, &net, format!("dot({left}, {right})"), &Fraction::constant(dot), &at);
         result
             .notes
             .push(format!("the left side is ({}) times the right side", factor.display(&theorem.names)));

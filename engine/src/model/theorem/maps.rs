@@ -46,18 +46,15 @@ impl Elaboration<'_> {
         }
         self.use_points(patch);
         let inner = steps.iter().all(|var| var.0 < OWN);
-        let (functions, points) = {
-            let def = &self.patches[patch];
-            (def.functions.clone(), def.points.iter().map(|p| p.value.clone()).collect::<Vec<_>>())
-        };
+        let def = &self.patches[patch];
         let mut sum = Form::default();
-        for ((_, function), point) in functions.iter().zip(&points) {
+        for ((_, function), point) in def.functions.iter().zip(&def.points) {
             let mut f = function.clone();
             if inner {
-                f = self.differentiated(&f, steps, span)?;
-                f = self.at(&f, &by, span)?;
+                f = self.differentiated(f, steps, span)?;
+                f = self.at(f, &by, span)?;
             }
-            let done = sum.add_scaled(point, &f, &self.scope.budget);
+            let done = sum.add_scaled(&point.value, &f, &self.scope.budget);
             self.fits(done, span)?;
         }
         if inner {
@@ -65,23 +62,23 @@ impl Elaboration<'_> {
         }
         // Shape values occur in functions and points: the sum is differentiated, and then the arguments put in.
         sum.map(&mut |f| {
-            let f = self.differentiated(f, steps, span).ok_or(())?;
-            self.at(&f, &by, span).ok_or(())
+            let f = self.differentiated(f.clone(), steps, span).ok_or(())?;
+            self.at(f, &by, span).ok_or(())
         })
         .ok()
     }
 
     /// The arguments in place of the parameters; they do not contain these variables themselves.
-    fn at(&self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
-        let mut result = f.clone();
+    fn at(&self, mut f: Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
         for (k, value) in by.iter().enumerate() {
-            result = self.scope.put_one(&result, Var(k), value, span)?;
+            if f.depends_on(Var(k)) {
+                f = self.scope.put_one(&f, Var(k), value, span)?;
+            }
         }
-        Some(result)
+        Some(f)
     }
 
-    fn differentiated(&self, f: &Fraction, steps: &[Var], span: Span) -> Option<Fraction> {
-        let mut f = f.clone();
+    fn differentiated(&self, mut f: Fraction, steps: &[Var], span: Span) -> Option<Fraction> {
         for var in steps {
             let size = (f.numer().len() + f.denom().len()) as u64;
             self.fits(self.scope.budget.spend(size), span)?;
@@ -131,14 +128,14 @@ impl Elaboration<'_> {
                 before.extend(steps);
                 Some(Value::Map(patch, before))
             }
-            Value::Scalar(f) => Some(Value::Scalar(self.differentiated(&f, &steps, span)?)),
+            Value::Scalar(f) => Some(Value::Scalar(self.differentiated(f, &steps, span)?)),
             Value::Vector(form) | Value::Outer(form) if steps.is_empty() => Some(Value::Vector(form)),
             Value::Vector(form) => {
-                let form = form.map(&mut |f| self.differentiated(f, &steps, span).ok_or(()));
+                let form = form.map(&mut |f| self.differentiated(f.clone(), &steps, span).ok_or(()));
                 form.ok().map(Value::Vector)
             }
             Value::Outer(form) => {
-                let form = form.map(&mut |f| self.differentiated(f, &steps, span).ok_or(()));
+                let form = form.map(&mut |f| self.differentiated(f.clone(), &steps, span).ok_or(()));
                 form.ok().map(Value::Outer)
             }
         }
