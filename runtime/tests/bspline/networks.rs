@@ -139,6 +139,69 @@ fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
     assert!(measure_joint(&network.patches()[0], &deformed, joint).unwrap().gap > 1e-3);
 }
 
+/// Four plane patches around a corner, `u` along the first and `v` along the second direction; the edges from the corner
+/// go west, south, east and north in these directions.
+fn corner([west, south, east, north]: [[f64; 2]; 4]) -> Network<P3> {
+    let patch = |a: [f64; 2], b: [f64; 2], [from_a, from_b]: [bool; 2]| {
+        let knots = KnotVector::uniform(3, 1).unwrap();
+        let away = |i: usize, towards: bool| if towards { 1.0 - i as f64 / 3.0 } else { i as f64 / 3.0 };
+        let net = Net::from_fn(4, 4, |i, j| {
+            let (x, y) = (away(i, from_a), away(j, from_b));
+            [a[0] * x + b[0] * y, a[1] * x + b[1] * y, 0.0]
+        });
+        BSplineSurface::new(knots.clone(), knots, net.unwrap()).unwrap()
+    };
+    let patches = vec![
+        patch(west, south, [true, true]),
+        patch(west, north, [true, false]),
+        patch(east, south, [false, true]),
+        patch(east, north, [false, false]),
+    ];
+    Network::grid(patches, 2).unwrap()
+}
+
+/// The first patch, lifted by a quadratic function with a twist.
+fn lifted(network: &Network<P3>) -> BSplineSurface<P3> {
+    let mut deformed = network.patches()[0].clone();
+    for point in deformed.control_points_mut() {
+        let [x, y, _] = *point;
+        point[2] = 0.2 * (x * x + x * y + y * y);
+    }
+    deformed
+}
+
+#[test]
+fn twists_agree_where_the_edges_pass_straight_through_the_corner() {
+    let network = corner([[-1.0, 0.2], [0.3, -0.8], [0.5, -0.1], [-0.45, 1.2]]);
+    let options = FollowOptions { spans: 1, gap: 1e-13, angle: 1e-13 };
+    let found = network.follow(0, &lifted(&network), &options).unwrap();
+    check(&network, &found, [1e-13, 1e-13]);
+}
+
+#[test]
+fn twists_that_differ_are_named_until_there_are_enough_spans() {
+    let network = corner([[-1.0, 0.2], [0.1, -1.0], [1.0, 0.0], [0.3, 1.0]]);
+    let deformed = lifted(&network);
+    let mut mismatches = Vec::new();
+    for spans in [2, 4] {
+        let options = FollowOptions { spans, ..Default::default() };
+        let error = network.follow(0, &deformed, &options).unwrap_err();
+        let NetworkError::Twist { patch: 3, seams, mismatch, worst, achieved } = error else {
+            panic!("{error}")
+        };
+        assert!(seams.contains(&worst) && achieved.angle > options.angle && achieved.gap < 1e-14);
+        assert!(error.to_string().contains("in the corner of patch 3 between the seams"), "{error}");
+        assert!(error.to_string().ends_with("pass straight through the corner"), "{error}");
+        mismatches.push(mismatch);
+    }
+    // A control point for the twist stands for the square of the length of a span.
+    assert!((mismatches[0] / mismatches[1] - 4.0).abs() < 0.5, "{mismatches:?}");
+    let found = network.follow(0, &deformed, &FollowOptions::default()).unwrap();
+    check(&network, &found, [1e-5, 1e-4]);
+    let fine = FollowOptions { angle: 1e-8, ..Default::default() };
+    check(&network, &network.follow(0, &deformed, &fine).unwrap(), [1e-5, 1e-8]);
+}
+
 #[test]
 fn a_deformation_inside_moves_no_neighbour() {
     let network = Network::grid(patches(3, [0.2, 0.3, 0.4], &[]), 3).unwrap();

@@ -52,8 +52,9 @@ pub enum NetworkError {
         /// What is wrong.
         error: SpliceError,
     },
-    /// Two seams that meet in a corner ask for different mixed derivatives of a patch between them. That happens where the
-    /// ratios of the derivatives across the seams vary along them, or where the corner is not a regular one of four patches.
+    /// Two seams that meet in a corner ask for different mixed derivatives of the patch between them, and over so few spans
+    /// the mean of both is not good enough for either. That happens where the seams do not pass straight through the corner
+    /// (see [`Network::follow`](super::Network::follow)); the error of the mean falls with the length of the spans.
     Twist {
         /// The patch in the corner.
         patch: usize,
@@ -118,7 +119,10 @@ impl Display for NetworkError {
                     "in the corner of patch {patch} between the seams {a} and {b} the twists that they ask for put one control \
                      point at two places, {mismatch:.3e} apart; seam {worst} is then not smooth: "
                 )?;
-                figures(f, achieved)
+                figures(f, achieved)?;
+                f.write_str(
+                    "; allow more spans or a wider angle, or let the edges pass straight through the corner",
+                )
             }
             Self::Ring { seam, achieved } => {
                 write!(f, "the deformed patch meets itself along seam {seam}; deform both edges alike: ")?;

@@ -7,7 +7,9 @@ use super::transport::Leader;
 use super::{FollowOptions, Followed, Inserted, Network, NetworkError};
 use crate::bspline::splice::measure::{Piece, measure, middles};
 use crate::bspline::splice::strip::{Strip, Vector, along, place};
-use crate::bspline::{BSplineSurface, Continuity, Direction, JointMeasure, KnotError, SpliceError, rows};
+use crate::bspline::{
+    BSplineSurface, Continuity, Direction, Edge, JointMeasure, KnotError, SpliceError, rows,
+};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
@@ -34,6 +36,8 @@ struct Overlap {
     seams: [usize; 2],
     /// How far the two places of a point are apart.
     mismatch: f64,
+    /// The same, seen from the edge: the angle by which the tangent plane turns on the way from one to the other.
+    angle: f64,
 }
 
 pub(super) fn follow<P: Point3>(
@@ -246,10 +250,14 @@ fn adjust<P: Point3>(
                     None => (change, seam),
                     Some((other, before)) => {
                         let mismatch = length(change.minus(other));
+                        let angle = mismatch / distance_from_edge(&patch, edge, layer, j);
                         let seams = [before, seam];
                         match overlaps.iter_mut().find(|overlap| overlap.seams == seams) {
-                            Some(overlap) => overlap.mismatch = overlap.mismatch.max(mismatch),
-                            None => overlaps.push(Overlap { patch: follower, seams, mismatch }),
+                            Some(overlap) => {
+                                overlap.mismatch = overlap.mismatch.max(mismatch);
+                                overlap.angle = overlap.angle.max(angle);
+                            }
+                            None => overlaps.push(Overlap { patch: follower, seams, mismatch, angle }),
                         }
                         (change.add_scaled(other, 1.0).scale(0.5), before)
                     }
@@ -266,6 +274,15 @@ fn adjust<P: Point3>(
         }
     }
     Ok(patch)
+}
+
+/// How far a control point is from the one of the edge row beside it; infinite in that row itself.
+fn distance_from_edge<P: Point3>(patch: &BSplineSurface<P>, edge: Edge, layer: usize, j: usize) -> f64 {
+    if layer == 0 {
+        return f64::INFINITY;
+    }
+    let [here, beside] = [layer, 0].map(|layer| patch.net()[place(patch, edge, layer, j)]);
+    length(here.minus(beside)).to_f64()
 }
 
 /// How much the rows along any edge changed, at most.
@@ -342,12 +359,44 @@ fn explain<P: Point3>(
     if round.followed[worst].is_none() && changed(0) && changed(1) {
         return NetworkError::Corner { seam: worst, achieved };
     }
-    let torn = |overlap: &&Overlap| seam.patches.contains(&overlap.patch) && overlap.mismatch > options.gap;
+    let torn = |overlap: &&Overlap| {
+        achieved.angle > options.angle
+            && overlap.angle > options.angle
+            && is_next_to(network, round, overlap, worst, achieved.angle_at)
+    };
     match round.overlaps.iter().find(torn) {
-        Some(&Overlap { patch, seams, mismatch }) => {
+        Some(&Overlap { patch, seams, mismatch, .. }) => {
             NetworkError::Twist { patch, seams, mismatch, worst, achieved }
         }
         None => NetworkError::NotReached { seam: worst, achieved },
+    }
+}
+
+/// Whether the place at that parameter of a seam is within reach of the control points of an overlap.
+fn is_next_to<P: Point3>(
+    network: &Network<P>,
+    round: &Round<P>,
+    overlap: &Overlap,
+    seam: usize,
+    parameter: f64,
+) -> bool {
+    let edge = |index: usize| {
+        let seam = &network.seams[index];
+        seam.edges[usize::from(round.followed[index] == Some(1))]
+    };
+    let other = match overlap.seams {
+        [a, b] if a == seam => b,
+        [a, b] if b == seam => a,
+        _ => return false,
+    };
+    let Some(patch) = &round.patches[overlap.patch] else { return false };
+    let knots = patch.knots(along(edge(seam))).to_f64();
+    let breakpoints = knots.breakpoints();
+    let reach = knots.degree().min(breakpoints.len() - 1);
+    if edge(other).is_end() {
+        parameter >= breakpoints[breakpoints.len() - 1 - reach]
+    } else {
+        parameter <= breakpoints[reach]
     }
 }
 

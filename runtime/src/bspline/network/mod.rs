@@ -136,6 +136,11 @@ impl<P: Point3> Network<P> {
     /// Replaces a patch by a deformed one over the same domain, and lets its neighbours follow: along the seams, and around
     /// the corners where four patches meet.
     ///
+    /// Around a corner of four patches the patch across is reached in two ways. Both ask for the same twist wherever the
+    /// opposite edges pass through the corner in one direction; elsewhere they differ, the mean of both is taken, and the
+    /// angle that remains falls with the length of the spans next to the corner, which are divided until the tolerance is
+    /// met or [`NetworkError::Twist`] says why it is not.
+    ///
     /// Each follower keeps the contact it had: the ratio and the slant of the derivatives across the seam. Only the two rows of
     /// control points along a seam change, over knots that are inserted until the tolerances are met; patches that share
     /// neither an edge nor a corner with the deformed one stay bit by bit the same.

@@ -46,8 +46,10 @@ impl Leader {
     /// ΔX = -α ΔL + γ ΔT + δ Δn
     /// ```
     ///
-    /// so tangent planes that agreed agree afterwards; and where the ratios `α` are constant and `γ` is 0, the four patches
-    /// around a corner agree about its twist, because the operator is the same for the deformation as for the surface.
+    /// so tangent planes that agreed agree afterwards. The four patches around a corner agree about its twist if `γ` is 0 in
+    /// the corner: both ways around it then give the fourth patch `c S_uv + a S_u + b S_v` of the first one, with the same
+    /// `c`, the product of the ratios; and the same `a` and `b`, because the patches agreed before and `S_u`, `S_v` are
+    /// independent. With `γ ≠ 0` second derivatives along the edges come in as well, which nothing determines.
     pub(super) fn transported(&self, follower: &Strip) -> Result<[Vec<Vector>; 2], SpliceError> {
         let edge = fit(&follower.knots, |t| Ok(self.new.at(t).point.minus(self.old.at(t).point)))?;
         let across = fit(&follower.knots, |t| {
