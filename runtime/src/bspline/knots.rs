@@ -76,10 +76,12 @@ impl<S: Scalar> KnotVector<S> {
     /// The clamped knot vector with these breakpoints: each end `degree + 1` times, each inner one as often as it is listed.
     ///
     /// # Errors
-    /// As [`new`](Self::new); no breakpoint at all counts as [`KnotError::TooFew`].
+    /// As [`new`](Self::new); [`KnotError::EmptyDomain`] for a single breakpoint.
     pub fn clamped(degree: usize, breakpoints: &[S]) -> Result<Self, KnotError> {
-        let [first, inner @ .., last] = breakpoints else {
-            return Err(KnotError::TooFew { found: breakpoints.len(), degree });
+        let (first, inner, last) = match breakpoints {
+            [] => return Err(KnotError::TooFew { found: 0, degree }),
+            [only] => return Err(KnotError::EmptyDomain { at: only.to_f64() }),
+            [first, inner @ .., last] => (first, inner, last),
         };
         if degree > MAX_DEGREE {
             return Err(KnotError::Degree { degree });

@@ -5,11 +5,24 @@
 //! | curves | [`BSplineCurve`] | [`NurbsCurve`] |
 //! | surfaces | [`BSplineSurface`] | [`NurbsSurface`] |
 //!
-//! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for their
-//! sake. A rational curve is a polynomial one of [`Homogeneous`] points. Insertion, removal, degree elevation, splitting,
-//! Bézier extraction and merging are the same code for all four.
+//! | for | look at |
+//! | --- | --- |
+//! | points, derivatives of any order | [`BSplineCurve::derivative`], [`BSplineSurface::partial`] |
+//! | normals, curvatures, meshes | the traits [`Surface`](crate::Surface) and [`BoundedSurface`](crate::BoundedSurface) |
+//! | other knots and degrees, the same shape | `insert_knots`, `refined`, `remove_knot`, `elevate`, `split`, `to_bezier`, `merged` of all four |
+//! | points in, a curve or a surface out | [`BSplineCurve::interpolate`], [`BSplineCurve::fit`], [`BSplineSurface::interpolate`], [`BSplineSurface::fit`] |
+//! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
+//! | the nearest point | [`BSplineSurface::project`] |
+//! | a surface through given points | [`BSplineSurface::pass_through`] |
+//! | a joint of two surfaces, whatever their knots and degrees | [`splice`], [`measure_joint`] |
+//! | neighbours that follow a deformed patch | [`Network`] |
 //!
-//! The control points are any [`Point`](crate::Point); `f32` and `f64` both work.
+//! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for their
+//! sake. A rational curve is a polynomial one of [`Homogeneous`] points. What changes the representation and not the shape
+//! is the same code for all four.
+//!
+//! The control points are any [`Point`](crate::Point); `f32` and `f64` both work. All of it needs the feature `alloc`, and
+//! the published method of splicing, `Method::Midpoints`, the features `std` and `nalgebra`.
 
 mod bounds;
 mod buffer;
@@ -23,6 +36,7 @@ mod knots;
 mod net;
 mod network;
 mod nurbs_curve;
+mod nurbs_revolved;
 mod nurbs_surface;
 mod project;
 mod rows;

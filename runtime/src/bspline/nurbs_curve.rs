@@ -169,6 +169,32 @@ impl<P: Point> NurbsCurve<P> {
         Ok(Self::from_homogeneous(homogeneous).map_or((self.clone(), 0), |curve| (curve, removed)))
     }
 
+    /// The same curve with the middle of each span as a new knot.
+    pub fn refined(&self) -> Self {
+        Self { homogeneous: self.homogeneous.refined() }
+    }
+
+    /// The same curve with knots of multiplicity `k + 1` at both ends of the domain and none outside of it.
+    pub fn clamped(&self) -> Self {
+        Self { homogeneous: self.homogeneous.clamped() }
+    }
+
+    /// Two curves over one clamped knot vector: degrees are raised and knots inserted, no point changes.
+    ///
+    /// # Errors
+    /// As [`BSplineCurve::merged`].
+    pub fn merged(&self, other: &Self) -> Result<[Self; 2], KnotError> {
+        Ok(self.homogeneous.merged(&other.homogeneous)?.map(|homogeneous| Self { homogeneous }))
+    }
+
+    /// The same curve with the opposite direction, over the same domain.
+    ///
+    /// # Errors
+    /// As [`BSplineCurve::reversed`].
+    pub fn reversed(&self) -> Result<Self, KnotError> {
+        Ok(Self { homogeneous: self.homogeneous.reversed()? })
+    }
+
     /// The polynomial pieces, one for each span, as rational Bézier curves.
     pub fn to_bezier(&self) -> Vec<BezierPiece<Homogeneous<P>>> {
         self.homogeneous.to_bezier()

@@ -5,10 +5,10 @@ use alloc::vec::Vec;
 use super::homogeneous::{binomial, check_weights};
 use super::nurbs_curve::within;
 use super::{
-    BSplineSurface, BezierPatch, Direction, Homogeneous, KnotError, KnotVector, Net, NurbsCurve, SplineError,
+    BSplineSurface, BezierPatch, Direction, Edge, Homogeneous, KnotError, KnotVector, Net, NurbsCurve,
+    SplineError,
 };
-use crate::vector::{cross, direction};
-use crate::{Point, Point3, Scalar, Surface};
+use crate::{Point, Scalar, Surface};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
 ///
@@ -148,74 +148,41 @@ impl<P: Point> NurbsSurface<P> {
         let homogeneous = self.homogeneous.isocurve(direction, at);
         NurbsCurve::trusted(homogeneous)
     }
-}
 
-impl<P: Point3> NurbsSurface<P> {
-    /// The surface that a curve sweeps when it turns about an axis: exactly, for any angle.
-    ///
-    /// The axis passes through `origin` in the direction `axis`; the turn follows the right hand. The first parameter is
-    /// the angle in radians at the ends of the arcs into which the turn is divided, `0 <= u <= angle` (between them a
-    /// rational function of it); the second one is that of the curve. Each arc of the angle `δ <= π/2` is a rational
-    /// quadratic with the weights `1, cos(δ/2), 1`.
+    /// The boundary curve along an edge.
+    pub fn boundary(&self, edge: Edge) -> NurbsCurve<P> {
+        NurbsCurve::trusted(self.homogeneous.boundary(edge))
+    }
+
+    /// The same surface with the middle of each span of one direction as a new knot.
+    pub fn refined(&self, direction: Direction) -> Self {
+        Self { homogeneous: self.homogeneous.refined(direction) }
+    }
+
+    /// The same surface with clamped knots in both directions.
+    pub fn clamped(&self) -> Self {
+        Self { homogeneous: self.homogeneous.clamped() }
+    }
+
+    /// Two surfaces over the same clamped knot vectors: degrees are raised and knots inserted, no point changes.
     ///
     /// # Errors
-    /// [`SplineError::Angle`] if the angle is not in `0 < angle <= 2π`; [`SplineError::Axis`] if the axis is zero or not
-    /// finite.
-    pub fn revolved(
-        curve: &NurbsCurve<P>,
-        origin: P,
-        axis: P,
-        angle: P::Scalar,
-    ) -> Result<Self, SplineError> {
-        let zero = P::Scalar::ZERO;
-        let turn = P::Scalar::PI + P::Scalar::PI;
-        if !(angle > zero && angle <= turn) {
-            return Err(SplineError::Angle { angle: angle.to_f64() });
-        }
-        let axis = direction(axis).ok_or(SplineError::Axis)?;
-        let mut arcs = 1;
-        while P::Scalar::from_usize(arcs) * P::Scalar::PI * P::Scalar::of(0.5) < angle && arcs < 4 {
-            arcs += 1;
-        }
-        let step = angle / P::Scalar::from_usize(arcs);
-        let middle_weight = (step * P::Scalar::of(0.5)).sin_cos().1;
-        let (mut breakpoints, mut rows) = (alloc::vec![zero], Vec::new());
-        for half in 0..=2 * arcs {
-            if half % 2 == 0 && half > 0 {
-                let end = if half == 2 * arcs { angle } else { step * P::Scalar::from_usize(half / 2) };
-                breakpoints.push(end);
-                if half < 2 * arcs {
-                    breakpoints.push(end);
-                }
-            }
-            // A full turn ends exactly where it began.
-            let closed = half == 2 * arcs && angle >= turn;
-            let turned_by = step * P::Scalar::of(0.5) * P::Scalar::from_usize(half);
-            let (sin, cos) = if closed { (zero, P::Scalar::ONE) } else { turned_by.sin_cos() };
-            let (weight, stretch) = if half % 2 == 0 {
-                (P::Scalar::ONE, P::Scalar::ONE)
-            } else {
-                (middle_weight, P::Scalar::ONE / middle_weight)
-            };
-            let row: Vec<_> = curve
-                .homogeneous()
-                .control_points()
-                .iter()
-                .map(|point| {
-                    // The components along the axis, away from it, and in the direction of the turn.
-                    let from = point.project().minus(origin);
-                    let along = axis.scale(crate::vector::dot(axis, from));
-                    let away = from.minus(along);
-                    let turned = away.scale(cos).add_scaled(cross(axis, away), sin);
-                    let place = origin.add_scaled(along, P::Scalar::ONE).add_scaled(turned, stretch);
-                    Homogeneous::new(place, point.weight * weight)
-                })
-                .collect();
-            rows.push(row);
-        }
-        let u = KnotVector::clamped(2, &breakpoints)?;
-        let net = Net::from_rows(rows)?;
-        Self::from_homogeneous(BSplineSurface::new(u, curve.knots().clone(), net)?)
+    /// As [`BSplineSurface::merged`].
+    pub fn merged(&self, other: &Self) -> Result<[Self; 2], KnotError> {
+        Ok(self.homogeneous.merged(&other.homogeneous)?.map(|homogeneous| Self { homogeneous }))
+    }
+
+    /// The same surface with the two parameters exchanged; its normals turn to the other side.
+    pub fn transposed(&self) -> Self {
+        Self { homogeneous: self.homogeneous.transposed() }
+    }
+
+    /// The same surface with one parameter running the other way; its normals turn to the other side.
+    ///
+    /// # Errors
+    /// As [`BSplineSurface::reversed`].
+    pub fn reversed(&self, direction: Direction) -> Result<Self, KnotError> {
+        Ok(Self { homogeneous: self.homogeneous.reversed(direction)? })
     }
 }
 

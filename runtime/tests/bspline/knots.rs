@@ -28,8 +28,9 @@ fn each_mistake_has_its_error() {
 #[test]
 fn short_hands_refuse_what_they_cannot_build() {
     assert!(matches!(KnotVector::<f64>::clamped(3, &[]), Err(KnotError::TooFew { .. })));
-    assert!(matches!(KnotVector::clamped(3, &[1.0]), Err(KnotError::TooFew { .. })));
     assert_eq!(KnotVector::<f64>::uniform(3, 0), Err(KnotError::EmptyDomain { at: 0.0 }));
+    assert_eq!(KnotVector::clamped(3, &[0.5]), Err(KnotError::EmptyDomain { at: 0.5 }));
+    assert_eq!(KnotVector::<f64>::clamped(3, &[]), Err(KnotError::TooFew { found: 0, degree: 3 }));
     assert_eq!(KnotVector::<f64>::uniform(3, usize::MAX), Err(KnotError::Memory));
     assert!(matches!(KnotVector::<f64>::uniform(usize::MAX, 2), Err(KnotError::Degree { .. })));
     assert!(KnotVector::<f64>::uniform(MAX_DEGREE, 1).is_ok());

@@ -2,10 +2,10 @@
 
 use core::f64::consts::{PI, SQRT_2};
 
-use basis_runtime::Surface;
 use basis_runtime::bspline::{
     BSplineCurve, Direction, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, SplineError,
 };
+use basis_runtime::{BernsteinBasis, Curve, Edge, Surface, SurfaceOfRevolution};
 use proptest::prelude::*;
 
 use crate::support::{P3, curve, distance};
@@ -116,6 +116,60 @@ fn turns_by_any_angle_are_exact() {
     }
     let refused = NurbsSurface::revolved(&profile.into(), [0.0; 3], [0.0; 3], 1.0);
     assert_eq!(refused, Err(SplineError::Axis));
+}
+
+#[test]
+fn a_surface_of_revolution_converts_exactly() {
+    let points = [[1.0, 0.5, 0.0], [2.0, 0.1, 1.0], [0.5, 0.0, 3.0], [1.0, -0.3, 3.5]];
+    let generatrix = Curve::new(BernsteinBasis::<f64, 4>::new(), points);
+    for degrees in [20, 90, 135, 270, 360] {
+        let angle = f64::from(degrees).to_radians();
+        let turned = SurfaceOfRevolution::new(&generatrix, [0.2, 0.1, 0.0], [0.1, 0.3, 1.0], angle).unwrap();
+        let surface = NurbsSurface::try_from(&turned).unwrap();
+        assert_eq!(surface.degrees(), [3, 2]);
+        assert_eq!(surface.domain(), [[0.0, 1.0], [0.0, angle]]);
+        // The same meridians where arcs meet, and in the middle of each; the same circles.
+        let arcs = surface.knots(Direction::V).spans().count();
+        for half in 0..=2 * arcs {
+            let v = angle * half as f64 / (2 * arcs) as f64;
+            for u in [0.0, 0.25, 0.7, 1.0] {
+                assert!(distance(surface.eval(u, v), turned.eval(u, v)) < 1e-14);
+            }
+        }
+        // Everywhere it is as far from the axis as the generatrix, at the same height.
+        let axis = [0.1, 0.3, 1.0].map(|x: f64| x / 1.1_f64.sqrt());
+        let height = |p: P3| (0..3).map(|i| (p[i] - [0.2, 0.1, 0.0][i]) * axis[i]).sum::<f64>();
+        let radius = |p: P3| (distance(p, [0.2, 0.1, 0.0]).powi(2) - height(p).powi(2)).sqrt();
+        for i in 0..=30 {
+            let (u, p) = (0.37, surface.eval(0.37, angle * f64::from(i) / 30.0));
+            let q = turned.eval(u, 0.0);
+            assert!((height(p) - height(q)).abs() < 1e-14 && (radius(p) - radius(q)).abs() < 1e-14);
+        }
+    }
+}
+
+#[test]
+fn what_keeps_the_shape_is_there_for_rational_surfaces_too() {
+    let profile = BSplineCurve::from_bezier([[1.0, 0.0, 0.0], [2.0, 0.0, 1.0], [0.5, 0.0, 3.0]]).unwrap();
+    let turned = NurbsSurface::revolved(&profile.clone().into(), [0.0; 3], [0.0, 0.0, 1.0], 4.0).unwrap();
+    let finer = turned.insert_knots(Direction::V, &[0.3]).unwrap().elevate(Direction::V).unwrap();
+    let [a, b] = turned.merged(&finer).unwrap();
+    assert_eq!(a.knots(Direction::V), b.knots(Direction::V));
+    let backwards = turned.reversed(Direction::U).unwrap();
+    for (u, v) in [(0.0, 0.0), (1.3, 0.4), (4.0, 1.0), (2.7, 0.8)] {
+        let here = turned.eval(u, v);
+        for other in [&a, &b, &turned.refined(Direction::U), &turned.clamped()] {
+            assert!(distance(other.eval(u, v), here) < 1e-14);
+        }
+        assert!(distance(turned.transposed().eval(v, u), here) < 1e-15);
+        assert!(distance(backwards.eval(4.0 - u, v), here) < 1e-14);
+    }
+    assert_eq!(turned.boundary(Edge::VEnd).eval(1.1), turned.eval(1.1, 1.0));
+    let edge = turned.boundary(Edge::UStart);
+    let [edge, other] = edge.merged(&edge.refined().elevate().unwrap()).unwrap();
+    assert_eq!(edge.knots(), other.knots());
+    assert!(distance(edge.reversed().unwrap().eval(0.3), profile.eval(0.7)) < 1e-15);
+    assert!(distance(other.clamped().eval(0.3), profile.eval(0.3)) < 1e-15);
 }
 
 #[test]

@@ -57,7 +57,7 @@ impl Display for SpliceError {
             Self::NotReached { achieved, spans, gap, angle } => write!(
                 f,
                 "gap {:.3e} (wanted {gap:.3e}, worst at {}) and angle {:.3e} rad (wanted {angle:.3e}, worst at {}) with {spans} \
-                 spans; allow more spans, wider tolerances, or the exact method",
+                 spans; allow more spans or wider tolerances, or take the exact method, which leaves rounding errors only",
                 achieved.gap, achieved.gap_at, achieved.angle, achieved.angle_at
             ),
         }
