@@ -188,7 +188,7 @@ impl<P: Point> BSplineCurve<P> {
     }
 
     /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
-    /// curve and how often the knot was removed.
+    /// curve and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

@@ -266,7 +266,7 @@ impl<P: Point> BSplineSurface<P> {
     }
 
     /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
-    /// surface and how often the knot was removed.
+    /// surface and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

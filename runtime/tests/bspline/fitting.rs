@@ -35,6 +35,8 @@ fn each_mistake_has_its_error() {
     assert_eq!(parameters(&[[1.0]], Spacing::Chord), Err(FitError::TooFew { needed: 2, found: 1 }));
     let broken = [[0.0], [f64::NAN], [1.0]];
     assert_eq!(parameters(&broken, Spacing::Centripetal), Err(FitError::NotFinite { index: 1 }));
+    assert_eq!(parameters(&[[f64::NAN]; 3], Spacing::Chord), Err(FitError::NotFinite { index: 0 }));
+    assert_eq!(parameters(&broken, Spacing::Uniform), Err(FitError::NotFinite { index: 1 }));
     let uniform = BSplineCurve::interpolate(1, &broken, Spacing::Uniform);
     assert_eq!(uniform, Err(FitError::NotFinite { index: 1 }));
 

@@ -4,7 +4,7 @@ use alloc::vec::Vec;
 
 use super::FitError;
 use crate::bspline::{KnotVector, Net};
-use crate::vector::length;
+use crate::vector::{is_finite, length};
 use crate::{Point, Scalar};
 
 /// How far apart the parameters of neighbouring points are.
@@ -31,10 +31,13 @@ pub enum Spacing {
 /// ```
 ///
 /// # Errors
-/// If there are fewer than two points, one is not finite, or neighbours coincide (not for [`Spacing::Uniform`]).
+/// If there are fewer than two points, one is not finite, or neighbours coincide (which [`Spacing::Uniform`] allows).
 pub fn parameters<P: Point>(points: &[P], spacing: Spacing) -> Result<Vec<P::Scalar>, FitError> {
     if points.len() < 2 {
         return Err(FitError::TooFew { needed: 2, found: points.len() });
+    }
+    if let Some(index) = points.iter().position(|&point| !is_finite(point)) {
+        return Err(FitError::NotFinite { index });
     }
     let step = |pair: &[P]| {
         let distance = length(pair[1].minus(pair[0]));
