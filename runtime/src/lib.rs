@@ -51,7 +51,7 @@
 //! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |
 //! | `kurbo`, `lyon_geom` | no | their points are points, and curves go to and from their segments where the degree allows |
 //! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
-//! | `serde` | no | public data can be written and read |
+//! | `serde` | no | public data can be written and read; what is read is checked as by the constructors |
 
 #![no_std]
 

@@ -16,6 +16,14 @@ const ROUNDING: f64 = 32.0;
 
 /// A point through which a surface is to pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub enum PointConstraint<P: Point> {
     /// `S(u, v) = point` at these parameters `[u, v]`.
     At([P::Scalar; 2], P),
@@ -25,6 +33,14 @@ pub enum PointConstraint<P: Point> {
 
 /// A surface that was deformed, and how.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Constrained<P: Point> {
     /// The surface, over the same knots.
     pub surface: BSplineSurface<P>,

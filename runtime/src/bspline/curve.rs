@@ -28,6 +28,15 @@ use crate::{Point, Scalar};
 /// # Ok::<(), basis_runtime::bspline::SplineError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Curve<P>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct BSplineCurve<P: Point> {
     knots: KnotVector<P::Scalar>,
     points: Vec<P>,
@@ -35,6 +44,14 @@ pub struct BSplineCurve<P: Point> {
 
 /// One polynomial piece of a curve.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct BezierPiece<P: Point> {
     /// The ends of its span.
     pub domain: [P::Scalar; 2],

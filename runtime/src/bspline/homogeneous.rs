@@ -15,6 +15,14 @@ use crate::{Point, Scalar};
 /// assert_eq!(point.project(), [1.0, 2.0]);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Homogeneous<P: Point> {
     /// The point times the weight.
     pub scaled: P,

@@ -27,6 +27,12 @@ pub const MAX_DEGREE: usize = 1023;
 /// # Ok::<(), KnotError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Knots<S>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "S: serde::Serialize", deserialize = "S: Scalar + serde::Deserialize<'de>"))
+)]
 pub struct KnotVector<S> {
     degree: usize,
     knots: Vec<S>,

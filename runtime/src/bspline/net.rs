@@ -18,6 +18,12 @@ use super::SplineError;
 /// # Ok::<(), basis_runtime::bspline::SplineError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Points<P>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(serialize = "P: serde::Serialize", deserialize = "P: Copy + serde::Deserialize<'de>"))
+)]
 pub struct Net<P> {
     points: Vec<P>,
     columns: usize,

@@ -23,6 +23,15 @@ use crate::{Point, Scalar};
 /// # Ok::<(), basis_runtime::bspline::SplineError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::RationalCurve<P>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct NurbsCurve<P: Point> {
     homogeneous: BSplineCurve<Homogeneous<P>>,
 }

@@ -14,6 +14,15 @@ use crate::{Point, Scalar, Surface};
 ///
 /// It is kept as a [`BSplineSurface`] of [`Homogeneous`] points.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::RationalSurface<P>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct NurbsSurface<P: Point> {
     homogeneous: BSplineSurface<Homogeneous<P>>,
 }

@@ -9,6 +9,7 @@ use crate::{Edge, Point, Surface};
 
 /// One of the two parameter directions of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Direction {
     /// The first parameter, which runs through the rows of the net.
     U,
@@ -56,6 +57,15 @@ impl Edge {
 /// # Ok::<(), basis_runtime::bspline::SplineError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Surface<P>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct BSplineSurface<P: Point> {
     u: KnotVector<P::Scalar>,
     v: KnotVector<P::Scalar>,
@@ -64,6 +74,14 @@ pub struct BSplineSurface<P: Point> {
 
 /// One polynomial piece of a surface.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct BezierPatch<P: Point> {
     /// The ends of its spans, in `u` and in `v`.
     pub domain: [[P::Scalar; 2]; 2],

@@ -36,6 +36,12 @@ impl<P: Point, const R: usize> EndpointForm<P, R> {
         Self { ends, inner }
     }
 
+    /// The ends `[E0, E1]`.
+    #[inline]
+    pub fn ends(&self) -> &[P; 2] {
+        &self.ends
+    }
+
     /// The inner coefficients `[R0, R1, …]`.
     #[inline]
     pub fn inner(&self) -> &[P; R] {

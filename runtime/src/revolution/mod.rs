@@ -41,12 +41,21 @@ pub use rational::RevolutionPatch;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
-    serde(bound(
-        serialize = "B: serde::Serialize, P: serde::Serialize, B::Scalar: serde::Serialize",
-        deserialize = "B: serde::Deserialize<'de>, P: serde::Deserialize<'de>, B::Scalar: serde::Deserialize<'de>"
-    ))
+    serde(
+        into = "crate::serialize::revolution::Revolution<B, P>",
+        try_from = "crate::serialize::revolution::Revolution<B, P>",
+        bound(
+            serialize = "B: serde::Serialize, P: serde::Serialize, B::Scalar: serde::Serialize",
+            deserialize = "B: serde::Deserialize<'de>, P: serde::Deserialize<'de>, B::Scalar: serde::Deserialize<'de>"
+        )
+    )
 )]
 pub struct SurfaceOfRevolution<B: Basis, P: Point3<Scalar = B::Scalar>> {
+    generatrix: Curve<B, P>,
+    /// `O`
+    point: P,
+    /// As given, not of length one.
+    axis: P,
     /// `O + h d`, the centres of the circles.
     centres: Curve<B, P>,
     /// `r`, from the centre to the point at angle 0.
@@ -72,7 +81,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         if !(angle > B::Scalar::ZERO && angle <= B::Scalar::of(2.0) * B::Scalar::PI) {
             return Err(RevolutionError::Angle { value: angle.to_f64() });
         }
-        let axis = direction(axis).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
+        let along_axis = direction(axis).filter(|_| is_finite(point)).ok_or(RevolutionError::Axis)?;
         let points = generatrix.control_points();
         if !points.iter().all(|&p| is_finite(p)) {
             return Err(RevolutionError::NotFinite);
@@ -83,15 +92,18 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
                 basis,
                 B::Points::from_fn(|i| {
                     let offset = points[i].minus(point);
-                    let along = axis.scale(dot(offset, axis));
+                    let along = along_axis.scale(dot(offset, along_axis));
                     of(along, offset.minus(along))
                 }),
             )
         };
         Ok(Self {
+            generatrix: *generatrix,
+            point,
+            axis,
             centres: curve(&|along, _| point.add_scaled(along, B::Scalar::ONE)),
             radii: curve(&|_, radius| radius),
-            quarters: curve(&|_, radius| cross(axis, radius)),
+            quarters: curve(&|_, radius| cross(along_axis, radius)),
             angle,
         })
     }
@@ -100,6 +112,18 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     #[inline]
     pub fn angle(&self) -> B::Scalar {
         self.angle
+    }
+
+    /// The generatrix, the meridian at the angle 0.
+    #[inline]
+    pub fn generatrix(&self) -> &Curve<B, P> {
+        &self.generatrix
+    }
+
+    /// A point of the axis, and its direction, as they were given.
+    #[inline]
+    pub fn axis(&self) -> [P; 2] {
+        [self.point, self.axis]
     }
 
     /// Whether the surface is a full turn.

@@ -8,6 +8,7 @@ use crate::{Array, Basis, Point, Scalar};
 ///
 /// With these directions the three edges run once around the triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TriangleEdge {
     /// The edge u = 0, from the corner v = 1 to the corner w = 1.
     U,
@@ -56,6 +57,7 @@ impl TriangleEdge {
 /// Its functions belong to the control points of the edge, in the direction of the edge. Where other control points have an
 /// influence on the edge, see [`TriangularBasis::OWN_EDGES`], it is the Bernstein basis of the degree of the family instead.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EdgeBasis<B> {
     basis: B,
     edge: TriangleEdge,

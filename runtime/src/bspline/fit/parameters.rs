@@ -9,6 +9,7 @@ use crate::{Point, Scalar};
 
 /// How far apart the parameters of neighbouring points are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Spacing {
     /// All the same.
     Uniform,

@@ -14,6 +14,7 @@ use crate::{Point, Point3};
 
 /// Two edges of patches that are one curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Seam {
     /// The patches, by their index in the network; they may be the same one, closed to a ring.
     pub patches: [usize; 2],
@@ -32,6 +33,15 @@ impl Seam {
 
 /// Patches that share edges.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Patches<P>"))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: crate::Point3 + serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Network<P: Point> {
     patches: Vec<BSplineSurface<P>>,
     seams: Vec<Seam>,
@@ -39,6 +49,7 @@ pub struct Network<P: Point> {
 
 /// What a network is to keep while it follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FollowOptions {
     /// The largest gap of a seam, in the unit of the points.
     pub gap: f64,
@@ -57,6 +68,14 @@ impl Default for FollowOptions {
 
 /// A network after one patch was deformed and its neighbours followed.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: crate::Point3 + serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Followed<P: Point> {
     /// The network.
     pub network: Network<P>,

@@ -21,6 +21,14 @@ const WORK: usize = 8_000_000;
 
 /// A point of a surface with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Projection<P: Point> {
     /// The parameters `[u, v]`.
     pub parameters: [P::Scalar; 2],

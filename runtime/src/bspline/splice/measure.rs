@@ -15,6 +15,7 @@ pub(in crate::bspline) const SAMPLES: usize = 13;
 ///
 /// Measured at 13 parameters, ends included, of each piece between neighbouring knots of either surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointMeasure {
     /// The largest distance between points of the two edges with corresponding parameters.
     pub gap: f64,

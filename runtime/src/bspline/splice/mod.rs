@@ -38,6 +38,7 @@ const PATIENCE: usize = 3;
 
 /// Which edges of two surfaces belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Joint {
     /// The edge of the surface that is adjusted.
     pub edge: Edge,
@@ -65,6 +66,7 @@ impl Joint {
 
 /// How smooth a joint is to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Continuity {
     /// The edges are the same curve.
     G0,
@@ -79,6 +81,7 @@ pub enum Continuity {
 ///
 #[doc = include_str!("comparison.md")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Method {
     /// That of the paper: equations at the ends and the middle of every span; the rest by two quadratic programmes.
     #[cfg(all(feature = "nalgebra", feature = "std"))]
@@ -91,6 +94,7 @@ pub enum Method {
 
 /// What a splice is to reach, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SpliceOptions {
     /// The method.
     pub method: Method,
@@ -128,6 +132,14 @@ impl Default for SpliceOptions {
 
 /// A surface that was joined to another one.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Splice<P: Point> {
     /// The adjusted surface.
     pub surface: BSplineSurface<P>,

@@ -1,8 +1,14 @@
-//! serde for bases and curves: shape values and control points. Nothing that follows from them is written.
+//! serde for bases, curves and surfaces: shape values and control points. Nothing that follows from them is written, and what
+//! is read goes through the constructors.
 //!
 //! ```json
 //! {"basis": {"lambda": 0.5}, "points": [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]}
 //! ```
+
+#[cfg(feature = "alloc")]
+pub(crate) mod bspline;
+mod patches;
+pub(crate) mod revolution;
 
 use core::fmt::{self, Formatter};
 use core::marker::PhantomData;
@@ -182,7 +188,7 @@ struct Written<'a, B, P> {
 #[serde(rename = "Curve", bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>"))]
 struct Read<B: Basis, P: Copy> {
     basis: B,
-    points: ControlPoints<B, P>,
+    points: Elements<B::Points<P>, P>,
 }
 
 impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for Curve<B, P> {
@@ -216,7 +222,7 @@ struct WrittenSurface<'a, U, R> {
 )]
 struct ReadSurface<U: Basis, R: Copy> {
     u_basis: U,
-    rows: ControlPoints<U, R>,
+    rows: Elements<U::Points<R>, R>,
 }
 
 impl<U, V, P> Serialize for TensorSurface<U, V, P>
@@ -242,34 +248,52 @@ where
     }
 }
 
-/// As many control points as the basis has functions, or as many rows.
-struct ControlPoints<B: Basis, P: Copy>(B::Points<P>);
+/// As many elements as the array has.
+struct Elements<A, T>(A, PhantomData<T>);
 
-impl<'de, B: Basis, P: Copy + Deserialize<'de>> Deserialize<'de> for ControlPoints<B, P> {
+impl<'de, A: Array<T>, T: Copy + Deserialize<'de>> Deserialize<'de> for Elements<A, T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(PointsVisitor(PhantomData))
+        deserializer.deserialize_seq(ElementsVisitor(PhantomData))
     }
 }
 
-struct PointsVisitor<B, P>(PhantomData<(B, P)>);
+struct ElementsVisitor<A, T>(PhantomData<(A, T)>);
 
-impl<'de, B: Basis, P: Copy + Deserialize<'de>> Visitor<'de> for PointsVisitor<B, P> {
-    type Value = ControlPoints<B, P>;
+impl<'de, A: Array<T>, T: Copy + Deserialize<'de>> Visitor<'de> for ElementsVisitor<A, T> {
+    type Value = Elements<A, T>;
 
     fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{} control points", B::LEN)
+        write!(f, "{} elements", A::LEN)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
-        let mut points = B::Points::<Option<P>>::from_fn(|_| None);
-        for (index, point) in points.as_mut().iter_mut().enumerate() {
-            *point = Some(seq.next_element()?.ok_or_else(|| A::Error::invalid_length(index, &self))?);
+    fn visit_seq<S: SeqAccess<'de>>(self, mut seq: S) -> Result<Self::Value, S::Error> {
+        // Read in order; after an error the rest is filled with what is there, and not used.
+        let mut error = None;
+        let mut last = None;
+        let mut next = |index: usize| {
+            if error.is_none() {
+                match seq.next_element() {
+                    Ok(Some(element)) => last = Some(element),
+                    Ok(None) => error = Some(S::Error::invalid_length(index, &self)),
+                    Err(other) => error = Some(other),
+                }
+            }
+            last
+        };
+        let Some(first) = (if A::LEN == 0 { None } else { next(0) }) else {
+            return match error {
+                Some(error) => Err(error),
+                None => Ok(Elements(A::from_fn(|_| unreachable!("an empty array")), PhantomData)),
+            };
+        };
+        let array = A::from_fn(|index| if index == 0 { first } else { next(index).unwrap_or(first) });
+        if let Some(error) = error {
+            return Err(error);
         }
         if seq.next_element::<IgnoredAny>()?.is_some() {
-            return Err(A::Error::invalid_length(B::LEN + 1, &self));
+            return Err(S::Error::invalid_length(A::LEN + 1, &self));
         }
-        // All of them are there.
-        Ok(ControlPoints(B::Points::from_fn(|i| points.as_ref()[i].unwrap_or_else(|| unreachable!()))))
+        Ok(Elements(array, PhantomData))
     }
 }
 

@@ -1,0 +1,230 @@
+//! Every public type of data is written and read back the same; what is read is checked.
+//!
+//! JSON is read up to the last digit, so the numbers are short.
+#![cfg(all(feature = "serde", feature = "laws", feature = "std"))]
+
+use basis_runtime::bspline::{
+    BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, Continuity, Direction,
+    FollowOptions, Followed, Homogeneous, Joint as SplineJoint, JointMeasure, KnotVector, Method, Net,
+    Network, NurbsCurve, NurbsSurface, PointConstraint, Projection, Seam, Spacing, Splice, SpliceOptions,
+    splice,
+};
+use basis_runtime::laws::{Checks, Law};
+use basis_runtime::{
+    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, Curvature, Curve, Edge, EdgeBasis,
+    EdgeContinuity, EndpointForm, Frame, Joint, Mesh, Nearest, PiecewiseCurve, RationalSurface,
+    RevolutionPatch, SimplexIndex, SimplexPatch, Surface, SurfaceOfRevolution, TensorSurface, Tessellation,
+    TriangleEdge, Vertex, basis, bernstein::Root, edge_continuity,
+};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+basis!("../../specs/quartic.basis");
+basis!("../../specs/triangular.basis", TriangularII(3));
+basis!("../../specs/lagrange.basis", Bilinear, TetrahedralLagrange(1));
+
+type P = [f64; 3];
+
+/// What is read is what was written, also to the type that is expected.
+#[allow(clippy::needless_pass_by_value)] // most values are made in the call
+fn again<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: T) {
+    let text = serde_json::to_string(&value).unwrap();
+    let read: T = serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+    assert_eq!(read, value, "{text}");
+}
+
+fn refused<T: Serialize + DeserializeOwned>(value: &T, change: impl Fn(&mut serde_json::Value)) {
+    let mut json = serde_json::to_value(value).unwrap();
+    change(&mut json);
+    assert!(serde_json::from_value::<T>(json.clone()).is_err(), "{json}");
+}
+
+fn quartic() -> QuarticBernstein {
+    QuarticBernstein::new(0.5).unwrap()
+}
+
+fn curve() -> Curve<QuarticBernstein, P> {
+    Curve::new(quartic(), [[0.0, 0.0, 1.0], [1.0, 2.0, 0.0], [3.0, 2.0, 0.0], [4.0, 0.0, 1.0]])
+}
+
+fn surface() -> TensorSurface<QuarticBernstein, QuarticBernstein, P> {
+    let net = core::array::from_fn(|i| core::array::from_fn(|j| [i as f64, j as f64, (i * j) as f64]));
+    TensorSurface::with_rows(
+        quartic(),
+        [0.25, -1.0, -2.5, 1.0].map(|c| QuarticBernstein::new(c).unwrap()),
+        net,
+    )
+}
+
+fn triangle() -> SimplexPatch<TriangularII, P> {
+    let basis = TriangularII::new(1.5, 2.0).unwrap();
+    SimplexPatch::new(basis, core::array::from_fn(|i| [i as f64, (i * i) as f64, 0.5]))
+}
+
+fn spline() -> BSplineSurface<P> {
+    let u = KnotVector::new(2, [0.0, 0.0, 0.0, 0.25, 1.0, 1.0, 1.0]).unwrap();
+    let v = KnotVector::uniform(1, 2).unwrap();
+    let height = |i: usize, j: usize| [i as f64, j as f64, (i * j) as f64];
+    BSplineSurface::new(u, v, Net::from_fn(4, 3, height).unwrap()).unwrap()
+}
+
+#[test]
+fn bases_forms_and_curves() {
+    again(quartic());
+    again(BernsteinBasis::<f64, 4>::new());
+    again(EndpointForm::new([0.0, 4.0], [12.0, 1.0]));
+    again(BernsteinForm::new([[0.0, 4.0], [12.0, 1.0]]));
+    again(curve());
+    again(Bezier::from_points([[0.0_f32, 1.0]; 3]));
+    let piecewise = PiecewiseCurve::new([curve(), curve()].to_vec()).unwrap();
+    again(piecewise.clone());
+    refused(&piecewise, |json| *json = serde_json::json!([]));
+    refused(&curve(), |json| json["basis"]["lambda"] = serde_json::json!(-4.0));
+    refused(&curve(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
+    refused(&EndpointForm::new([0.0, 4.0], [12.0, 1.0]), |json| json["inner"] = serde_json::json!([1.0]));
+
+    let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9);
+    again(nearest);
+    again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
+    again(Contact::Curvature { f: 0.5, c: 2.0 });
+    again(Frame {
+        point: [0.0; 3],
+        tangent: [1.0, 0.0, 0.0],
+        normal: [0.0, 1.0, 0.0],
+        binormal: [0.0, 0.0, 1.0],
+    });
+    again(Root { x: 0.5, crosses: true });
+    again(Checks::default());
+    again(Law::Split);
+}
+
+#[test]
+fn surfaces_and_meshes() {
+    again(surface());
+    refused(&surface(), |json| drop(json["rows"].as_array_mut().unwrap().pop()));
+    let weights = [[1.0, 0.5, 1.0, 1.0]; 4];
+    let rational =
+        RationalSurface::from_homogeneous(surface(), TensorSurface::new(quartic(), quartic(), weights));
+    again(rational);
+    let swept = SurfaceOfRevolution::new(&curve(), [0.0; 3], [0.0, 0.0, 2.0], 4.0).unwrap();
+    again(swept);
+    refused(&swept, |json| json["angle"] = serde_json::json!(7.0));
+    refused(&swept, |json| json["axis"] = serde_json::json!([0.0, 0.0, 0.0]));
+    // Bézier points with their last digits: the same surface up to these.
+    let patch: RevolutionPatch<QuarticBernstein, P> = swept.to_rational_patches()[0];
+    let text = serde_json::to_string(&patch).unwrap();
+    let read: RevolutionPatch<QuarticBernstein, P> = serde_json::from_str(&text).unwrap();
+    assert!(read.eval(0.3, 0.4).iter().zip(patch.eval(0.3, 0.4)).all(|(a, b)| (a - b).abs() < 1e-14));
+
+    again(Edge::UStart);
+    let continuity: EdgeContinuity<f64> =
+        edge_continuity(&surface(), Edge::UEnd, &surface(), Edge::UEnd, false, 5);
+    again(EdgeContinuity { angle: 0.5, curvature: 0.25, gap: 0.0, ..continuity });
+    let bend: Curvature<P> =
+        serde_json::from_value(serde_json::to_value(surface().curvature(0.5, 0.5).unwrap()).unwrap())
+            .unwrap();
+    assert!((bend.gaussian() - surface().curvature(0.5, 0.5).unwrap().gaussian()).abs() < 1e-14);
+    again(Vertex { position: 1, normal: [0.0, 0.0, 1.0], uv: [0.5, 0.25], surface: 0 });
+    let flat: TensorSurface<BernsteinBasis<f64, 2>, BernsteinBasis<f64, 2>, P> = TensorSurface::new(
+        BernsteinBasis::new(),
+        BernsteinBasis::new(),
+        [[[0.0; 3], [1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]],
+    );
+    let mesh: Mesh<f64> = Tessellation::new(0.5).unwrap().with(&flat).mesh().unwrap();
+    again(mesh);
+}
+
+#[test]
+fn patches_on_simplices_and_boxes() {
+    again(triangle());
+    refused(&triangle(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
+    refused(&triangle(), |json| json["basis"]["lambda1"] = serde_json::json!(0.0));
+    again(SimplexPatch::new(TetrahedralLagrange::new(), [[1.0, 2.0], [0.5, 0.0], [0.0, 0.25], [3.0, 4.0]]));
+    again(BoxPatch::new(Bilinear::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]));
+    again(TriangleEdge::V);
+    again(EdgeBasis::new(TriangularII::new(1.5, 2.0).unwrap(), TriangleEdge::W));
+    again(triangle().boundary(TriangleEdge::U));
+    again(SimplexIndex::new([1, 0, 2]));
+    refused(&SimplexIndex::new([1, 0, 2]), |json| *json = serde_json::json!([1, 2]));
+    refused(&SimplexIndex::new([1, 0, 2]), |json| *json = serde_json::json!([usize::MAX, 1, 2]));
+}
+
+#[test]
+fn splines() {
+    let knots = KnotVector::new(2, [0.0, 0.0, 0.0, 0.5, 1.0, 1.0, 1.0]).unwrap();
+    again(knots.clone());
+    refused(&knots, |json| json["knots"] = serde_json::json!([0.0, 0.0, 0.0, 0.5, 0.25, 1.0, 1.0]));
+    refused(&knots, |json| json["degree"] = serde_json::json!(9));
+    let net = Net::from_rows([[1.0, 2.0], [3.0, 4.0]]).unwrap();
+    again(net.clone());
+    refused(&net, |json| json["columns"] = serde_json::json!(3));
+    refused(&net, |json| json["columns"] = serde_json::json!(0));
+    let curve = BSplineCurve::new(knots.clone(), [[0.0, 1.0], [1.0, 1.0], [2.0, 0.0], [3.0, 1.0]]).unwrap();
+    again(curve.clone());
+    refused(&curve, |json| drop(json["points"].as_array_mut().unwrap().pop()));
+    again(BezierPiece { domain: [0.0, 0.5], points: [[1.0, 2.0]].to_vec() });
+    again(spline());
+    refused(&spline(), |json| json["net"]["columns"] = serde_json::json!(4));
+    again(BezierPatch { domain: [[0.0, 1.0]; 2], net });
+    again(Direction::V);
+    again(Homogeneous::new([1.0, 2.0], 0.5));
+    let rational = NurbsCurve::new(knots, curve.control_points(), [1.0, 0.5, 2.0, 1.0]).unwrap();
+    again(rational.clone());
+    let weight = |json: &mut serde_json::Value| json["points"][0]["weight"] = serde_json::json!(-1.0);
+    refused(&rational, |json| weight(&mut json["homogeneous"]));
+    again(NurbsSurface::from_homogeneous(spline().map_points(|p| Homogeneous::new(p, 0.5))).unwrap());
+}
+
+#[test]
+fn joints_and_networks_of_splines() {
+    let seam = Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::VStart], reversed: false };
+    let network = Network::new([spline(), spline()].to_vec(), [seam].to_vec()).unwrap();
+    again(seam);
+    again(network.clone());
+    refused(&network, |json| json["seams"][0]["patches"] = serde_json::json!([0, 2]));
+    let measure = JointMeasure { gap: 0.5, gap_at: 0.25, angle: 1.0, angle_at: 0.0, samples: 13 };
+    again(measure);
+    again(Followed { network, changed: [1].to_vec(), seams: [(0, measure)].to_vec() });
+    again(FollowOptions::default());
+    again(SplineJoint { edge: Edge::UStart, target: Edge::UEnd, reversed: true });
+    again((Continuity::G0, Method::LeastSquares, Spacing::Chord, SpliceOptions::default()));
+    let joint = SplineJoint { edge: Edge::UEnd, target: Edge::UEnd, reversed: false };
+    let Splice { spans, .. } = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();
+    again(Splice { surface: spline(), measure, spans, rounds: 1, change: 0.5 });
+    again((PointConstraint::At([0.5, 0.25], [1.0, 0.0, 2.0]), PointConstraint::Nearest([1.0, 0.0, 2.0])));
+    again(Constrained { surface: spline(), parameters: [[0.5, 0.25]].to_vec(), change: 0.5, miss: 0.0 });
+    let Projection { distance, .. } = spline().project([0.0; 3]).unwrap();
+    again(Projection { parameters: [0.5, 0.25], point: [1.0, 0.0, 2.0], distance, at_least: 0.0 });
+}
+
+/// Public types that are no data: iterators, borrows, and what names a place in the program.
+const NO_DATA: [&str; 3] = ["Samples", "Tessellation", "Violation"];
+
+/// Every public struct and enum of the crate but errors stands in this file.
+#[test]
+fn none_is_forgotten() {
+    let tests = include_str!("serialized.rs");
+    let mut folders = vec![std::path::PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))];
+    let mut found = 0;
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let text = std::fs::read_to_string(&path).unwrap();
+            let heads =
+                text.lines().filter_map(|l| l.strip_prefix("pub struct ").or(l.strip_prefix("pub enum ")));
+            for head in heads {
+                let name = head.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+                if !name.ends_with("Error") && !NO_DATA.contains(&name) {
+                    found += 1;
+                    let used = tests.split(|c: char| !c.is_alphanumeric()).filter(|word| *word == name);
+                    assert!(used.count() >= 2, "{name} of {} is not read back", path.display());
+                }
+            }
+        }
+    }
+    assert!(found > 40);
+}
