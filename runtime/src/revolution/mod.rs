@@ -1,5 +1,6 @@
 //! Surfaces of revolution.
 
+mod bounds;
 mod circle;
 mod error;
 #[cfg(feature = "alloc")]

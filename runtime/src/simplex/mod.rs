@@ -6,6 +6,7 @@ mod net;
 mod normal;
 mod patch;
 pub(crate) mod raise;
+mod shape;
 
 use core::fmt::Debug;
 

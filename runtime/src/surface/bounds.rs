@@ -1,8 +1,8 @@
-//! Boxes around tensor surfaces.
+//! Boxes around tensor surfaces, polynomial and rational.
 
-use super::TensorSurface;
 #[cfg(feature = "alloc")]
 use super::net::Net;
+use super::{RationalSurface, TensorSurface};
 use crate::{Basis, Point, Scalar};
 
 impl<U, V, P> TensorSurface<U, V, P>
@@ -41,9 +41,64 @@ where
     pub fn bounding_box(&self) -> [P; 2] {
         let net = Net::of(self);
         [
-            P::from_components(|c| -largest(net.map(|p| -p.component(c)))),
-            P::from_components(|c| largest(net.map(|p| p.component(c)))),
+            P::from_components(|c| -largest(net.map(|p| -p.component(c)), |c| c)),
+            P::from_components(|c| largest(net.map(|p| p.component(c)), |c| c)),
         ]
+    }
+}
+
+impl<U, V, P> RationalSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never too
+    /// small up to rounding errors. Infinite if a weight of the Bézier form is not positive: the surface may then leave the hull
+    /// of its control points. NaN in a component in which a control point is NaN.
+    pub fn control_box(&self) -> [P; 2] {
+        let (points, weights) = (self.numerator().bezier_net(), self.weight().bezier_net());
+        let extreme = |sign: P::Scalar| {
+            P::from_components(|c| {
+                let mut extreme = -P::Scalar::INFINITY;
+                for (points, weights) in points.as_ref().iter().zip(weights.as_ref()) {
+                    for (point, &weight) in points.as_ref().iter().zip(weights.as_ref()) {
+                        let quotient = quotient([sign * point.component(c), weight]);
+                        let nan = extreme.is_nan() || quotient.is_nan();
+                        extreme = if nan { P::Scalar::NAN } else { extreme.max(quotient) };
+                    }
+                }
+                sign * extreme
+            })
+        };
+        [extreme(-P::Scalar::ONE), extreme(P::Scalar::ONE)]
+    }
+
+    /// The smallest axis-parallel box around the surface, as its two extreme corners, up to rounding errors; found by
+    /// subdivision as [`TensorSurface::bounding_box`].
+    ///
+    /// Where the weight vanishes or is negative the surface counts as infinite; a whole surface of negative weights is that of
+    /// their opposites. NaN in a component in which a control point is infinite or NaN.
+    #[cfg(feature = "alloc")]
+    pub fn bounding_box(&self) -> [P; 2] {
+        let (points, weights) = (Net::of(self.numerator()), Net::of(self.weight()));
+        let turned = weights.corners()[0] < P::Scalar::ZERO;
+        let one = if turned { -P::Scalar::ONE } else { P::Scalar::ONE };
+        let side = |sign: P::Scalar, c: usize| {
+            largest(points.zip(&weights, |p, w| [sign * one * p.component(c), one * w]), quotient)
+        };
+        [P::from_components(|c| -side(-P::Scalar::ONE, c)), P::from_components(|c| side(P::Scalar::ONE, c))]
+    }
+}
+
+/// A point of the line from its homogeneous coordinates; infinite if the weight is not positive.
+fn quotient<S: Scalar>([point, weight]: [S; 2]) -> S {
+    if point.is_nan() || weight.is_nan() {
+        S::NAN
+    } else if weight > S::ZERO {
+        point / weight
+    } else {
+        S::INFINITY
     }
 }
 
@@ -51,23 +106,24 @@ where
 #[cfg(feature = "alloc")]
 const PARTS: usize = 500;
 
-/// The largest value of a polynomial in two variables on the unit square, from its Bernstein coefficients.
+/// The largest value of a function of two variables on the unit square, from Bernstein coefficients; `value` of the point
+/// itself, which is at most the largest of those of the coefficients. Infinite values are looked at again in smaller parts.
 #[cfg(feature = "alloc")]
-fn largest<S: Scalar>(net: Net<S>) -> S {
-    if !net.points().iter().all(|c| c.is_finite()) {
-        return S::NAN;
+fn largest<P: Point>(net: Net<P>, value: impl Fn(P) -> P::Scalar) -> P::Scalar {
+    if !net.points().iter().all(|&c| crate::vector::is_finite(c)) {
+        return P::Scalar::NAN;
     }
-    let size = net.points().iter().fold(S::ZERO, |a, b| a.max(b.abs()));
-    let noise = S::of(4.0) * S::EPSILON * size;
-    let mut best = -S::INFINITY;
+    let finite = net.points().iter().map(|&c| value(c).abs()).filter(|c| c.is_finite());
+    let noise = P::Scalar::of(4.0) * P::Scalar::EPSILON * finite.fold(P::Scalar::ZERO, P::Scalar::max);
+    let mut best = -P::Scalar::INFINITY;
     let mut parts = alloc::vec![net];
     // Every round halves what may hold a larger value; a part of the size of the noise holds none.
     loop {
-        best = parts.iter().flat_map(Net::corners).fold(best, S::max);
-        let above = |part: &Net<S>| part.points().iter().fold(best, |a, &b| a.max(b));
+        best = parts.iter().flat_map(Net::corners).map(&value).fold(best, P::Scalar::max);
+        let above = |part: &Net<P>| part.points().iter().map(|&c| value(c)).fold(best, P::Scalar::max);
         parts.retain(|part| above(part) > best + noise);
         if parts.is_empty() || parts.len() > PARTS {
-            return parts.iter().map(above).fold(best, S::max);
+            return parts.iter().map(above).fold(best, P::Scalar::max);
         }
         parts = parts.iter().flat_map(Net::halves).collect();
     }

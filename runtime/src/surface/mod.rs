@@ -126,7 +126,7 @@ pub trait Surface {
 pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;
 
 /// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or may overflow.
-fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
+pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
     let (along_u, along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
     let product = cross(along_u, along_v);
     let [size, u_size, v_size] = [first[0][0], along_u, along_v].map(largest_component);

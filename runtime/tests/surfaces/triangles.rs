@@ -63,3 +63,32 @@ fn mesh_together() {
     assert!(mesh.volume() > 2.5 && mesh.volume() < 4.2, "{}", mesh.volume());
     assert_eq!(2 * (mesh.positions.len() + mesh.triangles.len()), 3 * mesh.triangles.len() + 4);
 }
+
+/// The curvatures are those of the tensor surface, and a part is the patch over a smaller triangle.
+#[test]
+fn have_curvatures_and_parts() {
+    let random = &mut Random::new(97);
+    for _ in 0..20 {
+        let basis = TriangularII::new(random.between(0.1, 3.0), random.between(0.0, 2.0)).unwrap();
+        let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
+        let patch: TriangularPatch<_, [f64; 3]> = TriangularPatch::new(basis, points);
+        let (u, v): (f64, f64) = (random.between(0.1, 0.4), random.between(0.1, 0.4));
+        let (ours, theirs) = (
+            patch.curvature(u, v).unwrap(),
+            patch.to_tensor_surface().curvature(1.0 - u, 1.0 - v / (1.0 - u)).unwrap(),
+        );
+        assert!((ours.gaussian() - theirs.gaussian()).abs() < 1e-9 * ours.gaussian().abs().max(1.0));
+        assert!((ours.mean() - theirs.mean()).abs() < 1e-9 * ours.mean().abs().max(1.0));
+
+        let mut corner = || {
+            let [a, b]: [f64; 2] = [random.between(-0.2, 1.0), random.between(-0.2, 1.0)];
+            [a, b, 1.0 - a - b]
+        };
+        let corners = [corner(), corner(), corner()];
+        // With these shape values the family is that of Bernstein.
+        let part = TriangularPatch::new(TriangularII::new(3.0, 2.0).unwrap(), patch.part(corners));
+        let at = [0.2, 0.5, 0.3];
+        let there = core::array::from_fn(|c| (0..3).map(|k| at[k] * corners[k][c]).sum());
+        assert!(near(part.eval_barycentric(at), patch.eval_barycentric(there), 1e-12));
+    }
+}
