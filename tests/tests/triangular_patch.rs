@@ -229,6 +229,48 @@ fn normals_at_a_corner_with_one_tangent() {
     near(limit, inside.expect("regular"));
 }
 
+/// A quadratic patch from its polar form, a function of two points (u, v).
+fn quadratic(polar: impl Fn([f64; 2], [f64; 2]) -> [f64; 3]) -> TriangularPatch<Quadratic, [f64; 3]> {
+    let (w, v, u) = ([0.0, 0.0], [0.0, 1.0], [1.0, 0.0]);
+    let points = [(w, w), (w, v), (v, v), (w, u), (v, u), (u, u)].map(|(a, b)| polar(a, b));
+    TriangularPatch::new(Quadratic::new(2.0, 4.0).unwrap(), points)
+}
+
+/// With x and y from (1/4, 1/4).
+#[test]
+fn normals_at_zeros_inside() {
+    let moved = |a: [f64; 2]| [a[0] - 0.25, a[1] - 0.25];
+    // x² - y², 2xy: an isolated zero with a limit.
+    let square = quadratic(|a, b| {
+        let ([x, y], [p, q]) = (moved(a), moved(b));
+        [x * p - y * q, x * q + y * p, 0.0]
+    });
+    near(square.normal(0.25, 0.25), [0.0, 0.0, 1.0]);
+    // xy, x, y²: Whitney's umbrella, without one.
+    let umbrella = quadratic(|a, b| {
+        let ([x, y], [p, q]) = (moved(a), moved(b));
+        [(x * q + y * p) / 2.0, (x + p) / 2.0, y * q]
+    });
+    assert_eq!(umbrella.normal(0.25, 0.25), None);
+    // x³, y: a curve of zeros, with the same normal on both sides.
+    let power = |base: f64, x: f64| base.powi((3.0 * x).round() as i32);
+    let curve = cubic(|[u, v, w]| [power(0.75, u) * power(-0.25, v + w), v, 0.0]);
+    near(curve.normal(0.24, 0.3), [0.0, 0.0, 1.0]);
+    near(curve.normal(0.26, 0.3), [0.0, 0.0, 1.0]);
+    assert_eq!(curve.normal(0.25, 0.3), None);
+}
+
+/// Points on a line, as far as numbers of their size can tell.
+#[test]
+fn no_normals_on_a_line_far_from_the_origin() {
+    for line in [[1.0, 2.0, -1.0], [3.0, -1.0, 2.0], [1.0, 1.0, -3.0], [2.0, 3.0, 1.0]] {
+        let points = cubic(|[u, v, w]| line.map(|x| 1e4 + (u * u + v - 2.0 * v * w) * x));
+        for (u, v) in [(0.2, 0.3), (0.0, 0.4), (0.0, 0.0), (1.0, 0.0)] {
+            assert_eq!(points.normal(u, v), None, "{line:?} at {u}, {v}");
+        }
+    }
+}
+
 #[test]
 fn no_normals_without_a_surface() {
     assert_eq!(cubic(|_| [1.0, 2.0, 3.0]).normal(0.3, 0.3), None);

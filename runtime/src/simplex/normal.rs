@@ -24,7 +24,7 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     degree: usize,
     at: [B::Scalar; 3],
 ) -> Option<P> {
-    let net = normalized::<B, P>(net)?;
+    let (net, error) = normalized::<B, P>(net, degree)?;
     if degree == 0 {
         return None;
     }
@@ -37,7 +37,7 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     let (along_u, along_v) = (corners[2].minus(corners[0]), corners[1].minus(corners[0]));
     let product = cross(along_u, along_v);
     let [a, b] = [along_u, along_v].map(largest_component);
-    if largest_component(product) > rounding::<P::Scalar>(degree) * (a + b) {
+    if largest_component(product) > error * (a + b) {
         return direction(product);
     }
     // Near an edge the sign of a coordinate, or whether it is zero, is noise.
@@ -52,7 +52,7 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
         }
         // A triangle behind the point, outside of the domain, is turned over.
         let part = TriangularPatch::<B, P>::moved_corner(net, place, point);
-        let normal = corner_limit(part.as_ref(), degree, place)?;
+        let normal = corner_limit(part.as_ref(), degree, error, place)?;
         let normal = if x < P::Scalar::ZERO { normal.scale(-P::Scalar::ONE) } else { normal };
         match limit {
             Some(other) if dot(other, normal) < P::Scalar::of(0.999_999) => return None,
@@ -63,10 +63,12 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     limit
 }
 
-/// The net moved to the origin and scaled to the size 1; `None` if it is a point, infinite or NaN.
+/// The net moved to the origin and scaled to the size 1, and a bound of the rounding errors of its differences; `None` if it
+/// is a point, infinite or NaN.
 fn normalized<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     net: B::Bernstein<P>,
-) -> Option<B::Bernstein<P>> {
+    degree: usize,
+) -> Option<(B::Bernstein<P>, B::Scalar)> {
     let origin = net.as_ref()[0];
     let mut size = P::Scalar::ZERO;
     for point in net.as_ref() {
@@ -81,21 +83,21 @@ fn normalized<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     if size == P::Scalar::ZERO {
         return None;
     }
-    Some(B::Bernstein::from_fn(|k| {
+    let moved = B::Bernstein::from_fn(|k| {
         let moved = net.as_ref()[k].minus(origin);
         P::from_components(|i| moved.component(i) / size)
-    }))
-}
-
-/// A bound of the rounding errors of differences in a net of size 1.
-fn rounding<S: Scalar>(degree: usize) -> S {
-    S::of(16.0) * S::from_usize(degree) * S::EPSILON
+    });
+    // Far from the origin the points themselves are rounded.
+    let own = P::Scalar::of(16.0) * P::Scalar::from_usize(degree) * P::Scalar::EPSILON;
+    Some((moved, own + P::Scalar::EPSILON * (largest_component(origin) / size)))
 }
 
 /// The coefficients N[j][k] of the product of the derivatives at a corner.
-struct Product<'a, P> {
+struct Product<'a, P: Point3> {
     net: &'a [P],
     degree: usize,
+    /// A bound of the rounding errors of differences of points.
+    error: P::Scalar,
     /// The corner, and the two others in their order around the triangle.
     corners: [usize; 3],
 }
@@ -113,7 +115,7 @@ impl<P: Point3> Product<'_, P> {
     /// The coefficient N[j][k]; `None` if it is zero up to rounding errors.
     fn coefficient(&self, j: usize, k: usize) -> Option<P> {
         let n = self.degree - 1;
-        let error = rounding::<P::Scalar>(self.degree);
+        let error = self.error;
         let (mut sum, mut bound) = (P::zero(), P::Scalar::ZERO);
         for p in j.saturating_sub(n)..=j.min(n) {
             for q in k.saturating_sub(n)..=k.min(n) {
@@ -142,8 +144,8 @@ fn multinomial<S: Scalar>(n: usize, p: usize, q: usize) -> S {
 }
 
 /// The limit of the normal at a corner.
-fn corner_limit<P: Point3>(net: &[P], degree: usize, corner: usize) -> Option<P> {
-    let product = Product { net, degree, corners: [corner, (corner + 1) % 3, (corner + 2) % 3] };
+fn corner_limit<P: Point3>(net: &[P], degree: usize, error: P::Scalar, corner: usize) -> Option<P> {
+    let product = Product { net, degree, error, corners: [corner, (corner + 1) % 3, (corner + 2) % 3] };
     let top = 2 * (degree - 1);
     // The lowest power of z for each power of y, as far as it falls.
     let lowest = |j: usize| (0..=top - j).find(|&k| product.coefficient(j, k).is_some());

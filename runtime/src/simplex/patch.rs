@@ -151,8 +151,12 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     ///
     /// `None` where there is no limit, as at the apex of a cone; on a patch that has shrunk to a curve or a point; on a fold,
     /// across which the normal flips; and where the patch is infinite or NaN. That the product vanishes is recognised up to
-    /// rounding errors. The limit is found from the Newton polygon of `S_u × S_v` at the point, after common powers of the
-    /// coordinates are taken out, so that it also exists along an edge that has shrunk to a point.
+    /// the rounding errors of the control points. The limit is found from the Newton polygon of `S_u × S_v` at the point,
+    /// after common powers of the coordinates are taken out, so that it also exists along an edge that has shrunk to a point.
+    ///
+    /// At a zero inside of the triangle the limits of the three triangles that meet there must agree, as they do for
+    /// `(x² - y², 2xy, 0)`. Where a curve of zeros passes through the inside, as `x = 0` for `(x³, y, 0)`, the answer is
+    /// `None`, even if the normals on both sides are the same.
     pub fn normal(&self, u: B::Scalar, v: B::Scalar) -> Option<P>
     where
         P: Point3,
