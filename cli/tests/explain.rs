@@ -107,3 +107,46 @@ fn an_irrational_end() {
         ["(root of -2 + λ^2 between -1.415 and -1.414) <= λ <= (root of -2 + λ^2 between 1.414 and 1.415)"]
     );
 }
+
+/// Many functions of a raised family, of which only a few narrow the range.
+#[test]
+fn largest_ranges_of_a_high_order() {
+    let spec = "family T(n in 2..=7) {
+        domain triangle (u, v, w);
+        shape 1/2 <= λ <= 1;
+        base n = 2 {
+            permute b[2, 0, 0] = u^2 + (1 - λ/2)*(u*v + u*w);
+            permute b[1, 1, 0] = λ*u*v;
+        }
+        raise b[i, j, k] = u*b[i - 1, j, k] + v*b[i, j - 1, k] + w*b[i, j, k - 1];
+    }";
+    assert_eq!(ranges(spec, "T(7)"), ["-20/11 <= λ <= 2"]);
+}
+
+#[test]
+fn factors_on_other_domains() {
+    let functions = |spec: &str| {
+        let run = Folder::with("f.basis", spec).run(&["explain", "f.basis"]);
+        let (_, after) = run.stdout.split_once("Functions\n").expect("a title");
+        let lines = after.lines().take_while(|line| !line.is_empty());
+        lines.map(|line| line.trim().to_string()).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        functions(
+            "family F { domain -2 <= s <= 3/2; shape 0 <= μ <= 1; b[0] = (3/2 - s)^2*(2 - μ)*4/49; b[1] = s^3/3 - 4/3*s; }"
+        ),
+        ["b[0] = 4/49*(2 - μ)*(3/2 - s)^2", "b[1] = -1/3*(2*s - s^2)*(2 + s)"]
+    );
+    assert_eq!(
+        functions(
+            "family F { domain -1 <= x <= 1, 0 <= y <= 2; shape 0 <= μ <= 1; b[0] = x*(1 - x^2)*y^2/4; b[1] = (1 + x)*(x + y - 1)/(1 + μ); b[2] = 0; }"
+        ),
+        ["b[0] = 1/4*x*(1 + x)*(1 - x)*y^2", "b[1] = (-1 + x + y)*(1 + x)/(1 + μ)", "b[2] = 0"]
+    );
+    assert_eq!(
+        functions(
+            "family F { domain triangle (u, v, w); shape 0 <= c <= 1; b[0] = u - c*u*v*w; b[1] = 9/2*v*w*(2*v - u - w); b[2] = u^2*w + 4*u*v*w; }"
+        ),
+        ["b[0] = (1 - c*v + c*u*v + c*v^2)*u", "b[1] = 9/2*(-1 + 3*v)*v*w", "b[2] = (4*v + u)*u*w"]
+    );
+}

@@ -12,9 +12,9 @@ use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange};
-use crate::generate::factored;
 use crate::generate::form::IntervalForm;
 use crate::generate::patch_form::{PatchForm, factored_text};
+use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
 use crate::prove;
 
@@ -26,7 +26,7 @@ const DENOMINATORS: u64 = 1_000_000;
 pub struct Formula {
     /// The name, such as `b[1]`.
     pub label: String,
-    /// As a product; on an interval the powers of the distances to its ends are factors, on a simplex those of the coordinates.
+    /// As a product; the powers of the distances to the ends of an interval and the faces of a box are factors, on a simplex those of the coordinates.
     pub factored: String,
     /// Expanded into monomials.
     pub expanded: String,
@@ -35,16 +35,17 @@ pub struct Formula {
 /// The formulas of a family.
 pub fn formulas(family: &Family) -> Vec<Formula> {
     let form = IntervalForm::new(family);
-    let on_simplex = if family.is_simplex() { PatchForm::new(family) } else { None };
+    let patch = if form.is_none() { PatchForm::new(family) } else { None };
     family
         .functions
         .iter()
         .enumerate()
         .map(|(k, f)| {
             let expanded = f.value.display(&family.names);
-            let factored = match (&form, &on_simplex) {
+            let factored = match (&form, &patch) {
                 (Some(form), _) => factored(family, form, &form.functions[k]),
-                (_, Some(form)) => factored_text(family, &form.functions[k], &form.groups),
+                (_, Some(form)) if family.is_simplex() => factored_text(family, &form.functions[k], form),
+                (_, Some(form)) => factored_on_box(family, form, &form.functions[k]),
                 _ => expanded.clone(),
             };
             Formula { label: family.function_label(k), factored, expanded }

@@ -10,7 +10,7 @@ use super::projection::{all_roots, levels, univariates};
 use super::{Coordinate, Relation, univariate};
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 
@@ -35,7 +35,14 @@ pub fn largest_range(polys: &[Poly], var: Var, region: &Region, budget: &mut Bud
         return LargestRange::Between(None, None);
     }
     let (mut low, mut high) = (None, None);
-    for p in polys {
+    // The smallest first: most of the others narrow nothing then, and to see that is cheaper than to find how far they
+    // would reach.
+    let mut sorted: Vec<&Poly> = polys.iter().collect();
+    sorted.sort_by_key(|p| p.len());
+    for (k, p) in sorted.into_iter().enumerate() {
+        if k > 0 && nonnegative_between(p, var, (&low, &high), region, budget) {
+            continue;
+        }
         match of_one(p, var, region, budget) {
             LargestRange::Between(a, b) => {
                 let narrowed = tighten(&mut low, a, Ordering::Greater, budget)
@@ -50,6 +57,30 @@ pub fn largest_range(polys: &[Poly], var: Var, region: &Region, budget: &mut Bud
         }
     }
     LargestRange::Between(low, high)
+}
+
+/// The work for the quick answer.
+const QUICK: u64 = 100_000;
+
+/// Whether a polynomial is seen with little work to be nonnegative for all values of `var` between two ends.
+fn nonnegative_between(
+    p: &Poly,
+    var: Var,
+    (low, high): (&Option<Coordinate>, &Option<Coordinate>),
+    region: &Region,
+    budget: &mut Budget,
+) -> bool {
+    let end = |end: &Option<Coordinate>| match end {
+        None => Some(End::Infinite),
+        Some(Coordinate::Rational(x)) => Some(End::Included(x.clone())),
+        Some(Coordinate::Algebraic(_)) => None,
+    };
+    let (Some(low), Some(high)) = (end(low), end(high)) else { return false };
+    let problem = Problem::new(p, &with(region, var, Range { low, high }));
+    let mut part = budget.take(QUICK);
+    let proved = matches!(prove(&problem, Relation::NonNegative, &mut part), Outcome::Proved(..));
+    budget.put_back(&part);
+    proved
 }
 
 /// Replaces an end by another one that compares with it as given, or that is the first at all; `None` when the work is

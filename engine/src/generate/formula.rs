@@ -1,57 +1,75 @@
 //! Functions as text, in the factored form in which they are evaluated.
 
 use super::form::{FunctionForm, IntervalForm};
-use crate::algebra::poly::Poly;
+use super::patch_form::{PatchForm, PatchFunction};
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 
-/// A function as the product that is evaluated; expanded where the domain is not the unit interval.
+/// A function on an interval as a product: number · polynomial · powers of the distances to both ends.
 pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &FunctionForm) -> String {
-    let names = &family.names;
-    let t = &names[form.var.0];
-    let over = |text: String, product: bool| {
-        if function.denom.is_one() {
-            return text;
-        }
-        let text = if product { text } else { format!("({text})") };
-        format!("{text}/({})", function.denom.display(names))
-    };
     let f = &function.factored;
     if f.inner.is_empty() {
         return String::from("0");
     }
-    let inner = f.inner_monomial(form);
-    // A number belongs to the polynomial factor unless it would make fractions of it.
-    let whole = inner.scale(&f.content);
-    let alone = f.x_power == 0 && f.s_power == 0 && function.denom.is_one();
-    let (number, inner) = if whole.numeric_content().is_integer() || alone {
-        (Rational::ONE, whole)
+    let whole = f.inner_monomial(form).scale(&f.content);
+    let ends = distances(form.var, &form.low, &form.high);
+    let powers: Vec<(Poly, u32)> = ends.into_iter().zip([f.x_power, f.s_power]).collect();
+    product(&whole, &powers, &function.denom, &family.names)
+}
+
+/// A function on a box as a product: number · polynomial · powers of the distances to the faces.
+pub(crate) fn factored_on_box(family: &Family, form: &PatchForm, function: &PatchFunction) -> String {
+    if function.inner.is_empty() {
+        return String::from("0");
+    }
+    let (mut whole, mut powers) = (function.inner_polynomial(form), Vec::new());
+    for (group, exponents) in form.groups.iter().zip(function.powers.chunks(2)) {
+        let (Some((low, high)), Some(var)) = (&group.range, group.vars.first()) else { continue };
+        // x^a s^b = (t − low)^a (high − t)^b / (high − low)^(a + b)
+        let unit = (high - low).recip().unwrap_or(Rational::ONE);
+        whole = whole.scale(&unit.pow(exponents.iter().sum()));
+        powers.extend(distances(*var, low, high).into_iter().zip(exponents.iter().copied()));
+    }
+    product(&whole, &powers, &function.denom, &family.names)
+}
+
+/// The distances t − low and high − t.
+fn distances(var: Var, low: &Rational, high: &Rational) -> [Poly; 2] {
+    let t = Poly::var(var);
+    [&t - &Poly::constant(low.clone()), &Poly::constant(high.clone()) - &t]
+}
+
+/// A polynomial times powers, over a denominator; a number stands before the product where the polynomial would have fractions.
+fn product(whole: &Poly, powers: &[(Poly, u32)], denom: &Poly, names: &[String]) -> String {
+    let content = whole.numeric_content();
+    let alone = powers.iter().all(|(_, power)| *power == 0) && denom.is_one();
+    let (number, inner) = if content.is_integer() || alone {
+        (Rational::ONE, whole.clone())
     } else {
-        (f.content.clone(), inner)
+        let negative = whole.display(names).to_string().starts_with('-');
+        let number = if negative { -content } else { content };
+        let inner = whole.scale(&number.recip().unwrap_or(Rational::ONE));
+        (number, inner)
     };
     let mut factors = Vec::new();
     if !number.is_one() {
         factors.push(number.to_string());
     }
-    let powers = f.x_power + f.s_power;
-    if !inner.is_one() || (factors.is_empty() && powers == 0) {
+    let power_count: u32 = powers.iter().map(|(_, power)| power).sum();
+    if !inner.is_one() || (factors.is_empty() && power_count == 0) {
         let text = inner.display(names).to_string();
         factors.push(if inner.len() > 1 && !alone { format!("({text})") } else { text });
     }
-    let unit = form.low.is_zero() && form.high.is_one();
-    let at = |end: &Rational| Poly::constant(end.clone());
-    let (from_low, to_high) = if unit {
-        (Poly::var(form.var), &Poly::one() - &Poly::var(form.var))
-    } else {
-        (&Poly::var(form.var) - &at(&form.low), &at(&form.high) - &Poly::var(form.var))
-    };
-    for (base, power) in [(from_low, f.x_power), (to_high, f.s_power)] {
-        let base = if base.len() > 1 { format!("({})", base.display(names)) } else { t.clone() };
+    for (base, power) in powers {
+        let text = base.display(names).to_string();
+        let base = if base.len() > 1 { format!("({text})") } else { text };
         match power {
             0 => {}
             1 => factors.push(base),
             _ => factors.push(format!("{base}^{power}")),
         }
     }
-    over(factors.join("*"), true)
+    let text = factors.join("*");
+    if denom.is_one() { text } else { format!("{text}/({})", denom.display(names)) }
 }

@@ -29,6 +29,7 @@ use crate::prove::Verdict;
 use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use formula::factored;
+pub(crate) use formula::factored_on_box;
 pub use names::ascii;
 use shell::Shell;
 #[cfg(any(test, feature = "tools"))]

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
+use super::factored_on_box;
 use super::patch_form::{PatchForm, PatchFunction, exponents, factored_text, multi_indices, raised};
 use super::powers::Powers;
 use super::scalar::{self, ScalarCode};
@@ -82,9 +83,9 @@ impl Emitter<'_> {
             .zip(&self.form.functions)
             .map(|(f, form)| {
                 let formula = if family.is_simplex() {
-                    factored_text(family, form, &self.form.groups)
+                    factored_text(family, form, &self.form)
                 } else {
-                    f.value.display(&family.names)
+                    factored_on_box(family, &self.form, form)
                 };
                 format!("{} = {formula}", label(&family.function_name, &f.index))
             })

@@ -95,6 +95,35 @@ impl PatchForm {
     }
 }
 
+impl PatchFunction {
+    /// content · Σ `inner[α]` · (the monomial with the exponents α) in the independent variables, for reading.
+    pub fn inner_polynomial(&self, form: &PatchForm) -> Poly {
+        let coordinates: Vec<Poly> = form.groups.iter().flat_map(Group::coordinates).collect();
+        let mut sum = Poly::zero();
+        for (c, e) in self.inner.iter().zip(exponents(&form.groups, &self.inner_degrees)) {
+            if !c.is_zero() {
+                let term = coordinates.iter().zip(e).fold(c.clone(), |term, (x, e)| &term * &x.pow(e));
+                sum = &sum + &term;
+            }
+        }
+        sum.scale(&self.content)
+    }
+}
+
+impl Group {
+    /// Its coordinates in the independent variables.
+    fn coordinates(&self) -> Vec<Poly> {
+        let mut all: Vec<Poly> = self.vars.iter().map(|v| Poly::var(*v)).collect();
+        if let (Some((low, high)), Some(first)) = (&self.range, all.first_mut()) {
+            let unit = (high - low).recip().unwrap_or(Rational::ONE);
+            *first = (&*first - &Poly::constant(low.clone())).scale(&unit);
+        }
+        let last = all.iter().fold(Poly::one(), |rest, x| &rest - x);
+        all.push(last);
+        all
+    }
+}
+
 /// One group for a simplex, one for each variable of a box.
 fn groups(family: &Family) -> Vec<Group> {
     if family.is_simplex() {
@@ -275,8 +304,9 @@ pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
         .collect()
 }
 
-/// A function as a product in the coordinates of a simplex, for reading.
-pub fn factored_text(family: &Family, f: &PatchFunction, groups: &[Group]) -> String {
+/// A function as a product in the coordinates of a simplex, for reading; what is left beside their powers is homogeneous in
+/// all coordinates, or a polynomial in the independent ones where that is shorter.
+pub fn factored_text(family: &Family, f: &PatchFunction, form: &PatchForm) -> String {
     let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
     let monomial = |exponents: &[u32]| {
         let factors: Vec<String> = exponents
@@ -287,10 +317,16 @@ pub fn factored_text(family: &Family, f: &PatchFunction, groups: &[Group]) -> St
             .collect();
         factors.join("*")
     };
+    let powers = monomial(&f.powers);
+    // A number before the product, where the factor would have fractions.
+    let outside = !powers.is_empty() && !f.content.is_integer();
+    let (number, content) =
+        if outside { (f.content.clone(), Rational::ONE) } else { (Rational::ONE, f.content.clone()) };
     let mut sum = String::new();
     let mut count = 0;
-    for (c, e) in f.inner.iter().zip(exponents(groups, &f.inner_degrees)).filter(|(c, _)| !c.is_zero()) {
-        let c = c.scale(&f.content);
+    for (c, e) in f.inner.iter().zip(exponents(&form.groups, &f.inner_degrees)).filter(|(c, _)| !c.is_zero())
+    {
+        let c = c.scale(&content);
         let (m, text) = (monomial(&e), c.display(&family.names).to_string());
         let (negative, text) = match text.strip_prefix('-') {
             Some(rest) if c.len() == 1 => (true, rest.to_string()),
@@ -310,8 +346,14 @@ pub fn factored_text(family: &Family, f: &PatchFunction, groups: &[Group]) -> St
             _ => format!("{text}*{m}"),
         };
     }
-    let powers = monomial(&f.powers);
-    let several = count > 1 || f.inner.iter().any(|c| c.len() > 1);
+    let mut several = count > 1 || f.inner.iter().any(|c| c.len() > 1);
+    if several {
+        let plain = f.inner_polynomial(form).scale(&number.recip().unwrap_or(Rational::ONE));
+        let text = plain.display(&family.names).to_string();
+        if text.chars().count() < sum.chars().count() {
+            (sum, several) = (text, plain.len() > 1);
+        }
+    }
     let numer = match (powers.as_str(), sum.as_str()) {
         ("", "") => String::from("0"),
         ("", _) => sum,
@@ -320,5 +362,6 @@ pub fn factored_text(family: &Family, f: &PatchFunction, groups: &[Group]) -> St
         _ if several => format!("({sum})*{powers}"),
         _ => format!("{sum}*{powers}"),
     };
+    let numer = if number.is_one() { numer } else { format!("{number}*{numer}") };
     if f.denom.is_one() { numer } else { format!("({numer})/({})", f.denom.display(&family.names)) }
 }
