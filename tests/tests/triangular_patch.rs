@@ -249,7 +249,7 @@ fn normals_at_zeros_inside() {
     // xy, x, y²: Whitney's umbrella, without one.
     let umbrella = quadratic(|a, b| {
         let ([x, y], [p, q]) = (moved(a), moved(b));
-        [(x * q + y * p) / 2.0, (x + p) / 2.0, y * q]
+        [f64::midpoint(x * q, y * p), f64::midpoint(x, p), y * q]
     });
     assert_eq!(umbrella.normal(0.25, 0.25), None);
     // x³, y: a curve of zeros, with the same normal on both sides.

@@ -17,6 +17,9 @@ const FEW: usize = 8;
 /// Nets with more points are not printed in tables.
 const MAX_POINTS: usize = 8;
 
+/// Sums of more terms are shortened in tables.
+const MAX_TERMS: usize = 6;
+
 /// A row: claims of one statement with one verdict.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Row {
@@ -121,9 +124,31 @@ fn reason(decided: &DecidedClaim) -> String {
         Verdict::Refuted(witness) => {
             let point = short_point(witness);
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
-            format!("{} = {}{place}", witness.of, witness.value)
+            format!("{} = {}{place}", short_sum(&witness.of), witness.value)
         }
         Verdict::Undecided(left) => left.clone(),
+    }
+}
+
+/// A sum of many terms by its first two and its last; the JSON output has them all.
+fn short_sum(formula: &str) -> String {
+    // Where the terms after the first begin, with their signs.
+    let (mut starts, mut depth) = (Vec::new(), 0);
+    for (at, c) in formula.char_indices() {
+        match c {
+            '(' | '[' => depth += 1,
+            ')' | ']' => depth -= 1,
+            ' ' if depth == 0 && [" + ", " - "].iter().any(|sign| formula[at..].starts_with(sign)) => {
+                starts.push(at);
+            }
+            _ => {}
+        }
+    }
+    match starts.as_slice() {
+        [_, third, .., last] if starts.len() >= MAX_TERMS => {
+            format!("{} + …{}", &formula[..*third], &formula[*last..])
+        }
+        _ => formula.to_string(),
     }
 }
 
@@ -160,5 +185,17 @@ fn reasons(items: &[Decided], part: &[Entry<'_>]) -> String {
             }
         }
         _ => all.join("; "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short_sum;
+
+    #[test]
+    fn long_sums_are_shortened() {
+        assert_eq!(short_sum("b[0] + b[1] - 1"), "b[0] + b[1] - 1");
+        assert_eq!(short_sum("b[0] + b[1] + b[2] + b[3] + b[4] + b[5] - 1"), "b[0] + b[1] + … - 1");
+        assert_eq!(short_sum("b[0] - (1 + 2 + 3 + 4 + 5 + 6 + 7)*t"), "b[0] - (1 + 2 + 3 + 4 + 5 + 6 + 7)*t");
     }
 }
