@@ -8,7 +8,6 @@ pub mod factor;
 pub mod fibre;
 pub mod fraction;
 pub mod gcd;
-mod integer;
 pub mod matrix;
 pub mod modular;
 pub mod poly;
