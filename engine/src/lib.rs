@@ -27,6 +27,7 @@ pub mod explain;
 pub mod generate;
 pub mod model;
 pub mod prove;
+mod sorted;
 mod sorting;
 pub mod source;
 pub mod syntax;
@@ -40,6 +41,7 @@ pub use diagnostic::{Diagnostic, Severity};
 pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
 pub use model::{Claim, Family, Item, Library, Selected};
 pub use prove::{Verdict, Witness};
+pub use sorted::SortedMap;
 pub use source::{Disk, Files, Source, Sources};
 pub use words::closest;
 

@@ -3,10 +3,9 @@
 use core::cmp::Ordering;
 use core::fmt;
 
-use super::factor::rational_roots;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::roots::{Root, isolate};
+use super::roots::{Root, isolate, rational_roots};
 use super::univariate::Univariate;
 use super::work::Work;
 

@@ -3,7 +3,7 @@
 use super::gcd::{content, leading_coefficient, square_free};
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::roots::{Root, isolate};
+use super::roots::rational_roots;
 use super::univariate::Univariate;
 use super::work::Work;
 use crate::sorting::sort_by;
@@ -82,18 +82,6 @@ fn split(f: &Poly, work: &mut Work) -> Option<Vec<Poly>> {
 /// A divisor and the quotient, normalised; nothing if it does not divide.
 fn with_rest(f: &Poly, divisor: Poly) -> Vec<Poly> {
     f.div_exact(&divisor).map_or_else(Vec::new, |rest| vec![divisor, rest.normalized()])
-}
-
-/// The rational roots of a polynomial without multiple roots, in increasing order; `None` when the work is spent.
-pub fn rational_roots(p: &Univariate, work: &mut Work) -> Option<Vec<Rational>> {
-    let mut exact = Vec::new();
-    for mut root in isolate(p, None, None, work)? {
-        root.detect_rational(p, work)?;
-        if let Root::Exact(x) = root {
-            exact.push(x);
-        }
-    }
-    Some(exact)
 }
 
 /// A factor x − a − Σ bⱼ yⱼ and the rest, if there is one: it passes through rational roots at a point of the other

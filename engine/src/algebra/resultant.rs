@@ -1,6 +1,6 @@
 //! Resultants and discriminants, by evaluation and interpolation in the other variables.
 
-use std::collections::BTreeMap;
+use crate::SortedMap;
 
 use super::gcd::checked_product;
 use super::poly::{Monomial, Poly, Var};
@@ -192,12 +192,12 @@ pub fn interpolate(nodes: &[Rational], values: &[Poly], var: Var, work: &mut Wor
             by_linear(&product, x).iter().map(|c| c * &factor).collect()
         })
         .collect();
-    let mut columns: BTreeMap<Monomial, Vec<Rational>> = BTreeMap::new();
+    let mut columns: SortedMap<Monomial, Vec<Rational>> = SortedMap::new();
     for (value, lagrange) in values.iter().zip(&basis) {
         let words = (value.max_bits() + denominator.bits()) / 64 + 1;
         work.spend(2 * (value.len() * n) as u64 * words)?;
         for (m, c) in value.terms() {
-            let column = columns.entry(m.clone()).or_insert_with(|| vec![Rational::ZERO; n]);
+            let column = columns.get_or_insert_with(m.clone(), || vec![Rational::ZERO; n]);
             for (sum, l) in column.iter_mut().zip(lagrange) {
                 *sum += &(c * l);
             }

@@ -236,6 +236,18 @@ pub fn between_roots(roots: &[Root], low: Option<&Rational>, high: Option<&Ratio
     samples
 }
 
+/// The rational roots of a polynomial without multiple roots, in increasing order; `None` when the work is spent.
+pub fn rational_roots(p: &Univariate, work: &mut Work) -> Option<Vec<Rational>> {
+    let mut exact = Vec::new();
+    for mut root in isolate(p, None, None, work)? {
+        root.detect_rational(p, work)?;
+        if let Root::Exact(x) = root {
+            exact.push(x);
+        }
+    }
+    Some(exact)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,12 +1,11 @@
 //! From a join to a function that computes the control points that it determines.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::{ScalarCode, Variable};
 use super::{doc, docs, names, shell, site, weights};
+use crate::SortedMap;
 use crate::diagnostic::Diagnostic;
 use crate::model::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use crate::model::{Parameter, label};
@@ -192,7 +191,7 @@ fn scalar_arguments<'a>(
     theorem: &'a Theorem,
     used: &dyn Fn(&Parameter) -> bool,
 ) -> Result<Vec<ScalarArgument<'a>>, Diagnostic> {
-    let mut groups: Vec<(&str, BTreeMap<i64, &Parameter>)> = Vec::new();
+    let mut groups: Vec<(&str, SortedMap<i64, &Parameter>)> = Vec::new();
     for scalar in &theorem.scalars {
         let indexed = scalar.name.strip_suffix(']').and_then(|n| n.split_once('['));
         let (base, index) = match indexed.and_then(|(base, k)| Some((base, k.parse::<i64>().ok()?))) {
@@ -203,7 +202,11 @@ fn scalar_arguments<'a>(
             Some((_, members)) => {
                 members.insert(index, scalar);
             }
-            None => groups.push((base, BTreeMap::from([(index, scalar)]))),
+            None => {
+                let mut members = SortedMap::new();
+                members.insert(index, scalar);
+                groups.push((base, members));
+            }
         }
     }
     let mut all = Vec::new();
@@ -213,11 +216,11 @@ fn scalar_arguments<'a>(
         }
         let array = members.keys().copied().eq(0..members.len() as i64);
         if array {
-            let (name, scalars) = (argument(theorem, base)?, members.into_values().collect());
+            let (name, scalars) = (argument(theorem, base)?, members.into_values());
             all.push(ScalarArgument { name, scalars, array });
             continue;
         }
-        for scalar in members.into_values().filter(|p| used(p)) {
+        for scalar in members.into_values().into_iter().filter(|p| used(p)) {
             all.push(ScalarArgument { name: argument(theorem, &scalar.name)?, scalars: vec![scalar], array });
         }
     }
@@ -298,7 +301,7 @@ pub(super) fn combination(
         points.push(quote_spanned!(site()=> given[#at]));
         weights.push(code.quotient(weight.numer(), weight.denom()));
     }
-    if let ([point], [weight]) = (points.as_slice(), form.terms.values().collect::<Vec<_>>().as_slice())
+    if let ([point], [weight]) = (points.as_slice(), form.terms.values().as_slice())
         && weight.as_constant().is_some_and(|c| c.is_one())
     {
         return point.clone();

@@ -3,8 +3,6 @@
 //! A family that is raised from a lowest order is emitted as the functions of that order and the steps, written out, to its
 //! own; each step is a sum of products of nonnegative coordinates with functions, so it keeps signs and small relative errors.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
@@ -14,6 +12,7 @@ use super::powers::Powers;
 use super::scalar::{self, ScalarCode};
 use super::shell::Shell;
 use super::{doc, docs, number, site};
+use crate::SortedMap;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
@@ -431,7 +430,7 @@ impl Emitter<'_> {
     fn weights(&self) -> TokenStream {
         let runtime = self.shell.runtime;
         let mut code = self.shell.scalars();
-        let mut known: BTreeMap<(&Poly, &Poly), usize> = BTreeMap::new();
+        let mut known: SortedMap<(&Poly, &Poly), usize> = SortedMap::new();
         let mut entries: Vec<TokenStream> = Vec::new();
         let (zero, one) = (Poly::zero(), Poly::one());
         let mut places: Vec<usize> = Vec::new();
@@ -439,7 +438,7 @@ impl Emitter<'_> {
             for f in &self.form.functions {
                 let c = &f.bernstein[row];
                 let key = if c.is_zero() { (&zero, &one) } else { (c, &f.denom) };
-                let place = *known.entry(key).or_insert_with(|| {
+                let place = *known.get_or_insert_with(key, || {
                     entries.push(code.quotient(key.0, key.1));
                     entries.len() - 1
                 });

@@ -4,8 +4,7 @@
 //! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with the
 //! powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
 
-use std::collections::BTreeMap;
-
+use crate::SortedMap;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
 use crate::model::{Family, Function};
@@ -157,8 +156,8 @@ fn degrees(numer: &Poly, groups: &[Group]) -> Vec<u32> {
 }
 
 /// The coefficients, polynomials in the shape parameters, of the monomials in all coordinates, homogeneous of these degrees.
-fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> BTreeMap<Vec<u32>, Poly> {
-    let mut result: BTreeMap<Vec<u32>, Poly> = BTreeMap::new();
+fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec<u32>, Poly> {
+    let mut result: SortedMap<Vec<u32>, Poly> = SortedMap::new();
     for (monomial, c) in numer.terms() {
         let mut shape = monomial.clone();
         // The term times the missing powers of the sums of the groups.
@@ -180,7 +179,7 @@ fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> BTreeMap<Vec<
             terms = next;
         }
         for (exponents, factor) in terms {
-            result.entry(exponents).or_default().add_term(shape.clone(), &factor);
+            result.get_or_insert_with(exponents, Poly::zero).add_term(shape.clone(), &factor);
         }
     }
     result.retain(|_, c| !c.is_zero());
@@ -189,7 +188,7 @@ fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> BTreeMap<Vec<
 
 /// Takes out the powers of the coordinates and the numeric content.
 fn factored(
-    terms: &BTreeMap<Vec<u32>, Poly>,
+    terms: &SortedMap<Vec<u32>, Poly>,
     groups: &[Group],
     degrees: &[u32],
 ) -> (Rational, Vec<u32>, Vec<u32>, Vec<Poly>) {
@@ -281,8 +280,10 @@ fn reciprocal(exponents: &[u32], groups: &[Group]) -> Rational {
 /// The functions of the next order by the recursion b[I] = Σ_j x_j b[I − e_j] on a simplex, x_j the barycentric coordinates.
 pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
     use crate::algebra::fraction::Fraction;
-    let known: BTreeMap<&[i64], &Fraction> =
-        functions.iter().map(|f| (f.index.as_slice(), &f.value)).collect();
+    let mut known: SortedMap<&[i64], &Fraction> = SortedMap::new();
+    for f in functions {
+        known.insert(&f.index, &f.value);
+    }
     let mut coordinates: Vec<Fraction> = family.domain.iter().map(|p| Fraction::var(p.var)).collect();
     let one = Fraction::constant(Rational::ONE);
     coordinates.push(coordinates.iter().fold(one, |rest, x| &rest - x));
@@ -295,7 +296,7 @@ pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
             for (j, x) in coordinates.iter().enumerate() {
                 let mut before = index.clone();
                 before[j] -= 1;
-                if let Some(b) = known.get(before.as_slice()) {
+                if let Some(b) = known.get(&before.as_slice()) {
                     value = &value + &(x * *b);
                 }
             }

@@ -1,12 +1,11 @@
 //! The functions of a family: one by one, by loops, by permutation, and by recursion from a lowest order.
 
-use std::collections::BTreeMap;
-
 use proc_macro2::Span;
 
 use super::indices::{check_indices, grid, sizes};
 use super::scope::{Definition, Scope, multi_indices};
 use super::{Function, label};
+use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -198,7 +197,7 @@ fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: 
         scope.report(error.help("declare `domain triangle (u, v, w);` and write `permute b[2,1,0] = …;`"));
         return false;
     }
-    let mut new: BTreeMap<Vec<i64>, Fraction> = BTreeMap::new();
+    let mut new: SortedMap<Vec<i64>, Fraction> = SortedMap::new();
     for order in orders(corners) {
         let mut moved = vec![0; corners];
         for (from, to) in order.iter().enumerate() {
@@ -312,7 +311,7 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
         };
         scope.constants.push((order.to_string(), current));
         scope.missing_is_zero = true;
-        let mut raised = BTreeMap::new();
+        let mut raised = SortedMap::new();
         for index in indices {
             let depth = scope.constants.len();
             scope.constants.extend(names.iter().cloned().zip(index.iter().copied()));

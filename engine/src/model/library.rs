@@ -2,7 +2,6 @@
 //! and once.
 
 use core::cell::RefCell;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
@@ -10,6 +9,7 @@ use proc_macro2::{Span, TokenStream};
 
 use super::theorem::{self, Theorem};
 use super::{Claim, Family, build, claims};
+use crate::SortedMap;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::source::{self, Files, Source, SourceId, Sources};
 use crate::syntax::{self, Spec, SyntaxError};
@@ -48,7 +48,7 @@ struct Unit {
 }
 
 /// Family by unit, item and order; `None` while it is being expanded and when it has errors.
-type Expanded = BTreeMap<(usize, usize, Vec<i64>), Option<Rc<Family>>>;
+type Expanded = SortedMap<(usize, usize, Vec<i64>), Option<Rc<Family>>>;
 
 /// The specs of one run.
 pub struct Library<'f> {
@@ -182,7 +182,7 @@ impl<'f> Library<'f> {
     }
 
     fn check_doubled(&self, unit: usize) {
-        let mut seen: BTreeMap<&str, Span> = BTreeMap::new();
+        let mut seen: SortedMap<&str, Span> = SortedMap::new();
         let source = self.units[unit].source;
         for theorem in self.theorems_of(unit) {
             if let Some(first) = seen.insert(&theorem.name.text, theorem.name.span) {
@@ -195,7 +195,7 @@ impl<'f> Library<'f> {
                 );
             }
         }
-        seen.clear();
+        let mut seen: SortedMap<&str, Span> = SortedMap::new();
         for family in self.families_of(unit) {
             if super::scope::BUILTINS.contains(&family.name.text.as_str()) {
                 let place = self.place(source, family.name.span);

@@ -1,13 +1,13 @@
 //! What names mean while a family is being expanded, and the errors found on the way.
 
 use core::cell::RefCell;
-use std::collections::BTreeMap;
 
 use proc_macro2::Span;
 
 use super::budget::Budget;
 use super::obligations::{Duty, Obligation};
 use super::{Family, Function, Library};
+use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::diagnostic::{Diagnostic, Place};
@@ -57,9 +57,9 @@ pub(super) struct Scope<'a> {
     pub(super) dependent: Option<Var>,
     pub(super) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
-    pub(super) functions: BTreeMap<Vec<i64>, Option<Fraction>>,
+    pub(super) functions: SortedMap<Vec<i64>, Option<Fraction>>,
     /// Where each of them is defined; the functions of the lowest order also after others are raised from them.
-    pub(super) defined: BTreeMap<Vec<i64>, Definition>,
+    pub(super) defined: SortedMap<Vec<i64>, Definition>,
     /// The functions of the lowest order, once others are raised from them.
     pub(super) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
@@ -296,8 +296,8 @@ impl Scope<'_> {
             domain: Vec::new(),
             dependent: None,
             function_name: String::new(),
-            functions: BTreeMap::new(),
-            defined: BTreeMap::new(),
+            functions: SortedMap::new(),
+            defined: SortedMap::new(),
             base: Vec::new(),
             missing_is_zero: false,
             cut_short: false,
@@ -317,7 +317,9 @@ impl Scope<'_> {
         scope.domain = family.domain.iter().map(|p| p.var).collect();
         scope.dependent = family.dependent.as_ref().map(|p| p.var);
         scope.function_name.clone_from(&family.function_name);
-        scope.functions = family.functions.iter().map(|f| (f.index.clone(), Some(f.value.clone()))).collect();
+        for f in &family.functions {
+            scope.functions.insert(f.index.clone(), Some(f.value.clone()));
+        }
         scope.complete = true;
         scope
     }

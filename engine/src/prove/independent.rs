@@ -1,8 +1,7 @@
 //! Linear independence: the rank of the coefficient table and the shape values at which it drops.
 
-use std::collections::BTreeMap;
-
 use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_point, point};
+use crate::SortedMap;
 use crate::algebra::matrix::determinant;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
@@ -81,23 +80,23 @@ pub fn coefficient_table(family: &Family) -> Table {
             powers.push(&powers[k] * &sum);
         }
     }
-    let row = |p: &Poly| -> BTreeMap<Monomial, Poly> {
+    let row = |p: &Poly| -> SortedMap<Monomial, Poly> {
         let mut parts = vec![Vec::new(); powers.len()];
         for (m, c) in p.terms() {
             let missing = if family.is_simplex() { usize::from(degree - domain_degree(m)) } else { 0 };
             parts[missing].push((m.clone(), c.clone()));
         }
         let raised = parts.into_iter().zip(&powers).map(|(part, power)| &Poly::from_terms(part) * power);
-        let mut row: BTreeMap<Monomial, Poly> = BTreeMap::new();
+        let mut row: SortedMap<Monomial, Poly> = SortedMap::new();
         for (m, c) in raised.fold(Poly::zero(), |sum, p| &sum + &p).terms() {
             let shape = domain.iter().fold(m.clone(), |m, v| m.with_exponent(*v, 0));
             let column = family.shapes.iter().fold(m.clone(), |m, p| m.with_exponent(p.var, 0));
-            row.entry(column).or_default().add_term(shape, c);
+            row.get_or_insert_with(column, Poly::zero).add_term(shape, c);
         }
         row
     };
-    let rows: Vec<BTreeMap<Monomial, Poly>> = family.functions.iter().map(|f| row(f.value.numer())).collect();
-    let mut columns: Vec<&Monomial> = rows.iter().flat_map(BTreeMap::keys).collect();
+    let rows: Vec<SortedMap<Monomial, Poly>> = family.functions.iter().map(|f| row(f.value.numer())).collect();
+    let mut columns: Vec<&Monomial> = rows.iter().flat_map(SortedMap::keys).collect();
     sort_unique(&mut columns);
     let symmetries = if family.is_simplex() {
         let exponents = |m: &&Monomial| {

@@ -12,7 +12,9 @@ mod theorem;
 
 use inequality::Inequality;
 pub use report::{diagnose, diagnose_theorem};
-pub use theorem::{theorem_claim, theorem_statements};
+pub use theorem::theorem_claim;
+#[cfg(any(test, feature = "tools"))]
+pub use theorem::theorem_statements;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -165,6 +167,7 @@ pub fn expressions(family: &Family, claim: &Claim) -> Vec<(String, Fraction)> {
 }
 
 /// What has to be shown for a claim to be true: the same statements, in the same order, as the steps of a proof.
+#[cfg(any(test, feature = "tools"))]
 pub fn statements(family: &Family, claim: &Claim) -> Vec<Statement> {
     if let ClaimKind::Independent(except) = &claim.kind {
         let table = coefficient_table(family);

@@ -1,7 +1,11 @@
 //! Claims of theorems: identities between linear forms, signs of scalars, directions of vectors.
 
+use core::convert::Infallible;
+
 use super::net::{Net, evaluated, nets, on_net, parts};
-use super::{Assertion, Evidence, Statement, Step, StepProof, Verdict, Witness, point};
+#[cfg(any(test, feature = "tools"))]
+use super::{Assertion, Statement};
+use super::{Evidence, Step, StepProof, Verdict, Witness, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
@@ -39,6 +43,7 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
 }
 
 /// What has to be shown for a claim of a theorem to be true; one statement, as there is one step in a proof.
+#[cfg(any(test, feature = "tools"))]
 pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statement> {
     let first = |form: &Form| form.terms.values().next().cloned().unwrap_or_else(Fraction::zero);
     let (of, assertion) = match &claim.kind {
@@ -82,8 +87,8 @@ fn settled(theorem: &Theorem, kind: &TheoremClaimKind) -> TheoremClaimKind {
         })
     };
     let form = |form: &Form| {
-        let terms = form.terms.iter().map(|(unit, f)| (*unit, put(f)));
-        Form { terms: terms.filter(|(_, f)| !f.is_zero()).collect() }
+        let Ok(form) = form.map::<Infallible>(&mut |f| Ok(put(f)));
+        form
     };
     match kind {
         TheoremClaimKind::Scalar(comparison, f) => TheoremClaimKind::Scalar(*comparison, put(f)),

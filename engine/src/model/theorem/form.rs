@@ -1,8 +1,7 @@
 //! Vectors and outer products as linear forms: combinations of points, or of pairs of points, whose coefficients are
 //! rational functions of the scalars.
 
-use std::collections::BTreeMap;
-
+use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::budget::{Budget, TooLarge};
@@ -23,13 +22,15 @@ pub enum Unit {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Form {
     /// The terms.
-    pub terms: BTreeMap<Unit, Fraction>,
+    pub terms: SortedMap<Unit, Fraction>,
 }
 
 impl Form {
     /// 1 times a unit.
     pub fn unit(unit: Unit) -> Self {
-        Self { terms: BTreeMap::from([(unit, Fraction::constant(Rational::ONE))]) }
+        let mut terms = SortedMap::new();
+        terms.insert(unit, Fraction::constant(Rational::ONE));
+        Self { terms }
     }
 
     /// Whether nothing is left.
@@ -70,8 +71,8 @@ impl Form {
     }
 
     /// Every coefficient replaced by another.
-    pub(super) fn map<E>(&self, with: &mut dyn FnMut(&Fraction) -> Result<Fraction, E>) -> Result<Self, E> {
-        let mut terms = BTreeMap::new();
+    pub(crate) fn map<E>(&self, with: &mut dyn FnMut(&Fraction) -> Result<Fraction, E>) -> Result<Self, E> {
+        let mut terms = SortedMap::new();
         for (unit, value) in &self.terms {
             let value = with(value)?;
             if !value.is_zero() {
