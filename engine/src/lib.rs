@@ -25,6 +25,7 @@ pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
 pub mod explain;
 pub mod generate;
+mod lists;
 pub mod model;
 pub mod prove;
 mod sorted;
@@ -35,6 +36,7 @@ mod words;
 
 use std::rc::Rc;
 
+use lists::Mapped;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use diagnostic::{Diagnostic, Severity};
@@ -89,7 +91,7 @@ pub fn check(source: Source) -> Report {
 
 /// Decides all claims of a theorem.
 pub fn decide_theorem(theorem: Theorem) -> CheckedTheorem {
-    let verdicts = theorem.claims.iter().map(|claim| prove::theorem_claim(&theorem, claim)).collect();
+    let verdicts = theorem.claims.mapped(|claim| prove::theorem_claim(&theorem, claim));
     CheckedTheorem { theorem, verdicts }
 }
 

@@ -1,5 +1,6 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
+use crate::lists::Mapped;
 use core::fmt;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -144,7 +145,7 @@ pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source
     let candidates: Vec<PathBuf> = if Path::new(name).is_absolute() || folders.is_empty() {
         vec![PathBuf::from(name)]
     } else {
-        folders.iter().map(|f| f.join(name)).collect()
+        folders.mapped(|f| f.join(name))
     };
     let mut tried = Vec::new();
     for path in &candidates {

@@ -4,6 +4,7 @@ use super::fibre;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::work::Work;
+use crate::lists::Mapped;
 
 /// A side of a box: a closed interval with at least one finite end.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +65,7 @@ impl Form {
     ///
     /// `None` when it is too large or the work is spent.
     pub fn new(poly: &Poly, sides: &[(Var, Side)], work: &mut Work) -> Option<Self> {
-        let degrees: Vec<usize> = sides.iter().map(|(v, _)| poly.degree(*v) as usize).collect();
+        let degrees: Vec<usize> = sides.mapped(|(v, _)| poly.degree(*v) as usize);
         let size =
             degrees.iter().try_fold(1_usize, |n, d| n.checked_mul(d + 1).filter(|n| *n <= MAX_SIZE))?;
         let content = poly.numeric_content();

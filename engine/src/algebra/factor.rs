@@ -6,6 +6,7 @@ use super::rational::Rational;
 use super::roots::rational_roots;
 use super::univariate::Univariate;
 use super::work::Work;
+use crate::lists::Mapped;
 use crate::sorting::sort_by;
 
 /// The work that [`factor`] may take.
@@ -102,14 +103,14 @@ fn linear_in(f: &Poly, x: Var, variables: &[Var], work: &mut Work) -> Option<Vec
         let p = Univariate::from_poly(&at(f, start, step), x)?;
         let roots = rational_roots(&p.square_free_part(work)?, work)?;
         let Some(y) = step else {
-            candidates = roots.iter().map(|r| Poly::constant(r.clone())).collect();
+            candidates = roots.mapped(|r| Poly::constant(r.clone()));
             values = roots;
             continue;
         };
         let offset = &Poly::var(y) - &Poly::integer(start);
         let slopes = |(c, a): (&Poly, &Rational)| {
             let with = |r: &Rational| (c + &offset.scale(&(r - a)), a.clone());
-            roots.iter().map(with).collect::<Vec<_>>()
+            roots.mapped(with)
         };
         (candidates, values) = candidates.iter().zip(&values).flat_map(slopes).take(MAX_CANDIDATES).unzip();
     }

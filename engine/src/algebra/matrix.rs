@@ -5,6 +5,7 @@ use super::modular;
 use super::poly::Poly;
 use super::rational::Rational;
 use super::work::{Spent, Work};
+use crate::lists::Mapped;
 use crate::sorting::sort_by;
 
 /// A matrix by rows.
@@ -134,7 +135,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>], work: &mut Work) -> Option
         let content = row.iter().fold(Rational::ZERO, |g, c| g.gcd(c));
         let lead = row.iter().find(|c| !c.is_zero())?;
         let factor = if lead.is_negative() { -content } else { content }.recip()?;
-        Some(row.iter().map(|c| c * &factor).collect::<Vec<_>>())
+        Some(row.mapped(|c| c * &factor))
     };
     Some(combinations.iter().filter_map(whole).collect())
 }
@@ -212,7 +213,7 @@ pub fn polynomial_combination(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec
     let divided: Option<Vec<Poly>> = combination.iter().map(|p| p.div_exact(&common)).collect();
     let divided = divided?;
     let negative = divided.iter().find_map(Poly::leading_term).is_some_and(|(_, c)| c.is_negative());
-    Some(if negative { divided.iter().map(|p| -p).collect() } else { divided })
+    Some(if negative { divided.mapped(|p| -p) } else { divided })
 }
 
 /// What is known about a linear system over the rational functions.
@@ -236,7 +237,7 @@ pub fn solve(a: &[Vec<Poly>], b: &[Poly], work: &mut Work) -> Option<Solution> {
     let mut basis: Rows<Poly> = Vec::new();
     let mut unknowns = Vec::new();
     for j in 0..width {
-        basis.push(a.iter().map(|row| row[j].clone()).collect());
+        basis.push(a.mapped(|row| row[j].clone()));
         if generic_rank(&basis, work)? < basis.len() {
             basis.pop();
         } else {

@@ -27,6 +27,7 @@ enum Repr {
     /// For more variables or higher exponents; no trailing zeros.
     Wide(Vec<u16>),
 }
+use crate::lists::Mapped;
 use crate::sorting::sort_by;
 use Repr::{Packed, Wide};
 
@@ -417,7 +418,7 @@ impl Poly {
         if factor.is_zero() {
             return Self::zero();
         }
-        Self { terms: self.terms.iter().map(|(m, c)| (m.clone(), c * factor)).collect() }
+        Self { terms: self.terms.mapped(|(m, c)| (m.clone(), c * factor)) }
     }
 
     /// The power with a whole exponent.
@@ -434,8 +435,7 @@ impl Poly {
                 all
             };
             let (a, b) = (powers(a), powers(b));
-            let times =
-                |m: &Monomial, k: u32| Monomial::new(m.exponents().iter().map(|e| e * k as u16).collect());
+            let times = |m: &Monomial, k: u32| Monomial::new(m.exponents().mapped(|e| e * k as u16));
             let mut binomial = Rational::ONE;
             let mut result = Self::zero();
             for k in 0..=exponent {
@@ -529,7 +529,7 @@ impl Poly {
     /// The polynomial with others put in place of all variables at once, by their index; variables beyond
     /// the list stay.
     pub fn substitute_all(&self, values: &[Self]) -> Self {
-        let mut powers: Vec<Vec<Self>> = values.iter().map(|_| vec![Self::one()]).collect();
+        let mut powers: Vec<Vec<Self>> = values.mapped(|_| vec![Self::one()]);
         let mut result = Self::zero();
         for (m, c) in &self.terms {
             let exponents = m.exponents();
@@ -600,7 +600,7 @@ impl Poly {
                 debug_assert_eq!(m.exponent(var), 0, "a coefficient contains the variable");
                 (m.with_exponent(var, k as u16), c.clone())
             };
-            p.terms.iter().map(raise).collect()
+            p.terms.mapped(raise)
         };
         Self { terms: merge_all(coefficients.iter().enumerate().map(raised).collect()) }
     }
@@ -625,7 +625,7 @@ impl Poly {
 
     /// The terms of the polynomial times a term.
     fn times(&self, monomial: &Monomial, coefficient: &Rational) -> Vec<Term> {
-        self.terms.iter().map(|(m, c)| (m.mul(monomial), c * coefficient)).collect()
+        self.terms.mapped(|(m, c)| (m.mul(monomial), c * coefficient))
     }
 
     /// The positive number by which all coefficients can be divided to become whole without a common
@@ -651,7 +651,7 @@ impl Poly {
 impl Neg for &Poly {
     type Output = Poly;
     fn neg(self) -> Poly {
-        Poly { terms: self.terms.iter().map(|(m, c)| (m.clone(), -c)).collect() }
+        Poly { terms: self.terms.mapped(|(m, c)| (m.clone(), -c)) }
     }
 }
 
@@ -676,7 +676,7 @@ impl Mul for &Poly {
         if few.is_one() {
             return many.clone();
         }
-        Poly { terms: merge_all(few.terms.iter().map(|(m, c)| many.times(m, c)).collect()) }
+        Poly { terms: merge_all(few.terms.mapped(|(m, c)| many.times(m, c))) }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Resultants and discriminants, by evaluation and interpolation in the other variables.
 
 use crate::SortedMap;
+use crate::lists::Mapped;
 
 use super::gcd::checked_product;
 use super::poly::{Monomial, Poly, Var};
@@ -189,7 +190,7 @@ pub fn interpolate(nodes: &[Rational], values: &[Poly], var: Var, work: &mut Wor
         .zip(&weights)
         .map(|(x, w)| {
             let factor = &denominator / w;
-            by_linear(&product, x).iter().map(|c| c * &factor).collect()
+            by_linear(&product, x).mapped(|c| c * &factor)
         })
         .collect();
     let mut columns: SortedMap<Monomial, Vec<Rational>> = SortedMap::new();
@@ -252,7 +253,7 @@ pub fn of_numbers(a: &Univariate, b: &Univariate, work: &mut Work) -> Option<Rat
         }
         let divisor = &scale * &height.pow(delta);
         f = g;
-        g = rest.iter().map(|c| c / &divisor).collect();
+        g = rest.mapped(|c| c / &divisor);
         scale = f.last()?.clone();
         height = if delta == 0 { height } else { &scale.pow(delta) / &height.pow(delta - 1) };
     }

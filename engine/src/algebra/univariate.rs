@@ -3,6 +3,7 @@
 use super::poly::{Monomial, Poly, Var};
 use super::rational::Rational;
 use super::work::Work;
+use crate::lists::Mapped;
 
 /// c₀ + c₁ x + … + cₙ xⁿ with cₙ ≠ 0; no coefficient at all for 0.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
@@ -21,7 +22,7 @@ impl Univariate {
 
     /// The polynomial with these whole coefficients, constant first.
     pub fn integers(coefficients: &[i64]) -> Self {
-        Self::new(coefficients.iter().map(|c| Rational::from(*c)).collect())
+        Self::new(coefficients.mapped(|c| Rational::from(*c)))
     }
 
     /// x − root, times the denominator of the root.
@@ -135,7 +136,7 @@ impl Univariate {
 
     /// The polynomial times a number.
     pub fn scale(&self, factor: &Rational) -> Self {
-        Self::new(self.coefficients.iter().map(|c| c * factor).collect())
+        Self::new(self.coefficients.mapped(|c| c * factor))
     }
 
     /// The product.

@@ -8,6 +8,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 
 /// What a search came to.
 pub(super) enum Attempt {
@@ -76,7 +77,7 @@ impl Search<'_> {
             let included = [range.low.is_included(), range.high.is_included()];
             axes.push(Axis { var: *var, side: side(range)?, included, removed: [false; 2], cuts: 0 });
         }
-        let sides: Vec<(Var, Side)> = axes.iter().map(|a| (a.var, a.side.clone())).collect();
+        let sides: Vec<(Var, Side)> = axes.mapped(|a| (a.var, a.side.clone()));
         let mut form = Form::new(&self.problem.poly, &sides, self.work)?;
         for (axis, (low, high)) in axes.iter_mut().zip(form.strip()) {
             axis.removed = [low > 0, high > 0];
@@ -157,15 +158,12 @@ fn vanishing_face(axes: &[Axis]) -> Option<(usize, bool)> {
 ///
 /// It is enough to look at the smallest faces: a larger one has at least the same coefficients.
 fn unsupported_face(axes: &[Axis], form: &Form) -> Option<Vec<Option<bool>>> {
-    let choices: Vec<Vec<Option<bool>>> = axes
-        .iter()
-        .map(|a| match a.included {
-            [false, false] => vec![None],
-            [true, false] => vec![Some(false)],
-            [false, true] => vec![Some(true)],
-            [true, true] => vec![Some(false), Some(true)],
-        })
-        .collect();
+    let choices: Vec<Vec<Option<bool>>> = axes.mapped(|a| match a.included {
+        [false, false] => vec![None],
+        [true, false] => vec![Some(false)],
+        [false, true] => vec![Some(true)],
+        [true, true] => vec![Some(false), Some(true)],
+    });
     let count: usize = choices.iter().map(Vec::len).product();
     (0..count)
         .map(|mut k| {
@@ -174,7 +172,7 @@ fn unsupported_face(axes: &[Axis], form: &Form) -> Option<Vec<Option<bool>>> {
                 k /= choice.len();
                 picked
             };
-            choices.iter().map(pick).collect::<Vec<_>>()
+            choices.mapped(pick)
         })
         .find(|face| !form.has_support(face))
 }

@@ -1,6 +1,7 @@
 //! Block triangular form of a matrix, from the places of its zeros alone.
 
 use crate::algebra::poly::Poly;
+use crate::lists::Mapped;
 use crate::sorting::{sort_by, sort_unique};
 
 /// Some rows and columns of a matrix.
@@ -20,8 +21,7 @@ pub(super) struct Block {
 /// the strongly connected components of the graph with an edge from a row to the row of each column in which it is not
 /// zero (Dulmage and Mendelsohn 1958). Columns without a row go to the first block that they touch.
 pub(super) fn triangular(rows: &[Vec<Poly>]) -> Option<Vec<Block>> {
-    let support: Vec<Vec<usize>> =
-        rows.iter().map(|row| (0..row.len()).filter(|c| !row[*c].is_zero()).collect()).collect();
+    let support: Vec<Vec<usize>> = rows.mapped(|row| (0..row.len()).filter(|c| !row[*c].is_zero()).collect());
     let width = rows.first().map_or(0, Vec::len);
     let owner = matching(&support, width)?;
     let mut taken = vec![false; width];
@@ -50,14 +50,11 @@ fn matching(support: &[Vec<usize>], width: usize) -> Option<Vec<Option<usize>>> 
         users[*column] += 1;
     }
     // Columns that few rows share first: that leaves the others to the rows that have no choice.
-    let ordered: Vec<Vec<usize>> = support
-        .iter()
-        .map(|columns| {
-            let mut columns = columns.clone();
-            sort_by(&mut columns, |a, b| (users[*a], a).cmp(&(users[*b], b)));
-            columns
-        })
-        .collect();
+    let ordered: Vec<Vec<usize>> = support.mapped(|columns| {
+        let mut columns = columns.clone();
+        sort_by(&mut columns, |a, b| (users[*a], a).cmp(&(users[*b], b)));
+        columns
+    });
     let mut owner = vec![None; width];
     let mut order: Vec<usize> = (0..support.len()).collect();
     sort_by(&mut order, |a, b| (support[*a].len(), a).cmp(&(support[*b].len(), b)));

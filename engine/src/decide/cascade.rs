@@ -9,6 +9,7 @@ use super::{cells, corners, factors, slices, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::sorting::sort_by;
 
 /// What is known about a part of a claim.
@@ -157,8 +158,7 @@ fn by_subdivision(
 
 /// What is left when the work is spent.
 pub(super) fn spent(problem: &Problem, on: &str) -> Outcome {
-    let degrees: Vec<String> =
-        problem.ranges.iter().map(|(v, _)| problem.poly.degree(*v).to_string()).collect();
+    let degrees: Vec<String> = problem.ranges.mapped(|(v, _)| problem.poly.degree(*v).to_string());
     let variables = if degrees.len() == 1 { "a variable" } else { "variables" };
     let terms = problem.poly.len();
     let left = format!(

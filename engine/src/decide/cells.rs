@@ -15,6 +15,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 
 /// Decides p ≥ 0.
 pub(super) fn by_cells(problem: &Problem, budget: &mut Budget) -> Outcome {
@@ -62,8 +63,7 @@ impl Lifting<'_> {
                 }
                 Vec::new()
             } else {
-                let sets: Vec<Vec<Poly>> =
-                    sets[1..].iter().map(|set| set.iter().map(|p| p.at(var, &value)).collect()).collect();
+                let sets: Vec<Vec<Poly>> = sets[1..].mapped(|set| set.mapped(|p| p.at(var, &value)));
                 match self.samples(&sets, &poly) {
                     Lifted::Samples(above) => above,
                     other => return other,

@@ -14,6 +14,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 use crate::sorting::{sort_by, sort_unique};
 
 /// The exceptional set of functions on a region: where they are dependent.
@@ -166,7 +167,7 @@ fn several_parameters(table: &Table, region: &Region, budget: &mut Budget, set: 
             return;
         };
         let (flat, combination) = largest_flat(table, &exact, region, budget);
-        let values = flat.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
+        let values = flat.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone())));
         set.exceptions.push(Exceptional { values, combination });
         flats.push(flat);
     }

@@ -21,6 +21,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::{Spent, Work};
+use crate::lists::Mapped;
 use crate::sorting::{sort_by, sort_unique};
 
 /// Values of some parameters, the others free.
@@ -44,7 +45,7 @@ impl Table {
     /// With numbers in place of some parameters.
     fn fix(&self, values: &[(Var, Rational)]) -> Vec<Vec<Poly>> {
         let at = |p: &Poly| values.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
-        self.rows.iter().map(|row| row.iter().map(at).collect()).collect()
+        self.rows.mapped(|row| row.mapped(at))
     }
 }
 
@@ -142,7 +143,7 @@ fn on_piece(table: &Table, region: Region, budget: &mut Budget) -> Result<Piece,
     let single: Values = region.ranges.iter().filter_map(|(v, r)| Some((*v, single(r)?))).collect();
     let rows = table.fix(&single);
     let Some(cut) = Cut::new(&rows, &table.symmetries) else {
-        let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
+        let start: Values = region.ranges.mapped(|(v, r)| (*v, simple(r)));
         let combination = vanishing_combination(&at(&rows, &start), &mut budget.work);
         return Err(match combination {
             Ok(combination) => Failure::Dependent(Dependence { point: rational(start), combination }),
@@ -216,8 +217,8 @@ impl Cut {
     }
 
     pub(super) fn block(&self, block: &Block) -> Vec<Vec<Poly>> {
-        let row = |r: &usize| block.columns.iter().map(|c| self.rows[*r][*c].clone()).collect();
-        block.rows.iter().map(row).collect()
+        let row = |r: &usize| block.columns.mapped(|c| self.rows[*r][*c].clone());
+        block.rows.mapped(row)
     }
 
     fn is_constant(&self, block: &Block) -> bool {
@@ -246,7 +247,7 @@ impl Cut {
                     (columns, certificate)
                 }
             };
-            let columns = columns.iter().map(|m| m.iter().map(|c| block.columns[*c]).collect()).collect();
+            let columns = columns.mapped(|m| m.mapped(|c| block.columns[*c]));
             all.push(Minors { rows: block.rows.clone(), columns, certificate });
         }
         Ok(all)
@@ -274,7 +275,7 @@ fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Res
     let spent = || {
         Failed::Undecided(format!("the budget is spent on the minors of a table of {} functions", rows.len()))
     };
-    let start: Values = region.ranges.iter().map(|(v, r)| (*v, simple(r))).collect();
+    let start: Values = region.ranges.mapped(|(v, r)| (*v, simple(r)));
     let numbers = at(rows, &start);
     let pivots = pivot_columns(&numbers, &mut budget.work).ok_or_else(spent)?;
     if pivots.len() < rows.len() {
@@ -344,7 +345,7 @@ pub(super) fn positive_claim(minors: &[Poly], at: &[(Var, Rational)]) -> Poly {
 
 /// The matrix at a rational point.
 pub(super) fn at(rows: &[Vec<Poly>], point: &[(Var, Rational)]) -> Vec<Vec<Rational>> {
-    rows.iter().map(|row| row.iter().map(|p| value(p, point)).collect()).collect()
+    rows.mapped(|row| row.mapped(|p| value(p, point)))
 }
 
 /// The rank at a point with irrational coordinates.
@@ -393,7 +394,7 @@ pub(super) fn irrational(
     // The sum of the squares of all minors is the determinant of the matrix times its transpose (Cauchy–Binet).
     let product =
         |a: &Vec<Poly>, b: &Vec<Poly>| a.iter().zip(b).fold(Poly::zero(), |s, (x, y)| &s + &(x * y));
-    let gram: Vec<Vec<Poly>> = exact.iter().map(|a| exact.iter().map(|b| product(a, b)).collect()).collect();
+    let gram: Vec<Vec<Poly>> = exact.mapped(|a| exact.mapped(|b| product(a, b)));
     let all: Vec<usize> = (0..rows.len()).collect();
     let determinant = minor(&gram, &all, work)?;
     is_zero(&determinant, &algebraic, work)?.then_some(Irrational::Dependent)
@@ -472,7 +473,7 @@ pub(super) fn generic(rows: &[Vec<Poly>], region: &Region, work: &mut Work) -> O
             Some((a, b)) if a == b => a.clone(),
             _ => inner(r, k + 1).pop().unwrap_or_else(|| simple(r)),
         };
-        let point: Values = region.ranges.iter().map(|(v, r)| (*v, number(r))).collect();
+        let point: Values = region.ranges.mapped(|(v, r)| (*v, number(r)));
         if pivot_columns(&at(rows, &point), work)?.len() == rows.len() {
             return Some(Generic::Independent(point));
         }

@@ -13,6 +13,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
+use crate::lists::Mapped;
 
 /// The largest interval around the declared range of a variable on which polynomials are nonnegative.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -142,7 +143,7 @@ fn of_one(p: &Poly, var: Var, region: &Region, budget: &mut Budget) -> LargestRa
         Some((polys, roots))
     })();
     let Some((polys, roots)) = found else { return undecided() };
-    let plain: Vec<Root> = roots.iter().map(|(_, root)| root.clone()).collect();
+    let plain: Vec<Root> = roots.mapped(|(_, root)| root.clone());
     let samples = between_roots(&plain, None, None);
     // How many roots lie below a number that is none of them.
     let below = |x: &Rational| {

@@ -18,6 +18,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
+use crate::lists::Mapped;
 use crate::sorting::sort_by;
 
 /// The most faces of a box.
@@ -91,7 +92,7 @@ fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
     if problem.value(&start).is_negative() {
         return Some(Outcome::Refuted(rational(start)));
     }
-    let mut order: Vec<Var> = problem.ranges.iter().map(|(v, _)| *v).collect();
+    let mut order: Vec<Var> = problem.ranges.mapped(|(v, _)| *v);
     // Variables of low degree are better projected away.
     sort_by(&mut order, |v, w| problem.poly.degree(*w).cmp(&problem.poly.degree(*v)));
     let mut bases = Vec::new();

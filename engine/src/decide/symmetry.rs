@@ -4,6 +4,7 @@ use crate::algebra::matrix::vanishing_combinations;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 use crate::sorting::sort_unique;
 
 /// A permutation of the rows together with one of the columns under which a matrix does not change: the entry at
@@ -44,10 +45,8 @@ impl ChangeOfBasis {
         if symmetries.is_empty() || !all.clone().all(|s| leaves_unchanged(rows, s)) {
             return None;
         }
-        let by_rows: Vec<Vec<&[usize]>> =
-            symmetries.iter().map(|sum| sum.iter().map(|s| &s.rows[..]).collect()).collect();
-        let by_columns: Vec<Vec<&[usize]>> =
-            symmetries.iter().map(|sum| sum.iter().map(|s| &s.columns[..]).collect()).collect();
+        let by_rows: Vec<Vec<&[usize]>> = symmetries.mapped(|sum| sum.mapped(|s| &s.rows[..]));
+        let by_columns: Vec<Vec<&[usize]>> = symmetries.mapped(|sum| sum.mapped(|s| &s.columns[..]));
         Some(Self { rows: eigenvectors(rows.len(), &by_rows)?, columns: eigenvectors(width, &by_columns)? })
     }
 
@@ -58,9 +57,7 @@ impl ChangeOfBasis {
             .rows
             .iter()
             .map(|combination| (0..width).map(|c| sum(combination, |r| &rows[r][c])).collect::<Vec<Poly>>());
-        combined
-            .map(|row| self.columns.iter().map(|combination| sum(combination, |c| &row[c])).collect())
-            .collect()
+        combined.map(|row| self.columns.mapped(|combination| sum(combination, |c| &row[c]))).collect()
     }
 }
 
@@ -129,8 +126,7 @@ fn split(space: &[Vec<Rational>], orbit: &[usize], sum: &[&[usize]]) -> Vec<Vec<
     let largest = sum.len() as i64;
     let parts = (-largest..=largest).rev().map(|eigenvalue| {
         let moved = space.iter().map(|vector| {
-            let mut image: Vec<Rational> =
-                vector.iter().map(|x| -&(x * &Rational::from(eigenvalue))).collect();
+            let mut image: Vec<Rational> = vector.mapped(|x| -&(x * &Rational::from(eigenvalue)));
             for permutation in sum {
                 for (k, x) in orbit.iter().zip(vector) {
                     image[place(permutation[*k])] += x;

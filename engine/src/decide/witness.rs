@@ -10,6 +10,7 @@ use crate::algebra::roots::{Root, isolate};
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 
 /// A rational point.
 type Rationals = Vec<(Var, Rational)>;
@@ -37,7 +38,7 @@ pub(super) fn inside(
     for k in 0..300 {
         work.spend(problem.poly.len() as u64 * 10 * (1 + k / 16))?;
         step *= &Rational::new(1, 2);
-        let point: Rationals = corner.iter().map(|(v, s, high)| (*v, near(s, *high, &step))).collect();
+        let point: Rationals = corner.mapped(|(v, s, high)| (*v, near(s, *high, &step)));
         if violates(problem, relation, &point) {
             return Some(point);
         }
@@ -124,7 +125,7 @@ const MAX_GRID: usize = 400;
 
 /// The simplest point that contradicts the claim, with simple numbers and ends of ranges as coordinates.
 fn grid(problem: &Problem, relation: Relation) -> Option<Rationals> {
-    let lists: Vec<(Var, Vec<Rational>)> = problem.ranges.iter().map(|(v, r)| (*v, candidates(r))).collect();
+    let lists: Vec<(Var, Vec<Rational>)> = problem.ranges.mapped(|(v, r)| (*v, candidates(r)));
     let longest: usize = lists.iter().map(|(_, l)| l.len()).sum();
     let mut looked_at = 0;
     // By increasing sum of the places in the lists.

@@ -8,6 +8,7 @@ use crate::algebra::resultant::resultant;
 use crate::algebra::roots::bound;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 
 /// What is found near a point with algebraic coordinates.
 pub(super) enum Near {
@@ -26,15 +27,13 @@ const ROUNDS: usize = 6;
 pub(super) fn near(poly: &Poly, mut point: Vec<(Var, Algebraic)>, work: &mut Work) -> Option<Near> {
     for round in 0.. {
         let sides: Vec<(Var, Side)> =
-            point.iter().map(|(v, x)| (*v, Side::Finite(x.low().clone(), x.high().clone()))).collect();
+            point.mapped(|(v, x)| (*v, Side::Finite(x.low().clone(), x.high().clone())));
         let form = Form::new(poly, &sides, work)?;
         if form.coefficients().iter().all(Rational::is_positive) {
-            return Some(Near::Positive(
-                point.iter().map(|(_, x)| (x.low().clone(), x.high().clone())).collect(),
-            ));
+            return Some(Near::Positive(point.mapped(|(_, x)| (x.low().clone(), x.high().clone()))));
         }
         if form.coefficients().iter().all(Rational::is_negative) {
-            return Some(Near::Negative(point.iter().map(|(v, x)| (*v, x.low().clone())).collect()));
+            return Some(Near::Negative(point.mapped(|(v, x)| (*v, x.low().clone()))));
         }
         if round == ROUNDS && is_zero(poly, &point, work)? {
             return Some(Near::Zero(point));

@@ -1,5 +1,6 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
+use crate::lists::Mapped;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 
@@ -10,7 +11,7 @@ pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, V
         lines.push(format!("The family of basis functions `{}`.", family.title()));
     }
     if !family.order.is_empty() {
-        let values: Vec<String> = family.order.iter().map(|(n, v)| format!("{n} = {v}")).collect();
+        let values: Vec<String> = family.order.mapped(|(n, v)| format!("{n} = {v}"));
         lines.extend([String::new(), format!("Generated for {}.", values.join(", "))]);
     }
     lines.extend(["", "# Functions", "", "```text"].map(String::from));

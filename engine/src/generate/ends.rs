@@ -10,6 +10,7 @@ use super::{doc, site};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
+use crate::lists::Mapped;
 use crate::model::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
 
@@ -33,7 +34,7 @@ impl<'a> Ends<'a> {
     pub(super) fn new(shell: &'a Shell<'a>) -> Self {
         let family = shell.family;
         let range = |p: &Parameter| (p.var, p.range.clone());
-        let region = Region { ranges: family.shapes.iter().map(range).collect() };
+        let region = Region { ranges: family.shapes.mapped(range) };
         let solved = |at_start: bool| -> Vec<Solved> {
             let points = EndPoints::up_to(family, ORDER, at_start).into_iter();
             points
@@ -169,7 +170,7 @@ impl Solved {
                 [(term, weight)] if weight.as_constant().is_some_and(|w| w.is_one()) => term.clone(),
                 _ => {
                     let weights: Vec<TokenStream> =
-                        terms.iter().map(|(_, w)| code.quotient(w.numer(), w.denom())).collect();
+                        terms.mapped(|(_, w)| code.quotient(w.numer(), w.denom()));
                     let terms = terms.iter().map(|(term, _)| term);
                     quote_spanned!(site()=> #runtime::__private::combine(&[#(#terms),*], [#(#weights),*]))
                 }
@@ -178,14 +179,10 @@ impl Solved {
             assignments.extend(quote_spanned!(site()=> points[#position] = #value;));
         }
         let (title, conditions) = (family.title(), Literal::usize_unsuffixed(derivatives.len()));
-        let checks: Vec<TokenStream> = self
-            .zeros
-            .iter()
-            .map(|factor| {
-                let (at, divisor) = (zero(factor, &family.names), code.scalar(factor));
-                quote_spanned!(site()=> #runtime::__private::check_end(#title, #conditions, #at, #divisor)?;)
-            })
-            .collect();
+        let checks: Vec<TokenStream> = self.zeros.mapped(|factor| {
+            let (at, divisor) = (zero(factor, &family.names), code.scalar(factor));
+            quote_spanned!(site()=> #runtime::__private::check_end(#title, #conditions, #at, #divisor)?;)
+        });
         let lets = code.lets();
         quote_spanned! {site()=>
             [#(#derivatives),*] => {

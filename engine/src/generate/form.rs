@@ -2,6 +2,7 @@
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
+use crate::lists::Mapped;
 use crate::model::Family;
 
 /// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form: there the rounding error
@@ -59,9 +60,7 @@ impl IntervalForm {
         let degree = family.degree(var);
         let functions = family
             .functions
-            .iter()
-            .map(|f| FunctionForm::new(f.value.numer(), f.value.denom(), var, low, high, degree))
-            .collect();
+            .mapped(|f| FunctionForm::new(f.value.numer(), f.value.denom(), var, low, high, degree));
         Some(Self { var, low: low.clone(), high: high.clone(), degree, functions })
     }
 
@@ -81,7 +80,7 @@ pub fn bernstein_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
     let (var, low, high) = family.interval()?;
     let (degree, width) = (family.degree(var), high - low);
     let row = |numer: &Poly| to_bernstein(&affine(&numer.coefficients_in(var), low, &width), degree);
-    Some(family.functions.iter().map(|f| row(f.value.numer())).collect())
+    Some(family.functions.mapped(|f| row(f.value.numer())))
 }
 
 impl FunctionForm {
@@ -170,7 +169,7 @@ impl Factored {
             content = -content;
         }
         let factor = content.recip().unwrap_or(Rational::ONE);
-        let inner = c.iter().map(|p| p.scale(&factor)).collect();
+        let inner = c.mapped(|p| p.scale(&factor));
         Self { content, x_power, s_power, inner }
     }
 

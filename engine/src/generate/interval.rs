@@ -11,6 +11,7 @@ use super::shell::Shell;
 use super::{doc, docs, number, scalar, site};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 use scalar::ScalarCode;
@@ -156,12 +157,8 @@ impl Emitter<'_> {
         let runtime = self.runtime;
         let mut code = self.scalars();
         let mut powers = Powers::default();
-        let values: Vec<TokenStream> = self
-            .form
-            .functions
-            .iter()
-            .map(|f| self.value(&f.factored, &f.denom, &mut code, &mut powers))
-            .collect();
+        let values: Vec<TokenStream> =
+            self.form.functions.mapped(|f| self.value(&f.factored, &f.denom, &mut code, &mut powers));
         let (lets, powers) = (code.lets(), powers.lets());
         let unit = quote_spanned! {site()=>
             let [s, x] = #runtime::__private::unit(<Self as #runtime::Basis>::domain(), t);
@@ -186,7 +183,7 @@ impl Emitter<'_> {
             [one] if one.is_one() => {}
             [one] => product.push(code.scalar(one)),
             many => {
-                let entries = many.iter().map(|p| code.scalar(p)).collect::<Vec<_>>();
+                let entries = many.mapped(|p| code.scalar(p));
                 product.push(quote_spanned!(site()=> #runtime::__private::bernstein([#(#entries),*], s, x)));
             }
         }
@@ -205,13 +202,13 @@ impl Emitter<'_> {
     /// The monomial coefficients, one row for each function.
     fn coefficients(&self) -> TokenStream {
         let functions = &self.form.functions;
-        self.table(functions.iter().map(|f| f.monomial.iter().map(|p| (p, &f.denom)).collect()).collect())
+        self.table(functions.mapped(|f| f.monomial.mapped(|p| (p, &f.denom))))
     }
 
     /// The Bernstein coefficients, one column for each function.
     fn weights(&self) -> TokenStream {
         let functions = &self.form.functions;
-        let row = |j: usize| functions.iter().map(|f| (&f.bernstein[j], &f.denom)).collect();
+        let row = |j: usize| functions.mapped(|f| (&f.bernstein[j], &f.denom));
         self.table((0..=self.form.degree as usize).map(row).collect())
     }
 
@@ -250,8 +247,7 @@ impl Emitter<'_> {
             let weights = weights.into_iter().map(|(p, d)| code.quotient(p, d)).collect::<Vec<_>>();
             quote_spanned!(site()=> #runtime::__private::combine(points, [#(#weights),*]))
         };
-        let mut column =
-            |k: usize| combination(form.functions.iter().map(|f| (&f.endpoint[k], &f.denom)).collect());
+        let mut column = |k: usize| combination(form.functions.mapped(|f| (&f.endpoint[k], &f.denom)));
         let (start, end) = (column(0), column(1));
         let inner: Vec<TokenStream> = (0..inner_len as usize).map(|k| column(k + 2)).collect();
         let lets = code.lets();

@@ -7,6 +7,7 @@ use super::scalar::{ScalarCode, Variable};
 use super::{doc, docs, names, shell, site, weights};
 use crate::SortedMap;
 use crate::diagnostic::Diagnostic;
+use crate::lists::Mapped;
 use crate::model::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use crate::model::{Parameter, label};
 use crate::prove::Verdict;
@@ -90,15 +91,12 @@ pub(crate) fn join(
         let value = quote_spanned!(site()=> #local);
         variables.push(Variable { var: parameter.var, range: parameter.range.clone(), value });
     }
-    let given: Vec<TokenStream> = used.iter().map(|k| given(&points, &theorem.points[*k])).collect();
+    let given: Vec<TokenStream> = used.mapped(|k| given(&points, &theorem.points[*k]));
     let mut code = ScalarCode::new(variables);
-    let results: Vec<(TokenStream, TokenStream)> = determined
-        .iter()
-        .map(|(_, points)| {
-            let mut value = |form: &Form| combination(form, &used, runtime, &mut code);
-            arranged(points, &mut value)
-        })
-        .collect();
+    let results: Vec<(TokenStream, TokenStream)> = determined.mapped(|(_, points)| {
+        let mut value = |form: &Form| combination(form, &used, runtime, &mut code);
+        arranged(points, &mut value)
+    });
     let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.into_iter().unzip();
     let (result, value) = match (types.as_slice(), values.as_slice()) {
         ([one], [value]) => (one.clone(), value.clone()),
@@ -274,7 +272,7 @@ fn arranged(
     points: &[(&[i64], &Form)],
     value: &mut dyn FnMut(&Form) -> TokenStream,
 ) -> (TokenStream, TokenStream) {
-    let values: Vec<TokenStream> = points.iter().map(|(_, form)| value(form)).collect();
+    let values: Vec<TokenStream> = points.mapped(|(_, form)| value(form));
     let count = Literal::usize_unsuffixed(values.len());
     match grid(points.iter().map(|(index, _)| *index)) {
         Some((rows, columns)) => {
@@ -333,7 +331,7 @@ fn documentation(
             (None, None) => String::from("any number"),
             _ => format!("`{}`", p.range.display(&p.name)),
         };
-        let ranges: Vec<String> = argument.scalars.iter().map(range).collect();
+        let ranges: Vec<String> = argument.scalars.mapped(range);
         let about: Vec<&str> =
             argument.scalars.iter().take(1).flat_map(|p| &p.doc).map(String::as_str).collect();
         let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
@@ -350,8 +348,7 @@ fn documentation(
             lines.push(format!("{} = {formula}", label(&patch.name, index)));
         }
     }
-    let written: Vec<String> =
-        determined.iter().map(|(p, _)| format!("`{} = {}`", p.name, p.written)).collect();
+    let written: Vec<String> = determined.mapped(|(p, _)| format!("`{} = {}`", p.name, p.written));
     lines.push(String::from("```"));
     lines.extend([String::new(), format!("of {}.", written.join(", "))]);
     lines.extend(

@@ -16,6 +16,7 @@ use crate::SortedMap;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
+use crate::lists::Mapped;
 use crate::model::{Claim, Family, Function, label};
 use crate::prove::Verdict;
 
@@ -90,8 +91,7 @@ impl Emitter<'_> {
             })
             .collect();
         if self.steps > 0 {
-            let letters: Vec<String> =
-                ["i", "j", "k", "l"][..self.corners()].iter().map(ToString::to_string).collect();
+            let letters: Vec<String> = ["i", "j", "k", "l"][..self.corners()].mapped(ToString::to_string);
             let term = |(j, x): (usize, &str)| {
                 let mut index = letters.clone();
                 index[j] += "-1";
@@ -115,7 +115,7 @@ impl Emitter<'_> {
 
     /// The degrees of the functions of the family.
     fn degrees(&self) -> Vec<u32> {
-        self.form.degrees.iter().map(|d| d + self.steps).collect()
+        self.form.degrees.mapped(|d| d + self.steps)
     }
 
     /// The lowest order of the recursion.
@@ -329,7 +329,7 @@ impl Emitter<'_> {
         let mut code = self.shell.scalars();
         let mut powers = Powers::default();
         let values: Vec<TokenStream> =
-            self.form.functions.iter().map(|f| self.value(f, &names, &mut code, &mut powers)).collect();
+            self.form.functions.mapped(|f| self.value(f, &names, &mut code, &mut powers));
         let (lets, powers) = (code.lets(), powers.lets());
         let mut values = quote_spanned!(site()=> [#(#values),*]);
         if self.steps > 0 {
@@ -396,7 +396,7 @@ impl Emitter<'_> {
         let runtime = self.shell.runtime;
         let present = f.inner.iter().filter(|c| !c.is_zero()).count();
         if present > MAX_TERMS {
-            let entries: Vec<TokenStream> = f.inner.iter().map(|c| code.scalar(c)).collect();
+            let entries: Vec<TokenStream> = f.inner.mapped(|c| code.scalar(c));
             let degrees = f.inner_degrees.iter().map(|d| Literal::u32_unsuffixed(*d));
             return if self.shell.family.is_simplex() {
                 quote_spanned!(site()=> #runtime::__private::simplex_sum(&[#(#entries),*], at, #(#degrees)*))
@@ -447,7 +447,7 @@ impl Emitter<'_> {
         }
         // Two bytes for each entry when one is not enough.
         let bytes: Vec<u8> = if entries.len() <= 256 {
-            places.iter().map(|p| *p as u8).collect()
+            places.mapped(|p| *p as u8)
         } else {
             places.iter().flat_map(|p| (*p as u16).to_le_bytes()).collect()
         };

@@ -7,6 +7,7 @@
 use crate::SortedMap;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
+use crate::lists::Mapped;
 use crate::model::{Family, Function};
 
 /// More Bernstein coefficients, for all functions together, are not emitted.
@@ -60,8 +61,8 @@ impl PatchForm {
     /// The form of functions on the domain of a family, in its variables.
     pub fn of_functions(family: &Family, functions: &[Function]) -> Option<Self> {
         let groups = groups(family);
-        let numers: Vec<Poly> = functions.iter().map(|f| in_units(f.value.numer(), &groups)).collect();
-        let own: Vec<Vec<u32>> = numers.iter().map(|p| degrees(p, &groups)).collect();
+        let numers: Vec<Poly> = functions.mapped(|f| in_units(f.value.numer(), &groups));
+        let own: Vec<Vec<u32>> = numers.mapped(|p| degrees(p, &groups));
         let degrees: Vec<u32> =
             (0..groups.len()).map(|g| own.iter().map(|d| d[g]).max().unwrap_or(0)).collect();
         let count = lattice_size(&groups, &degrees)?.checked_mul(functions.len())?;
@@ -76,9 +77,7 @@ impl PatchForm {
             .map(|((f, numer), own)| {
                 let all = homogeneous(numer, &groups, &degrees);
                 let bernstein = lattice
-                    .iter()
-                    .map(|e| all.get(e).map_or_else(Poly::zero, |c| c.scale(&reciprocal(e, &groups))))
-                    .collect();
+                    .mapped(|e| all.get(e).map_or_else(Poly::zero, |c| c.scale(&reciprocal(e, &groups))));
                 let (content, powers, inner_degrees, inner) =
                     factored(&homogeneous(numer, &groups, own), &groups, own);
                 let denom = f.value.denom().clone();
@@ -126,16 +125,12 @@ impl Group {
 /// One group for a simplex, one for each variable of a box.
 fn groups(family: &Family) -> Vec<Group> {
     if family.is_simplex() {
-        return vec![Group { vars: family.domain.iter().map(|p| p.var).collect(), range: None }];
+        return vec![Group { vars: family.domain.mapped(|p| p.var), range: None }];
     }
-    family
-        .domain
-        .iter()
-        .map(|p| Group {
-            vars: vec![p.var],
-            range: p.range.finite().map(|(low, high)| (low.clone(), high.clone())),
-        })
-        .collect()
+    family.domain.mapped(|p| Group {
+        vars: vec![p.var],
+        range: p.range.finite().map(|(low, high)| (low.clone(), high.clone())),
+    })
 }
 
 /// The variables t of a box replaced by x, t = low + (high − low) x.
@@ -152,7 +147,7 @@ fn in_units(numer: &Poly, groups: &[Group]) -> Poly {
 /// The degrees in the groups.
 fn degrees(numer: &Poly, groups: &[Group]) -> Vec<u32> {
     let of = |m: &Monomial, g: &Group| g.vars.iter().map(|v| u32::from(m.exponent(*v))).sum::<u32>();
-    groups.iter().map(|g| numer.terms().map(|(m, _)| of(m, g)).max().unwrap_or(0)).collect()
+    groups.mapped(|g| numer.terms().map(|(m, _)| of(m, g)).max().unwrap_or(0))
 }
 
 /// The coefficients, polynomials in the shape parameters, of the monomials in all coordinates, homogeneous of these degrees.
@@ -163,7 +158,7 @@ fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec
         // The term times the missing powers of the sums of the groups.
         let mut terms: Vec<(Vec<u32>, Rational)> = vec![(Vec::new(), c.clone())];
         for (group, degree) in groups.iter().zip(degrees) {
-            let mut own: Vec<u32> = group.vars.iter().map(|v| u32::from(monomial.exponent(*v))).collect();
+            let mut own: Vec<u32> = group.vars.mapped(|v| u32::from(monomial.exponent(*v)));
             shape = group.vars.iter().fold(shape, |m, v| m.with_exponent(*v, 0));
             let missing = degree - own.iter().sum::<u32>();
             own.push(0);
@@ -284,7 +279,7 @@ pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
     for f in functions {
         known.insert(&f.index, &f.value);
     }
-    let mut coordinates: Vec<Fraction> = family.domain.iter().map(|p| Fraction::var(p.var)).collect();
+    let mut coordinates: Vec<Fraction> = family.domain.mapped(|p| Fraction::var(p.var));
     let one = Fraction::constant(Rational::ONE);
     coordinates.push(coordinates.iter().fold(one, |rest, x| &rest - x));
     let order = functions.first().map_or(0, |f| f.index.iter().sum::<i64>());

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use super::{scalar, site};
+use crate::lists::Mapped;
 
 /// The powers of the coordinates.
 #[derive(Default)]
@@ -39,7 +40,7 @@ impl Powers {
             [] => None,
             [one] => Some(one.to_token_stream()),
             many => {
-                let product = scalar::product(many.iter().map(ToTokens::to_token_stream).collect());
+                let product = scalar::product(many.mapped(ToTokens::to_token_stream));
                 Some(quote_spanned!(site()=> (#product)))
             }
         }

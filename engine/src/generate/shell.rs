@@ -7,6 +7,7 @@ use super::scalar::ScalarCode;
 use super::{doc, site};
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::model::Family;
 
 /// A family as a type.
@@ -92,8 +93,7 @@ impl Shell<'_> {
                 }
             };
         }
-        let ranges: Vec<String> =
-            family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect();
+        let ranges: Vec<String> = family.shapes.mapped(|p| p.range.display(&p.name).to_string());
         let checks = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
             let (low, high) = (bound(&p.range.low, core), bound(&p.range.high, core));
             let parameter = &p.name;

@@ -7,6 +7,7 @@ use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::diagnostic::Diagnostic;
+use crate::lists::Mapped;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
 
@@ -183,7 +184,7 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
         all.push(Parameter { name: name.text.clone(), doc: doc.to_vec(), place, var, range: Range::unit() });
     }
     let last = all.pop()?;
-    scope.domain = all.iter().map(|p| p.var).collect();
+    scope.domain = all.mapped(|p| p.var);
     scope.dependent = Some(last.var);
     Some((all, Some(last)))
 }

@@ -10,6 +10,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
+use crate::lists::Mapped;
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
@@ -68,7 +69,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let Some(fixed) = fixed(scope, family, bindings) else { return };
             let printer = Printer { constants: &scope.constants, component: None };
             let parts: Vec<String> =
-                bindings.iter().map(|b| format!("{} = {}", b.name.text, printer.print(&b.value))).collect();
+                bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
             let at = parts.join(", ");
             for relation in relations {
                 self::relation(scope, relation, &fixed, &mut |scope, text, kind| {
@@ -110,8 +111,7 @@ fn property(
         syntax::ClaimKind::Symmetric => (String::from("symmetric"), ClaimKind::Symmetric),
         syntax::ClaimKind::Independent(exceptions) => {
             let except = self::exceptions(scope, family, exceptions)?;
-            let parts: Vec<String> =
-                except.iter().map(|values| describe_values(values, &family.names)).collect();
+            let parts: Vec<String> = except.mapped(|values| describe_values(values, &family.names));
             let text = if parts.is_empty() {
                 String::from("independent")
             } else {
@@ -141,7 +141,7 @@ fn property(
 }
 
 fn describe_values(values: &[(Var, Rational)], names: &[String]) -> String {
-    let parts: Vec<String> = values.iter().map(|(v, x)| format!("{} = {x}", names[v.0])).collect();
+    let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", names[v.0]));
     if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) }
 }
 
@@ -157,7 +157,7 @@ fn exceptions(
         for binding in exception {
             let value = scope.number(&binding.value, "an exceptional value")?;
             let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
-                let known: Vec<String> = family.shapes.iter().map(|s| s.name.clone()).collect();
+                let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
                 let error = scope
                     .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
                 scope.report(if known.is_empty() {
@@ -381,11 +381,11 @@ fn differences(
             (l, r, true)
         }
         (Value::List(l), Value::Scalar(r)) if r.is_zero() => {
-            let zeros = l.iter().map(|(i, _)| (i.clone(), Fraction::zero())).collect();
+            let zeros = l.mapped(|(i, _)| (i.clone(), Fraction::zero()));
             (l, zeros, true)
         }
         (Value::Scalar(l), Value::List(r)) if l.is_zero() => {
-            let zeros = r.iter().map(|(i, _)| (i.clone(), Fraction::zero())).collect();
+            let zeros = r.mapped(|(i, _)| (i.clone(), Fraction::zero()));
             (zeros, r, true)
         }
         (Value::List(list), _) | (_, Value::List(list)) => {

@@ -8,6 +8,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::lists::Mapped;
 use crate::model::Parameter;
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
@@ -70,7 +71,7 @@ impl EndPoints {
     /// From the derivatives of all functions, one row for each order.
     fn of(rows: &[Vec<Fraction>], at_start: bool, work: &mut Work) -> Option<Self> {
         let positions = independent_columns(rows, at_start, work)?;
-        let square = rows.iter().map(|row| positions.iter().map(|k| row[*k].clone()).collect()).collect();
+        let square = rows.mapped(|row| positions.mapped(|k| row[*k].clone()));
         let (inverse, determinant) = inverse(square, work)?;
         let mut others = Vec::new();
         for factors in &inverse {
@@ -230,7 +231,7 @@ fn independent_columns(rows: &[Vec<Fraction>], from_start: bool, work: &mut Work
     let mut columns = Vec::new();
     for k in 0..len {
         let k = if from_start { k } else { len - 1 - k };
-        let mut column: Vec<Fraction> = rows.iter().map(|row| row[k].clone()).collect();
+        let mut column: Vec<Fraction> = rows.mapped(|row| row[k].clone());
         for (pivot, reduced) in &basis {
             // A pivot is not zero.
             let factor = column[*pivot].div_within(&reduced[*pivot], work).ok().flatten()?;

@@ -8,6 +8,7 @@ use super::scope::{BUILTINS, Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
+use crate::lists::Mapped;
 use crate::syntax::{Expr, ExprKind, Loops};
 use crate::words::{along_edges, count, here};
 
@@ -317,7 +318,7 @@ impl Scope<'_> {
             Value::List(list) => match list.iter().find(|(i, _)| *i == index) {
                 Some((_, value)) => Some(Value::Scalar(value.clone())),
                 None => {
-                    let shown: Vec<String> = index.iter().map(i64::to_string).collect();
+                    let shown: Vec<String> = index.mapped(i64::to_string);
                     let error = self.error(
                         span,
                         format!("the index {} is outside of a list of {}", shown.join(","), list.len()),
@@ -465,7 +466,7 @@ impl Scope<'_> {
                             argument.span,
                             format!("`{name}` depends on the other barycentric coordinates"),
                         );
-                        let names: Vec<&str> = self.domain.iter().map(|v| self.names[v.0].as_str()).collect();
+                        let names: Vec<&str> = self.domain.mapped(|v| self.names[v.0].as_str());
                         let own =
                             if self.function_name.is_empty() { "b" } else { self.function_name.as_str() };
                         self.report(error.help(along_edges(own, &names, name)));
@@ -525,7 +526,7 @@ impl Scope<'_> {
         if let [only] = self.domain.as_slice() {
             return Some(*only);
         }
-        let names: Vec<String> = self.domain.iter().map(|v| self.names[v.0].clone()).collect();
+        let names: Vec<String> = self.domain.mapped(|v| self.names[v.0].clone());
         let error = self.error(span, format!("there are {} domain variables", names.len()));
         self.report(
             error.help(format!("say by which to differentiate: `D(b, {})`", names.join(")` or `D(b, "))),
@@ -623,7 +624,7 @@ impl Scope<'_> {
             }
         };
         if shapes.len() != family.shapes.len() {
-            let wanted: Vec<String> = family.shapes.iter().map(|s| s.name.clone()).collect();
+            let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
             let error = self.error(
                 span,
                 format!("`{name}` has {}, {}", count(wanted.len(), "shape parameter"), here(shapes.len())),

@@ -9,6 +9,7 @@ use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use crate::words::{count, indices};
 
@@ -204,7 +205,7 @@ fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: 
             moved[*to] = index[from];
         }
         let vars = scope.domain.clone();
-        let by: Vec<Fraction> = order[..corners - 1].iter().map(|to| scope.barycentric(*to)).collect();
+        let by: Vec<Fraction> = order[..corners - 1].mapped(|to| scope.barycentric(*to));
         let Some(value) = scope.put(value, &vars, &by, def.value.span) else { return false };
         match new.get(&moved) {
             Some(other) if *other != value => {
@@ -347,7 +348,7 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
     let indices = if scope.dependent.is_some() && width == scope.domain.len() + 1 {
         multi_indices(width, last.iter().sum::<i64>() + 1, MAX_FUNCTIONS)
     } else {
-        grid(&sizes(scope).iter().map(|s| s + 1).collect::<Vec<_>>())
+        grid(&sizes(scope).mapped(|s| s + 1))
     };
     if indices.len() > MAX_FUNCTIONS {
         scope.report(

@@ -11,6 +11,7 @@ use super::theorem::{self, Theorem};
 use super::{Claim, Family, build, claims};
 use crate::SortedMap;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::lists::Mapped;
 use crate::source::{self, Files, Source, SourceId, Sources};
 use crate::syntax::{self, Spec, SyntaxError};
 use crate::words::closest;
@@ -159,8 +160,7 @@ impl<'f> Library<'f> {
         let found = source.path.as_deref().and_then(|p| self.sources.find(p));
         if let Some(id) = found {
             if let Some(start) = stack.iter().position(|s| *s == id) {
-                let mut names: Vec<&str> =
-                    stack[start..].iter().map(|s| self.sources.get(*s).name.as_str()).collect();
+                let mut names: Vec<&str> = stack[start..].mapped(|s| self.sources.get(*s).name.as_str());
                 names.push(self.sources.get(id).name.as_str());
                 let message = format!("cyclic `use`: {}", names.join(" uses "));
                 let place = self.place(from, span);
@@ -300,7 +300,7 @@ impl<'f> Library<'f> {
     ) -> Result<Rc<Family>, Option<(String, String)>> {
         let Some((home, position)) = self.find(unit, name) else {
             let visible = self.visible(unit);
-            let known: Vec<&str> = visible.iter().map(String::as_str).collect();
+            let known: Vec<&str> = visible.mapped(String::as_str);
             let help = match closest(name, &known) {
                 Some(near) => format!("did you mean `{near}`?"),
                 None => format!("families here are {}", crate::words::list(&visible)),
@@ -316,7 +316,7 @@ impl<'f> Library<'f> {
         }
         let family = self.families_of(home).nth(position).ok_or(None)?;
         if family.orders.len() != order.len() {
-            let wanted: Vec<String> = family.orders.iter().map(|g| g.name.text.clone()).collect();
+            let wanted: Vec<String> = family.orders.mapped(|g| g.name.text.clone());
             let help = if wanted.is_empty() {
                 format!("write `{name}`")
             } else {
@@ -484,7 +484,7 @@ impl<'f> Library<'f> {
     pub fn index_names(&self, family: &str) -> Option<Vec<String>> {
         let (home, position) = self.find(MAIN, family)?;
         let family = self.families_of(home).nth(position)?;
-        Some(family.orders.iter().map(|order| order.name.text.clone()).collect())
+        Some(family.orders.mapped(|order| order.name.text.clone()))
     }
 
     /// One family of the spec that was asked for, with its claims.

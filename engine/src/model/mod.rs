@@ -21,6 +21,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
+use crate::lists::Mapped;
 use crate::source::SourceId;
 pub use crate::syntax::{Comparison, Expected};
 
@@ -87,7 +88,7 @@ impl Family {
         if self.order.is_empty() {
             return self.name.clone();
         }
-        let values: Vec<String> = self.order.iter().map(|(_, v)| v.to_string()).collect();
+        let values: Vec<String> = self.order.mapped(|(_, v)| v.to_string());
         format!("{}({})", self.name, values.join(", "))
     }
 
@@ -113,7 +114,7 @@ impl Family {
 
     /// The declared ranges of the shape parameters.
     pub fn shape_region(&self) -> Region {
-        Region { ranges: self.shapes.iter().map(|p| (p.var, p.range.clone())).collect() }
+        Region { ranges: self.shapes.mapped(|p| (p.var, p.range.clone())) }
     }
 
     /// The only domain variable and the two ends of its range; `None` when there are several.
@@ -131,7 +132,7 @@ impl Family {
 
 /// `b[2,0,1]`.
 pub(crate) fn label(name: &str, index: &[i64]) -> String {
-    let index: Vec<String> = index.iter().map(i64::to_string).collect();
+    let index: Vec<String> = index.mapped(i64::to_string);
     format!("{name}[{}]", index.join(","))
 }
 

@@ -1,5 +1,6 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
+use crate::lists::Mapped;
 use crate::syntax::{Expr, ExprKind, Generator};
 
 /// How to print.
@@ -95,10 +96,8 @@ impl Printer<'_> {
                 // b[i] is one function already: its name is not to be replaced by a component.
                 let base =
                     Printer { constants: self.constants, component: None }.at_least(base, Binding::Atom);
-                let indices: Vec<String> = indices
-                    .iter()
-                    .map(|i| self.whole(i).map_or_else(|| self.print(i), |n| n.to_string()))
-                    .collect();
+                let indices: Vec<String> =
+                    indices.mapped(|i| self.whole(i).map_or_else(|| self.print(i), |n| n.to_string()));
                 (format!("{base}[{}]", indices.join(",")), Binding::Atom)
             }
             ExprKind::Call(callee, arguments) => {
@@ -127,11 +126,11 @@ impl Printer<'_> {
                         format!("{} in {}{dots}{}", g.name.text, self.print(&g.low), self.print(&g.high))
                     }
                     Generator::Simplex(names, sum) => {
-                        let names: Vec<&str> = names.iter().map(|n| n.text.as_str()).collect();
+                        let names: Vec<&str> = names.mapped(|n| n.text.as_str());
                         format!("{} in simplex({})", names.join(", "), self.print(sum))
                     }
                 };
-                let ranges: Vec<String> = loops.generators.iter().map(range).collect();
+                let ranges: Vec<String> = loops.generators.mapped(range);
                 let mut text = format!("{} for {}", self.print(body), ranges.join(", "));
                 for (k, (a, sign, b)) in loops.conditions.iter().enumerate() {
                     let word = if k == 0 { "if" } else { "&&" };
@@ -183,10 +182,10 @@ impl Printer<'_> {
     }
 
     fn list(&self, parts: &[Expr], separator: &str) -> String {
-        parts.iter().map(|e| self.print(e)).collect::<Vec<_>>().join(separator)
+        parts.mapped(|e| self.print(e)).join(separator)
     }
 }
 
 fn indices(index: &[i64]) -> String {
-    index.iter().map(i64::to_string).collect::<Vec<_>>().join(",")
+    index.mapped(i64::to_string).join(",")
 }

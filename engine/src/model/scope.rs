@@ -11,6 +11,7 @@ use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::lists::Mapped;
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
 use crate::words::closest;
@@ -314,7 +315,7 @@ impl Scope<'_> {
         let mut scope = Self::new(library, unit, family.source);
         scope.constants.clone_from(&family.order);
         scope.names.clone_from(&family.names);
-        scope.domain = family.domain.iter().map(|p| p.var).collect();
+        scope.domain = family.domain.mapped(|p| p.var);
         scope.dependent = family.dependent.as_ref().map(|p| p.var);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {

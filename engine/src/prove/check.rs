@@ -10,6 +10,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::decide::{Computed, Coordinate, Table, Values, verify, verify_independence};
+use crate::lists::Mapped;
 use crate::model::theorem::{Theorem, TheoremClaim, TheoremClaimKind};
 use crate::model::{Claim, ClaimKind, Comparison, Family};
 
@@ -239,8 +240,7 @@ fn point(family: &Family, claim: &Claim, witness: &Witness) -> Result<Point, Str
     }
     if !rational && witness.at.len() > independent {
         // Barycentric coordinates sum to 1.
-        let coordinates =
-            witness.at[family.shapes.len()..].iter().map(|(_, c)| c.clone()).collect::<Vec<_>>();
+        let coordinates = witness.at[family.shapes.len()..].mapped(|(_, c)| c.clone());
         let sum = (0..coordinates.len()).fold(-&Poly::one(), |sum, k| &sum + &Poly::var(Var(k)));
         if !several(&sum, &coordinates) {
             return Err(String::from("the barycentric coordinates do not sum to 1"));
@@ -332,11 +332,10 @@ fn dependence(family: &Family, except: &[Values], witness: &Witness, point: &Poi
             Err(String::from("the functions are not shown to be dependent at the irrational point"))
         };
     };
-    let rows: Vec<Vec<Rational>> =
-        table.rows.iter().map(|row| row.iter().map(|p| p.eval(&exact)).collect()).collect();
+    let rows: Vec<Vec<Rational>> = table.rows.mapped(|row| row.mapped(|p| p.eval(&exact)));
     let product =
         |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
-    let gram = rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect();
+    let gram = rows.mapped(|a| rows.mapped(|b| product(a, b)));
     let work = &mut crate::decide::Budget::scaled(family.budget).work;
     let spent = || String::from("the budget is spent on the determinant of the coefficients");
     let squares = determinant(gram, work).ok_or_else(spent)?;

@@ -4,6 +4,7 @@ use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_poi
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::model::{ClaimKind, Family};
 use crate::words::abbreviated;
 
@@ -106,8 +107,8 @@ fn motions(family: &Family) -> Vec<Motion> {
     let Some(last) = family.functions.last().map(|f| f.index.clone()) else { return Vec::new() };
     let one =
         |(k, p): (usize, &Poly), at: usize, value: &Poly| if k == at { value.clone() } else { p.clone() };
-    let vars: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
-    let mut identity: Vec<Poly> = vars.iter().map(|v| Poly::var(*v)).collect();
+    let vars: Vec<Var> = family.domain.mapped(|p| p.var);
+    let mut identity: Vec<Poly> = vars.mapped(|v| Poly::var(*v));
     let mut all = Vec::new();
     if family.is_simplex() {
         let rest = identity.iter().fold(Poly::one(), |rest, p| &rest - p);
@@ -127,7 +128,7 @@ fn motions(family: &Family) -> Vec<Motion> {
         let Some((low, high)) = variable.range.finite() else { continue };
         let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
         let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).collect();
-        let arguments = moved.iter().map(|p| p.display(&family.names).to_string()).collect();
+        let arguments = moved.mapped(|p| p.display(&family.names).to_string());
         all.push(Motion {
             by: vars.iter().copied().zip(moved).collect(),
             arguments,
@@ -248,7 +249,7 @@ fn notes(
 
 fn describe_fixed(family: &Family, fixed: &[(Var, Fraction)]) -> String {
     let parts: Vec<String> =
-        fixed.iter().map(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names))).collect();
+        fixed.mapped(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names)));
     parts.join(", ")
 }
 

@@ -8,6 +8,7 @@ use crate::algebra::rational::Rational;
 use crate::decide::{
     self, Budget, Coordinate, Exception, Independence, Piece, Symmetries, Symmetry, Table, Values,
 };
+use crate::lists::Mapped;
 use crate::model::Family;
 use crate::sorting::sort_unique;
 
@@ -95,7 +96,8 @@ pub fn coefficient_table(family: &Family) -> Table {
         }
         row
     };
-    let rows: Vec<SortedMap<Monomial, Poly>> = family.functions.iter().map(|f| row(f.value.numer())).collect();
+    let rows: Vec<SortedMap<Monomial, Poly>> =
+        family.functions.iter().map(|f| row(f.value.numer())).collect();
     let mut columns: Vec<&Monomial> = rows.iter().flat_map(SortedMap::keys).collect();
     sort_unique(&mut columns);
     let symmetries = if family.is_simplex() {
@@ -142,14 +144,13 @@ fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) 
     let point: Vec<(Var, Coordinate)> =
         point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).collect();
     let coordinates = point::coordinates(&point, family.names.len());
-    let rows: Vec<Vec<Rational>> =
-        table.rows.iter().map(|row| row.iter().map(|p| p.eval(&coordinates)).collect()).collect();
+    let rows: Vec<Vec<Rational>> = table.rows.mapped(|row| row.mapped(|p| p.eval(&coordinates)));
     // The sum of the squares of the minors is the determinant of the table times its transpose (Cauchy–Binet).
     let product =
         |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
-    let squares = rows.iter().map(|a| rows.iter().map(|b| product(a, b)).collect()).collect();
+    let squares = rows.mapped(|a| rows.mapped(|b| product(a, b)));
     let value = determinant(squares, &mut Budget::scaled(family.budget).work)?;
-    let described: Vec<String> = values.iter().map(|(v, x)| format!("{} = {x}", family.names[v.0])).collect();
+    let described: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
     Some(Witness {
         of: String::from(SQUARES),
         at: named_point(family, &point, &[]),

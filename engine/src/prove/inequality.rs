@@ -7,6 +7,7 @@ use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
+use crate::lists::Mapped;
 use crate::model::{ClaimKind, Comparison, Family};
 
 /// Coordinates of the variables of a family, and the last barycentric one where it is needed.
@@ -124,7 +125,7 @@ fn numerator_with_sign(value: &Fraction, family: &Family) -> Poly {
     if value.as_poly().is_some() {
         return value.numer().clone();
     }
-    let at: Vec<Rational> = family.shapes.iter().map(|p| point::simple(&p.range)).collect();
+    let at: Vec<Rational> = family.shapes.mapped(|p| point::simple(&p.range));
     if value.denom().eval(&at).is_negative() { -value.numer() } else { value.numer().clone() }
 }
 

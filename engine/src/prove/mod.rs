@@ -21,6 +21,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::decide::{Coordinate, Proof, Relation, Table, Values};
+use crate::lists::Mapped;
 use crate::model::{Claim, ClaimKind, Expected, Family};
 
 /// What is known about a claim.
@@ -133,7 +134,7 @@ impl Witness {
 
 /// The coordinates of a point as they are written in a spec, `(1, 1/2)`.
 pub fn point_text(place: &[Rational]) -> String {
-    let parts: Vec<String> = place.iter().map(Rational::to_string).collect();
+    let parts: Vec<String> = place.mapped(Rational::to_string);
     format!("({})", parts.join(", "))
 }
 
@@ -160,9 +161,7 @@ pub fn expressions(family: &Family, claim: &Claim) -> Vec<(String, Fraction)> {
             functions.map(|(k, f)| (family.function_label(k), f.value.clone())).collect()
         }
         ClaimKind::Independent(_) => Vec::new(),
-        ClaimKind::Relation { differences, .. } => {
-            differences.iter().map(|d| (d.text.clone(), d.value.clone())).collect()
-        }
+        ClaimKind::Relation { differences, .. } => differences.mapped(|d| (d.text.clone(), d.value.clone())),
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::model::theorem::{Form, Theorem, Unit};
 
 /// Nets with pseudo-random points that are tried after the regular one.
@@ -23,8 +24,8 @@ impl Net {
 
     /// The net with the coordinates that the variables have at a point.
     pub(super) fn from_coordinates(theorem: &Theorem, at: &[Rational]) -> Self {
-        let coordinates = |vars: &[crate::algebra::poly::Var]| vars.iter().map(|v| at[v.0].clone()).collect();
-        Self { points: theorem.points.iter().map(|p| coordinates(&p.coordinates)).collect() }
+        let coordinates = |vars: &[crate::algebra::poly::Var]| vars.mapped(|v| at[v.0].clone());
+        Self { points: theorem.points.mapped(|p| coordinates(&p.coordinates)) }
     }
 }
 
@@ -62,7 +63,7 @@ fn regular(theorem: &Theorem, dimension: usize) -> Net {
         let list = if plane { [i + shift, height, i * i * i] } else { [i + shift, j, height] };
         (0..dimension).map(|k| Rational::from(list.get(k).copied().unwrap_or(i * j + k as i64))).collect()
     };
-    Net { points: theorem.points.iter().map(|p| place(p.patch, &p.index)).collect() }
+    Net { points: theorem.points.mapped(|p| place(p.patch, &p.index)) }
 }
 
 /// A small whole number from a linear congruential generator.
@@ -114,9 +115,8 @@ pub(super) fn parts(theorem: &Theorem, form: &Form, net: &Net) -> Vec<(String, F
     let axes: Vec<(usize, usize)> =
         (0..dimension).flat_map(|i| (i + 1..dimension).map(move |j| (i, j))).collect();
     let mut vector = zeros((0..dimension).map(|k| format!("[{k}]")).collect());
-    let mut outer = zeros(
-        axes.iter().map(|(i, j)| if dimension == 2 { String::new() } else { format!("[{i},{j}]") }).collect(),
-    );
+    let mut outer =
+        zeros(axes.mapped(|(i, j)| if dimension == 2 { String::new() } else { format!("[{i},{j}]") }));
     let mut is_outer = false;
     for (unit, value) in &form.terms {
         match unit {

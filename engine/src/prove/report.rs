@@ -2,6 +2,7 @@
 
 use super::{Verdict, as_declared};
 use crate::diagnostic::{Diagnostic, Place};
+use crate::lists::Mapped;
 use crate::model::theorem::{Theorem, TheoremClaim};
 use crate::model::{Claim, Expected, Family};
 
@@ -9,8 +10,7 @@ use crate::model::{Claim, Expected, Family};
 pub fn diagnose(family: &Family, claim: &Claim, verdict: &Verdict) -> Option<Diagnostic> {
     let mut diagnostic = contradiction(&family.title(), &claim.text, claim.expected, &claim.place, verdict)?;
     if !family.order.is_empty() {
-        let values: Vec<String> =
-            family.order.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        let values: Vec<String> = family.order.mapped(|(name, value)| format!("{name} = {value}"));
         diagnostic.notes.push(format!("for {}", values.join(", ")));
     }
     Some(diagnostic)

@@ -9,6 +9,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::diagnostic::Diagnostic;
+use crate::lists::Mapped;
 use crate::model::print::Printer;
 use crate::model::scope::Scope;
 use crate::model::{Comparison, Library, Parameter, build, label};
@@ -84,7 +85,7 @@ impl Elaboration<'_> {
         if written.incomplete {
             return None;
         }
-        let region = Region { ranges: self.scalars.iter().map(|p| (p.var, p.range.clone())).collect() };
+        let region = Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) };
         for statement in &written.statements {
             if let TheoremStatementKind::Claim(assertion) = &statement.kind {
                 self.scope.budget.refill();

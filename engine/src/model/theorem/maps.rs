@@ -7,6 +7,7 @@ use super::form::Form;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::lists::Mapped;
 use crate::syntax::{Expr, ExprKind};
 use crate::words::{along_edges, count, here};
 
@@ -149,7 +150,7 @@ impl Elaboration<'_> {
                 return Some(Var(own));
             }
             if def.dependent.as_deref() == Some(name) {
-                let parameters: Vec<&str> = def.parameters.iter().map(String::as_str).collect();
+                let parameters: Vec<&str> = def.parameters.mapped(String::as_str);
                 let help = along_edges(&def.name, &parameters, name);
                 let error =
                     self.scope.error(span, format!("`{name}` depends on the other barycentric coordinates"));
@@ -182,7 +183,7 @@ impl Elaboration<'_> {
                 [_] => return Some(Var(0)),
                 names => {
                     let name = &self.patches[*patch].name;
-                    let ways: Vec<String> = names.iter().map(|n| format!("`D({name}, {n})`")).collect();
+                    let ways: Vec<String> = names.mapped(|n| format!("`D({name}, {n})`"));
                     let error = self.scope.error(span, format!("`{name}` has {} parameters", names.len()));
                     error.help(format!("say by which to differentiate: {}", ways.join(" or ")))
                 }

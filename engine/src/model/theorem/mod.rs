@@ -15,6 +15,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
 use crate::diagnostic::Place;
+use crate::lists::Mapped;
 use crate::source::SourceId;
 pub use crate::syntax::{TheoremKind, TheoremRelation};
 
@@ -136,7 +137,7 @@ impl Theorem {
 
     /// The ranges of the scalars; all other variables are unbounded.
     pub fn region(&self) -> Region {
-        Region { ranges: self.scalars.iter().map(|p| (p.var, p.range.clone())).collect() }
+        Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) }
     }
 
     /// The range of a variable.

@@ -10,6 +10,7 @@ use super::{ControlPoint, GivenPoint, Origin, Patch};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
+use crate::lists::Mapped;
 use crate::model::obligations::Inside;
 use crate::model::print::Printer;
 use crate::model::{Family, label};
@@ -69,7 +70,7 @@ impl Elaboration<'_> {
             factors.push(self.factor(part, product)?);
         }
         let printer = Printer { constants: &[], component: None };
-        let shown: Vec<String> = parts.iter().map(|p| printer.print(p)).collect();
+        let shown: Vec<String> = parts.mapped(|p| printer.print(p));
         let mut def = PatchDef {
             name: name.text.clone(),
             written: shown.join("*"),
@@ -120,7 +121,7 @@ impl Elaboration<'_> {
             }
         };
         let shapes = if family.shapes.is_empty() { &[][..] } else { calls.next().unwrap_or_default() };
-        let wanted: Vec<String> = family.shapes.iter().map(|s| s.name.clone()).collect();
+        let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
         let call = if wanted.is_empty() {
             family.title()
         } else {
@@ -490,7 +491,7 @@ impl Elaboration<'_> {
 fn split_points(value: &Expr) -> (Option<Vec<&Expr>>, Option<&[Expr]>) {
     let (mut factors, last) = match &value.kind {
         ExprKind::Product(parts) if parts.iter().all(|(divides, _)| !divides) => {
-            let mut factors: Vec<&Expr> = parts.iter().map(|(_, e)| e).collect();
+            let mut factors: Vec<&Expr> = parts.mapped(|(_, e)| e);
             let Some(last) = factors.pop() else { return (None, None) };
             (factors, last)
         }
