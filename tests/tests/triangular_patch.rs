@@ -358,6 +358,24 @@ fn positions_and_indices_are_inverse() {
     }
 }
 
+#[test]
+fn indices_of_any_size_are_answered() {
+    let patch = cubic(|[u, v, w]| [u, v, w]);
+    for components in [[usize::MAX, 1, 0], [usize::MAX; 3], [usize::MAX - 1, 1, 1], [0, usize::MAX, 4]] {
+        let index = TriangleIndex::new(components);
+        assert_eq!((index.order(), index.position()), (usize::MAX, usize::MAX));
+        assert_eq!(patch.control_point(index), None);
+    }
+    assert_eq!(TriangleIndex::count(usize::MAX), usize::MAX);
+    assert_eq!(TetrahedronIndex::count(1 << 22), (1 << 22 | 3) * ((1 << 21) + 1) / 3 * ((1 << 22) + 1));
+    // The last positions of a large order.
+    let order = 1 << 20;
+    let last = TriangleIndex::count(order) - 1;
+    assert_eq!(TriangleIndex::at(order, last), Some(TriangleIndex::new([order, 0, 0])));
+    assert_eq!(TriangleIndex::at(order, last - 1), Some(TriangleIndex::new([order - 1, 1, 0])));
+    assert_eq!(TriangleIndex::at(usize::MAX, 7), Some(TriangleIndex::new([0, 7, usize::MAX - 7])));
+}
+
 /// The curve of an edge is a curve like any other.
 #[test]
 fn boundary_curves_can_be_made_from_their_family() {

@@ -49,6 +49,12 @@ impl<const K: usize> SimplexIndex<K> {
         let mut components = [0; K];
         let (mut order, mut position, mut place) = (order, position, 0);
         while place + 1 < K {
+            if place + 2 == K {
+                // Each block is a single index.
+                components[place] = position;
+                order -= position;
+                break;
+            }
             // Those that share the first component are indices of one corner less.
             let mut block = lattice_size(K - 1 - place, order);
             while position >= block {
@@ -63,25 +69,30 @@ impl<const K: usize> SimplexIndex<K> {
         Some(Self { components })
     }
 
-    /// The position in the lexicographic order.
+    /// The position in the lexicographic order; `usize::MAX` where it is not a `usize`.
     pub const fn position(self) -> usize {
         let (mut order, mut position, mut place) = (self.order(), 0, 0);
         while place + 1 < K {
             // Before this one come all whose component here is smaller.
             let corners = K - place;
-            order -= self.components[place];
-            position += lattice_size(corners, order + self.components[place]) - lattice_size(corners, order);
+            let rest = order.saturating_sub(self.components[place]);
+            let before = lattice_size(corners, order).saturating_sub(lattice_size(corners, rest));
+            position = before.saturating_add(position);
+            if lattice_size(corners, order) == usize::MAX {
+                return usize::MAX;
+            }
+            order = rest;
             place += 1;
         }
         position
     }
 
-    /// The order `n`, the sum of the components.
+    /// The order `n`, the sum of the components; at most `usize::MAX`.
     #[inline]
     pub const fn order(self) -> usize {
         let (mut sum, mut place) = (0, 0);
         while place < K {
-            sum += self.components[place];
+            sum = self.components[place].saturating_add(sum);
             place += 1;
         }
         sum
@@ -93,7 +104,7 @@ impl<const K: usize> SimplexIndex<K> {
         self.components
     }
 
-    /// How many indices of this order there are, `binomial(n + K - 1, K - 1)`.
+    /// How many indices of this order there are, `binomial(n + K - 1, K - 1)`; at most `usize::MAX`.
     #[inline]
     pub const fn count(order: usize) -> usize {
         lattice_size(K, order)
@@ -130,12 +141,16 @@ impl<const K: usize> SimplexIndex<K> {
     }
 }
 
-/// `binomial(n + K - 1, K - 1)`, the number of indices with `K` components and the sum `n`.
+/// `binomial(n + K - 1, K - 1)`, the number of indices with `K` components and the sum `n`; at most `usize::MAX`.
 pub(crate) const fn lattice_size(corners: usize, order: usize) -> usize {
-    let (mut size, mut k) = (1, 1);
+    let (mut size, mut k) = (1_u128, 1);
     while k < corners {
-        size = size * (order + k) / k;
+        // No partial product is greater than the next one.
+        size = match size.checked_mul(order as u128 + k as u128) {
+            Some(product) => product / k as u128,
+            None => return usize::MAX,
+        };
         k += 1;
     }
-    size
+    if size < usize::MAX as u128 { size as usize } else { usize::MAX }
 }
