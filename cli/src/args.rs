@@ -147,7 +147,7 @@ pub(crate) struct EvalArguments {
     #[arg(long = "at", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = assignment)]
     pub(crate) at: Vec<Assignment>,
     /// Also print all derivatives in the domain variables up to this order
-    #[arg(long, value_name = "K", default_value_t = 0)]
+    #[arg(long, value_name = "K", default_value_t = 0, value_parser = order, allow_hyphen_values = true)]
     pub(crate) order: u32,
     /// How to print the values
     #[arg(long, value_enum, default_value_t = Format::Text)]
@@ -218,6 +218,11 @@ pub(crate) struct Assignment {
     pub(crate) name: String,
     /// The value.
     pub(crate) value: Rational,
+}
+
+fn order(text: &str) -> Result<u32, String> {
+    text.parse()
+        .map_err(|_| String::from("the highest order of derivatives is a whole number, such as 0 or 2"))
 }
 
 fn assignment(text: &str) -> Result<Assignment, String> {

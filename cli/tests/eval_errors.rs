@@ -169,7 +169,11 @@ fn malformed_values() {
     fails(&format!("{command} t=1/0"), &[("invalid value 't=1/0'", "divides by zero")]);
     fails(&format!("{command} t=1e-3"), &[("invalid value 't=1e-3'", "is not an exact number")]);
     fails(&format!("{command} t=half"), &[("invalid value 't=half'", "is not an exact number")]);
-    fails(&format!("{command} t=1 --order -1"), &[("unexpected argument '-1'", "")]);
+    for order in ["-1", "1/2", "two", "99999999999"] {
+        let message =
+            format!("invalid value '{order}' for '--order <K>': the highest order of derivatives is a whole");
+        fails(&format!("{command} t=1 --order {order}"), &[(&message, "such as 0 or 2")]);
+    }
     fails(
         &format!("{command} t=1 --order 999999"),
         &[("derivatives up to the order 999999 are too many", "ask for --order")],
