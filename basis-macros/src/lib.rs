@@ -25,6 +25,10 @@ use input::{Input, Spec};
 /// basis! { family Line { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; } }    // the spec in place
 /// ```
 ///
+/// Where basis-runtime has another name in `Cargo.toml`, or another crate re-exports it, say so with `crate = …`, in a spec in
+/// place before the families: `basis! { crate = curves; family … }`. Without it the compiler finds no `basis_runtime` in the
+/// crate root.
+///
 /// A path is relative to the file that calls the macro, or else to the folder of `Cargo.toml`. The build stops
 /// with an error when a claim of a chosen family is not as the spec declares it.
 #[proc_macro]
