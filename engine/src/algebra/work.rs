@@ -39,8 +39,8 @@ impl Work {
 
     /// Counts the work of a product and a difference of fractions with so many bits.
     pub fn spend_fractions(&mut self, bits: u64) -> Option<()> {
-        // Beyond machine words, bit by bit for common divisors.
-        let common_divisors = if bits <= 128 { 0 } else { 4 * bits + bits * bits / 128 };
+        // Beyond machine words most of it are common divisors.
+        let common_divisors = if bits <= 128 { 0 } else { bits / 2 + bits * bits / 1024 };
         self.spend(2 + common_divisors)
     }
 

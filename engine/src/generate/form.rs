@@ -112,9 +112,16 @@ fn affine(coefficients: &[Poly], low: &Rational, width: &Rational) -> Vec<Poly> 
     result
 }
 
-/// The coefficients of p(by + x), by Horner's scheme: sums of the coefficients, which do not become fractions.
+/// The coefficients of p(by + x), by Horner's scheme: sums of the coefficients, made whole as long as they are added.
 fn shift(coefficients: &mut [Poly], by: &Rational) {
     if by.is_zero() {
+        return;
+    }
+    let content = coefficients.iter().fold(Rational::ZERO, |g, c| g.gcd(&c.numeric_content()));
+    if let Some(factor) = content.recip().filter(|_| !content.is_integer()) {
+        coefficients.iter_mut().for_each(|c| *c = c.scale(&factor));
+        shift(coefficients, by);
+        coefficients.iter_mut().for_each(|c| *c = c.scale(&content));
         return;
     }
     for start in 0..coefficients.len() {

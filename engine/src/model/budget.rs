@@ -26,9 +26,9 @@ pub(super) struct Budget {
     reduction: RefCell<Work>,
 }
 
-/// How much an operation on coefficients of so many bits costs, compared with one on machine words.
+/// How much an operation on coefficients of so many bits costs, compared with one on machine words: mostly for common divisors.
 const fn weight(bits: u64) -> u64 {
-    if bits <= 128 { 1 } else { 6 + bits / 8 }
+    if bits <= 128 { 1 } else { 6 + bits / 64 + (bits / 512) * (bits / 512) }
 }
 
 /// Why an expansion was stopped, in words that follow "the formula …".
