@@ -119,9 +119,13 @@ fn shift(coefficients: &mut [Poly], by: &Rational) {
     }
     let content = coefficients.iter().fold(Rational::ZERO, |g, c| g.gcd(&c.numeric_content()));
     if let Some(factor) = content.recip().filter(|_| !content.is_integer()) {
-        coefficients.iter_mut().for_each(|c| *c = c.scale(&factor));
+        for c in &mut *coefficients {
+            *c = c.scale(&factor);
+        }
         shift(coefficients, by);
-        coefficients.iter_mut().for_each(|c| *c = c.scale(&content));
+        for c in coefficients {
+            *c = c.scale(&content);
+        }
         return;
     }
     for start in 0..coefficients.len() {
