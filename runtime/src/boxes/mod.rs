@@ -15,6 +15,23 @@ use net::{differentiate, finish};
 ///
 /// [`basis!`](crate::basis!) implements it for the types that it generates. Functions and control points stand in the
 /// lexicographic order of their indices, the last index fastest.
+///
+/// ```
+/// use basis_runtime::{BoxBasis, basis};
+///
+/// basis! {
+///     family Sheet {
+///         domain 0 <= u <= 2, 0 <= v <= 1;
+///         b[0] = u*v;
+///         b[1] = 1 - u*v;
+///     }
+/// }
+/// # fn main() {
+/// assert_eq!(Sheet::<f64>::domain(), [[0.0, 0.0], [2.0, 1.0]]);
+/// assert_eq!(Sheet::new().values([1.0, 0.5]), [0.5, 0.5]);
+/// assert_eq!(Sheet::new().partials([1.0, 0.5], [1, 1]), [1.0, -1.0]);
+/// # }
+/// ```
 pub trait BoxBasis: Copy + PartialEq + Debug {
     /// The type of coordinates, values and shape parameters.
     type Scalar: Scalar;

@@ -7,6 +7,25 @@ use crate::{Array, Basis, Point, Scalar};
 /// An edge of the triangle; the corners are where u = 1, v = 1 and w = 1.
 ///
 /// With these directions the three edges run once around the triangle.
+///
+/// ```
+/// use basis_runtime::{TriangleEdge, TriangleIndex, TriangularPatch, basis};
+///
+/// basis! {
+///     family Linear {
+///         domain triangle (u, v, w);
+///         permute b[1, 0, 0] = u;
+///     }
+/// }
+/// # fn main() {
+/// // The points of w = 1, v = 1, u = 1.
+/// let patch = TriangularPatch::new(Linear::new(), [[0.0, 0.0], [0.0, 1.0], [4.0, 0.0]]);
+/// let edge = patch.boundary(TriangleEdge::W);
+/// assert_eq!((edge.start(), edge.end()), ([4.0, 0.0], [0.0, 1.0]));
+/// assert_eq!(edge.eval(0.25), patch.eval_barycentric(TriangleEdge::W.point(0.25)));
+/// assert_eq!(TriangleEdge::W.index(1, 0), TriangleIndex::new([1, 0, 0]));
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum TriangleEdge {

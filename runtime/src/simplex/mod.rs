@@ -25,6 +25,28 @@ use net::contract;
 /// coordinates `[u, v, w]` (on a tetrahedron `[u, v, w, x]`), all ≥ 0 with the sum 1; functions and control points stand in
 /// the lexicographic order of their indices, see [`SimplexIndex`]. Coordinates with another sum are not normalised: the
 /// formulas are evaluated as they are homogeneous.
+///
+/// ```
+/// use basis_runtime::{SimplexBasis, basis};
+///
+/// basis! {
+///     family Quadratic {
+///         domain triangle (u, v, w);
+///         permute b[2, 0, 0] = u^2;
+///         permute b[1, 1, 0] = 2*u*v;
+///     }
+/// }
+///
+/// fn sum<B: SimplexBasis<Scalar = f64>>(basis: B, at: B::Coordinates) -> f64 {
+///     basis.values(at).as_ref().iter().sum()
+/// }
+/// # fn main() {
+/// assert_eq!(sum(Quadratic::new(), [0.5, 0.25, 0.25]), 1.0);
+/// // b[0,0,2], b[0,1,1], …, b[2,0,0] along the edge from v = 1 to u = 1.
+/// let derivatives = Quadratic::new().derivatives([0.5, 0.25, 0.25], [1.0, -1.0, 0.0], 1);
+/// assert_eq!(derivatives, [0.0, -0.5, -0.5, 0.5, -0.5, 1.0]);
+/// # }
+/// ```
 pub trait SimplexBasis: Copy + PartialEq + Debug {
     /// The type of coordinates, values and shape parameters.
     type Scalar: Scalar;

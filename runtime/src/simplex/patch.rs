@@ -42,6 +42,25 @@ pub type TriangularPatch<B, P> = SimplexPatch<B, P>;
 /// Control points bound to a family on a triangle ([`TriangularPatch`]) or a tetrahedron.
 ///
 /// They are converted to the Bernstein form once; a point then costs one nested sum.
+///
+/// ```
+/// use basis_runtime::{SimplexPatch, TetrahedronIndex, basis};
+///
+/// basis! {
+///     family Solid {
+///         domain tetrahedron (u, v, w, x);
+///         permute b[1, 0, 0, 0] = u;
+///     }
+/// }
+/// # fn main() {
+/// // A temperature at the corners x = 1, w = 1, v = 1, u = 1, and its rates of change.
+/// let temperature = SimplexPatch::new(Solid::new(), [10.0, 20.0, 30.0, 50.0]);
+/// assert_eq!(temperature.control_point(TetrahedronIndex::new([1, 0, 0, 0])), Some(50.0));
+/// assert_eq!(temperature.eval_barycentric([0.25, 0.25, 0.25, 0.25]), 27.5);
+/// assert_eq!(temperature.partial([0.25, 0.25, 0.25, 0.25], [1, 0, 0]), 40.0);
+/// assert_eq!(temperature.derivative([0.25, 0.25, 0.25, 0.25], [1.0, -1.0, 0.0, 0.0], 1), 20.0);
+/// # }
+/// ```
 #[derive(Clone, Copy)]
 pub struct SimplexPatch<B: SimplexBasis, P: Point<Scalar = B::Scalar>> {
     basis: B,
