@@ -6,7 +6,11 @@ use basis_runtime::bspline::{
 };
 use proptest::prelude::*;
 
+#[cfg(feature = "nalgebra")]
+use crate::golden::{assert_near, golden, knots, points};
 use crate::support::{P3, distance, surface};
+#[cfg(feature = "nalgebra")]
+use serde_json::Value;
 
 /// The methods, each with options for the tests. The dense systems of the published method take long without optimisation,
 /// so it is asked for less.
@@ -120,6 +124,38 @@ fn every_edge_in_both_directions_by_every_method() {
                 }
             }
         }
+    }
+}
+
+/// The rows that the quadratic programmes of the paper have, solved by numpy from the KKT systems as they are written.
+#[cfg(feature = "nalgebra")]
+#[test]
+fn the_published_method_solves_its_programmes() {
+    for case in golden("splices") {
+        let along = [0, 1].map(|i| knots(&case["degrees"][i], &case["knots"][i]));
+        let across = KnotVector::uniform(3, 1).unwrap();
+        let rows = |value: &Value| [0, 1].map(|i| points::<3>(&value[i]));
+        let ([edge, inner], [other, next]) = (rows(&case["rows"]), rows(&case["target"]));
+        let shifted = |row: &[P3], by: f64| row.iter().map(|[x, y, z]| [x + by, *y, *z]).collect::<Vec<P3>>();
+        let net = Net::from_rows([shifted(&inner, -0.6), shifted(&inner, -0.3), inner, edge]).unwrap();
+        let surface = BSplineSurface::new(across.clone(), along[0].clone(), net).unwrap();
+        let net = Net::from_rows([other, next.clone(), shifted(&next, 0.3), shifted(&next, 0.6)]).unwrap();
+        let target = BSplineSurface::new(across, along[1].clone(), net).unwrap();
+        // Whatever one round gives is good enough.
+        let options = SpliceOptions {
+            method: Method::Midpoints,
+            gap: 1e3,
+            angle: 1e3,
+            carry: false,
+            merge: false,
+            ..SpliceOptions::default()
+        };
+        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+        let found = splice(&surface, &target, joint, &options).unwrap();
+        assert_eq!(found.rounds, 1);
+        let [edge, inner] = rows(&case["spliced"]);
+        assert_near(found.surface.net().row(3), &edge, 1e-10);
+        assert_near(found.surface.net().row(2), &inner, 1e-10);
     }
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes bspline.json: splines, evaluated, refined and fitted by scipy, for the tests in ../bspline.
+"""Writes bspline.json: splines, evaluated, refined and fitted by scipy, and rows of splices, for the tests in ../bspline.
 
     pip install scipy numpy && python3 bspline.py
 """
@@ -108,10 +108,64 @@ def fits():
         }
 
 
+def samples(t, degree):
+    """Both ends of the domain, and the middle of every span."""
+    breaks = np.unique(t[degree : len(t) - degree])
+    return np.r_[breaks[0], (breaks[1:] + breaks[:-1]) / 2, breaks[-1]]
+
+
+def collocation(t, degree, x, order):
+    return BSpline(t, np.eye(len(t) - degree - 1), degree)(x, nu=order)
+
+
+def kkt(hessian, gradient, a, right):
+    """The least change x that minimises xᵀ H x / 2 + gᵀ x subject to A x = b: all at once, as the paper writes it."""
+    system = np.block([[hessian, a.T], [a, np.zeros((len(a), len(a)))]])
+    return np.linalg.lstsq(system, np.r_[-gradient, right], rcond=1e-13)[0][: len(hessian)]
+
+
+def splices():
+    """spl-G0 and spl-G1 for one round: the row on the edge and the one next to it."""
+    for degree, other, spans, straight in ((2, 3, 4, False), (3, 3, 5, False), (3, 2, 6, True), (4, 3, 4, False)):
+        simple = lambda k, n: np.r_[np.zeros(k + 1), np.sort(random.uniform(0.05, 0.95, n - 1)), np.ones(k + 1)]
+        v, t = simple(degree, spans), simple(other, spans + 2)
+        along = [np.array([np.mean(x[i + 1 : i + 1 + k]) for i in range(len(x) - k - 1)]) for x, k in ((v, degree), (t, other))]
+        row = lambda y, x, height: np.stack([x + 0 * y, y, height], axis=1)
+        edge = row(along[0], -0.03, 0.3 * np.sin(3.0 * along[0]))
+        inner = row(along[0], -0.25, 0.25 * np.sin(2.5 * along[0]) + 0.05)
+        wave = 0 * along[1] if straight else 0.3 * np.sin(3.4 * along[1])
+        target = [row(along[1], 0.0, wave), row(along[1], 0.3, 0.35 * np.sin(3.1 * along[1]) - 0.1)]
+
+        q = samples(v, degree)
+        a, slopes = (collocation(v, degree, q, order) for order in (0, 1))
+        points, tangents = (BSpline(t, target[0], other)(q, nu=order) for order in (0, 1))
+        across = BSpline(t, target[1] - target[0], other)(q)
+        size = len(v) - degree - 1
+        each = np.kron(a, np.eye(3))
+        hessian = np.zeros((3 * size, 3 * size))
+        for slope, c in zip(slopes, tangents):
+            hessian += 2 * np.kron(np.outer(slope, slope), c @ c * np.eye(3) - np.outer(c, c))
+        moved = edge + kkt(hessian, hessian @ edge.ravel(), each, (points - a @ edge).ravel()).reshape(-1, 3)
+
+        normals = np.cross(across, tangents)
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        out = a @ (moved - inner)
+        wanted = np.sum(out * normals, axis=1)[:, None] * normals
+        turned = inner + kkt(2 * np.eye(3 * size), np.zeros(3 * size), each, wanted.ravel()).reshape(-1, 3)
+        yield {
+            "degrees": [degree, other],
+            "knots": [v.tolist(), t.tolist()],
+            "rows": [edge.tolist(), inner.tolist()],
+            "target": [row.tolist() for row in target],
+            "spliced": [moved.tolist(), turned.tolist()],
+        }
+
+
 golden = {
     "curves": list(curves()),
     "surfaces": list(surfaces()),
     "insertions": list(insertions()),
     "fits": list(fits()),
+    "splices": list(splices()),
 }
 Path(__file__).with_suffix(".json").write_text(json.dumps(golden, separators=(",", ":")) + "\n")
