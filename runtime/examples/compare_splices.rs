@@ -71,9 +71,14 @@ fn main() {
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for case in cases() {
         for (method, options) in &methods {
-            let start = Instant::now();
-            let result = splice(&case.surface, &case.target, joint, options);
-            let time = start.elapsed().as_secs_f64() * 1e3;
+            let run = || {
+                let start = Instant::now();
+                let result = splice(&case.surface, &case.target, joint, options);
+                (result, start.elapsed().as_secs_f64() * 1e3)
+            };
+            // The best time of several; the result is the same each time.
+            let (result, first) = run();
+            let time = (0..8).map(|_| run().1).fold(first, f64::min);
             let name = case.name;
             match result {
                 Ok(s) => println!(

@@ -184,6 +184,43 @@ fn different_degrees() {
 }
 
 #[test]
+fn ends_do_not_hinder_least_squares_over_own_knots() {
+    // With every division of the last span its tangent would become worse if it were fitted, not met.
+    let across = KnotVector::uniform(5, 4).unwrap();
+    let left = KnotVector::clamped(5, &[0.0, 0.22, 0.41, 0.63, 0.8, 1.0]).unwrap();
+    let right = KnotVector::clamped(3, &[0.0, 0.09, 0.2, 0.37, 0.45, 0.6, 0.78, 0.9, 1.0]).unwrap();
+    let over = |along: KnotVector<f64>, shape: fn(f64, f64) -> P3| {
+        let (u, v) = (across.greville(), along.greville());
+        let net = Net::from_fn(u.len(), v.len(), |i, j| shape(u[i], v[j])).unwrap();
+        BSplineSurface::new(across.clone(), along, net).unwrap()
+    };
+    let left = over(left, |u, v| [u, v, 0.3 * (4.2 * v + 0.4).sin() * (0.6 + 0.4 * u)]);
+    let right = over(right, |u, v| {
+        let hill = 0.05 * (-((v - 0.55) / 0.3).powi(2)).exp();
+        let z = 0.3 * (4.2 * v + 0.4).sin() * (1.0 - 0.35 * u) + hill * (1.0 - 0.6 * u) + 0.15 * u;
+        [1.0 + u + 0.08 * (5.0 * v).sin(), v + 0.05 * u * v, z]
+    });
+    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    for (carry, spans) in [(false, 100), (true, 40)] {
+        let options = SpliceOptions {
+            method: Method::LeastSquares,
+            merge: false,
+            carry,
+            spans,
+            ..SpliceOptions::default()
+        };
+        let found = splice(&left, &right, joint, &options).unwrap();
+        let (gap, angle) = independent(&found.surface, &right, joint);
+        assert!(gap <= options.gap && angle <= options.angle);
+        // Tangents along the edge agree at its ends, but for rounding.
+        for t in [0.0, 1.0] {
+            let (a, b) = (found.surface.partial(1.0, t, [0, 1]), right.partial(0.0, t, [0, 1]));
+            assert!(distance(a, b) < 1e-11);
+        }
+    }
+}
+
+#[test]
 fn different_domains_and_single_precision() {
     let knots = |lo: f32, hi: f32, spans: usize| {
         KnotVector::<f32>::uniform(3, spans).unwrap().mapped([lo, hi]).unwrap()

@@ -51,22 +51,26 @@ impl Leader {
     /// `c`, the product of the ratios; and the same `a` and `b`, because the patches agreed before and `S_u`, `S_v` are
     /// independent. With `γ ≠ 0` second derivatives along the edges come in as well, which nothing determines.
     pub(super) fn transported(&self, follower: &Strip) -> Result<[Vec<Vector>; 2], SpliceError> {
-        let edge = fit(&follower.knots, |t| Ok(self.new.at(t).point.minus(self.old.at(t).point)))?;
-        let across = fit(&follower.knots, |t| {
-            let (old, new) = (self.old.at(t), self.new.at(t));
-            if old.across == new.across && old.tangent == new.tangent {
-                return Ok([0.0; 3]);
-            }
-            let [alpha, gamma, delta] =
-                contact(&old, &follower.at(t)).ok_or(SpliceError::Degenerate { parameter: t })?;
-            let normals = [&old, &new].map(normal);
-            let [Some(n), Some(m)] = normals else {
-                return Err(SpliceError::Degenerate { parameter: t });
-            };
-            let change = new.across.minus(old.across).scale(-alpha);
-            let change = change.add_scaled(new.tangent.minus(old.tangent), gamma);
-            Ok(change.add_scaled(m.minus(n), delta))
-        })?;
+        let edge = fit(&follower.knots, |t| Ok(self.new.at(t).point.minus(self.old.at(t).point)), None)?;
+        let across = fit(
+            &follower.knots,
+            |t| {
+                let (old, new) = (self.old.at(t), self.new.at(t));
+                if old.across == new.across && old.tangent == new.tangent {
+                    return Ok([0.0; 3]);
+                }
+                let [alpha, gamma, delta] =
+                    contact(&old, &follower.at(t)).ok_or(SpliceError::Degenerate { parameter: t })?;
+                let normals = [&old, &new].map(normal);
+                let [Some(n), Some(m)] = normals else {
+                    return Err(SpliceError::Degenerate { parameter: t });
+                };
+                let change = new.across.minus(old.across).scale(-alpha);
+                let change = change.add_scaled(new.tangent.minus(old.tangent), gamma);
+                Ok(change.add_scaled(m.minus(n), delta))
+            },
+            None,
+        )?;
         let inner = edge.iter().zip(&across).map(|(a, b)| a.add_scaled(*b, 1.0)).collect();
         let mut rows = [edge, inner];
         let largest = rows.iter().flatten().map(|&p| length(p)).fold(0.0, f64::max);

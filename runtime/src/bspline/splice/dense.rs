@@ -9,9 +9,11 @@ use crate::Point;
 use crate::bspline::KnotVector;
 use crate::bspline::fit::Banded;
 
-/// Moves the edge onto that of the target; the ends are met exactly.
+/// Moves the edge onto that of the target; the ends are met exactly, and their tangents. Otherwise tangents at the ends, which
+/// count for the angle, would become worse when the spans there are divided.
 pub(super) fn edge(strip: &mut Strip, target: &Strip) -> Result<Vec<Vector>, SpliceError> {
-    let change = fit(&strip.knots, |t| Ok(target.at(t).point.minus(strip.at(t).point)))?;
+    let slopes = strip.knots.domain().map(|t| target.at(t).tangent.minus(strip.at(t).tangent));
+    let change = fit(&strip.knots, |t| Ok(target.at(t).point.minus(strip.at(t).point)), Some(slopes))?;
     for (point, change) in strip.edge.iter_mut().zip(&change) {
         *point = point.add_scaled(*change, 1.0);
     }
@@ -20,50 +22,60 @@ pub(super) fn edge(strip: &mut Strip, target: &Strip) -> Result<Vec<Vector>, Spl
 
 /// Turns the second row into the tangent planes of the target.
 pub(super) fn inner(strip: &mut Strip, target: &Strip) -> Result<(), SpliceError> {
-    let change = fit(&strip.knots, |t| correction(strip, target, t))?;
+    let change = fit(&strip.knots, |t| correction(strip, target, t), None)?;
     for (point, change) in strip.inner.iter_mut().zip(&change) {
         *point = point.add_scaled(*change, 1.0);
     }
     Ok(())
 }
 
-/// The control points over clamped knots of the spline nearest to `wanted`, equal to it at both ends.
+/// The control points over clamped knots of the spline nearest to `wanted`, equal to it at both ends, and with the given
+/// derivatives there if there are enough of them.
 pub(in crate::bspline) fn fit(
     knots: &KnotVector<f64>,
     mut wanted: impl FnMut(f64) -> Result<Vector, SpliceError>,
+    slopes: Option<[Vector; 2]>,
 ) -> Result<Vec<Vector>, SpliceError> {
-    let (k, n) = (knots.degree(), knots.functions());
+    let (k, n, all) = (knots.degree(), knots.functions(), knots.as_slice());
     let [lo, hi] = knots.domain();
     let mut points = alloc::vec![[0.0; 3]; n];
     (points[0], points[n - 1]) = (wanted(lo)?, wanted(hi)?);
     if n <= 2 {
         return Ok(points);
     }
+    // So many control points at each end are known.
+    let mut held = 1;
+    if let Some([start, end]) = slopes
+        && n > 4
+    {
+        // C' = k (P[1] - P[0]) / (t[k+1] - t[1]) at the start.
+        points[1] = points[0].add_scaled(start, (all[k + 1] - lo) / k as f64);
+        points[n - 2] = points[n - 1].add_scaled(end, (all[n - 1] - hi) / k as f64);
+        held = 2;
+    }
     let samples = (k + 2).max(6);
-    let mut system = Banded::new(n - 2, k + 1, 3);
-    let all = knots.as_slice();
+    let mut system = Banded::new(n - 2 * held, k + 1, 3);
     for span in knots.spans() {
         for i in 0..samples {
             let t = all[span] + (all[span + 1] - all[span]) * ((i as f64 + 0.5) / samples as f64);
             let mut right = wanted(t)?;
             let values = knots.values_on(span, t);
             let first = span - k;
-            // The first and the last function are known.
-            let (mut factors, mut start) = (Vec::with_capacity(k + 1), first.saturating_sub(1));
+            let (mut factors, mut start) = (Vec::with_capacity(k + 1), first.saturating_sub(held));
             for (j, &value) in values.iter().enumerate() {
                 let index = first + j;
-                if index == 0 || index == n - 1 {
+                if index < held || index >= n - held {
                     right = right.add_scaled(points[index], -value);
                 } else {
                     factors.push(value);
                 }
             }
-            start = start.min(n - 2);
+            start = start.min(n - 2 * held);
             system.add(start, &mut factors, &mut right);
         }
     }
     let solution = system.solve().map_err(|_| SpliceError::Singular)?;
-    for (point, found) in points[1..n - 1].iter_mut().zip(solution.chunks_exact(3)) {
+    for (point, found) in points[held..n - held].iter_mut().zip(solution.chunks_exact(3)) {
         *point = [found[0], found[1], found[2]];
     }
     Ok(points)
@@ -90,9 +102,11 @@ mod tests {
                 let points: alloc::vec::Vec<_> =
                     (0..knots.functions()).map(|i| [i as f64, wave(i), wave(i + 2)]).collect();
                 let curve = BSplineCurve::new(knots.clone(), points.clone()).unwrap();
-                let found = fit(&knots, |t| Ok(curve.eval(t))).unwrap();
-                for (a, b) in found.iter().zip(&points) {
-                    assert!(length(a.minus(*b)) < 1e-11, "degree {degree}, {times} times: {a:?} {b:?}");
+                for slopes in [None, Some([0.0, 1.0].map(|t| curve.derivative(t, 1)))] {
+                    let found = fit(&knots, |t| Ok(curve.eval(t)), slopes).unwrap();
+                    for (a, b) in found.iter().zip(&points) {
+                        assert!(length(a.minus(*b)) < 1e-11, "degree {degree}, {times} times: {a:?} {b:?}");
+                    }
                 }
             }
         }
