@@ -72,7 +72,29 @@ fn spans_at_repeated_ends_of_unclamped_vectors() {
     assert_eq!([curve.start(), curve.eval(1.5), curve.end()], [1.0, 2.0, 3.0]);
 }
 
+#[test]
+fn abscissae_of_constant_pieces_are_their_middles() {
+    let knots = KnotVector::new(0, [0.0, 1.0, 1.5, 4.0]).unwrap();
+    assert_eq!(knots.greville(), [0.5, 1.25, 2.75]);
+}
+
 proptest! {
+    #[test]
+    fn mapping_and_mirroring_meet_the_ends_exactly(
+        knots in (0..=4_usize).prop_flat_map(knots), [lo, hi] in [-1.0..1.0, 1.0..3.0],
+    ) {
+        let mapped = knots.mapped([lo, hi]).unwrap();
+        prop_assert_eq!(mapped.domain(), [lo, hi]);
+        prop_assert_eq!(mapped.is_clamped(), knots.is_clamped());
+        prop_assert_eq!(mapped.breakpoints().len(), knots.breakpoints().len());
+        let mirrored = mapped.reversed().unwrap();
+        prop_assert_eq!(mirrored.domain(), [lo, hi]);
+        prop_assert_eq!(mirrored.is_clamped(), knots.is_clamped());
+        for (a, b) in mirrored.as_slice().iter().zip(mapped.as_slice().iter().rev()) {
+            prop_assert!((a + b - (lo + hi)).abs() <= 1e-14);
+        }
+    }
+
     #[test]
     fn values_are_a_partition_of_unity((knots, t) in (0..=6_usize).prop_flat_map(|k| (knots(k), 0.0..=1.0))) {
         let (first, values) = knots.values(t).unwrap();

@@ -214,6 +214,30 @@ fn a_deformation_inside_moves_no_neighbour() {
     check(&network, &found, [1e-13, 1e-11]);
 }
 
+#[test]
+fn a_seam_keeps_the_angle_it_had() {
+    // The second patch is tilted a little about the seam, within the tolerance; the first one turns about it.
+    let flat = landscape(2, [0.0; 3]).map_points(|[_, y, z]| [0.0, y, z]);
+    let greville = flat.knots(Direction::U).greville();
+    let columns = flat.net().columns();
+    let turned = |from: f64, angle: f64| {
+        let mut patch = flat.clone();
+        for (index, point) in patch.control_points_mut().iter_mut().enumerate() {
+            let x = from + greville[index / columns];
+            *point = [x * angle.cos(), point[1], x * angle.sin()];
+        }
+        patch
+    };
+    let network = Network::grid(vec![turned(-1.0, 0.0), turned(0.0, 8e-5)], 1).unwrap();
+    let angle = network.measure(0).unwrap().angle;
+    assert!((angle - 8e-5).abs() < 1e-9);
+    for turn in [0.4, 1.2, -0.7] {
+        let found = network.follow(0, &turned(-1.0, turn), &FollowOptions::default()).unwrap();
+        let after = found.network.measure(0).unwrap().angle;
+        assert!((after - angle).abs() < 1e-9, "{angle} became {after}");
+    }
+}
+
 /// Three quadrilaterals of a hexagon around its middle, flat.
 fn hexagon() -> Network<P3> {
     let corner = |i: usize| {

@@ -263,6 +263,33 @@ fn positions_only() {
 }
 
 #[test]
+fn the_change_is_how_far_the_rows_moved() {
+    let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
+    let joint = Joint { edge: Edge::UStart, target: Edge::UStart, reversed: false };
+    let left = right.map_points(|[x, y, z]| [x, y, z + 0.25]);
+    for method in [Method::LeastSquares, Method::Exact] {
+        // Carried along, both rows move by a quarter.
+        let options = SpliceOptions { method, continuity: Continuity::G0, ..SpliceOptions::default() };
+        let found = splice(&left, &right, joint, &options).unwrap();
+        assert!((found.change - 0.25).abs() < 1e-14);
+        let options = SpliceOptions { method, carry: false, ..options };
+        let found = splice(&left, &right, joint, &options).unwrap();
+        assert!((found.change - 0.25).abs() < 1e-14);
+    }
+    // For a smooth joint the second row swings to the other side of the edge; no point moves further than `change`.
+    let found = splice(&left, &right, joint, &SpliceOptions::default()).unwrap();
+    let far = (0..=200).map(|i| {
+        let t = f64::from(i) / 200.0;
+        (0..=40)
+            .map(|j| f64::from(j) / 40.0)
+            .map(|u| distance(found.surface.eval(u, t), left.eval(u, t)))
+            .fold(0.0, f64::max)
+    });
+    let far = far.fold(0.0, f64::max);
+    assert!(far <= found.change * (1.0 + 1e-3) && far >= 0.5 * found.change, "{far} {}", found.change);
+}
+
+#[test]
 fn positions_only_where_no_tangent_plane_is() {
     // The second row of the target is its edge, or its edge is one point.
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);

@@ -130,6 +130,16 @@ proptest! {
 }
 
 #[test]
+fn a_crease_has_no_bound() {
+    let creased = KnotVector::clamped(2, &[0.0, 0.5, 0.5, 1.0]).unwrap();
+    let net = Net::from_fn(5, 5, |i, j| [i as f64, j as f64, ((i * j) % 3) as f64]).unwrap();
+    let surface = BSplineSurface::new(creased.clone(), creased, net).unwrap();
+    let bounded = |u, v| surface.second_derivative_bounds(u, v).iter().all(|bound| bound.is_finite());
+    assert!(bounded([0.0, 0.5], [0.5, 1.0]) && bounded([0.5, 0.6], [0.1, 0.3]));
+    assert!(!bounded([0.4, 0.6], [0.1, 0.3]) && !bounded([0.1, 0.3], [0.0, 1.0]));
+}
+
+#[test]
 fn surfaces_are_meshed_within_a_tolerance() {
     let knots = KnotVector::uniform(3, 4).unwrap();
     let net = Net::from_fn(7, 7, |i, j| [i as f64, j as f64, ((i * j) % 3) as f64]).unwrap();

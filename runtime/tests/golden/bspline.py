@@ -133,8 +133,8 @@ def splices():
         row = lambda y, x, height: np.stack([x + 0 * y, y, height], axis=1)
         edge = row(along[0], -0.03, 0.3 * np.sin(3.0 * along[0]))
         inner = row(along[0], -0.25, 0.25 * np.sin(2.5 * along[0]) + 0.05)
-        wave = 0 * along[1] if straight else 0.3 * np.sin(3.4 * along[1])
-        target = [row(along[1], 0.0, wave), row(along[1], 0.3, 0.35 * np.sin(3.1 * along[1]) - 0.1)]
+        wave = 0.37 * along[1] if straight else 0.3 * np.sin(3.4 * along[1])
+        target = [row(along[1], 0.013 * along[1] if straight else 0.0, wave), row(along[1], 0.3, 0.35 * np.sin(3.1 * along[1]) - 0.1)]
 
         q = samples(v, degree)
         a, slopes = (collocation(v, degree, q, order) for order in (0, 1))
