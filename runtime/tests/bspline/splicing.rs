@@ -399,6 +399,13 @@ fn what_is_refused() {
     }
     let error = splice(&left, &point, joint, &options).unwrap_err();
     assert!(matches!(error, SpliceError::Degenerate { .. }), "{error}");
+    for [a, b] in [[&left, &point], [&turned(&point, Edge::UStart, Edge::UEnd, false), &left]] {
+        let error = measure_joint(a, b, joint).unwrap_err().to_string();
+        assert!(
+            error.starts_with("a surface has no tangent plane at the parameter 0 of the joint"),
+            "{error}"
+        );
+    }
 }
 
 fn edge() -> impl Strategy<Value = Edge> {

@@ -21,7 +21,8 @@ pub enum SpliceError {
     },
     /// A surface has only one row of control points across its edge.
     OneRow,
-    /// The target has no tangent plane at this parameter of the joint: its edge or its second row shrinks to a point there.
+    /// A surface has no tangent plane at this parameter of the joint: its edge shrinks to a point there, or the row next to it
+    /// lies on the edge. In a splice it is the target.
     Degenerate {
         /// The parameter along the edge of the surface that is adjusted.
         parameter: f64,
@@ -51,7 +52,11 @@ impl Display for SpliceError {
             }
             Self::OneRow => f.write_str("a surface with one row of control points has no edge to join at"),
             Self::Degenerate { parameter } => {
-                write!(f, "the target has no tangent plane at the parameter {parameter} of the joint")
+                write!(
+                    f,
+                    "a surface has no tangent plane at the parameter {parameter} of the joint, where its edge is a point or \
+                     the row next to it lies on the edge; positions alone can be joined there"
+                )
             }
             Self::Singular => f.write_str("the equations of the joint have no unique solution"),
             Self::NotReached { achieved, spans, gap, angle } => write!(
