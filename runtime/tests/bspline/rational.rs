@@ -186,6 +186,17 @@ fn removal_far_from_the_origin_and_in_any_unit() {
 }
 
 #[test]
+fn a_weight_moves_points_though_its_own_control_point_stays() {
+    // The control point 5 is in the middle of 0 and 10, where it would be without the knot.
+    let knots = KnotVector::uniform(1, 2).unwrap();
+    let curve = NurbsCurve::new(knots, [[0.0], [5.0], [10.0]], [1.0, 1.5, 1.0]).unwrap();
+    assert_eq!(curve.eval(0.25), [3.0]);
+    assert_eq!(curve.remove_knot(0.5, 1, 0.1).unwrap().1, 0);
+    let (line, removed) = curve.remove_knot(0.5, 1, 12.0).unwrap();
+    assert_eq!((removed, line.eval(0.25)), (1, [2.5]));
+}
+
+#[test]
 fn an_uneven_net_is_kept_together_with_its_weights() {
     // Different weights, and one point at a distance: what the bound says holds for the curve.
     let knots = KnotVector::uniform(2, 4).unwrap();
