@@ -131,6 +131,7 @@ fn surfaces_and_meshes() {
         [[[0.0; 3], [1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]]],
     );
     let mesh: Mesh<f64> = Tessellation::new(0.5).unwrap().with(&flat).mesh().unwrap();
+    refused(&mesh, |json| json["triangles"][0][1] = serde_json::json!(99));
     again(mesh);
 }
 

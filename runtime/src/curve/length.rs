@@ -455,6 +455,9 @@ enum Speed<B: Basis, P: Point<Scalar = B::Scalar>> {
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Leaf<B, P> {
     /// The parameter in the unit interval up to which the piece has that length.
     fn invert(&self, target: B::Scalar) -> B::Scalar {
+        if target <= B::Scalar::ZERO {
+            return self.from;
+        }
         let part = match &self.speed {
             Speed::Smooth { square, rule } => square.invert(rule, target),
             Speed::Straight { points } => halve(*points, target),

@@ -24,6 +24,13 @@ pub enum MeshError {
         /// The highest number of pieces.
         most: usize,
     },
+    /// An index of a mesh is none of a position or of a vertex; the first ones.
+    Index {
+        /// The vertex whose position does not exist.
+        vertex: Option<usize>,
+        /// The triangle with a vertex that does not exist.
+        triangle: Option<usize>,
+    },
 }
 
 impl Display for MeshError {
@@ -33,6 +40,13 @@ impl Display for MeshError {
                 write!(f, "the tolerance {value} is not a positive, finite number in the unit of length")
             }
             Self::NotFinite { surface } => write!(f, "surface {surface} is infinite or NaN"),
+            Self::Index { vertex: Some(vertex), .. } => {
+                write!(f, "vertex {vertex} has the index of a position that does not exist")
+            }
+            Self::Index { triangle: Some(triangle), .. } => {
+                write!(f, "triangle {triangle} has the index of a vertex that does not exist")
+            }
+            Self::Index { .. } => f.write_str("an index does not exist"),
             Self::TooFine { surface, most } => {
                 write!(f, "surface {surface} would need more than {most} pieces: choose a larger tolerance")
             }

@@ -23,8 +23,9 @@ impl<S: Scalar> Mesh<S> {
     /// The material is plain and shows both sides, since surfaces may be open.
     ///
     /// # Errors
-    /// When the writer fails.
+    /// When the writer fails, and if an index does not exist, see [`check`](Self::check).
     pub fn write_gltf(&self, writer: impl Write) -> io::Result<()> {
+        self.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         let mut file = File::default();
         if !self.triangles.is_empty() {
             file.add(self);

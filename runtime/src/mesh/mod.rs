@@ -45,6 +45,13 @@ pub struct Vertex<S> {
 /// the same way, if that is possible at all; those of a closed part turn counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::serialize::mesh::Parts<S>",
+        bound(serialize = "S: serde::Serialize", deserialize = "S: Scalar + serde::Deserialize<'de>")
+    )
+)]
 pub struct Mesh<S> {
     /// The positions, no two of them meant to be the same.
     pub positions: Vec<[S; 3]>,
@@ -55,29 +62,46 @@ pub struct Mesh<S> {
 }
 
 impl<S: Scalar> Mesh<S> {
-    /// The indices of the three positions of a triangle.
+    /// Whether all indices are those of vertices and positions, as in every mesh of a [`Tessellation`]. What asks for triangles
+    /// leaves out those that are not; what writes a file refuses the mesh.
     ///
-    /// # Panics
-    /// If an index of the triangle is none of a vertex.
-    pub fn corners(&self, triangle: [u32; 3]) -> [u32; 3] {
-        triangle.map(|vertex| self.vertices[vertex as usize].position)
+    /// # Errors
+    /// [`MeshError::Index`] with the first triangle or vertex that is not.
+    pub fn check(&self) -> Result<(), MeshError> {
+        let fits = |index: u32, len: usize| usize::try_from(index).is_ok_and(|index| index < len);
+        let (positions, vertices) = (self.positions.len(), self.vertices.len());
+        let vertex = self.vertices.iter().position(|vertex| !fits(vertex.position, positions));
+        let triangle = self.triangles.iter().position(|t| t.iter().any(|&vertex| !fits(vertex, vertices)));
+        match (vertex, triangle) {
+            (None, None) => Ok(()),
+            (vertex, triangle) => Err(MeshError::Index { vertex, triangle }),
+        }
     }
 
-    fn corner_positions(&self, triangle: [u32; 3]) -> [[S; 3]; 3] {
-        self.corners(triangle).map(|position| self.positions[position as usize])
+    /// The indices of the three positions of a triangle; `None` if an index of the triangle is none of a vertex.
+    pub fn corners(&self, triangle: [u32; 3]) -> Option<[u32; 3]> {
+        let [a, b, c] = triangle.map(|vertex| Some(self.vertices.get(vertex as usize)?.position));
+        Some([a?, b?, c?])
+    }
+
+    fn corner_positions(&self, triangle: [u32; 3]) -> Option<[[S; 3]; 3]> {
+        let [a, b, c] = self.corners(triangle)?.map(|position| self.positions.get(position as usize));
+        Some([*a?, *b?, *c?])
+    }
+
+    /// The corners of all triangles.
+    fn all_corner_positions(&self) -> impl Iterator<Item = [[S; 3]; 3]> {
+        self.triangles.iter().filter_map(|&triangle| self.corner_positions(triangle))
     }
 
     /// The sum of the areas of all triangles.
     pub fn area(&self) -> S {
-        self.triangles.iter().fold(S::ZERO, |sum, &t| sum + length(area_vector(self.corner_positions(t))))
+        self.all_corner_positions().fold(S::ZERO, |sum, corners| sum + length(area_vector(corners)))
     }
 
     /// The volume enclosed by a closed mesh; what it means for an open one depends on the origin.
     pub fn volume(&self) -> S {
-        let sum = self.triangles.iter().fold(S::ZERO, |sum, &t| {
-            let [a, b, c] = self.corner_positions(t);
-            sum + dot(a, cross(b, c))
-        });
+        let sum = self.all_corner_positions().fold(S::ZERO, |sum, [a, b, c]| sum + dot(a, cross(b, c)));
         sum / S::of(6.0)
     }
 
@@ -105,7 +129,7 @@ impl<S: Scalar> Mesh<S> {
     fn edges(&self) -> BTreeMap<[u32; 2], [u32; 2]> {
         let mut edges = BTreeMap::new();
         for &triangle in &self.triangles {
-            let [a, b, c] = self.corners(triangle);
+            let Some([a, b, c]) = self.corners(triangle) else { continue };
             for [from, to] in [[a, b], [b, c], [c, a]] {
                 let uses: &mut [u32; 2] = edges.entry([from.min(to), from.max(to)]).or_default();
                 uses[usize::from(from > to)] += 1;

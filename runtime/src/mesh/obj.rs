@@ -23,8 +23,9 @@ impl<S: Scalar> Mesh<S> {
     /// ```
     ///
     /// # Errors
-    /// When the writer fails.
+    /// When the writer fails, and if an index does not exist, see [`check`](Self::check).
     pub fn write_obj(&self, writer: impl Write) -> io::Result<()> {
+        self.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         let mut out = BufWriter::new(writer);
         for [x, y, z] in &self.positions {
             writeln!(out, "v {x} {y} {z}")?;
@@ -45,7 +46,8 @@ impl<S: Scalar> Mesh<S> {
             }
             // Indices of the format begin at one.
             let [a, b, c] = triangle.map(|vertex| vertex + 1);
-            let [p, q, r] = self.corners(triangle).map(|position| position + 1);
+            let Some(corners) = self.corners(triangle) else { continue };
+            let [p, q, r] = corners.map(|position| position + 1);
             writeln!(out, "f {p}/{a}/{a} {q}/{b}/{b} {r}/{c}/{c}")?;
         }
         out.flush()

@@ -12,11 +12,12 @@ impl<S: Scalar> Mesh<S> {
     /// Positions that several triangles share are the same numbers in all of them, so that the file has no cracks either.
     ///
     /// # Errors
-    /// When the writer fails.
+    /// When the writer fails, and if an index does not exist, see [`check`](Self::check).
     pub fn write_stl(&self, mut writer: impl Write) -> io::Result<()> {
+        self.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         let vector = |v: [S; 3]| stl_io::Vector::new(v.map(|c| c.to_f64() as f32));
-        let triangles = self.triangles.iter().map(|&triangle| {
-            let corners = self.corner_positions(triangle);
+        let all: alloc::vec::Vec<[[S; 3]; 3]> = self.all_corner_positions().collect();
+        let triangles = all.into_iter().map(|corners| {
             let normal = direction(area_vector(corners)).unwrap_or([S::ZERO; 3]);
             stl_io::Triangle { normal: vector(normal), vertices: corners.map(vector) }
         });

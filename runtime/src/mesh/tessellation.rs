@@ -223,10 +223,7 @@ impl<S: Scalar> Builder<S> {
         mesh.triangles = self
             .triangles
             .into_iter()
-            .filter(|&triangle| {
-                let [a, b, c] = mesh.corners(triangle);
-                a != b && b != c && c != a
-            })
+            .filter(|&triangle| mesh.corners(triangle).is_some_and(|[a, b, c]| a != b && b != c && c != a))
             .collect();
         mesh
     }
@@ -241,7 +238,7 @@ fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize, seams: &[Seam]) {
     let mut volumes = alloc::vec![S::ZERO; surfaces];
     for &triangle in &mesh.triangles {
         let component = orientation.component[mesh.vertices[triangle[0] as usize].surface as usize];
-        let [a, b, c] = mesh.corner_positions(triangle);
+        let Some([a, b, c]) = mesh.corner_positions(triangle) else { continue };
         volumes[component] = volumes[component] + dot(a, crate::vector::cross(b, c));
     }
     let mut open = alloc::vec![false; surfaces];
@@ -279,7 +276,8 @@ fn shade<S: Scalar>(mesh: &mut Mesh<S>) {
     for &triangle in &mesh.triangles {
         for vertex in triangle {
             if mesh.vertices[vertex as usize].normal == [S::ZERO; 3] {
-                let area = area_vector(mesh.corner_positions(triangle));
+                let Some(corners) = mesh.corner_positions(triangle) else { continue };
+                let area = area_vector(corners);
                 let sum = sums.entry(vertex).or_insert([S::ZERO; 3]);
                 *sum = [0, 1, 2].map(|c| sum[c] + area[c]);
             }

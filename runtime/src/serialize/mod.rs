@@ -7,6 +7,8 @@
 
 #[cfg(feature = "alloc")]
 pub(crate) mod bspline;
+#[cfg(feature = "alloc")]
+pub(crate) mod mesh;
 mod patches;
 pub(crate) mod revolution;
 

@@ -145,6 +145,9 @@ fn points_at_equal_distances() {
     }
     let points = curve.samples_by_arclen(11, 1e-12);
     assert_eq!([points[0], points[10]], [curve.start(), curve.end()]);
+    let arch = Bezier::from_points([[0.0_f64, 0.0], [1.0, 2.0], [3.0, 2.5], [4.0, 0.0]]);
+    assert_eq!(arch.samples_by_arclen(3, 1e-9)[0], arch.start());
+    assert_eq!(arch.inv_arclen(0.0, 1e-9), 0.0);
     assert!(curve.arclen_parameters(0, 1e-9).is_empty());
     assert_eq!(curve.arclen_parameters(1, 1e-9), [0.0]);
 }

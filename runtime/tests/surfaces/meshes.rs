@@ -2,7 +2,7 @@
 
 use basis_runtime::{
     BernsteinBasis, BoundedSurface, Curve, Mesh, MeshError, Point, Point3, RationalSurface, Surface,
-    SurfaceOfRevolution, TensorSurface, Tessellation,
+    SurfaceOfRevolution, TensorSurface, Tessellation, Vertex,
 };
 
 use crate::families::{Cubic, Linear, QuarticBernstein, bicubic, graph, random_surface};
@@ -44,7 +44,7 @@ where
 /// Every normal agrees with the triangles around it.
 fn normals_agree(mesh: &Mesh<f64>) -> bool {
     mesh.triangles.iter().all(|&triangle| {
-        let [a, b, c] = mesh.corners(triangle).map(|p| mesh.positions[p as usize]);
+        let [a, b, c] = mesh.corners(triangle).unwrap().map(|p| mesh.positions[p as usize]);
         let [x, y] = [b, c].map(|p| [0, 1, 2].map(|k| p[k] - a[k]));
         let area = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]];
         triangle.iter().all(|&v| {
@@ -301,5 +301,31 @@ fn second_derivatives_stay_below_their_bounds() {
     holds(&egg(5.0), random);
     for patch in egg(5.0).to_rational_patches() {
         holds(&patch, random);
+    }
+}
+
+/// Indices that do not exist are an error where a file is written; triangles with them have no area.
+#[test]
+fn broken_meshes_are_refused() {
+    let vertex = |position| Vertex { position, normal: [0.0; 3], uv: [0.0; 2], surface: 3 };
+    let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].to_vec();
+    let whole = Mesh { positions, vertices: [0, 1, 2].map(vertex).to_vec(), triangles: [[0, 1, 2]].to_vec() };
+    assert_eq!((whole.check(), whole.area()), (Ok(()), 0.5));
+    let mut vertices = whole.clone();
+    vertices.vertices[2] = vertex(7);
+    let mut triangles = whole.clone();
+    triangles.triangles.push([0, 1, u32::MAX]);
+    for (mesh, error, area) in [
+        (vertices, MeshError::Index { vertex: Some(2), triangle: None }, 0.0),
+        (triangles, MeshError::Index { vertex: None, triangle: Some(1) }, 0.5),
+    ] {
+        assert_eq!((mesh.check(), mesh.area()), (Err(error), area));
+        let _ = (mesh.volume(), mesh.boundary(), mesh.is_closed(), mesh.is_oriented());
+        #[cfg(feature = "obj")]
+        assert_eq!(mesh.write_obj(Vec::new()).unwrap_err().to_string(), error.to_string());
+        #[cfg(feature = "stl")]
+        assert!(mesh.write_stl(std::io::Cursor::new(Vec::new())).is_err());
+        #[cfg(feature = "gltf")]
+        assert!(mesh.write_gltf(Vec::new()).is_err());
     }
 }
