@@ -17,6 +17,11 @@ pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
         .map(|(_, c)| c)
 }
 
+/// The advice for an unknown word: the candidate that was probably meant, else what can be written.
+pub(crate) fn did_you_mean(word: &str, candidates: &[&str], otherwise: &dyn Fn() -> String) -> String {
+    closest(word, candidates).map_or_else(otherwise, |near| format!("did you mean `{near}`?"))
+}
+
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];

@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::lists::Mapped;
 use crate::source::{self, Files, Source, SourceId, Sources};
 use crate::syntax::{self, Spec, SyntaxError};
-use crate::words::closest;
+use crate::words::did_you_mean;
 
 /// Families that refer to one another through more levels than this are refused.
 const MAX_DEPTH: usize = 48;
@@ -301,10 +301,8 @@ impl<'f> Library<'f> {
         let Some((home, position)) = self.find(unit, name) else {
             let visible = self.visible(unit);
             let known: Vec<&str> = visible.mapped(String::as_str);
-            let help = match closest(name, &known) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("families here are {}", crate::words::list(&visible)),
-            };
+            let help =
+                did_you_mean(name, &known, &|| format!("families here are {}", crate::words::list(&visible)));
             return Err(Some((format!("there is no family `{name}`"), help)));
         };
         if let Some([first, second]) = self.ambiguous(unit, name) {

@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::lists::Mapped;
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
-use crate::words::closest;
+use crate::words::did_you_mean;
 
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;
@@ -154,15 +154,12 @@ impl Scope<'_> {
             }
             "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
             "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
-            _ => match closest(name, &known) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None if name.starts_with(|c: char| c.is_ascii_uppercase()) => {
-                    format!("families here are {}", crate::words::list(&families))
-                }
-                None => format!(
+            _ => did_you_mean(name, &known, &|| match name.starts_with(|c: char| c.is_ascii_uppercase()) {
+                true => format!("families here are {}", crate::words::list(&families)),
+                false => format!(
                     "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
                 ),
-            },
+            }),
         };
         self.report(error.help(help));
     }

@@ -8,6 +8,7 @@ use super::error::error;
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{at_word, equals, take_word};
 use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
+use crate::words::did_you_mean;
 
 /// The properties that are claimed by a word.
 const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
@@ -67,9 +68,13 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
         _ if text == "not" => format!("`refute {next};` claims that it is false"),
         _ if text == "D" => format!("write `D({next})`"),
         Some(near) => format!("did you mean `{near}`?"),
-        None => format!("claim a property ({}) or write an equation or inequality", PROPERTIES.join(", ")),
+        None => properties(),
     };
     error(word.span(), format!("`{text}` is not a property"), help)
+}
+
+fn properties() -> String {
+    format!("claim a property ({}) or write an equation or inequality", PROPERTIES.join(", "))
 }
 
 /// `continuity(2)` after its first word.
@@ -183,12 +188,7 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
                     format!("write `prove {text};` outside of the block"),
                 ));
             }
-            let help = match crate::words::closest(&text, &PROPERTIES) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => {
-                    format!("claim a property ({}) or write an equation or inequality", PROPERTIES.join(", "))
-                }
-            };
+            let help = did_you_mean(&text, &PROPERTIES, &properties);
             return Err(error(word.span(), format!("`{text}` is not a property"), help));
         }
         return Err(error(

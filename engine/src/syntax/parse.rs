@@ -7,6 +7,7 @@ use syn::parse::{ParseStream, Parser};
 use super::error::{SyntaxError, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
 use super::{Item, Spec, Use, glyphs};
+use crate::words::did_you_mean;
 
 /// The words that begin an item.
 const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];
@@ -130,10 +131,7 @@ fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<It
         return Ok(Item::Use(Use { path: path.value(), span: path.span() }));
     }
     let help = match input.cursor().ident() {
-        Some((word, _)) => match crate::words::closest(&word.to_string(), &ITEMS) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => String::from(ITEM_HELP),
-        },
+        Some((word, _)) => did_you_mean(&word.to_string(), &ITEMS, &|| String::from(ITEM_HELP)),
         None => String::from(ITEM_HELP),
     };
     let expected = "`family`, `theorem`, `join` or `use`";

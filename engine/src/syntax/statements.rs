@@ -11,6 +11,7 @@ use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
     StatementKind, SyntaxError,
 };
+use crate::words::did_you_mean;
 
 /// The words that begin a statement.
 pub(super) const STATEMENTS: [&str; 9] =
@@ -199,12 +200,11 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 }
 
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
-    let help = match crate::words::closest(text, &STATEMENTS) {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => String::from(
+    let help = did_you_mean(text, &STATEMENTS, &|| {
+        String::from(
             "statements are `domain`, `shape`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute` and `budget`",
-        ),
-    };
+        )
+    });
     error(word.span(), format!("`{text}` does not begin a statement"), help)
 }
 
@@ -294,12 +294,11 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         "triangle" => 3,
         "tetrahedron" => 4,
         _ => {
-            let help = match crate::words::closest(&text, &["triangle", "tetrahedron"]) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => String::from(
+            let help = did_you_mean(&text, &["triangle", "tetrahedron"], &|| {
+                String::from(
                     "write `triangle (u, v, w)`, `tetrahedron (u, v, w, x)` or a range, `0 <= t <= 1`",
-                ),
-            };
+                )
+            });
             return Err(error(word.span(), format!("`{text}` is not a domain"), help));
         }
     };

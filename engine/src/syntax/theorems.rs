@@ -11,6 +11,7 @@ use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, SyntaxError, Theorem, TheoremKind, TheoremRelation,
     TheoremStatement, TheoremStatementKind,
 };
+use crate::words::did_you_mean;
 
 /// The words that begin a statement.
 const STATEMENTS: [&str; 10] =
@@ -52,10 +53,9 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     let Some((word, _)) = input.cursor().ident() else { return Err(unexpected(input, "a statement")) };
     let word = word.to_string();
     if !STATEMENTS.contains(&word.as_str()) {
-        let help = match crate::words::closest(&word, &STATEMENTS) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => format!("statements here are `{}`", STATEMENTS.join("`, `")),
-        };
+        let help = did_you_mean(&word, &STATEMENTS, &|| {
+            format!("statements here are `{}`", STATEMENTS.join("`, `"))
+        });
         return Err(error(start, format!("`{word}` does not begin a statement of a theorem"), help));
     }
     take_word(input)?;

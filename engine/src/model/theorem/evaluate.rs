@@ -9,7 +9,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::scope::BUILTINS;
 use crate::syntax::{Expr, ExprKind};
-use crate::words::{closest, here};
+use crate::words::{did_you_mean, here};
 
 /// The functions of theorems that families do not have.
 const PRODUCTS: [&str; 2] = ["cross", "dot"];
@@ -129,12 +129,9 @@ impl Elaboration<'_> {
         known.extend(self.scope.lets.iter().map(|(n, _)| n.as_str()));
         known.extend(self.vectors.iter().map(|(n, _)| n.as_str()));
         known.extend(self.patches.iter().map(|p| p.name.as_str()));
-        self.scope.report(match closest(name, &known) {
-            Some(near) => error.help(format!("did you mean `{near}`?")),
-            None => error.help(format!(
-                "declare it: `scalar 0 <= {name} <= 1;`, `let {name} = …;` or `curve {name} = …;`"
-            )),
-        });
+        let declare =
+            || format!("declare it: `scalar 0 <= {name} <= 1;`, `let {name} = …;` or `curve {name} = …;`");
+        self.scope.report(error.help(did_you_mean(name, &known, &declare)));
     }
 
     /// (x, y): Σ coordinates times basis vectors.
