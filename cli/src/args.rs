@@ -122,6 +122,10 @@ pub(crate) struct VerifyArguments {
     /// The folder with the certificates
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
+    /// Specs, or folders of specs, all of which must have certificates in the folder; those that `basis check` was given
+    /// must in any case
+    #[arg(value_name = "PATH")]
+    pub(crate) specs: Vec<PathBuf>,
 }
 
 const VERIFY_HELP: &str = "\
@@ -131,7 +135,8 @@ Exit status:
   2  a certificate or its spec cannot be read, or the command is used wrongly
 
 Examples:
-  basis check --certificates proofs specs && basis verify proofs";
+  basis check --certificates proofs specs && basis verify proofs
+  basis verify proofs specs/quartic.basis";
 
 /// What can be typed after `basis eval`.
 #[derive(Debug, Args)]

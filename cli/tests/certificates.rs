@@ -93,6 +93,72 @@ fn what_is_missing_or_unreadable() {
 }
 
 #[test]
+fn a_spec_without_any_certificate_is_noticed() {
+    let folder = Folder::with("specs/quartic.basis", QUARTIC).and("specs/b.basis", BERNSTEIN);
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "specs"]).code, 0);
+    let of_quartic = folder.path().join("proofs/specs/quartic");
+    std::fs::remove_dir_all(&of_quartic).expect("a folder");
+    let run = folder.run(&["verify", "proofs"]);
+    assert_eq!(run.code, 1);
+    let missing = "✗ specs/quartic.basis: QuarticBernstein: there is no certificate";
+    assert!(run.stdout.contains(missing), "{}", run.stdout);
+    // Whoever takes it off the list as well is betrayed by the folder that was checked.
+    let list = folder.path().join("proofs/manifest.json");
+    let manifest: Value = serde_json::from_slice(&std::fs::read(&list).expect("a file")).expect("JSON");
+    let mut less = manifest.clone();
+    less["specs"].as_object_mut().expect("an object").remove("specs/quartic.basis");
+    std::fs::write(&list, less.to_string()).expect("a file");
+    let run = folder.run(&["verify", "--format", "json", "proofs"]);
+    let lacks = json!(["specs/quartic.basis: the list of the specs lacks it"]);
+    assert_eq!((run.code, &run.json()["manifest"]), (1, &lacks));
+    // And whoever changes that, too, by whoever names the specs that must have certificates.
+    less["paths"] = json!(["specs/b.basis"]);
+    std::fs::write(&list, less.to_string()).expect("a file");
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 0);
+    assert_eq!(folder.run(&["verify", "proofs", "specs/b.basis"]).code, 0);
+    for path in ["specs", "specs/quartic.basis"] {
+        let run = folder.run(&["verify", "--format", "json", "proofs", path]);
+        assert_eq!((run.code, &run.json()["manifest"]), (1, &lacks), "{path}");
+    }
+}
+
+#[test]
+fn the_list_of_the_specs_is_checked() {
+    let folder = Folder::with("a.basis", QUARTIC).and("b.basis", BERNSTEIN);
+    // In two runs: the second keeps what the first has listed.
+    for spec in ["a.basis", "b.basis"] {
+        assert_eq!(folder.run(&["check", "--certificates", "proofs", spec]).code, 0);
+    }
+    let list = folder.path().join("proofs/manifest.json");
+    let text = std::fs::read_to_string(&list).expect("a file");
+    let manifest: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(manifest["paths"], json!(["a.basis", "b.basis"]));
+    assert_eq!(manifest["specs"]["a.basis"], json!({"QuarticBernstein": 6}));
+    assert_eq!(manifest["specs"]["b.basis"].as_object().map(serde_json::Map::len), Some(12));
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 0);
+    for (from, to) in [
+        ("\"format\": \"basis", "\"format\": \"basic"),
+        ("\"QuarticBernstein\": 6", "\"QuarticBernstein\": 7"),
+        ("\"QuarticBernstein\": 6", "\"Quartic\": 6"),
+        ("\"QuarticBernstein\": 6", ""),
+        ("\"Bern(3)\"", "\"Bern(33)\""),
+        ("\"a.basis\",", ""),
+        ("\"a.basis\": {", "\"c.basis\": {"),
+        ("\"paths\"", "\"path\""),
+        ("{\n  \"format\"", "{\n  \"more\": 1,\n  \"format\""),
+        ("{", "["),
+    ] {
+        assert!(text.contains(from), "{from}");
+        std::fs::write(&list, text.replacen(from, to, 1)).expect("a file");
+        let run = folder.run(&["verify", "proofs"]);
+        assert_eq!(run.code, 1, "{from} → {to}: {}", run.stdout);
+        assert!(run.stdout.contains("the list of the specs"), "{}", run.stdout);
+    }
+    std::fs::remove_file(&list).expect("a file");
+    assert_eq!(folder.run(&["verify", "proofs"]).code, 1);
+}
+
+#[test]
 fn irrational_witnesses() {
     let spec = "family F { domain 0 <= t <= 2; b[0] = t;\n refute (t^2 - 2)^2 > 0; prove (t^2 - 2)^2 >= 0; }";
     let folder = Folder::with("f.basis", spec);

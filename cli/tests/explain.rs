@@ -100,6 +100,46 @@ fn largest_ranges_on_a_triangle() {
 }
 
 #[test]
+fn a_range_that_is_too_wide() {
+    let negative = "(a function is negative somewhere on the declared ranges)";
+    let quartic = QUARTIC.replace("prove at λ = 0 { b = Bernstein(3); }", "");
+    for (declared, good) in [
+        ("-4 <= λ <= 2", "-3 <= λ <= 1"),
+        ("-4 <= λ <= 1", "-3 <= λ <= 1"),
+        ("-4 <= λ", "-3 <= λ <= 1"),
+        ("0 <= λ <= 11/10", "-3 <= λ <= 1"),
+        ("1 <= λ <= 2", "-3 <= λ <= 1"),
+    ] {
+        let spec = quartic.replace("-3 <= λ <= 1", declared);
+        assert_eq!(ranges(&spec, "QuarticBernstein"), [format!("{good} {negative}")], "{declared}");
+    }
+    let spec = quartic.replace("-3 <= λ <= 1", "2 <= λ <= 3");
+    let none = "λ: a function is negative somewhere on the declared ranges, whatever λ is in its range";
+    assert_eq!(ranges(&spec, "QuarticBernstein"), [none]);
+    // Several parts, a single number, irrational ends, a second parameter with an end of its own.
+    let spec = "family F {
+        domain 0 <= t <= 1;
+        shape -4 <= λ <= 4;
+        shape 0 <= μ <= 1;
+        b[0] = t*(λ^2 - 2)*(λ + 3)^2*(3 - λ) + (1 - t);
+        b[1] = (1 + μ)*(3 - λ) + t;
+    }";
+    let root = |a: &str, b: &str| format!("(root of -2 + λ^2 between {a} and {b})");
+    let (low, high) = (root("-1.415", "-1.414"), root("1.414", "1.415"));
+    assert_eq!(
+        ranges(spec, "F"),
+        [
+            format!("λ <= {low} or {high} <= λ <= 3 {negative}"),
+            String::from(
+                "μ: a function is negative somewhere on the declared ranges, whatever μ is in its range"
+            )
+        ]
+    );
+    let spec = "family G { domain 0 <= t <= 1; shape -1 <= λ <= 4; b[0] = -(λ - 2)^2*(λ + t); b[1] = 1; }";
+    assert_eq!(ranges(spec, "G"), [format!("λ <= -1 or λ = 2 {negative}")]);
+}
+
+#[test]
 fn an_irrational_end() {
     let spec = "family F { domain 0 <= t <= 1; shape 0 <= λ <= 1; b[0] = 2 - λ^2 + t; b[1] = 1; }";
     assert_eq!(

@@ -11,7 +11,7 @@ use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
-use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange};
+use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange, Part};
 use crate::generate::form::IntervalForm;
 use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::generate::{factored, factored_on_box};
@@ -84,7 +84,8 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
 /// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the other
 /// parameters on their declared ranges.
 ///
-/// Where a denominator vanishes the range ends, too, and does not contain its end.
+/// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative somewhere on the
+/// declared ranges, the largest ranges that meet the declared one.
 pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
     let (polys, region) = prove::function_signs(family);
     let mut denominators: Vec<Poly> = Vec::new();
@@ -108,23 +109,42 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         };
         let all = [&polys[..], &defined].concat();
         match decide::largest_range(&all, shape.var, &region, &mut budget) {
-            LargestRange::Between(low, high) => {
-                let end = |c: &Coordinate| match c {
-                    Coordinate::Rational(x) => x.to_string(),
-                    Coordinate::Algebraic(x) => format!("({})", x.describe(name)),
-                };
-                let sign = |end: &Coordinate, pole: &Option<Coordinate>| {
-                    if Some(end) == pole.as_ref() { "<" } else { "<=" }
-                };
-                let low = low.map_or_else(String::new, |c| format!("{} {} ", end(&c), sign(&c, &poles.0)));
-                let high = high.map_or_else(String::new, |c| format!(" {} {}", sign(&c, &poles.1), end(&c)));
-                format!("{low}{name}{high}")
+            LargestRange::Between(low, high) => range_text(name, &(low, high), &poles),
+            LargestRange::Negative => {
+                let negative = "a function is negative somewhere on the declared ranges";
+                match decide::nonnegative_parts(&all, shape.var, &region, &mut budget) {
+                    Ok(parts) if parts.is_empty() => {
+                        format!("{name}: {negative}, whatever {name} is in its range")
+                    }
+                    Ok(parts) => {
+                        let parts: Vec<String> = parts.iter().map(|p| range_text(name, p, &poles)).collect();
+                        format!("{} ({negative})", parts.join(" or "))
+                    }
+                    Err(left) => format!("{name}: {negative}; where not is undecided: {left}"),
+                }
             }
-            LargestRange::Negative => format!("{name}: a function is negative on the declared ranges"),
             LargestRange::Undecided(left) => format!("{name}: undecided: {left}"),
         }
     };
     family.shapes.iter().map(line).collect()
+}
+
+/// `-3 <= λ <= 1`; ends at which a denominator vanishes are left out.
+fn range_text(name: &str, (low, high): &Part, poles: &Part) -> String {
+    let end = |c: &Coordinate| match c {
+        Coordinate::Rational(x) => x.to_string(),
+        Coordinate::Algebraic(x) => format!("({})", x.describe(name)),
+    };
+    if let (Some(Coordinate::Rational(a)), Some(Coordinate::Rational(b))) = (low, high)
+        && a == b
+    {
+        return format!("{name} = {a}");
+    }
+    let sign =
+        |end: &Coordinate, pole: &Option<Coordinate>| if Some(end) == pole.as_ref() { "<" } else { "<=" };
+    let low = low.as_ref().map_or_else(String::new, |c| format!("{} {} ", end(c), sign(c, &poles.0)));
+    let high = high.as_ref().map_or_else(String::new, |c| format!(" {} {}", sign(c, &poles.1), end(c)));
+    format!("{low}{name}{high}")
 }
 
 /// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None` when

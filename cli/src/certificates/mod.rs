@@ -13,6 +13,8 @@
 //!   undecided   left: what is left to decide
 //! ```
 //!
+//! `DIR/manifest.json` lists the specs with their claims, so that `verify` notices when certificates are missing.
+//!
 //! Statements, and their proofs:
 //!
 //! ```text
@@ -31,6 +33,7 @@
 //! fastest), `corners`, `factors`, `faces`, `cells`, `slices`. Numbers are fractions in lowest terms.
 
 mod fields;
+mod manifest;
 mod proofs;
 mod signs;
 mod statements;
@@ -40,6 +43,7 @@ mod text;
 mod verify;
 mod write;
 
+pub(crate) use manifest::Manifest;
 pub(crate) use text::coordinate_text;
 pub(crate) use verify::run as verify;
 pub(crate) use write::write;

@@ -264,6 +264,49 @@ fn every_corruption_is_rejected() {
 }
 
 #[test]
+fn large_certificates_are_refused_at_once() {
+    let spec = "\
+family Methods {
+    domain 0 <= t <= 1;
+    shape 0 <= λ <= 1;
+    b[0] = t;
+    prove (3*t - 1)^2 + (3*λ - 1)^2 + 1/100 > 0;
+    prove (2*t - 1)^4 + (2*λ^2 - 1)^2 + 1/1000 >= 0;
+}
+";
+    let (_folder, _, values, items) = certificates(spec);
+    let Item { subject, claims: questions, .. } = &items[0];
+    let names = names(subject);
+    let refused = |k: usize, proof: Value, why: &str| {
+        let mut corrupt = values[0]["claims"][k].clone();
+        corrupt["steps"][0]["proof"] = proof;
+        let (question, line) = &questions[k];
+        let problem = claim(&corrupt, question, *line, subject, &names).expect_err("a proof that is none");
+        assert!(problem.contains(why) && problem.len() < 500, "{problem}");
+    };
+    let leaf = json!({"coefficients": ["1"]});
+    let cut = |at: String| json!({"cut": "t", "at": at});
+    // A number of 300 000 digits.
+    let long = format!("1/3{}", "0".repeat(300_000));
+    refused(0, json!({"kind": "bernstein", "parts": [cut(long), leaf, leaf]}), "digits; the most is");
+    // A cut within a cut within a cut.
+    let mut deep: Vec<Value> = (1..2000_u32).map(|k| cut(format!("1/{}", k + 1))).collect();
+    deep.extend((0..2000).map(|_| leaf.clone()));
+    refused(0, json!({"kind": "bernstein", "parts": deep}), "too deep");
+    // Cells that are cut at numbers of 19 000 digits.
+    let digits = |k: usize| format!("1/{k}{}1", "0".repeat(19_000));
+    let mut slow: Vec<Value> = (1..200).map(|k| cut(digits(k))).collect();
+    slow.extend((0..200).map(|_| leaf.clone()));
+    refused(1, json!({"kind": "bernstein", "parts": slow}), "operations to check");
+    // Projections of a high degree.
+    let (x, y) = ("1 - t^900 + t^901*λ".replace("λ", "λ^800"), "1 + λ^65000");
+    let samples = json!([{"at": "1/2", "above": [{"at": "1/2"}]}]);
+    for levels in [json!([[], [x]]), json!([[y], []]), json!([[y], [x]])] {
+        refused(1, json!({"kind": "cells", "order": ["λ", "t"], "levels": levels, "samples": samples}), "");
+    }
+}
+
+#[test]
 fn claims_are_neither_lost_nor_exchanged() {
     let (_folder, spec, values, mut items) = certificates(SPEC);
     let claims = values[0]["claims"].as_array().expect("a list");

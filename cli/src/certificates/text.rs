@@ -7,15 +7,29 @@ use basis_engine::algebra::rational::Rational;
 use basis_engine::algebra::univariate::Univariate;
 use basis_engine::decide::Coordinate;
 
+/// The longest number in a certificate; longer ones are refused before any arithmetic.
+const MAX_DIGITS: usize = 20_000;
+
 /// A number such as `-3/2`.
 pub(super) fn number(text: &str) -> Result<Rational, String> {
+    if text.len() > MAX_DIGITS {
+        return Err(format!("a number has {} digits; the most is {MAX_DIGITS}", text.len()));
+    }
     let number = Rational::parse(text).filter(|x| x.to_string() == text);
-    number.ok_or_else(|| format!("`{text}` is not a number in lowest terms"))
+    number.ok_or_else(|| format!("`{}` is not a number in lowest terms", shortened(text)))
+}
+
+/// The beginning of a text, for messages.
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(100) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_string(),
+    }
 }
 
 /// A polynomial such as `1 - 3*t + λ*t^2` in named variables.
 pub(super) fn polynomial(text: &str, names: &[String]) -> Result<Poly, String> {
-    let wrong = || format!("`{text}` is not an expanded polynomial in {}", names.join(", "));
+    let wrong = || format!("`{}` is not an expanded polynomial in {}", shortened(text), names.join(", "));
     let mut poly = Poly::zero();
     let (mut negative, mut rest) = match text.strip_prefix('-') {
         Some(rest) => (true, rest),
@@ -38,6 +52,9 @@ fn term(text: &str, names: &[String]) -> Option<(Monomial, Rational)> {
     let mut coefficient = Rational::ONE;
     for (k, factor) in text.split('*').enumerate() {
         if k == 0 && factor.starts_with(|c: char| c.is_ascii_digit()) {
+            if factor.len() > MAX_DIGITS {
+                return None;
+            }
             coefficient = Rational::parse(factor)?;
             continue;
         }
@@ -105,10 +122,13 @@ pub(crate) fn coordinate_text(coordinate: &Coordinate, name: &str) -> String {
 /// Reads a coordinate.
 pub(super) fn coordinate(text: &str, name: &str) -> Result<Coordinate, String> {
     let Some(root) = text.strip_prefix("root of ") else { return number(text).map(Coordinate::Rational) };
-    let wrong = || format!("`{text}` is not a root of a polynomial between two numbers");
+    let wrong = || format!("`{}` is not a root of a polynomial between two numbers", shortened(text));
     let (poly, ends) = root.split_once(" between ").ok_or_else(wrong)?;
     let (low, high) = ends.split_once(" and ").ok_or_else(wrong)?;
     let poly = polynomial(poly, &[name.to_string()])?;
+    if low.len().max(high.len()) > MAX_DIGITS {
+        return Err(wrong());
+    }
     let ends = Rational::parse(low).zip(Rational::parse(high));
     let found = Univariate::from_poly(&poly, Var(0)).zip(ends);
     let found = found.and_then(|(p, (low, high))| Algebraic::new(&p, low, high)).map(Coordinate::Algebraic);

@@ -13,8 +13,9 @@ use serde_json::{Map, Value};
 
 use super::fields::Fields;
 use super::text::{coordinate, number};
-use super::{FORMAT, proofs, statements, write};
+use super::{FORMAT, manifest, proofs, statements, write};
 use crate::args::{Format, VerifyArguments};
+use crate::check::files;
 use crate::check::prove::{Question, Subject};
 use crate::name::count;
 use crate::output::{self, Status, complain, error};
@@ -23,6 +24,8 @@ use crate::spec;
 /// What verifying a folder gives.
 #[derive(Debug, Serialize)]
 struct Report {
+    /// What is wrong with the list of the specs whose certificates the folder holds.
+    manifest: Vec<String>,
     certificates: Vec<Verified>,
     /// Items of the specs for which there is no certificate.
     missing: Vec<String>,
@@ -48,16 +51,20 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Status {
     if let Err(e) = find(&arguments.folder, &mut files) {
         return unusable(format!("cannot read the folder `{}`: {e}", arguments.folder.display()));
     }
+    files.retain(|file| *file != manifest::path(&arguments.folder));
     files.sort();
     if files.is_empty() {
         return unusable(format!("there is no certificate in the folder `{}`", arguments.folder.display()));
     }
     let mut specs = Specs { folder: arguments.folder.clone(), known: BTreeMap::new() };
+    let listed = manifest::verify(&arguments.folder, &arguments.specs, &mut specs);
     let certificates: Vec<Verified> = files.iter().map(|path| one(path, &mut specs)).collect();
     let missing = specs.missing();
-    let worst = certificates.iter().map(|c| c.status).max().unwrap_or(Status::Fine);
-    let status = if missing.is_empty() { worst } else { worst.max(Status::Wrong) };
-    let report = Report { certificates, missing, ok: status == Status::Fine };
+    let mut status = certificates.iter().map(|c| c.status).max().unwrap_or(Status::Fine);
+    if !missing.is_empty() || !listed.is_empty() {
+        status = status.max(Status::Wrong);
+    }
+    let report = Report { manifest: listed, certificates, missing, ok: status == Status::Fine };
     let printed = match arguments.format {
         Format::Json => output::print_json(&report),
         Format::Text => output::print(&text(&report, start)),
@@ -94,12 +101,16 @@ fn text(report: &Report, start: Instant) -> String {
             text += &format!("     {problem}\n");
         }
     }
+    for problem in &report.manifest {
+        text += &format!(" ✗ {problem}\n");
+    }
     for missing in &report.missing {
         text += &format!(" ✗ {missing}: there is no certificate\n");
     }
     let rejected = report.certificates.iter().filter(|c| !c.problems.is_empty()).count();
     let claims = report.certificates.iter().map(|c| c.claims).sum();
     let outcome = match (rejected, report.missing.len()) {
+        (0, 0) if !report.manifest.is_empty() => String::from("the list of the specs is rejected"),
         (0, 0) => String::from("all verified"),
         (0, missing) => format!("{missing} missing"),
         (rejected, 0) => format!("{rejected} rejected"),
@@ -111,7 +122,7 @@ fn text(report: &Report, start: Instant) -> String {
 }
 
 /// The specs that certificates are about, each read once.
-struct Specs {
+pub(super) struct Specs {
     folder: PathBuf,
     known: BTreeMap<String, Result<Vec<Item>, String>>,
 }
@@ -127,18 +138,44 @@ pub(super) struct Item {
 }
 
 impl Specs {
-    fn items(&mut self, path: &str) -> Result<&mut Vec<Item>, String> {
+    /// The folders in which the paths of specs may begin: where `check` was run, or around the certificates.
+    fn bases(folder: &Path) -> Vec<PathBuf> {
+        let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
+        std::iter::once(PathBuf::new()).chain(folder.ancestors().map(Path::to_path_buf)).collect()
+    }
+
+    /// What a spec says.
+    pub(super) fn items(&mut self, path: &str) -> Result<&mut Vec<Item>, String> {
         let folder = &self.folder;
         let items = self.known.entry(path.to_string()).or_insert_with(|| {
-            // Where `check` was run, or around the certificates.
-            let folder = folder.canonicalize().unwrap_or_else(|_| folder.clone());
-            let around = folder.ancestors().map(|a| a.join(path));
-            let places = std::iter::once(PathBuf::from(path)).chain(around);
+            let places = Self::bases(folder).into_iter().map(|base| base.join(path));
             let place = places.into_iter().find(|p| p.is_file());
             let place = place.ok_or(format!("there is no spec `{path}` here or around the certificates"))?;
             items(&place)
         });
         items.as_mut().map_err(|e| e.clone())
+    }
+
+    /// The specs that a path of the command line stands for, as `check` names them.
+    pub(super) fn under(&self, path: &Path) -> Vec<String> {
+        for base in Self::bases(&self.folder) {
+            let place = base.join(path);
+            if !place.exists() {
+                continue;
+            }
+            let named = |file: &Path| match file.strip_prefix(&place) {
+                Ok(rest) if !rest.as_os_str().is_empty() => path.join(rest),
+                _ => path.to_path_buf(),
+            };
+            let found =
+                files::find(std::slice::from_ref(&place)).into_iter().filter(|entry| entry.problem.is_none());
+            let found: Vec<String> = found.map(|entry| named(&entry.path).display().to_string()).collect();
+            // A folder of certificates can have the same name.
+            if !found.is_empty() {
+                return found;
+            }
+        }
+        vec![path.display().to_string()]
     }
 
     fn missing(&self) -> Vec<String> {

@@ -13,33 +13,66 @@ mod text;
 use std::path::Path;
 use std::time::Instant;
 
-use basis_engine::Sources;
+use basis_engine::{Diagnostic, Sources};
 
 use crate::args::{CheckArguments, Format};
-use crate::certificates;
+use crate::certificates::{self, Manifest};
 use crate::output::{self, Status};
 pub(crate) use published::Published;
 
 /// Checks everything that the arguments name, and prints it.
 pub(crate) fn run(arguments: &CheckArguments) -> Status {
     let entries = files::find(&arguments.paths);
-    match arguments.format {
-        Format::Text => as_text(entries, arguments.certificates.as_deref()),
-        Format::Json => as_json(entries, arguments.certificates.as_deref()),
-    }
+    let mut certificates = arguments.certificates.as_deref().map(|folder| Certificates {
+        folder,
+        manifest: Manifest::new(&arguments.paths),
+        status: Status::Fine,
+    });
+    let status = match arguments.format {
+        Format::Text => as_text(entries, &mut certificates),
+        Format::Json => as_json(entries, &mut certificates),
+    };
+    status.max(certificates.map_or(Status::Fine, Certificates::finish))
 }
 
-/// Writes the certificates of a file if that is wanted.
-fn certify(folder: Option<&Path>, outcome: &prove::Outcome) -> Status {
-    let problems = folder.map_or_else(Vec::new, |folder| certificates::write(folder, outcome));
-    for problem in &problems {
-        output::complain(&(problem.render(&Sources::default(), true) + "\n"));
+/// Where certificates are written.
+struct Certificates<'a> {
+    folder: &'a Path,
+    manifest: Manifest,
+    status: Status,
+}
+
+impl Certificates<'_> {
+    /// Writes the certificates of a file.
+    fn add(&mut self, outcome: &prove::Outcome) {
+        for problem in certificates::write(self.folder, outcome) {
+            self.complain(&problem);
+        }
+        if outcome.readable {
+            self.manifest.add(outcome);
+        }
     }
-    if problems.is_empty() { Status::Fine } else { Status::Unusable }
+
+    /// Writes the list of what was added.
+    fn finish(mut self) -> Status {
+        let manifest = std::mem::take(&mut self.manifest);
+        // Without a single certificate there is no folder.
+        if self.folder.is_dir()
+            && let Err(e) = manifest.write(self.folder)
+        {
+            self.complain(&output::error(e));
+        }
+        self.status
+    }
+
+    fn complain(&mut self, problem: &Diagnostic) {
+        output::complain(&(problem.render(&Sources::default(), true) + "\n"));
+        self.status = Status::Unusable;
+    }
 }
 
 /// Every file is printed when it is done.
-fn as_text(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
+fn as_text(entries: Vec<files::Entry>, certificates: &mut Option<Certificates<'_>>) -> Status {
     let start = Instant::now();
     let mut status = Status::Fine;
     let mut summary = text::Summary::default();
@@ -47,7 +80,10 @@ fn as_text(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
     let mut statements = Vec::new();
     for entry in entries {
         let outcome = prove::file(entry);
-        status = status.max(outcome.status()).max(certify(folder, &outcome));
+        status = status.max(outcome.status());
+        if let Some(certificates) = certificates {
+            certificates.add(&outcome);
+        }
         summary.add(&outcome);
         published::collect(&outcome, &mut statements);
         if outcome.readable {
@@ -59,13 +95,16 @@ fn as_text(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
     status.max(output::print(&summary.line(start.elapsed())))
 }
 
-fn as_json(entries: Vec<files::Entry>, folder: Option<&Path>) -> Status {
+fn as_json(entries: Vec<files::Entry>, certificates: &mut Option<Certificates<'_>>) -> Status {
     let mut status = Status::Fine;
     let mut files = Vec::new();
     let mut statements = Vec::new();
     for entry in entries {
         let outcome = prove::file(entry);
-        status = status.max(outcome.status()).max(certify(folder, &outcome));
+        status = status.max(outcome.status());
+        if let Some(certificates) = certificates {
+            certificates.add(&outcome);
+        }
         published::collect(&outcome, &mut statements);
         files.push(report::File::new(&outcome));
     }

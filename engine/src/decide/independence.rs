@@ -452,9 +452,19 @@ pub fn dependent(table: &Table, values: &Values, region: &Region, budget: &mut B
     let fixed = table.fix(values);
     match generic(&fixed, &region, &mut budget.work) {
         Some(Generic::Independent(point)) => Exception::Independent(point),
-        Some(Generic::Dependent(combination)) => Exception::Dependent(combination),
+        Some(Generic::Dependent(combination)) => Exception::Dependent(in_lowest_terms(&combination)),
         None => Exception::Undecided(String::from("the budget is spent on a combination of the functions")),
     }
+}
+
+/// The multiple of a combination that has whole coefficients without a common factor, the leading one of its first
+/// polynomial positive.
+fn in_lowest_terms(combination: &[Poly]) -> Vec<Poly> {
+    let content = combination.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
+    let lead = combination.iter().find_map(|p| p.leading_term().map(|(_, c)| c.clone()));
+    let factor = content.recip().unwrap_or(Rational::ONE);
+    let factor = if lead.is_some_and(|c| c.is_negative()) { -factor } else { factor };
+    combination.iter().map(|p| p.scale(&factor)).collect()
 }
 
 /// Whether rows are independent at some point of a region.

@@ -26,6 +26,8 @@ mod factors;
 mod independence;
 #[cfg(any(test, feature = "tools"))]
 mod largest;
+#[cfg(any(test, feature = "tools"))]
+mod parts;
 mod pieces;
 mod problem;
 mod projection;
@@ -50,6 +52,8 @@ pub use independence::{
 };
 #[cfg(any(test, feature = "tools"))]
 pub use largest::{LargestRange, largest_range};
+#[cfg(any(test, feature = "tools"))]
+pub use parts::{Part, nonnegative_parts};
 pub use symmetry::{ChangeOfBasis, Combination, Symmetries, Symmetry};
 #[cfg(any(test, feature = "tools"))]
 pub use verify::{CellCoefficients, Computed, verify, verify_independence};

@@ -100,7 +100,7 @@ fn project(set: &[Poly], var: Var, range: &Range, trailing: bool, work: &mut Wor
 }
 
 /// Square-free polynomials without common factors that have the same zeros.
-fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
+pub(super) fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
     let mut result: Vec<Poly> = Vec::new();
     for p in polys {
         let mut waiting: Vec<Poly> = square_free(p, work)?.into_iter().map(|(f, _)| f).collect();

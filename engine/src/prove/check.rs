@@ -92,6 +92,13 @@ fn exceptions(
         if combination.iter().all(Poly::is_zero) {
             return Err(String::from("all factors of a combination are zero"));
         }
+        let content = combination.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
+        let lead = combination.iter().find_map(Poly::leading_term).is_some_and(|(_, c)| c.is_positive());
+        if !content.is_one() || !lead {
+            return Err(String::from(
+                "the factors of a combination are not whole without a common factor, the leading one positive",
+            ));
+        }
         let width = table.rows.first().map_or(0, Vec::len);
         for column in 0..width {
             let terms = combination.iter().zip(&table.rows).map(|(c, row)| c * &at(&row[column]));

@@ -8,7 +8,7 @@ use crate::decide::Relation;
 use crate::decide::certificate::Subdivision;
 
 /// Cells within each other.
-const MAX_DEPTH: usize = 2000;
+const MAX_DEPTH: usize = 300;
 /// The most coefficients on a cell.
 const MAX_SIZE: u64 = 200_000;
 
@@ -42,6 +42,7 @@ pub(super) fn subdivision(claim: &Claim<'_>, tree: &Subdivision) -> Result<(), S
 }
 
 fn leaf(claim: &Claim<'_>, ranges: &[(Var, Range)]) -> Result<(), String> {
+    claim.spend(cost(&claim.poly, ranges))?;
     let form = coefficients(&claim.poly, ranges)?;
     claim.cells.borrow_mut().push(listed(&claim.poly, &form, ranges));
     check(form.terms().all(|(_, c)| !c.is_negative()), || "a Bernstein coefficient is negative".into())?;
@@ -68,6 +69,24 @@ fn leaf(claim: &Claim<'_>, ranges: &[(Var, Range)]) -> Result<(), String> {
     let positive =
         |face: &Vec<(Var, u16)>| form.terms().any(|(m, _)| face.iter().all(|(v, e)| m.exponent(*v) == *e));
     check(faces.iter().all(positive), || "the polynomial vanishes on a face of a cell".into())
+}
+
+/// How many operations on machine words the coefficients take: a conversion along every variable, with products of numbers
+/// that grow with each of them.
+pub(super) fn cost(poly: &Poly, ranges: &[(Var, Range)]) -> u64 {
+    let mut bits = poly.max_bits();
+    let mut size = 1_u64;
+    let mut sum = 0_u64;
+    for (var, range) in ranges {
+        let degree = u64::from(poly.degree(*var));
+        let ends = [&range.low, &range.high].into_iter().filter_map(|e| e.value());
+        let end = ends.map(Rational::bits).sum::<u64>();
+        bits = bits.saturating_add(degree.saturating_mul(end));
+        size = size.saturating_mul(degree + 1);
+        let product = (1 + bits / 64).saturating_mul(1 + end / 64);
+        sum = sum.saturating_add((degree + 1).saturating_mul(product));
+    }
+    size.saturating_mul(sum)
 }
 
 /// The coefficients of all indices.

@@ -1,8 +1,9 @@
 //! Resultants as determinants of Sylvester matrices, at points of a grid and interpolated.
 
-use super::check;
+use super::{check, spend};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 
 /// The largest matrix.
 const MAX_SIZE: u32 = 120;
@@ -10,7 +11,7 @@ const MAX_SIZE: u32 = 120;
 const MAX_POINTS: u32 = 40_000;
 
 /// The determinant of the Sylvester matrix of two polynomials of positive degree in a variable, up to its sign.
-pub(super) fn resultant(a: &Poly, b: &Poly, var: Var) -> Result<Poly, String> {
+pub(super) fn resultant(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Result<Poly, String> {
     let size = a.degree(var) + b.degree(var);
     check(size <= MAX_SIZE, || "a resultant is too large".into())?;
     let others: Vec<Var> = a.variables().into_iter().chain(b.variables()).filter(|v| *v != var).collect();
@@ -19,7 +20,11 @@ pub(super) fn resultant(a: &Poly, b: &Poly, var: Var) -> Result<Poly, String> {
     grid.sort();
     grid.dedup();
     let points = grid.iter().try_fold(1_u32, |n, (_, c)| n.checked_mul(*c).filter(|n| *n <= MAX_POINTS));
-    check(points.is_some(), || "a resultant is too large".into())?;
+    let points = u64::from(points.ok_or("a resultant is too large")?);
+    // Elimination, and the interpolation of polynomials with as many terms as there are points.
+    let words = 1 + u64::from(size) * (a.max_bits() + b.max_bits()) / 64;
+    let steps = u64::from(size).pow(3) / 3 + points;
+    spend(work, points.saturating_mul(steps).saturating_mul(words))?;
     // A factor of the rows does not matter: whole numbers are fast.
     Ok(on_grid(&a.normalized(), &b.normalized(), var, &grid, (a.degree(var), b.degree(var))))
 }
@@ -86,7 +91,8 @@ mod tests {
         let b = &(&x.pow(2) * &z) + &(&y - &Poly::integer(2));
         let work = &mut crate::algebra::work::Work::unlimited();
         let expected = crate::algebra::resultant::resultant(&a, &b, Var(0), work).expect("unlimited");
-        let found = resultant(&a, &b, Var(0)).expect("small");
+        let found = resultant(&a, &b, Var(0), work).expect("small");
+        assert!(resultant(&a, &b, Var(0), &mut crate::algebra::work::Work::new(10)).is_err());
         assert_eq!(found.normalized(), expected.normalized());
     }
 }

@@ -12,6 +12,8 @@ use crate::decide::symmetry::{ChangeOfBasis, Combination};
 
 /// The most cells into which the ends of ranges and exceptions cut the region.
 const MAX_CELLS: usize = 100_000;
+/// The most minors of a block.
+const MAX_MINORS: usize = 50;
 
 /// Checks that the rows of a matrix are independent at every point of a region that has not all values of one of the
 /// exceptions.
@@ -116,6 +118,7 @@ fn blocks(rows: &[Vec<Poly>], piece: &Piece, computed: &mut Computed) -> Result<
 
 /// Checks that minors do not vanish together.
 fn minors(rows: &[&[Poly]], block: &Minors, region: &Region) -> Result<Computed, String> {
+    check(block.columns.len() <= MAX_MINORS, || format!("there are more than {MAX_MINORS} minors"))?;
     let mut minors = Vec::new();
     for columns in &block.columns {
         minors.push(minor(rows, columns)?);

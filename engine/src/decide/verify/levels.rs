@@ -27,31 +27,33 @@ pub(super) fn projections(
             check(lower && p.depends_on(*var), || "a polynomial is on the wrong level".into())?;
         }
     }
-    made_of(&claim.poly, levels)?;
+    made_of(claim, &claim.poly, levels)?;
     for k in (1..order.len()).rev() {
         let (var, below) = (order[k], &levels[..k]);
         let range = claim.range(var)?;
         for (i, p) in levels[k].iter().enumerate() {
             let coefficients = p.coefficients_in(var);
-            made_of(coefficients.last().unwrap_or(p), below)?;
+            made_of(claim, coefficients.last().unwrap_or(p), below)?;
             for x in [range.low.value(), range.high.value()].into_iter().flatten() {
                 let restriction = p.at(var, x);
                 // The end itself may be a root everywhere.
                 let linear = &Poly::var(var) - &Poly::constant(x.clone());
                 if !(restriction.is_zero() && p.div_exact(&linear).is_some_and(|q| q.as_constant().is_some()))
                 {
-                    made_of(&restriction, below)?;
+                    made_of(claim, &restriction, below)?;
                 }
             }
             let is_variable = p.degree(var) == 1 && coefficients[0].is_zero();
             if trailing && !is_variable {
-                made_of(&coefficients[0], below)?;
+                made_of(claim, &coefficients[0], below)?;
             }
             if p.degree(var) > 1 {
-                made_of(&resultant(p, &p.derivative(var), var)?, below)?;
+                let discriminant = resultant(p, &p.derivative(var), var, &mut claim.work.borrow_mut())?;
+                made_of(claim, &discriminant, below)?;
             }
             for q in &levels[k][i + 1..] {
-                made_of(&resultant(p, q, var)?, below)?;
+                let resultant = resultant(p, q, var, &mut claim.work.borrow_mut())?;
+                made_of(claim, &resultant, below)?;
             }
         }
     }
@@ -59,13 +61,14 @@ pub(super) fn projections(
 }
 
 /// Checks that a polynomial is a number different from zero times powers of given ones.
-fn made_of(poly: &Poly, levels: &[Vec<Poly>]) -> Result<(), String> {
+fn made_of(claim: &Claim<'_>, poly: &Poly, levels: &[Vec<Poly>]) -> Result<(), String> {
     let mut rest = poly.clone();
     check(!rest.is_zero(), || "a projection is zero".into())?;
     for factor in levels.iter().rev().flatten() {
-        while rest.as_constant().is_none()
-            && let Some(quotient) = rest.div_exact(factor)
-        {
+        while rest.as_constant().is_none() {
+            let words = 1 + (rest.max_bits() + factor.max_bits()) / 64;
+            claim.spend((rest.len() * factor.len()) as u64 * words)?;
+            let Some(quotient) = rest.div_exact(factor) else { break };
             rest = quotient;
         }
     }
@@ -93,9 +96,15 @@ fn samples(
         return check(!value.is_negative(), || "p is negative at a sample".into());
     };
     let values: Vec<&Rational> = samples.iter().map(|s| &s.value).collect();
-    Sturm::new(level.iter(), *var)?.separated(&values, claim.range(*var)?)?;
+    let sturm = Sturm::new(level.iter(), *var, &mut claim.work.borrow_mut())?;
+    claim.spend(sturm.cost(&values))?;
+    sturm.separated(&values, claim.range(*var)?)?;
     for sample in samples {
         let at = |p: &Poly| p.at(*var, &sample.value);
+        let words = |p: &Poly| 1 + (p.max_bits() + u64::from(p.degree(*var)) * sample.value.bits()) / 64;
+        for p in levels.iter().flatten() {
+            claim.spend(p.len() as u64 * words(p))?;
+        }
         let levels: Vec<Vec<Poly>> = levels.iter().map(|level| level.iter().map(at).collect()).collect();
         self::samples(claim, order, &levels, &at(poly), &sample.above)?;
     }

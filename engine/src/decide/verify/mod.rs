@@ -19,9 +19,12 @@ use super::certificate::{Certificate, Factor};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 
 /// Parts of certificates within each other.
 const MAX_DEPTH: usize = 100;
+/// The most operations on numbers of a machine word for one certificate, many times what a search may spend to find one.
+const WORK: u64 = 200_000_000;
 
 /// The Bernstein coefficients on a cell, by the indices of the variables that occur; the index of the last one changes fastest.
 pub type CellCoefficients = Vec<Rational>;
@@ -60,8 +63,14 @@ pub fn verify(
     }
     let ranges = poly.variables().into_iter().map(|v| (v, region.range(v))).collect();
     let cells = RefCell::new(Vec::new());
-    Claim { poly, relation, ranges, cells: &cells }.verify(certificate, 0)?;
+    let work = RefCell::new(Work::new(WORK));
+    Claim { poly, relation, ranges, cells: &cells, work: &work }.verify(certificate, 0)?;
     Ok(cells.into_inner())
+}
+
+/// Counts work that is about to be done; an error when it is more than any certificate needs that a search writes.
+fn spend(work: &mut Work, units: u64) -> Result<(), String> {
+    work.spend(units).ok_or_else(|| format!("the certificate takes more than {WORK} operations to check"))
 }
 
 /// An error unless a condition holds.
@@ -76,6 +85,8 @@ struct Claim<'a> {
     ranges: Vec<(Var, Range)>,
     /// Where the coefficients on the cells are collected.
     cells: &'a RefCell<Vec<CellCoefficients>>,
+    /// What may still be done.
+    work: &'a RefCell<Work>,
 }
 
 impl Claim<'_> {
@@ -85,7 +96,12 @@ impl Claim<'_> {
         let known = variables.iter().all(|v| self.ranges.iter().any(|(w, _)| w == v));
         check(known, || "a part has other variables than the whole".into())?;
         let ranges = self.ranges.iter().filter(|(v, _)| variables.contains(v)).cloned().collect();
-        Ok(Self { poly, relation, ranges, cells: self.cells })
+        Ok(Self { poly, relation, ranges, cells: self.cells, work: self.work })
+    }
+
+    /// Counts work that is about to be done.
+    fn spend(&self, units: u64) -> Result<(), String> {
+        spend(&mut self.work.borrow_mut(), units)
     }
 
     fn range(&self, var: Var) -> Result<&Range, String> {
@@ -206,7 +222,8 @@ impl Claim<'_> {
                 }
                 rest /= choices.len();
             }
-            let whole = Self { poly: poly.clone(), relation: self.relation, ranges: open, cells: self.cells };
+            let (relation, cells, work) = (self.relation, self.cells, self.work);
+            let whole = Self { poly: poly.clone(), relation, ranges: open, cells, work };
             whole.part(poly, self.relation)?.verify(certificate, depth + 1)?;
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! Checks the search for zeros in slices.
 
-use super::bernstein::coefficients;
+use super::bernstein::{coefficients, cost};
 use super::levels::projections;
 use super::sturm::Sturm;
 use super::{Claim, check, inside};
@@ -36,10 +36,12 @@ pub(super) fn slices(claim: &Claim<'_>, slices: &Slices, depth: usize) -> Result
             let (low, high, sturm) = &sections[rest % sections.len()];
             rest /= sections.len();
             let (a, b) = &ends[k];
+            claim.spend(sturm.cost(&[a, b]))?;
             let around = *low <= a && a < b && b <= *high && !sturm.is_root(a) && !sturm.is_root(b);
             check(around && sturm.count(Some(a), Some(b)) == 1, || "a box misses its point".into())?;
             sides.push((variables[k], Range::closed(a.clone(), b.clone())));
         }
+        claim.spend(cost(&claim.poly, &sides))?;
         let form = coefficients(&claim.poly, &sides)?;
         let size: u64 = claim.ranges.iter().map(|(v, _)| u64::from(claim.poly.degree(*v)) + 1).product();
         let positive = form.terms().all(|(_, c)| c.is_positive()) && form.len() as u64 == size;
@@ -63,8 +65,9 @@ fn base<'a>(
         return Err("there is no level".into());
     };
     let range = claim.range(*var)?;
-    let sturm = std::rc::Rc::new(Sturm::new(level.iter(), *var)?);
+    let sturm = std::rc::Rc::new(Sturm::new(level.iter(), *var, &mut claim.work.borrow_mut())?);
     let values: Vec<&Rational> = base.sectors.iter().map(|(x, _)| x).collect();
+    claim.spend(sturm.cost(&values))?;
     sturm.separated(&values, range)?;
     check(base.sections.len() + 1 == values.len(), || {
         "there is not one section between neighbouring slices".into()
@@ -84,6 +87,7 @@ fn base<'a>(
                 slice(x, certificate)?;
             }
             Section::Between(a, b) => {
+                claim.spend(sturm.cost(&[a, b]))?;
                 let here =
                     between[0] <= a && a < b && b <= between[1] && !sturm.is_root(a) && !sturm.is_root(b);
                 check(here && sturm.count(Some(a), Some(b)) == 1, || {

@@ -1,9 +1,10 @@
 //! Counts the real roots of a polynomial in one variable by Sturm's theorem.
 
-use super::check;
+use super::{check, spend};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 
 /// Coefficients, constant first, the last one not zero.
 type Coefficients = Vec<Rational>;
@@ -15,9 +16,32 @@ pub(super) struct Sturm {
 
 impl Sturm {
     /// For polynomials in one variable, none of them zero.
-    pub(super) fn new<'a>(polys: impl Iterator<Item = &'a Poly>, var: Var) -> Result<Self, String> {
-        let sequences: Result<Vec<_>, String> = polys.map(|p| Ok(sequence(dense(p, var)?))).collect();
-        Ok(Self { sequences: sequences? })
+    pub(super) fn new<'a>(
+        polys: impl Iterator<Item = &'a Poly>,
+        var: Var,
+        work: &mut Work,
+    ) -> Result<Self, String> {
+        let mut sequences = Vec::new();
+        for p in polys {
+            // The numbers of a sequence grow to as many bits as the degree times those of the coefficients.
+            let degree = u64::from(p.degree(var));
+            let words = 1 + degree.saturating_mul(p.max_bits()) / 64;
+            spend(work, (degree * degree).saturating_mul(words))?;
+            sequences.push(sequence(dense(p, var)?));
+        }
+        Ok(Self { sequences })
+    }
+
+    /// How many operations on machine words it takes to evaluate all sequences at numbers, a few times each.
+    pub(super) fn cost(&self, numbers: &[&Rational]) -> u64 {
+        let bits: u64 = numbers.iter().map(|x| x.bits()).sum();
+        let one = |p: &Coefficients| {
+            let len = p.len() as u64;
+            let own = p.iter().map(Rational::bits).max().unwrap_or(0) / 64;
+            len.saturating_mul(4 * numbers.len() as u64 + len.saturating_mul(bits) / 16)
+                .saturating_add(len.saturating_mul(own).saturating_mul(numbers.len() as u64))
+        };
+        self.sequences.iter().flatten().map(one).fold(0, u64::saturating_add)
     }
 
     /// Whether a number is a root of one of the polynomials.
@@ -166,7 +190,7 @@ mod tests {
         let n = Poly::integer;
         // x² (x − 1) (x² − 2)
         let factors = [x.pow(2), &x - &n(1), &x.pow(2) - &n(2)];
-        let sturm = Sturm::new(factors.iter(), Var(0)).expect("not zero");
+        let sturm = Sturm::new(factors.iter(), Var(0), &mut Work::unlimited()).expect("not zero");
         let r = Rational::from;
         assert_eq!(sturm.count(None, None), 4);
         assert_eq!(sturm.count(Some(&r(0)), Some(&r(1))), 0);
