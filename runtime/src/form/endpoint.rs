@@ -96,13 +96,14 @@ impl<P: Point, const R: usize> Form<P> for EndpointForm<P, R> {
         let mut factor = P::Scalar::of(0.25); // 2ᵏ⁻² k!
         for k in 1..K.min(R + 2) {
             factor = factor * two * P::Scalar::from_usize(k);
-            let constant = match k {
-                1 => Some((chord, P::Scalar::ONE)),
-                _ => taylor.get(k - 2).filter(|_| k - 2 < R).map(|&t| (t, -factor)),
-            };
-            let linear = (k - 1 < R).then(|| (taylor[k - 1], -(two * factor) * y));
-            let product = (k < R).then(|| (taylor[k], (four * factor) * (s * x)));
-            derivatives[k] = combination([constant, linear, product].into_iter().flatten());
+            let mut sum = if k == 1 { chord } else { taylor[k - 2].scale(-factor) };
+            if k - 1 < R {
+                sum = sum.add_scaled(taylor[k - 1], -(two * factor) * y);
+            }
+            if k < R {
+                sum = sum.add_scaled(taylor[k], (four * factor) * (s * x));
+            }
+            derivatives[k] = sum;
         }
         derivatives
     }
