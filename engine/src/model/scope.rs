@@ -154,11 +154,14 @@ impl Scope<'_> {
             }
             "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
             "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
-            _ => did_you_mean(name, &known, &|| match name.starts_with(|c: char| c.is_ascii_uppercase()) {
-                true => format!("families here are {}", crate::words::list(&families)),
-                false => format!(
-                    "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
-                ),
+            _ => did_you_mean(name, &known, &|| {
+                if name.starts_with(|c: char| c.is_ascii_uppercase()) {
+                    format!("families here are {}", crate::words::list(&families))
+                } else {
+                    format!(
+                        "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
+                    )
+                }
             }),
         };
         self.report(error.help(help));
