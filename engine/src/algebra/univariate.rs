@@ -163,10 +163,13 @@ impl Univariate {
             return None;
         }
         let mut rest = self.coefficients.clone();
-        let words = (self.max_bits() + divisor.max_bits()) / 64 + 1;
+        // A product of long numbers takes as many operations as the product of their lengths.
+        let words = |bits: u64| 1 + bits / 64;
+        let (own, other) = (words(self.max_bits()), words(divisor.max_bits()));
+        let product = own + other + own * other / 4;
         let scale = lead.abs();
         while rest.len() > n {
-            work.spend(2 * rest.len() as u64 * words)?;
+            work.spend(2 * rest.len() as u64 * product)?;
             // rest := |lead|·rest − sign(lead)·top·xᵏ·divisor
             let Some(top) = rest.pop() else { break };
             let shift = rest.len() - n;
@@ -185,7 +188,10 @@ impl Univariate {
                 rest[k + shift] -= &(c * &minus);
             }
         }
-        Some(Self::new(rest).primitive())
+        let rest = Self::new(rest);
+        let size = words(rest.max_bits());
+        work.spend(rest.coefficients.len() as u64 * size * size / 4)?;
+        Some(rest.primitive())
     }
 
     /// The quotient, if `divisor` divides without remainder.
