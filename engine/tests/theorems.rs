@@ -81,6 +81,80 @@ fn parallel_needs_a_positive_factor_wherever_a_side_is_not_zero() {
     assert!(found[5].contains("λ = -2"), "{}", found[5]);
 }
 
+/// Where both sides are zero the claim holds, where one is, it fails; elsewhere the sign of the factor decides.
+#[test]
+fn directions_where_a_factor_vanishes() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        scalar c; scalar 0 <= k; scalar 0 <= y; scalar 0 <= x <= 2;
+        prove k*P[0] parallel k^2*P[0];
+        prove (λ + 2)*P[0] parallel (λ + 2)^2*P[0];
+        prove (λ + 2)^2*P[0] parallel (λ + 2)*P[0];
+        prove c*P[0] parallel c^3*P[0];
+        prove c*(1 + y)*P[0] parallel c*P[0];
+        prove (x^2 - 2)^2*P[0] parallel (x^2 - 2)^4*P[0];
+        prove (k^2 + y^2)*(k*P[0] + y*P[1]) parallel k*P[0] + y*P[1];
+        prove k*y*P[0] parallel k^2*y*P[0];",
+    );
+    assert_eq!(found, ["="; 8]);
+    assert_eq!(verdicts("scalar c; prove (c, c^2) parallel (c^3, c^4);"), ["="]);
+    let found = verdicts(
+        "curve P = Quadratic(λ) [(1, 0), (0, 1), (2, 3)];
+        scalar c; scalar 0 <= k <= 1; scalar 0 <= x <= 2; scalar 0 <= y <= 1;
+        prove c*P[0] parallel -c*P[0];
+        prove c*P[0] parallel c^2*P[0];
+        prove (x^2 - 2)^2*P[0] parallel P[0];
+        prove (λ + 2)*P[0] parallel P[0];
+        prove P[0] parallel (λ + 2)*P[0];
+        prove k*P[0] parallel y*P[0];
+        prove c*P[0] parallel 0*P[0];
+        prove (x^2 - 2)*P[0] parallel (x^2 - 2)^2*P[0];",
+    );
+    let expected = [
+        "-1 at c = 1",
+        "-1 at c = -1",
+        "0 at x = root of -2 + x^2 between",
+        "0 at λ = -2",
+        "0 at λ = -2",
+        "0 at y = 0",
+        "0 at c = 1",
+        "-8 at x = 0",
+    ];
+    for (found, expected) in found.iter().zip(expected) {
+        let (value, place) = expected.split_once(" at ").expect("both are given");
+        assert!(found.starts_with(&format!("{value} at ")) && found.contains(place), "{found}, {expected}");
+    }
+    assert_eq!(found.len(), expected.len());
+}
+
+/// Without coordinates the dot products of a counterexample are those of its points.
+#[test]
+fn directions_with_dot_products() {
+    let found = verdicts(
+        "curve P = Quadratic(λ);
+        prove (1 + dot(P[0], P[1])^2)*P[1] parallel P[1];
+        prove dot(P[0], P[0])*P[1] parallel dot(P[0], P[0])^2*P[1];
+        prove dot(P[0], P[0]) >= 0;
+        prove dot(P[0], P[0])*P[0] parallel P[0];
+        prove dot(P[0], P[1])*P[1] parallel P[1];",
+    );
+    assert_eq!(found[..4], ["=", "=", "=", "?"]);
+    assert!(found[4].starts_with("-2 at") || found[4].starts_with("0 at"), "{}", found[4]);
+    let report = checked("theorem T { curve P = Quadratic(0); prove dot(P[0] - P[1], P[0] - P[1]) >= 0; }");
+    let help = report.diagnostics[0].help.as_deref();
+    assert!(help.is_some_and(|help| help.ends_with("such as `dimension 2;`")), "{help:?}");
+    let found = verdicts(
+        "dimension 2;
+        curve P = Quadratic(λ);
+        prove dot(P[0] - P[1], P[0] - P[1]) >= 0;
+        prove dot(P[0], P[0])*P[0] parallel P[0];
+        prove P[0][0]*P[1] parallel P[0][0]^3*P[1];
+        prove P[0][0]*P[1] parallel P[1];",
+    );
+    assert_eq!(found[..3], ["="; 3]);
+    assert!(found[3].starts_with("0 at") || found[3].starts_with('-'), "{}", found[3]);
+}
+
 #[test]
 fn assumptions_narrow_the_ranges() {
     let found = verdicts(

@@ -111,6 +111,9 @@ theorem Tangents {
     prove D(P)(0) = (3 + λ)*(P[1] - P[0]);
     refute D(P)(0) parallel P[2] - P[0];
     refute D(P)(0) parallel P[1] - P[0];
+    scalar 0 <= x <= 2;
+    prove x*(x^2 + 1)*P[0] parallel x^2*P[0];
+    refute (x^2 - 2)^2*P[0] parallel P[0];
     refute λ > 0;
     prove λ^2 >= 0;
 }

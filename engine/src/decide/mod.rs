@@ -57,7 +57,6 @@ pub use parts::{Part, nonnegative_parts};
 pub use symmetry::{ChangeOfBasis, Combination, Symmetries, Symmetry};
 #[cfg(any(test, feature = "tools"))]
 pub use verify::{CellCoefficients, Computed, verify, verify_independence};
-#[cfg(any(test, feature = "tools"))]
 pub(crate) use zeros::is_zero;
 
 use crate::algebra::algebraic::Algebraic;

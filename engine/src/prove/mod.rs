@@ -6,6 +6,7 @@ mod identity;
 mod independent;
 mod inequality;
 mod net;
+mod parallel;
 mod point;
 mod report;
 mod theorem;

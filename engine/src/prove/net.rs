@@ -119,6 +119,7 @@ pub(super) fn parts(theorem: &Theorem, form: &Form, net: &Net) -> Vec<(String, F
         zeros(axes.mapped(|(i, j)| if dimension == 2 { String::new() } else { format!("[{i},{j}]") }));
     let mut is_outer = false;
     for (unit, value) in &form.terms {
+        let value = &on_net(theorem, value, net);
         match unit {
             Unit::Point(p) => {
                 for (part, x) in vector.iter_mut().zip(&net.points[*p]) {

@@ -18,7 +18,14 @@ pub fn diagnose(family: &Family, claim: &Claim, verdict: &Verdict) -> Option<Dia
 
 /// As [`diagnose`], for a claim of a theorem.
 pub fn diagnose_theorem(theorem: &Theorem, claim: &TheoremClaim, verdict: &Verdict) -> Option<Diagnostic> {
-    contradiction(&theorem.title(), &claim.text, claim.expected, &claim.place, verdict)
+    let diagnostic = contradiction(&theorem.title(), &claim.text, claim.expected, &claim.place, verdict)?;
+    let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
+    Some(match verdict {
+        Verdict::Undecided(_) if of_products => diagnostic.help(
+            "without coordinates little is known of dot products; say how many there are, such as `dimension 2;`",
+        ),
+        _ => diagnostic,
+    })
 }
 
 fn contradiction(

@@ -5,7 +5,7 @@ use core::convert::Infallible;
 use super::net::{Net, evaluated, nets, on_net, parts};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
-use super::{Evidence, Step, StepProof, Verdict, Witness, point};
+use super::{Evidence, Step, StepProof, Verdict, Witness, parallel, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
@@ -38,15 +38,16 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
             found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
         }
         TheoremClaimKind::Scalar(comparison, f) => sign(theorem, of, *comparison, f),
-        TheoremClaimKind::Parallel(a, b) => parallel(theorem, claim, a, b),
+        TheoremClaimKind::Parallel(a, b) => parallel::parallel(theorem, claim, a, b),
     }
 }
 
-/// What has to be shown for a claim of a theorem to be true; one statement, as there is one step in a proof.
+/// What has to be shown for a claim of a theorem to be true; one statement for each step of a proof.
 #[cfg(any(test, feature = "tools"))]
 pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statement> {
     let first = |form: &Form| form.terms.values().next().cloned().unwrap_or_else(Fraction::zero);
-    let (of, assertion) = match &claim.kind {
+    let (of, assertion) = match &settled(theorem, &claim.kind) {
+        TheoremClaimKind::Parallel(a, b) => return parallel::statements(theorem, claim, a, b),
         TheoremClaimKind::Scalar(Comparison::Equal, f) => {
             (claim.difference.clone(), Assertion::Zero(f.clone()))
         }
@@ -58,19 +59,6 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
             let polynomial = if negate { -&polynomial } else { polynomial };
             (claim.difference.clone(), Assertion::Sign { polynomial, relation, region: theorem.region() })
         }
-        TheoremClaimKind::Parallel(a, b) if a.is_zero() && b.is_zero() => {
-            (claim.difference.clone(), Assertion::Zero(Fraction::zero()))
-        }
-        TheoremClaimKind::Parallel(a, b) => match proportion(a, b) {
-            Some(factor) => {
-                let polynomial = factor.numer() * factor.denom();
-                let assertion =
-                    Assertion::Sign { polynomial, relation: Relation::Positive, region: theorem.region() };
-                (factor.display(&theorem.names), assertion)
-            }
-            // No factor at all: nothing can be proved.
-            None => (claim.difference.clone(), Assertion::Zero(Fraction::constant(Rational::ONE))),
-        },
     };
     vec![Statement { of, assertion }]
 }
@@ -97,18 +85,18 @@ fn settled(theorem: &Theorem, kind: &TheoremClaimKind) -> TheoremClaimKind {
     }
 }
 
-fn identity(of: &str) -> Verdict {
+pub(super) fn identity(of: &str) -> Verdict {
     let steps = vec![Step { of: of.to_string(), proof: StepProof::Identity }];
     Verdict::Proved(Evidence { method: String::from("expansion of both sides"), steps })
 }
 
-fn no_witness() -> Verdict {
+pub(super) fn no_witness() -> Verdict {
     Verdict::Undecided(String::from(
         "the two sides are different expressions, but no point was found at which they differ",
     ))
 }
 
-fn explained(mut witness: Witness, what: &str) -> Verdict {
+pub(super) fn explained(mut witness: Witness, what: &str) -> Verdict {
     let at = witness.point();
     let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
     witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
@@ -116,7 +104,7 @@ fn explained(mut witness: Witness, what: &str) -> Verdict {
 }
 
 /// The values of the scalars at which a function is not zero.
-fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
+pub(super) fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
     let mut rest = value.numer().clone();
     if rest.is_zero() {
         return None;
@@ -134,7 +122,13 @@ fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
 }
 
 /// A witness from values of the scalars and a net.
-fn refutation(theorem: &Theorem, net: &Net, of: String, value: &Fraction, at: &[Rational]) -> Witness {
+pub(super) fn refutation(
+    theorem: &Theorem,
+    net: &Net,
+    of: String,
+    value: &Fraction,
+    at: &[Rational],
+) -> Witness {
     let value = value.eval(at).unwrap_or(Rational::ZERO);
     let named = theorem.scalars.iter().map(|p| (p.name.clone(), Coordinate::Rational(at[p.var.0].clone())));
     Witness {
@@ -193,7 +187,7 @@ fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -
             }
         }
         return Verdict::Undecided(format!(
-            "`{of}`: nothing is known of the dot products; with coordinates, `dimension 2;`, more can be decided"
+            "`{of}`: it fails for some numbers in place of the dot products, but for no points that were tried"
         ));
     }
     let at = coordinates(theorem, &witness.point);
@@ -225,7 +219,7 @@ fn counterexample(
 }
 
 /// The rational values by variable, simple ones for what is left open.
-fn coordinates(theorem: &Theorem, point: &[(Var, Coordinate)]) -> Vec<Rational> {
+pub(super) fn coordinates(theorem: &Theorem, point: &[(Var, Coordinate)]) -> Vec<Rational> {
     let mut at = vec![Rational::ZERO; theorem.names.len()];
     for scalar in &theorem.scalars {
         at[scalar.var.0] = point::simple(&scalar.range);
@@ -236,90 +230,6 @@ fn coordinates(theorem: &Theorem, point: &[(Var, Coordinate)]) -> Vec<Rational> 
         }
     }
     at
-}
-
-/// a = f·b with f > 0 wherever the two are not both zero.
-///
-/// Where the coordinates of a and b are proportional as functions, f is their quotient n/d in lowest terms, and the claim
-/// is a claim about the sign of n·d; where they are not, some minor aᵢbⱼ − aⱼbᵢ shows it.
-fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verdict {
-    let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
-    if a.is_zero() && b.is_zero() {
-        return identity(&claim.difference);
-    }
-    let Some(factor) = proportion(a, b) else {
-        return not_proportional(theorem, a, b, left, right);
-    };
-    // With b = 0 everywhere and a ≠ 0, or the other way round, no factor is positive.
-    let product = factor.numer() * factor.denom();
-    let sign =
-        decide::decide(&product, Relation::Positive, &theorem.region(), &mut Budget::scaled(theorem.budget));
-    let witness = match sign {
-        Decision::Proved(proof) => {
-            let shown = factor.display(&theorem.names);
-            let method = format!("expansion with the factor {shown} > 0 ({})", proof.method);
-            let proof = StepProof::Sign(proof);
-            return Verdict::Proved(Evidence { method, steps: vec![Step { of: shown, proof }] });
-        }
-        Decision::Undecided(left) => return Verdict::Undecided(format!("the factor is positive: {left}")),
-        Decision::Refuted(witness) => witness,
-    };
-    let at = coordinates(theorem, &witness.point);
-    let rational = witness.point.iter().all(|(_, c)| matches!(c, Coordinate::Rational(_)));
-    for net in nets(theorem).filter(|_| rational) {
-        let values = |form: &Form| -> Vec<Rational> {
-            parts(theorem, form, &net).iter().map(|(_, f)| f.eval(&at).unwrap_or(Rational::ZERO)).collect()
-        };
-        let (x, y) = (values(a), values(b));
-        if x.iter().chain(&y).all(Rational::is_zero) {
-            continue;
-        }
-        let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, (p, q)| &sum + &(p * q));
-        let note = if dot.is_zero() {
-            "one side is zero and the other is not"
-        } else {
-            "the two sides have opposite directions"
-        };
-        let mut result =
-            refutation(theorem, &net, format!("dot({left}, {right})"), &Fraction::constant(dot), &at);
-        result
-            .notes
-            .push(format!("the left side is ({}) times the right side", factor.display(&theorem.names)));
-        return explained(result, &format!("{note}:"));
-    }
-    Verdict::Undecided(format!(
-        "the left side is ({}) times the right side, and where that is not positive both may be zero",
-        factor.display(&theorem.names)
-    ))
-}
-
-/// The factor f with a = f·b as functions, 0 for b = 0; `None` when there is none.
-fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
-    let Some((unit, y)) = b.terms.iter().next() else { return Some(Fraction::zero()) };
-    let factor = a.coefficient(*unit).checked_div(y)?;
-    let proportional = b.terms.iter().all(|(unit, y)| a.coefficient(*unit) == &factor * y);
-    (proportional && a.terms.keys().all(|unit| b.terms.contains_key(unit))).then_some(factor)
-}
-
-/// A point at which the coordinates of two vectors are not proportional.
-fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &str) -> Verdict {
-    for net in nets(theorem) {
-        let (x, y) = (parts(theorem, a, &net), parts(theorem, b, &net));
-        for i in 0..x.len() {
-            for j in i + 1..x.len().min(y.len()) {
-                let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
-                let Some(at) = nonzero(theorem, &minor) else { continue };
-                let (p, q) = (&x[i].0, &x[j].0);
-                let of = if x.len() == 2 {
-                    format!("cross({left}, {right})")
-                } else {
-                    format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
-                };
-                return explained(refutation(theorem, &net, of, &minor, &at), "the directions differ:");
-            }
-        }
-    }
-    no_witness()
 }
 
 /// The expressions whose values can contradict a claim on a net, with their values where they do.

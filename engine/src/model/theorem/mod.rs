@@ -13,9 +13,9 @@ pub use form::{Form, Unit};
 use super::{Comparison, Expected, Parameter};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{End, Range, Region};
+use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
-use crate::lists::Mapped;
 use crate::source::SourceId;
 pub use crate::syntax::{TheoremKind, TheoremRelation};
 
@@ -129,15 +129,30 @@ pub enum TheoremClaimKind {
     Parallel(Form, Form),
 }
 
+impl TheoremClaimKind {
+    /// Whether a variable occurs in what is claimed.
+    pub fn depends_on(&self, var: Var) -> bool {
+        let form = |form: &Form| form.terms.values().any(|f| f.depends_on(var));
+        match self {
+            Self::Scalar(_, f) => f.depends_on(var),
+            Self::Zero(a) => form(a),
+            Self::Parallel(a, b) => form(a) || form(b),
+        }
+    }
+}
+
 impl Theorem {
     /// `theorem Name` or `join Name`.
     pub fn title(&self) -> String {
         format!("{} {}", self.kind.keyword(), self.name)
     }
 
-    /// The ranges of the scalars; all other variables are unbounded.
+    /// The ranges of the scalars, and of the dot products of points with themselves; all other variables are unbounded.
     pub fn region(&self) -> Region {
-        Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) }
+        let scalars = self.scalars.iter().map(|p| (p.var, p.range.clone()));
+        let squares = self.products.iter().filter(|(_, (p, q))| p == q);
+        let nonnegative = Range { low: End::Included(Rational::ZERO), high: End::Infinite };
+        Region { ranges: scalars.chain(squares.map(|(var, _)| (*var, nonnegative.clone()))).collect() }
     }
 
     /// The range of a variable.

@@ -1,0 +1,281 @@
+//! Directions of vectors: `a parallel b` is true at a point if a = f·b there for some f > 0, or both are zero.
+
+use super::net::{Net, nets, parts};
+use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation};
+#[cfg(any(test, feature = "tools"))]
+use super::{Assertion, Statement};
+use super::{Evidence, Step, StepProof, Verdict, Witness};
+use crate::algebra::factor::factor;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::gcd::{checked_gcd, gcd_all};
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::decide::{self, Budget, Coordinate, Decision, Relation, is_zero};
+use crate::model::theorem::{Form, Theorem, TheoremClaim};
+
+/// The work for common factors, and for values at algebraic points.
+const WORK: u64 = 1_000_000;
+
+/// The most terms of which squares are summed up.
+const MAX_TERMS: usize = 64;
+
+/// Two vectors that are multiples of a third one: a = n·h and b = d·h.
+struct Proportion {
+    /// n and d, without a common factor.
+    factors: [Poly; 2],
+    /// The coordinates of h that are different from 0, up to denominators, which vanish nowhere.
+    common: Vec<Poly>,
+    /// n·d
+    product: Poly,
+    /// n·d without the factors that can only be zero where h, and with it a and b, is zero.
+    rest: Poly,
+}
+
+impl Proportion {
+    /// `None` when a and b are not multiples of one another.
+    fn new(a: &Form, b: &Form) -> Option<Self> {
+        let (factors, common) = if b.is_zero() {
+            let common = a.terms.values().map(|x| x.numer().clone()).collect();
+            ([Poly::one(), Poly::zero()], common)
+        } else {
+            let factor = proportion(a, b)?;
+            let below = Fraction::from(factor.denom().clone());
+            let common = b.terms.values().map(|y| Some(y.checked_div(&below)?.numer().clone()));
+            ([factor.numer().clone(), factor.denom().clone()], common.collect::<Option<Vec<Poly>>>()?)
+        };
+        let product = &factors[0] * &factors[1];
+        let work = &mut Work::new(WORK);
+        // Where a factor of one of these is zero, h is: all its coordinates, or the sum of their squares.
+        let all = gcd_all(&common, work).unwrap_or_else(Poly::one);
+        let mut rest = without(product.clone(), &all, work);
+        if rest.as_constant().is_none() && common.iter().map(Poly::len).sum::<usize>() <= MAX_TERMS {
+            let squares = common.iter().fold(Poly::zero(), |sum, p| &sum + &p.pow(2));
+            rest = without(rest, &squares, work);
+        }
+        Some(Self { factors, common, product, rest })
+    }
+
+    /// f with a = f·b as text.
+    fn shown(&self, theorem: &Theorem) -> String {
+        let [n, d] = &self.factors;
+        let quotient = Fraction::new(n.clone(), d.clone());
+        quotient.map_or_else(|| String::from("1/0"), |f| f.display(&theorem.names))
+    }
+
+    /// What has to be shown: n·d > 0; if factors of it matter only where both sides are zero, n·d ≥ 0, and that the other factors
+    /// have no zeros.
+    fn statements(&self, theorem: &Theorem) -> Vec<(String, Poly, Relation)> {
+        if self.rest == self.product {
+            return vec![(self.shown(theorem), self.product.clone(), Relation::Positive)];
+        }
+        let text = |p: &Poly| p.display(&theorem.names).to_string();
+        let mut all = vec![(text(&self.product), self.product.clone(), Relation::NonNegative)];
+        if self.rest.as_constant().is_none() {
+            let rest = with_positive_value(theorem, &self.rest);
+            all.push((text(&rest), rest, Relation::Positive));
+        }
+        all
+    }
+}
+
+/// A polynomial without the factors that it shares with another one.
+fn without(mut poly: Poly, other: &Poly, work: &mut Work) -> Poly {
+    while !poly.is_zero() {
+        let shared = checked_gcd(&poly, other, work).unwrap_or_else(Poly::one);
+        match poly.div_exact(&shared) {
+            Some(quotient) if shared.as_constant().is_none() => poly = quotient,
+            _ => break,
+        }
+    }
+    poly
+}
+
+/// ± p, positive at some point of the ranges.
+fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
+    let at = nonzero(theorem, &Fraction::from(p.clone()));
+    if at.is_some_and(|at| p.eval(&at).is_negative()) { -p } else { p.clone() }
+}
+
+/// What has to be shown for two vectors to have the same direction.
+#[cfg(any(test, feature = "tools"))]
+pub(super) fn statements(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Vec<Statement> {
+    let zero =
+        |value: Fraction| Statement { of: claim.difference.clone(), assertion: Assertion::Zero(value) };
+    if a.is_zero() && b.is_zero() {
+        return vec![zero(Fraction::zero())];
+    }
+    let Some(found) = Proportion::new(a, b) else {
+        // No factor at all: nothing can be proved.
+        return vec![zero(Fraction::constant(Rational::ONE))];
+    };
+    let statement = |(of, polynomial, relation): (String, Poly, Relation)| Statement {
+        of,
+        assertion: Assertion::Sign { polynomial, relation, region: theorem.region() },
+    };
+    found.statements(theorem).into_iter().map(statement).collect()
+}
+
+/// Decides whether two vectors have the same direction.
+pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verdict {
+    if a.is_zero() && b.is_zero() {
+        return identity(&claim.difference);
+    }
+    let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
+    let Some(found) = Proportion::new(a, b) else {
+        return not_proportional(theorem, a, b, left, right);
+    };
+    let decide = |p: &Poly, relation: Relation| {
+        decide::decide(p, relation, &theorem.region(), &mut Budget::scaled(theorem.budget))
+    };
+    let shown = found.shown(theorem);
+    let mut steps = Vec::new();
+    let mut methods = Vec::new();
+    let mut open = None;
+    for (of, polynomial, relation) in found.statements(theorem) {
+        match decide(&polynomial, relation) {
+            Decision::Proved(proof) => {
+                methods.push(proof.method.to_string());
+                steps.push(Step { of, proof: StepProof::Sign(proof) });
+            }
+            Decision::Refuted(_) => {
+                open.get_or_insert_with(|| String::from("where it is not positive, both may be zero"));
+            }
+            Decision::Undecided(left) => open = Some(left),
+        }
+    }
+    let Some(open) = open else {
+        let sign = if found.rest == found.product { "> 0" } else { "> 0 where the sides are not zero" };
+        let method = format!("expansion with the factor {shown} {sign} ({})", methods.join(", "));
+        return Verdict::Proved(Evidence { method, steps });
+    };
+    // Where the factor is negative, and a coordinate is not zero; then, where it is zero.
+    let square = found.common.first().map_or_else(Poly::one, |p| p.pow(2));
+    let mut attempts = vec![
+        (found.product.clone(), Relation::NonNegative),
+        (&found.product * &square, Relation::NonNegative),
+        (with_positive_value(theorem, &found.rest), Relation::Positive),
+    ];
+    for (factor, _) in factor(&found.rest).1 {
+        attempts.push((with_positive_value(theorem, &factor), Relation::Positive));
+    }
+    let mut points: Vec<Vec<(Var, Coordinate)>> = Vec::new();
+    if found.product.is_zero() {
+        // One side is zero everywhere.
+        let at = found.common.iter().find_map(|p| nonzero(theorem, &Fraction::from(p.clone())));
+        points.extend(at.map(|at| {
+            theorem.scalars.iter().map(|p| (p.var, Coordinate::Rational(at[p.var.0].clone()))).collect()
+        }));
+        attempts.clear();
+    }
+    let found_points =
+        attempts.into_iter().filter_map(|(polynomial, relation)| match decide(&polynomial, relation) {
+            Decision::Refuted(witness) => Some(witness.point),
+            Decision::Proved(_) | Decision::Undecided(_) => None,
+        });
+    for point in points.into_iter().chain(found_points) {
+        if let Some(mut result) = failing(theorem, [a, b], &found, &point, [left, right]) {
+            let note = if result.value.is_zero() {
+                "one side is zero and the other is not:"
+            } else {
+                "the two sides have opposite directions:"
+            };
+            if !found.factors[1].is_zero() {
+                result.notes.push(format!("the left side is ({shown}) times the right side"));
+            }
+            return explained(result, note);
+        }
+    }
+    Verdict::Undecided(format!("the left side is ({shown}) times the right side; {open}"))
+}
+
+/// The witness at a point where the factor is not positive; `None` if both sides are zero there.
+fn failing(
+    theorem: &Theorem,
+    [a, b]: [&Form; 2],
+    found: &Proportion,
+    point: &[(Var, Coordinate)],
+    [left, right]: [&str; 2],
+) -> Option<Witness> {
+    let mut at = coordinates(theorem, point);
+    let of = format!("dot({left}, {right})");
+    let algebraic: Vec<_> = point
+        .iter()
+        .filter_map(|(var, c)| match c {
+            Coordinate::Algebraic(x) => Some((*var, x.clone())),
+            Coordinate::Rational(_) => None,
+        })
+        .collect();
+    if algebraic.is_empty() {
+        let given = theorem.dimension.map(|_| Net::from_coordinates(theorem, &at));
+        for net in given.into_iter().chain(nets(theorem)) {
+            let values = |form: &Form| -> Option<Vec<Rational>> {
+                parts(theorem, form, &net).iter().map(|(_, f)| f.eval(&at)).collect()
+            };
+            let (Some(x), Some(y)) = (values(a), values(b)) else { continue };
+            let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, (p, q)| &sum + &(p * q));
+            if !dot.is_positive() && !x.iter().chain(&y).all(Rational::is_zero) {
+                return Some(refutation(theorem, &net, of, &Fraction::constant(dot), &at));
+            }
+        }
+        return None;
+    }
+    // At irrational points the factor is exactly zero; that not both sides are is tested exactly, too.
+    place_points(theorem, &mut at);
+    let work = &mut Work::new(WORK);
+    let mut zero = |p: &Poly| {
+        let rational = p.variables().into_iter().filter(|v| !algebraic.iter().any(|(var, _)| var == v));
+        is_zero(&rational.fold(p.clone(), |p, v| p.at(v, &at[v.0])), &algebraic, work)
+    };
+    let not_zero = |p: &Poly, zero: &mut dyn FnMut(&Poly) -> Option<bool>| zero(p) == Some(false);
+    let one_is_zero = found.factors.iter().any(|p| not_zero(p, &mut zero));
+    if !one_is_zero || !found.common.iter().any(|p| not_zero(p, &mut zero)) {
+        return None;
+    }
+    let named = theorem.scalars.iter().map(|p| {
+        let value = algebraic.iter().find(|(var, _)| *var == p.var);
+        let value = value.map_or_else(
+            || Coordinate::Rational(at[p.var.0].clone()),
+            |(_, x)| Coordinate::Algebraic(x.clone()),
+        );
+        (p.name.clone(), value)
+    });
+    let at = named.collect();
+    Some(Witness { of, at, idle: Vec::new(), net: Vec::new(), value: Rational::ZERO, notes: Vec::new() })
+}
+
+/// Coordinates of given points for a witness at irrational numbers.
+pub(super) fn place_points(theorem: &Theorem, at: &mut [Rational]) {
+    for (k, var) in theorem.points.iter().flat_map(|p| &p.coordinates).enumerate() {
+        at[var.0] = Rational::from(k as i64 + 1);
+    }
+}
+
+/// The factor f with a = f·b as functions; `None` when there is none.
+fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
+    let (unit, y) = b.terms.iter().next()?;
+    let factor = a.coefficient(*unit).checked_div(y)?;
+    let proportional = b.terms.iter().all(|(unit, y)| a.coefficient(*unit) == &factor * y);
+    (proportional && a.terms.keys().all(|unit| b.terms.contains_key(unit))).then_some(factor)
+}
+
+/// A point at which the coordinates of two vectors are not proportional.
+fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &str) -> Verdict {
+    for net in nets(theorem) {
+        let (x, y) = (parts(theorem, a, &net), parts(theorem, b, &net));
+        for i in 0..x.len() {
+            for j in i + 1..x.len().min(y.len()) {
+                let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
+                let Some(at) = nonzero(theorem, &minor) else { continue };
+                let (p, q) = (&x[i].0, &x[j].0);
+                let of = if x.len() == 2 {
+                    format!("cross({left}, {right})")
+                } else {
+                    format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
+                };
+                return explained(refutation(theorem, &net, of, &minor, &at), "the directions differ:");
+            }
+        }
+    }
+    no_witness()
+}
