@@ -42,6 +42,7 @@ fn close(a: f64, b: f64) -> bool {
 /// A convex polygon with legs of different lengths.
 const POINTS: [Plane; 3] = [[0.0, 0.0], [1.0, 2.0], [4.0, 1.0]];
 
+/// quad-L2
 #[test]
 fn quad_l2() {
     for lambda in [-1.5, -1.0, 0.3, 1.0] {
@@ -52,6 +53,7 @@ fn quad_l2() {
     }
 }
 
+/// quad-P1
 #[test]
 fn quad_p1() {
     let chord = quadratic(-2.0, POINTS);
@@ -60,6 +62,7 @@ fn quad_p1() {
     assert!(cross(step, minus(POINTS[2], POINTS[0])).abs() < 1e-12);
 }
 
+/// quad-P2
 #[test]
 fn quad_p2() {
     let [a, b, c] = POINTS;
@@ -68,6 +71,7 @@ fn quad_p2() {
     assert!(length(minus(curve.eval(0.25), reversed.eval(0.75))) < 1e-15);
 }
 
+/// quad-T1
 #[test]
 fn quad_t1_at_the_end_of_the_range() {
     // The condition asks for Q₁ = Q₀; the curves meet at an angle.
@@ -76,6 +80,7 @@ fn quad_t1_at_the_end_of_the_range() {
     assert!(cross(before, after) > 0.5 * length(before) * length(after));
 }
 
+/// quad-eq7, quad-eq8
 #[test]
 fn quad_eq7_and_eq8() {
     for lambda in [-1.5, 0.3, 0.9] {
@@ -94,6 +99,7 @@ fn quad_eq7_and_eq8() {
     }
 }
 
+/// quad-T2
 #[test]
 fn quad_t2() {
     let (l1, l2, a, b, d2) = (0.25, -0.5, 1.5, 0.75, 0.5);
@@ -111,6 +117,33 @@ fn quad_t2() {
     assert!(curvature(corrected) < 1e-14);
 }
 
+/// quad-T3: at the end of the range a curve joins C2, although the quotient of its legs does not exist.
+#[test]
+fn quad_t3() {
+    let curve = quadratic(-2.0, POINTS);
+    for inner in [[3.0, -2.0], [7.0, 5.0]] {
+        let next = quadratic(-2.0, [POINTS[2], inner, POINTS[0]]);
+        assert_eq!(curve.joint(&next).parametric_order(1e-15, [1e-13, 1e-13, 0.0]), Some(2));
+        assert!(cross(minus(inner, POINTS[2]), minus(POINTS[2], POINTS[1])).abs() > 1.0);
+    }
+    // The corrected condition with the right leg, and with another one.
+    let next = |legs: f64| {
+        let [l1, l2] = [0.25, -0.5];
+        let end = quadratic(l1, POINTS);
+        let leg = minus(POINTS[2], POINTS[1]).map(|x| legs * x * (l1 + 2.0) / (l2 + 2.0));
+        let inner = [POINTS[2][0] + leg[0], POINTS[2][1] + leg[1]];
+        // (λ₁-1)α₁₁ + (2λ₁+1)α₁₂ + (2λ₂+1)α₂₁ + (λ₂-1)α₂₂ = 0, solved for Q₂.
+        let (a, b) = (minus(POINTS[1], POINTS[0]), minus(POINTS[2], POINTS[1]));
+        let last: Plane = core::array::from_fn(|d| {
+            let rest = (l1 - 1.0) * a[d] + (2.0 * l1 + 1.0) * b[d] + (2.0 * l2 + 1.0) * leg[d];
+            inner[d] - rest / (l2 - 1.0)
+        });
+        end.joint(&quadratic(l2, [POINTS[2], inner, last])).parametric_order(1e-15, [1e-12, 1e-12, 0.0])
+    };
+    assert_eq!([next(1.0), next(1.5)], [Some(2), Some(0)]);
+}
+
+/// quad-ex1, quad-ex2
 #[test]
 #[allow(clippy::approx_constant)] // a published coordinate
 fn quad_examples() {
@@ -130,6 +163,7 @@ fn quad_examples() {
     assert!(joint.gap < 1e-15 && joint.angle > 0.3, "{joint:?}");
 }
 
+/// quart-LI
 #[test]
 fn quart_li() {
     let basis = QuarticBernstein::new(-3.0).unwrap();
@@ -157,6 +191,7 @@ fn net(random: &mut Random) -> Net {
     })
 }
 
+/// quart-P5
 #[test]
 fn quart_p5() {
     // A Bézier curve of degree 4 would start with 4(P₁ - P₀).
@@ -165,6 +200,7 @@ fn quart_p5() {
     assert!(close(velocity, 3.0) && !close(velocity, 4.0));
 }
 
+/// quart-eq8
 #[test]
 fn quart_eq8() {
     // P₀ + P₃ = P₁ + P₂: other parameters and other inner points give the same curve.
@@ -181,6 +217,7 @@ fn quart_eq8() {
     assert!(length(minus(b, towards(a, b))) > 0.5);
 }
 
+/// quart-T6
 #[test]
 fn quart_t6() {
     let mut random = Random::new(6);
@@ -204,6 +241,7 @@ fn quart_t6() {
     assert_eq!(order(&t), Some(1));
 }
 
+/// quart-adj
 #[test]
 fn quart_adj() {
     let mut random = Random::new(7);
@@ -236,6 +274,7 @@ fn place(n: usize, index: [usize; 3]) -> usize {
     before + index[1]
 }
 
+/// tri-P1.4, tri-P2.4
 #[test]
 fn tri_p1_4_and_p2_4() {
     let mut random = Random::new(8);
@@ -261,6 +300,7 @@ fn tri_p1_4_and_p2_4() {
     }
 }
 
+/// tri-P3
 #[test]
 fn tri_p3() {
     let (i, at) = (place(3, [2, 1, 0]), [0.2, 0.7, 0.1]);
@@ -273,6 +313,7 @@ fn tri_p3() {
     assert!(two(2.5, 1.0) < two(2.0, 1.0) && two(2.0, 1.5) < two(2.0, 1.0));
 }
 
+/// tri-C1
 #[test]
 fn tri_c1() {
     let (i, at) = (place(4, [3, 1, 0]), [0.2, 0.7, 0.1]);
@@ -280,6 +321,27 @@ fn tri_c1() {
     assert!(quasi > plain, "{quasi} {plain}");
 }
 
+/// tri-6.1: the degree along a line, by differences of one order more; type I has the degree 5 for n = 3, but 3 where it is the
+/// Bernstein basis.
+#[test]
+fn tri_6_1() {
+    let difference = |l1: f64, l2: f64, order: usize| {
+        let family = TypeI3::new(l1, l2).unwrap();
+        let at = |k: usize| {
+            let u = k as f64 / order as f64;
+            family.values([u, 0.75 * (1.0 - u), 0.25 * (1.0 - u)])[place(3, [3, 0, 0])]
+        };
+        let mut values: Vec<f64> = (0..=order).map(at).collect();
+        for _ in 0..order {
+            values = values.windows(2).map(|w| w[1] - w[0]).collect();
+        }
+        values[0]
+    };
+    assert!(difference(1.0, 3.0, 5).abs() > 1e-3 && difference(1.0, 3.0, 6).abs() < 1e-14);
+    assert!(difference(2.0, 4.0, 3).abs() > 1e-3 && difference(2.0, 4.0, 4).abs() < 1e-14);
+}
+
+/// rev-T1
 #[test]
 fn rev_t1_at_the_end_of_the_range() {
     let p = [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 1.0]];
@@ -289,6 +351,7 @@ fn rev_t1_at_the_end_of_the_range() {
     assert!(cross(before, after) > 0.5 * length(before) * length(after));
 }
 
+/// rev-angle
 #[test]
 fn rev_angle() {
     let angle = |t: f64| {
@@ -304,5 +367,28 @@ fn rev_angle() {
         let m = (theta / 2.0).tan();
         let full = std::f64::consts::PI + theta;
         assert!(close(2.0 * std::f64::consts::PI - angle(1.0 / (1.0 + m)), full));
+    }
+}
+
+#[test]
+fn every_refuted_claim_has_a_test() {
+    let table = include_str!("../../specs/papers/README.md");
+    let refuted: Vec<&str> = table
+        .lines()
+        .filter_map(|line| {
+            let mut cells = line.split(" | ");
+            let id = cells.next()?.strip_prefix("| ")?;
+            line.contains(" | refuted | ").then_some(id)
+        })
+        .collect();
+    assert!(refuted.len() > 20, "{refuted:?}");
+    let comments: Vec<&str> =
+        include_str!("refuted_claims.rs").lines().filter_map(|line| line.strip_prefix("/// ")).collect();
+    for id in refuted {
+        let named = |line: &&str| {
+            let ids = line.split(": ").next().unwrap_or(line);
+            ids.split(", ").any(|other| other == id)
+        };
+        assert!(comments.iter().any(|line| named(&line)), "{id}");
     }
 }

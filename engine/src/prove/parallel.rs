@@ -7,7 +7,7 @@ use super::{Assertion, Statement};
 use super::{Evidence, Step, StepProof, Verdict, Witness};
 use crate::algebra::factor::factor;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::gcd::{checked_gcd, gcd_all};
+use crate::algebra::gcd::checked_gcd;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
@@ -41,14 +41,24 @@ impl Proportion {
         } else {
             let factor = proportion(a, b)?;
             let below = Fraction::from(factor.denom().clone());
-            let common = b.terms.values().map(|y| Some(y.checked_div(&below)?.numer().clone()));
+            let whole = factor.denom().as_constant().is_some();
+            let common = b.terms.values().map(|y| {
+                let h = if whole { Some(y.clone()) } else { y.checked_div(&below) };
+                h.map(|h| h.numer().clone())
+            });
             ([factor.numer().clone(), factor.denom().clone()], common.collect::<Option<Vec<Poly>>>()?)
         };
         let product = &factors[0] * &factors[1];
         let work = &mut Work::new(WORK);
         // Where a factor of one of these is zero, h is: all its coordinates, or the sum of their squares.
-        let all = gcd_all(&common, work).unwrap_or_else(Poly::one);
-        let mut rest = without(product.clone(), &all, work);
+        let mut shared = product.clone();
+        for p in &common {
+            if shared.as_constant().is_some() {
+                break;
+            }
+            shared = checked_gcd(&shared, p, work).unwrap_or_else(Poly::one);
+        }
+        let mut rest = without(product.clone(), &shared, work);
         if rest.as_constant().is_none() && common.iter().map(Poly::len).sum::<usize>() <= MAX_TERMS {
             let squares = common.iter().fold(Poly::zero(), |sum, p| &sum + &p.pow(2));
             rest = without(rest, &squares, work);
