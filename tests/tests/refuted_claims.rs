@@ -385,10 +385,10 @@ fn every_refuted_claim_has_a_test() {
     let comments: Vec<&str> =
         include_str!("refuted_claims.rs").lines().filter_map(|line| line.strip_prefix("/// ")).collect();
     for id in refuted {
-        let named = |line: &&str| {
+        let named = |line: &str| {
             let ids = line.split(": ").next().unwrap_or(line);
             ids.split(", ").any(|other| other == id)
         };
-        assert!(comments.iter().any(|line| named(&line)), "{id}");
+        assert!(comments.iter().any(|line| named(line)), "{id}");
     }
 }

@@ -124,7 +124,7 @@ impl Scope<'_> {
             Zero::At(point) => {
                 Diagnostic::error(place, format!("the denominator vanishes at {}", self.own(divisor, &point)))
                     .label(format!("this is {shown}"))
-                    .help("narrow the ranges of the shape parameters so that they leave this value out")
+                    .help("narrow the declared ranges so that they leave this value out")
             }
             Zero::Undecided(left) => Diagnostic::error(
                 place,

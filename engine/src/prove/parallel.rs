@@ -17,6 +17,8 @@ use crate::model::theorem::{Form, Theorem, TheoremClaim};
 /// The work for common factors, and for values at algebraic points.
 const WORK: u64 = 1_000_000;
 
+/// Factors with more bytes are not written in messages.
+const MAX_SHOWN: usize = 160;
 /// The most terms of which squares are summed up.
 const MAX_TERMS: usize = 64;
 
@@ -190,13 +192,14 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
             } else {
                 "the two sides have opposite directions:"
             };
-            if !found.factors[1].is_zero() {
+            if !found.factors[1].is_zero() && shown.len() <= MAX_SHOWN {
                 result.notes.push(format!("the left side is ({shown}) times the right side"));
             }
             return explained(result, note);
         }
     }
-    Verdict::Undecided(format!("the left side is ({shown}) times the right side; {open}"))
+    let shown = if shown.len() <= MAX_SHOWN { format!("({shown})") } else { String::from("a long factor") };
+    Verdict::Undecided(format!("the left side is {shown} times the right side; {open}"))
 }
 
 /// The witness at a point where the factor is not positive; `None` if both sides are zero there.

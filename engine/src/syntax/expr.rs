@@ -339,6 +339,13 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
         let part = sum(content, depth)?;
         if content.peek(Token![for]) {
             let loops = loops(content)?;
+            if parts.is_empty() && content.peek(Token![for]) {
+                return Err(error(
+                    part.span,
+                    "a sum has one `for`",
+                    "write one sum in another: `sum(sum(x for i in 0..=n) for j in 0..=m)`",
+                ));
+            }
             if !parts.is_empty() || !content.is_empty() {
                 return Err(error(
                     part.span,

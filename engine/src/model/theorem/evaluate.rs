@@ -129,8 +129,14 @@ impl Elaboration<'_> {
         known.extend(self.scope.lets.iter().map(|(n, _)| n.as_str()));
         known.extend(self.vectors.iter().map(|(n, _)| n.as_str()));
         known.extend(self.patches.iter().map(|p| p.name.as_str()));
-        let declare =
-            || format!("declare it: `scalar 0 <= {name} <= 1;`, `let {name} = …;` or `curve {name} = …;`");
+        let declare = || match name.split_once('[') {
+            Some((curve, _)) => {
+                format!("declare it: `curve {curve} = …;` has control points, or `let {name} = …;`")
+            }
+            None => {
+                format!("declare it: `scalar 0 <= {name} <= 1;`, `let {name} = …;` or `curve {name} = …;`")
+            }
+        };
         self.scope.report(error.help(did_you_mean(name, &known, &declare)));
     }
 
