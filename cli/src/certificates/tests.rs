@@ -117,6 +117,11 @@ theorem Tangents {
     refute λ > 0;
     prove λ^2 >= 0;
 }
+theorem Single {
+    curve P = Curve(1/2);
+    scalar 1 <= r <= 1;
+    prove P(r) = P[3];
+}
 join Smooth {
     curve P = Curve(1/2);
     curve Q = Curve(1/2);
