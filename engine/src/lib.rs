@@ -20,30 +20,28 @@
 //! ```
 
 pub mod algebra;
+mod collections;
 pub mod decide;
 pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
 pub mod explain;
 pub mod generate;
-mod lists;
 pub mod model;
 pub mod prove;
-mod sorted;
-mod sorting;
 pub mod source;
 pub mod syntax;
 mod words;
 
 use std::rc::Rc;
 
-use lists::Mapped;
+use collections::list::Mapped;
 use proc_macro2::{Ident, Span, TokenStream};
 
+pub use collections::map::SortedMap;
 pub use diagnostic::{Diagnostic, Severity};
 pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
 pub use model::{Claim, Family, Item, Library, Selected};
 pub use prove::{Verdict, Witness};
-pub use sorted::SortedMap;
 pub use source::{Disk, Files, Source, Sources};
 pub use words::closest;
 

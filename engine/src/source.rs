@@ -1,6 +1,6 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use core::fmt;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};

@@ -4,7 +4,7 @@ use super::fibre;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// A side of a box: a closed interval with at least one finite end.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@ use super::rational::Rational;
 use super::roots::rational_roots;
 use super::univariate::Univariate;
 use super::work::Work;
-use crate::lists::Mapped;
-use crate::sorting::sort_by;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_by;
 
 /// The work that [`factor`] may take.
 const WORK: u64 = 1_000_000;

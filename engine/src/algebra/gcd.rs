@@ -4,7 +4,7 @@ use super::modular::common_degree;
 use super::poly::{Monomial, Poly, Var};
 use super::univariate::Univariate;
 use super::work::Work;
-use crate::sorting::sort_by;
+use crate::collections::sort::sort_by;
 
 /// The greatest common divisor, with whole coefficients without common factor and a positive leading one; 0 for
 /// gcd(0, 0).

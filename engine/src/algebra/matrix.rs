@@ -5,8 +5,8 @@ use super::modular;
 use super::poly::Poly;
 use super::rational::Rational;
 use super::work::{Spent, Work};
-use crate::lists::Mapped;
-use crate::sorting::sort_by;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_by;
 
 /// A matrix by rows.
 pub type Rows<T> = Vec<Vec<T>>;

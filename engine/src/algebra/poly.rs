@@ -27,8 +27,8 @@ enum Repr {
     /// For more variables or higher exponents; no trailing zeros.
     Wide(Vec<u16>),
 }
-use crate::lists::Mapped;
-use crate::sorting::sort_by;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_by;
 use Repr::{Packed, Wide};
 
 /// How many variables fit in a packed monomial.

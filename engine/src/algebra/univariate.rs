@@ -3,7 +3,7 @@
 use super::poly::{Monomial, Poly, Var};
 use super::rational::Rational;
 use super::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// c₀ + c₁ x + … + cₙ xⁿ with cₙ ≠ 0; no coefficient at all for 0.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]

@@ -8,7 +8,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// What a search came to.
 pub(super) enum Attempt {

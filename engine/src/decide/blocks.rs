@@ -1,8 +1,8 @@
 //! Block triangular form of a matrix, from the places of its zeros alone.
 
 use crate::algebra::poly::Poly;
-use crate::lists::Mapped;
-use crate::sorting::{sort_by, sort_unique};
+use crate::collections::list::Mapped;
+use crate::collections::sort::{sort_by, sort_unique};
 
 /// Some rows and columns of a matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -9,8 +9,8 @@ use super::{cells, corners, factors, slices, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
-use crate::lists::Mapped;
-use crate::sorting::sort_by;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_by;
 
 /// What is known about a part of a claim.
 pub(super) enum Outcome {

@@ -15,7 +15,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// Decides p ≥ 0.
 pub(super) fn by_cells(problem: &Problem, budget: &mut Budget) -> Outcome {

@@ -14,8 +14,8 @@ use crate::algebra::rational::Rational;
 use crate::algebra::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
-use crate::sorting::{sort_by, sort_unique};
+use crate::collections::list::Mapped;
+use crate::collections::sort::{sort_by, sort_unique};
 
 /// The exceptional set of functions on a region: where they are dependent.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -21,8 +21,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::{Spent, Work};
-use crate::lists::Mapped;
-use crate::sorting::{sort_by, sort_unique};
+use crate::collections::list::Mapped;
+use crate::collections::sort::{sort_by, sort_unique};
 
 /// Values of some parameters, the others free.
 pub type Values = Vec<(Var, Rational)>;

@@ -13,7 +13,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// The largest interval around the declared range of a variable on which polynomials are nonnegative.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::independence::Values;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
-use crate::sorting::sort_by;
+use crate::collections::sort::sort_by;
 
 /// The parts of a box in which no point has all values of one of the exceptions; none of them empty.
 pub(super) fn pieces(region: &Region, except: &[Values]) -> Vec<Region> {

@@ -8,7 +8,7 @@ use crate::algebra::resultant::{discriminant, resultant};
 use crate::algebra::roots::{Root, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::sorting::sort_by;
+use crate::collections::sort::sort_by;
 
 /// A sequence of projections.
 #[derive(Clone, Debug)]

@@ -18,8 +18,8 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
-use crate::lists::Mapped;
-use crate::sorting::sort_by;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_by;
 
 /// The most faces of a box.
 const MAX_FACES: usize = 1000;

@@ -4,8 +4,8 @@ use crate::algebra::matrix::vanishing_combinations;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
-use crate::sorting::sort_unique;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_unique;
 
 /// A permutation of the rows together with one of the columns under which a matrix does not change: the entry at
 /// (`rows[i]`, `columns[j]`) is that at (i, j).

@@ -10,7 +10,7 @@ use crate::algebra::roots::{Root, isolate};
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// A rational point.
 type Rationals = Vec<(Var, Rational)>;

@@ -8,7 +8,7 @@ use crate::algebra::resultant::resultant;
 use crate::algebra::roots::bound;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 
 /// What is found near a point with algebraic coordinates.
 pub(super) enum Near {

@@ -1,6 +1,6 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 

@@ -2,7 +2,7 @@
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::Family;
 
 /// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form: there the rounding error

@@ -11,7 +11,7 @@ use super::shell::Shell;
 use super::{doc, docs, number, scalar, site};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::{Claim, Family};
 use crate::prove::Verdict;
 use scalar::ScalarCode;

@@ -15,8 +15,8 @@ use super::{doc, docs, number, site};
 use crate::SortedMap;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
+use crate::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
-use crate::lists::Mapped;
 use crate::model::{Claim, Family, Function, label};
 use crate::prove::Verdict;
 

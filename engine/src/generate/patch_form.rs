@@ -7,7 +7,7 @@
 use crate::SortedMap;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::{Family, Function};
 
 /// More Bernstein coefficients, for all functions together, are not emitted.

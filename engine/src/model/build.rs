@@ -6,8 +6,8 @@ use super::scope::Scope;
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
+use crate::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
-use crate::lists::Mapped;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
 

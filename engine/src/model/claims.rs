@@ -9,8 +9,8 @@ use super::{Claim, ClaimKind, Difference, Family, Library};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
-use crate::lists::Mapped;
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.

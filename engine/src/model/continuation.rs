@@ -8,7 +8,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::Parameter;
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.

@@ -8,7 +8,7 @@ use super::scope::{BUILTINS, Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind, Loops};
 use crate::words::{along_edges, count, here};
 

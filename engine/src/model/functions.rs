@@ -9,7 +9,7 @@ use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use crate::words::{count, indices};
 

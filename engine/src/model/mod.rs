@@ -20,8 +20,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
+use crate::collections::list::Mapped;
 use crate::diagnostic::Place;
-use crate::lists::Mapped;
 use crate::source::SourceId;
 pub use crate::syntax::{Comparison, Expected};
 

@@ -1,6 +1,6 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind, Generator};
 
 /// How to print.

@@ -10,8 +10,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::collections::list::Mapped;
 use crate::decide::{Computed, Coordinate, Table, Values, is_zero, verify, verify_independence};
-use crate::lists::Mapped;
 use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind};
 use crate::model::{Claim, ClaimKind, Comparison, Family};
 

@@ -4,7 +4,7 @@ use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_poi
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::{ClaimKind, Family};
 use crate::words::abbreviated;
 

@@ -5,12 +5,12 @@ use crate::SortedMap;
 use crate::algebra::matrix::determinant;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_unique;
 use crate::decide::{
     self, Budget, Coordinate, Exception, Independence, Piece, Symmetries, Symmetry, Table, Values,
 };
-use crate::lists::Mapped;
 use crate::model::Family;
-use crate::sorting::sort_unique;
 
 /// Why functions are independent for all shape values in their ranges except some.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -6,8 +6,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::collections::list::Mapped;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
-use crate::lists::Mapped;
 use crate::model::{ClaimKind, Comparison, Family};
 
 /// Coordinates of the variables of a family, and the last barycentric one where it is needed.

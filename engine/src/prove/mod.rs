@@ -21,8 +21,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use crate::collections::list::Mapped;
 use crate::decide::{Coordinate, Proof, Relation, Table, Values};
-use crate::lists::Mapped;
 use crate::model::{Claim, ClaimKind, Expected, Family};
 
 /// What is known about a claim.

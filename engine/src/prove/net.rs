@@ -3,7 +3,7 @@
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
-use crate::lists::Mapped;
+use crate::collections::list::Mapped;
 use crate::model::theorem::{Form, Theorem, Unit};
 
 /// Nets with pseudo-random points that are tried after the regular one.

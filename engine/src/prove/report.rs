@@ -1,8 +1,8 @@
 //! Verdicts that contradict what a spec declares, as errors.
 
 use super::{Verdict, as_declared};
+use crate::collections::list::Mapped;
 use crate::diagnostic::{Diagnostic, Place};
-use crate::lists::Mapped;
 use crate::model::theorem::{Theorem, TheoremClaim};
 use crate::model::{Claim, Expected, Family};
 

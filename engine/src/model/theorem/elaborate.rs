@@ -8,8 +8,8 @@ use super::{GivenPoint, Origin, Theorem, TheoremClaim, TheoremClaimKind, Theorem
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
+use crate::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
-use crate::lists::Mapped;
 use crate::model::print::Printer;
 use crate::model::scope::Scope;
 use crate::model::{Comparison, Library, Parameter, build, label};

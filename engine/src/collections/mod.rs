@@ -1,0 +1,8 @@
+//! Lists, maps and sorting that cost little to compile.
+//!
+//! The standard library's compile anew for every closure and every pair of types, and every user of the macro builds all of
+//! that, unoptimised. These are for the few elements that a spec has.
+
+pub(crate) mod list;
+pub(crate) mod map;
+pub(crate) mod sort;
