@@ -224,7 +224,7 @@ struct WrittenSurface<'a, U, R> {
 )]
 struct ReadSurface<U: Basis, R: Copy> {
     u_basis: U,
-    rows: Elements<U::Points<R>, R>,
+    rows: Elements<U::Points<R>, R, Rows>,
 }
 
 impl<U, V, P> Serialize for TensorSurface<U, V, P>
@@ -250,22 +250,47 @@ where
     }
 }
 
-/// As many elements as the array has.
-struct Elements<A, T>(A, PhantomData<T>);
+/// What the elements of an array are, for messages.
+trait Kind {
+    const NAME: &'static str;
+}
 
-impl<'de, A: Array<T>, T: Copy + Deserialize<'de>> Deserialize<'de> for Elements<A, T> {
+struct ControlPoints;
+impl Kind for ControlPoints {
+    const NAME: &'static str = "control points";
+}
+
+struct Rows;
+impl Kind for Rows {
+    const NAME: &'static str = "rows of the net";
+}
+
+struct Coefficients;
+impl Kind for Coefficients {
+    const NAME: &'static str = "coefficients";
+}
+
+struct Components;
+impl Kind for Components {
+    const NAME: &'static str = "components";
+}
+
+/// As many elements as the array has.
+struct Elements<A, T, K = ControlPoints>(A, PhantomData<(T, K)>);
+
+impl<'de, A: Array<T>, T: Copy + Deserialize<'de>, K: Kind> Deserialize<'de> for Elements<A, T, K> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_seq(ElementsVisitor(PhantomData))
     }
 }
 
-struct ElementsVisitor<A, T>(PhantomData<(A, T)>);
+struct ElementsVisitor<A, T, K>(PhantomData<(A, T, K)>);
 
-impl<'de, A: Array<T>, T: Copy + Deserialize<'de>> Visitor<'de> for ElementsVisitor<A, T> {
-    type Value = Elements<A, T>;
+impl<'de, A: Array<T>, T: Copy + Deserialize<'de>, K: Kind> Visitor<'de> for ElementsVisitor<A, T, K> {
+    type Value = Elements<A, T, K>;
 
     fn expecting(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        write!(f, "{} elements", A::LEN)
+        write!(f, "{} {}", A::LEN, K::NAME)
     }
 
     fn visit_seq<S: SeqAccess<'de>>(self, mut seq: S) -> Result<Self::Value, S::Error> {

@@ -3,7 +3,7 @@
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::Elements;
+use super::{Coefficients, Components, Elements};
 use crate::{
     BernsteinForm, BoxBasis, BoxPatch, EndpointForm, Point, SimplexBasis, SimplexIndex, SimplexPatch,
 };
@@ -59,7 +59,7 @@ impl<const K: usize> Serialize for SimplexIndex<K> {
 
 impl<'de, const K: usize> Deserialize<'de> for SimplexIndex<K> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let components = Elements::<[usize; K], usize>::deserialize(deserializer)?.0;
+        let components = Elements::<[usize; K], usize, Components>::deserialize(deserializer)?.0;
         // The order is a sum, and the number of all indices of that order has to be a number too.
         let order = components.iter().try_fold(0_usize, |sum, &part| sum.checked_add(part));
         match order {
@@ -80,7 +80,7 @@ struct WrittenEndpoint<'a, P> {
 #[serde(rename = "EndpointForm", bound(deserialize = "P: Copy + Deserialize<'de>"))]
 struct ReadEndpoint<P: Copy, const R: usize> {
     ends: [P; 2],
-    inner: Elements<[P; R], P>,
+    inner: Elements<[P; R], P, Coefficients>,
 }
 
 impl<P: Point + Serialize, const R: usize> Serialize for EndpointForm<P, R> {
