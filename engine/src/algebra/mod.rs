@@ -10,6 +10,7 @@ pub mod fraction;
 pub mod gcd;
 pub mod matrix;
 pub mod modular;
+mod monomial;
 pub mod poly;
 pub mod range;
 pub mod rational;
