@@ -129,6 +129,29 @@ fn directions_where_a_factor_vanishes() {
 
 /// Without coordinates the dot products of a counterexample are those of its points.
 #[test]
+fn directions_where_both_sides_vanish_together() {
+    // The factor is zero at x = √2 alone, and only for points with which the other side is zero, too.
+    let plane = "dimension 2; curve P = Bernstein(1); scalar x; let w = (P[0][0] - 5)*P[1];";
+    let claim = "prove ((x^2 - 2)^2 + (P[0][0] - 5)^2)*w parallel w;";
+    assert_ne!(verdicts(&format!("{plane} {claim}"))[0].chars().next(), Some('0'));
+    let anywhere = "curve P = Bernstein(1); scalar x;";
+    let claim = "prove ((x^2 - 2)^2 + dot(P[0], P[0])^2)*P[0] parallel P[0];";
+    assert_ne!(verdicts(&format!("{anywhere} {claim}"))[0].chars().next(), Some('0'));
+}
+
+#[test]
+fn outer_products_have_the_same_axes_on_both_sides() {
+    let curves = "dimension 4; scalar s; scalar r; curve A = Bernstein(1);
+        curve P = Bernstein(1) [(1, 0, 0, 0), (0, s - 1, 1, 0)]; curve B = Bernstein(1) [(1, 0, 0, 0), (0, 0, 1, r - 1)];";
+    let [verdict] = &verdicts(&format!("{curves} prove cross(P[0], P[1]) parallel cross(B[0], B[1]);"))[..]
+    else {
+        panic!("one claim");
+    };
+    // At s = r = 1 the sides agree.
+    assert!(verdict != "=" && verdict != "?" && !verdict.ends_with("at s = 1, r = 1"), "{verdict}");
+}
+
+#[test]
 fn directions_with_dot_products() {
     let found = verdicts(
         "curve P = Quadratic(λ);

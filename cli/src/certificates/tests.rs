@@ -117,6 +117,10 @@ theorem Tangents {
     refute λ > 0;
     prove λ^2 >= 0;
 }
+theorem Squares {
+    curve P = Curve(0);
+    prove dot(P[0], P[0])^2 + dot(P[0], P[1])^2 >= 0;
+}
 theorem Single {
     curve P = Curve(1/2);
     scalar 1 <= r <= 1;

@@ -84,7 +84,13 @@ pub(super) fn variable(text: &str, names: &[String]) -> Result<Var, String> {
 /// A range such as `-3 <= λ < 1`, with its variable.
 pub(super) fn range(text: &str, names: &[String]) -> Result<(Var, Range), String> {
     let wrong = || format!("`{text}` is not a range such as `0 <= t <= 1`");
-    let parts: Vec<&str> = text.split(' ').collect();
+    // Names may hold spaces, as `dot(P[0], P[1])` does.
+    let (mut parts, mut rest) = (Vec::new(), text);
+    while let Some((at, sign)) = [" <= ", " < "].iter().filter_map(|s| Some((rest.find(s)?, *s))).min() {
+        parts.extend([&rest[..at], sign.trim()]);
+        rest = &rest[at + sign.len()..];
+    }
+    parts.push(rest);
     let end = |sign: &str, x: &str| match sign {
         "<=" => number(x).map(End::Included),
         "<" => number(x).map(End::Excluded),

@@ -11,8 +11,8 @@ use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
-use crate::decide::{Computed, Coordinate, Table, Values, is_zero, verify, verify_independence};
-use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind};
+use crate::decide::{Computed, Coordinate, Table, Values, verify, verify_independence};
+use crate::model::theorem::{Theorem, TheoremClaim, TheoremClaimKind};
 use crate::model::{Claim, ClaimKind, Comparison, Family};
 
 /// Checks that evidence proves a claim.
@@ -170,7 +170,6 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
         let (comparison, f) = match &claim.kind {
             TheoremClaimKind::Scalar(comparison, f) => (comparison, f),
             TheoremClaimKind::Parallel(a, b) => {
-                parallel::place_points(theorem, &mut at);
                 let irrational: Vec<(Var, Algebraic)> =
                     irrational.into_iter().map(|(var, x)| (var, x.clone())).collect();
                 let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
@@ -178,7 +177,10 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
                 if !said || !witness.value.is_zero() || !witness.net.is_empty() {
                     return Err(String::from("the claim says nothing of the value"));
                 }
-                return one_is_zero(a, b, &at, &irrational);
+                return match parallel::one_vanishes(theorem, [a, b], &at, &irrational) {
+                    true => Ok(()),
+                    false => Err(String::from("it is not shown that one side is zero and the other is not")),
+                };
             }
             TheoremClaimKind::Zero(_) => return Err(String::from("an equation fails at rational points")),
         };
@@ -291,24 +293,6 @@ fn point(family: &Family, claim: &Claim, witness: &Witness) -> Result<Point, Str
         }
     }
     Ok(point)
-}
-
-/// Checks that one of two vectors is zero at a point with irrational coordinates, and the other is not.
-fn one_is_zero(a: &Form, b: &Form, at: &[Rational], irrational: &[(Var, Algebraic)]) -> Result<(), String> {
-    let zero = |f: &Fraction| {
-        let p = f.numer();
-        let known = p.variables().into_iter().filter(|v| !irrational.iter().any(|(var, _)| var == v));
-        is_zero(&known.fold(p.clone(), |p, v| p.at(v, &at[v.0])), irrational, &mut Work::new(ALGEBRAIC))
-    };
-    let values = |form: &Form| -> Vec<Option<bool>> { form.terms.values().map(zero).collect() };
-    let (a, b) = (values(a), values(b));
-    let vanishes = |values: &[Option<bool>]| values.iter().all(|zero| *zero == Some(true));
-    let differs = |values: &[Option<bool>]| values.contains(&Some(false));
-    if (vanishes(&a) && differs(&b)) || (vanishes(&b) && differs(&a)) {
-        Ok(())
-    } else {
-        Err(String::from("it is not shown that one side is zero and the other is not"))
-    }
 }
 
 /// Whether a quotient is zero at a point with one irrational coordinate: whether its numerator and the polynomial of the

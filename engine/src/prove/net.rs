@@ -4,6 +4,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
+use crate::collections::sort::sort_unique;
 use crate::model::theorem::{Form, Theorem, Unit};
 
 /// Nets with pseudo-random points that are tried after the regular one.
@@ -94,14 +95,26 @@ pub(super) fn on_net(theorem: &Theorem, value: &Fraction, net: &Net) -> Fraction
 /// The coordinates of a vector on a net, each with its index in brackets; an outer product has one for each pair of axes,
 /// and in the plane only one, which needs no index.
 pub(super) fn parts(theorem: &Theorem, form: &Form, net: &Net) -> Vec<(String, Fraction)> {
+    parts_along(theorem, form, &[form], net)
+}
+
+/// The parts of two vectors, along the same axes in the same order.
+pub(super) fn parts_of_both(theorem: &Theorem, both: [&Form; 2], net: &Net) -> [Vec<(String, Fraction)>; 2] {
+    both.map(|form| parts_along(theorem, form, &both, net))
+}
+
+/// The parts of a vector along the axes that occur in some vectors.
+fn parts_along(theorem: &Theorem, form: &Form, axes: &[&Form], net: &Net) -> Vec<(String, Fraction)> {
     if let Some(dimension) = theorem.dimension {
-        let outer = form.terms.keys().any(|unit| matches!(unit, Unit::Pair(..)));
+        let mut occurring: Vec<Unit> = axes.iter().flat_map(|form| form.terms.keys()).copied().collect();
+        sort_unique(&mut occurring);
+        let outer = occurring.iter().any(|unit| matches!(unit, Unit::Pair(..)));
         let units: Vec<(String, Unit)> = if outer {
-            form.terms
-                .keys()
+            occurring
+                .into_iter()
                 .map(|unit| match unit {
-                    Unit::Pair(p, q) => (format!("[{p},{q}]"), *unit),
-                    Unit::Point(p) => (format!("[{p}]"), *unit),
+                    Unit::Pair(p, q) => (format!("[{p},{q}]"), unit),
+                    Unit::Point(p) => (format!("[{p}]"), unit),
                 })
                 .collect()
         } else {

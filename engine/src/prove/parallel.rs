@@ -1,10 +1,11 @@
 //! Directions of vectors: `a parallel b` is true at a point if a = f·b there for some f > 0, or both are zero.
 
-use super::net::{Net, nets, parts};
+use super::net::{Net, nets, parts, parts_of_both};
 use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
 use super::{Evidence, Step, StepProof, Verdict, Witness};
+use crate::algebra::algebraic::Algebraic;
 use crate::algebra::factor::factor;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::checked_gcd;
@@ -186,7 +187,7 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
             Decision::Proved(_) | Decision::Undecided(_) => None,
         });
     for point in points.into_iter().chain(found_points) {
-        if let Some(mut result) = failing(theorem, [a, b], &found, &point, [left, right]) {
+        if let Some(mut result) = failing(theorem, [a, b], &point, [left, right]) {
             let note = if result.value.is_zero() {
                 "one side is zero and the other is not:"
             } else {
@@ -206,11 +207,10 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
 fn failing(
     theorem: &Theorem,
     [a, b]: [&Form; 2],
-    found: &Proportion,
     point: &[(Var, Coordinate)],
     [left, right]: [&str; 2],
 ) -> Option<Witness> {
-    let mut at = coordinates(theorem, point);
+    let at = coordinates(theorem, point);
     let of = format!("dot({left}, {right})");
     let algebraic: Vec<_> = point
         .iter()
@@ -222,10 +222,11 @@ fn failing(
     if algebraic.is_empty() {
         let given = theorem.dimension.map(|_| Net::from_coordinates(theorem, &at));
         for net in given.into_iter().chain(nets(theorem)) {
-            let values = |form: &Form| -> Option<Vec<Rational>> {
-                parts(theorem, form, &net).iter().map(|(_, f)| f.eval(&at)).collect()
+            let values = |parts: &[(String, Fraction)]| -> Option<Vec<Rational>> {
+                parts.iter().map(|(_, f)| f.eval(&at)).collect()
             };
-            let (Some(x), Some(y)) = (values(a), values(b)) else { continue };
+            let [x, y] = parts_of_both(theorem, [a, b], &net);
+            let (Some(x), Some(y)) = (values(&x), values(&y)) else { continue };
             let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, (p, q)| &sum + &(p * q));
             if !dot.is_positive() && !x.iter().chain(&y).all(Rational::is_zero) {
                 return Some(refutation(theorem, &net, of, &Fraction::constant(dot), &at));
@@ -233,16 +234,9 @@ fn failing(
         }
         return None;
     }
-    // At irrational points the factor is exactly zero; that not both sides are is tested exactly, too.
-    place_points(theorem, &mut at);
-    let work = &mut Work::new(WORK);
-    let mut zero = |p: &Poly| {
-        let rational = p.variables().into_iter().filter(|v| !algebraic.iter().any(|(var, _)| var == v));
-        is_zero(&rational.fold(p.clone(), |p, v| p.at(v, &at[v.0])), &algebraic, work)
-    };
-    let not_zero = |p: &Poly, zero: &mut dyn FnMut(&Poly) -> Option<bool>| zero(p) == Some(false);
-    let one_is_zero = found.factors.iter().any(|p| not_zero(p, &mut zero));
-    if !one_is_zero || !found.common.iter().any(|p| not_zero(p, &mut zero)) {
+    // Control points can be chosen, irrational coordinates of theirs are not looked for.
+    let scalars = algebraic.iter().all(|(var, _)| theorem.scalars.iter().any(|p| p.var == *var));
+    if !scalars || !one_vanishes(theorem, [a, b], &at, &algebraic) {
         return None;
     }
     let named = theorem.scalars.iter().map(|p| {
@@ -257,11 +251,29 @@ fn failing(
     Some(Witness { of, at, idle: Vec::new(), net: Vec::new(), value: Rational::ZERO, notes: Vec::new() })
 }
 
-/// Coordinates of given points for a witness at irrational numbers.
-pub(super) fn place_points(theorem: &Theorem, at: &mut [Rational]) {
-    for (k, var) in theorem.points.iter().flat_map(|p| &p.coordinates).enumerate() {
-        at[var.0] = Rational::from(k as i64 + 1);
-    }
+/// Whether there is a net with which one of two vectors is zero and the other is not, where some scalars are irrational.
+pub(super) fn one_vanishes(
+    theorem: &Theorem,
+    [a, b]: [&Form; 2],
+    at: &[Rational],
+    algebraic: &[(Var, Algebraic)],
+) -> bool {
+    let mut work = Work::new(WORK);
+    nets(theorem).any(|net| {
+        let mut zeros = |form: &Form| -> Vec<Option<bool>> {
+            let mut zero = |f: &Fraction| {
+                let p = f.numer();
+                let rational =
+                    p.variables().into_iter().filter(|v| !algebraic.iter().any(|(var, _)| var == v));
+                is_zero(&rational.fold(p.clone(), |p, v| p.at(v, &at[v.0])), algebraic, &mut work)
+            };
+            parts(theorem, form, &net).iter().map(|(_, f)| zero(f)).collect()
+        };
+        let (a, b) = (zeros(a), zeros(b));
+        let vanishes = |values: &[Option<bool>]| values.iter().all(|zero| *zero == Some(true));
+        let differs = |values: &[Option<bool>]| values.contains(&Some(false));
+        (vanishes(&a) && differs(&b)) || (vanishes(&b) && differs(&a))
+    })
 }
 
 /// The factor f with a = f·b as functions; `None` when there is none.
@@ -275,7 +287,7 @@ fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
 /// A point at which the coordinates of two vectors are not proportional.
 fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &str) -> Verdict {
     for net in nets(theorem) {
-        let (x, y) = (parts(theorem, a, &net), parts(theorem, b, &net));
+        let [x, y] = parts_of_both(theorem, [a, b], &net);
         for i in 0..x.len() {
             for j in i + 1..x.len().min(y.len()) {
                 let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);

@@ -242,9 +242,8 @@ pub(super) fn contradictions(
 ) -> Vec<(String, Option<Rational>)> {
     let of = &claim.difference;
     let value = |f: &Fraction| on_net(theorem, f, net).eval(at);
-    let values = |form: &Form| -> Vec<(String, Rational)> {
-        let all = parts(theorem, form, net).into_iter();
-        all.map(|(label, f)| (label, f.eval(at).unwrap_or(Rational::ZERO))).collect()
+    let values = |parts: Vec<(String, Fraction)>| -> Vec<(String, Rational)> {
+        parts.into_iter().map(|(label, f)| (label, f.eval(at).unwrap_or(Rational::ZERO))).collect()
     };
     match &claim.kind {
         TheoremClaimKind::Scalar(Comparison::Equal, f) => {
@@ -255,7 +254,7 @@ pub(super) fn contradictions(
             let fails = |x: &Rational| !relation.holds(&if negate { -x } else { x.clone() });
             vec![(of.clone(), value(f).filter(fails))]
         }
-        TheoremClaimKind::Zero(form) => values(form)
+        TheoremClaimKind::Zero(form) => values(parts(theorem, form, net))
             .into_iter()
             .map(|(label, x)| {
                 let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
@@ -264,7 +263,7 @@ pub(super) fn contradictions(
             .collect(),
         TheoremClaimKind::Parallel(a, b) => {
             let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
-            let (x, y) = (values(a), values(b));
+            let [x, y] = super::net::parts_of_both(theorem, [a, b], net).map(values);
             let zero = x.iter().chain(&y).all(|(_, v)| v.is_zero());
             let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, ((_, p), (_, q))| &sum + &(p * q));
             let mut all =

@@ -320,6 +320,9 @@ impl Elaboration<'_> {
             }
             return None;
         };
+        // Who narrows a parameter has met it: it cannot be declared anew.
+        let var = self.scalars[at].var;
+        self.implicit.retain(|(implicit, _)| *implicit != var);
         self.narrow(at, &range, bounds.target.span)
     }
 
