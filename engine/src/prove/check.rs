@@ -177,10 +177,9 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
                 if !said || !witness.value.is_zero() || !witness.net.is_empty() {
                     return Err(String::from("the claim says nothing of the value"));
                 }
-                return match parallel::one_vanishes(theorem, [a, b], &at, &irrational) {
-                    true => Ok(()),
-                    false => Err(String::from("it is not shown that one side is zero and the other is not")),
-                };
+                let shown = parallel::one_vanishes(theorem, [a, b], &at, &irrational);
+                let wrong = || String::from("it is not shown that one side is zero and the other is not");
+                return shown.then_some(()).ok_or_else(wrong);
             }
             TheoremClaimKind::Zero(_) => return Err(String::from("an equation fails at rational points")),
         };
