@@ -84,19 +84,21 @@ fn largest_ranges_end_where_a_denominator_vanishes() {
     );
 }
 
+/// A quadratic family on a triangle, raised.
+const RAISED: &str = "family T(n in 2..=7) {
+    domain triangle (u, v, w);
+    shape 1/2 <= λ <= 1;
+    base n = 2 {
+        permute b[2, 0, 0] = u^2 + (1 - λ/2)*(u*v + u*w);
+        permute b[1, 1, 0] = λ*u*v;
+    }
+    raise b[i, j, k] = u*b[i - 1, j, k] + v*b[i, j - 1, k] + w*b[i, j, k - 1];
+    prove partition_of_unity;
+}";
+
 #[test]
 fn largest_ranges_on_a_triangle() {
-    let spec = "family T(n in 2..=3) {
-        domain triangle (u, v, w);
-        shape 1/2 <= λ <= 1;
-        base n = 2 {
-            permute b[2, 0, 0] = u^2 + (1 - λ/2)*(u*v + u*w);
-            permute b[1, 1, 0] = λ*u*v;
-        }
-        raise b[i, j, k] = u*b[i - 1, j, k] + v*b[i, j - 1, k] + w*b[i, j, k - 1];
-        prove partition_of_unity;
-    }";
-    assert_eq!(ranges(spec, "T(2)"), ["0 <= λ <= 2"]);
+    assert_eq!(ranges(RAISED, "T(2)"), ["0 <= λ <= 2"]);
 }
 
 #[test]
@@ -151,16 +153,7 @@ fn an_irrational_end() {
 /// Many functions of a raised family, of which only a few narrow the range.
 #[test]
 fn largest_ranges_of_a_high_order() {
-    let spec = "family T(n in 2..=7) {
-        domain triangle (u, v, w);
-        shape 1/2 <= λ <= 1;
-        base n = 2 {
-            permute b[2, 0, 0] = u^2 + (1 - λ/2)*(u*v + u*w);
-            permute b[1, 1, 0] = λ*u*v;
-        }
-        raise b[i, j, k] = u*b[i - 1, j, k] + v*b[i, j - 1, k] + w*b[i, j, k - 1];
-    }";
-    assert_eq!(ranges(spec, "T(7)"), ["-20/11 <= λ <= 2"]);
+    assert_eq!(ranges(RAISED, "T(7)"), ["-20/11 <= λ <= 2"]);
 }
 
 #[test]
