@@ -226,11 +226,8 @@ fn quart_t6() {
     let first = surface(l1, [0.0, eta, eta, eta], &s);
     let rows = quartic_surface::g2_vv(&s, l1, l2, f).unwrap();
     t[..3].copy_from_slice(&rows);
-    let order = |t: &Net| {
-        let next = surface(l2, [eta, eta, eta, 0.0], t);
-        edge_continuity(&first, Edge::UEnd, &next, Edge::UStart, false, 33).order(1e-13, 1e-11, 1e-9)
-    };
-    assert_eq!(order(&t), Some(2));
+    let joined = |t: &Net| order(&first, Edge::UEnd, &surface(l2, [eta, eta, eta, 0.0], t), Edge::UStart);
+    assert_eq!(joined(&t), Some(2));
     // As printed, with the points of the last columns.
     for j in 0..4 {
         for d in 0..3 {
@@ -238,27 +235,99 @@ fn quart_t6() {
             t[2][j][d] = t[1][j][d] - (1.0 + l2) * (t[0][j][d] - t[1][j][d]) + published / (f * f);
         }
     }
-    assert_eq!(order(&t), Some(1));
+    assert_eq!(joined(&t), Some(1));
+}
+
+/// What edges of two surfaces have to do with each other.
+fn order(
+    first: &TensorSurface<QuarticBernstein, QuarticBernstein, [f64; 3]>,
+    edge: Edge,
+    next: &TensorSurface<QuarticBernstein, QuarticBernstein, [f64; 3]>,
+    other: Edge,
+) -> Option<usize> {
+    edge_continuity(first, edge, next, other, false, 33).order(1e-13, 1e-11, 1e-9)
+}
+
+/// The parameter γ' with 3 + γ' = k (3 + γ).
+fn times(k: f64, gamma: f64) -> f64 {
+    k * (3.0 + gamma) - 3.0
 }
 
 /// quart-adj
 #[test]
-fn quart_adj() {
+fn quart_adj_uu() {
     let mut random = Random::new(7);
     let (s, mut t) = (net(&mut random), net(&mut random));
     let (g1, g2) = ([0.5, -1.0, 0.25, -2.0], [0.0, 0.5, -0.5, 1.0]);
     for (row, new) in t.iter_mut().zip(quartic_surface::g2_uu(&s, g1, g2, 1.25).unwrap()) {
         row[..3].copy_from_slice(&new);
     }
-    let order = |lambda: f64, g1: [f64; 4], g2: [f64; 4]| {
-        let (first, next) = (surface(lambda, g1, &s), surface(lambda, g2, &t));
-        edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 33).order(1e-13, 1e-11, 1e-9)
+    let joined = |[l1, l2]: [f64; 2], g1, g2| {
+        order(&surface(l1, g1, &s), Edge::VEnd, &surface(l2, g2, &t), Edge::VStart)
     };
-    assert_eq!(order(0.5, g1, g2), Some(2));
-    // The common λ is free; the parameters of the rows are not, but for a common factor of all 3 + γ¹ᵢ.
-    assert_eq!(order(-1.5, g1, g2), Some(2));
-    assert_eq!(order(0.5, [0.5, -1.0, 0.25, 0.0], g2), Some(0));
-    assert_eq!(order(0.5, g1.map(|g| 0.5 * (3.0 + g) - 3.0), g2), Some(1));
+    let factor = |k: f64, list: [f64; 4]| list.map(|g| times(k, g));
+    assert_eq!(joined([0.5; 2], g1, g2), Some(2));
+    // The common λ is free, and so is a common factor of all 3 + γ.
+    assert_eq!(joined([-1.5; 2], g1, g2), Some(2));
+    assert_eq!(joined([0.5; 2], factor(0.5, g1), factor(0.5, g2)), Some(2));
+    // A factor on one side, or different ones, keep G1.
+    assert_eq!(joined([0.5; 2], factor(0.5, g1), g2), Some(1));
+    assert_eq!(joined([0.5; 2], g1, factor(0.75, g2)), Some(1));
+    assert_eq!(joined([0.5; 2], factor(1.1, g1), factor(0.75, g2)), Some(1));
+    // The parameter of one row, and λ of one surface.
+    assert_eq!(joined([0.5; 2], [0.5, -1.0, 0.25, 0.0], g2), Some(0));
+    assert_eq!(joined([0.5; 2], g1, [0.0, 0.5, 0.5, 1.0]), Some(0));
+    assert_eq!(joined([0.5, 0.25], g1, g2), None);
+}
+
+/// quart-adj
+#[test]
+fn quart_adj_uv() {
+    let mut random = Random::new(8);
+    let (s, mut t) = (net(&mut random), net(&mut random));
+    let (g1, l2, eta) = ([0.5, -1.0, 0.25, -2.0], -0.5, 0.75);
+    t[..3].copy_from_slice(&quartic_surface::g2_uv(&s, g1, l2, 1.25).unwrap());
+    let joined = |l1, g1, l2, g2| order(&surface(l1, g1, &s), Edge::VEnd, &surface(l2, g2, &t), Edge::UStart);
+    let g2 = |eta| [eta, eta, eta, -1.0];
+    let factor = |k: f64| g1.map(|g| times(k, g));
+    assert_eq!(joined(eta, g1, l2, g2(eta)), Some(2));
+    // The common parameter, γ²₃, and a common factor are free.
+    assert_eq!(joined(-2.0, g1, l2, g2(-2.0)), Some(2));
+    assert_eq!(joined(eta, g1, l2, [eta, eta, eta, 0.5]), Some(2));
+    assert_eq!(joined(eta, factor(0.5), times(0.5, l2), g2(eta)), Some(2));
+    // γ²₂ and factors on one side keep G1.
+    assert_eq!(joined(eta, g1, l2, [eta, eta, -0.5, -1.0]), Some(1));
+    assert_eq!(joined(eta, factor(0.5), l2, g2(eta)), Some(1));
+    assert_eq!(joined(eta, g1, -2.0, g2(eta)), Some(1));
+    // The others do not.
+    assert_eq!(joined(eta, [0.5, -1.0, 0.25, 0.0], l2, g2(eta)), Some(0));
+    assert_eq!(joined(eta, g1, l2, [eta, -0.5, eta, -1.0]), Some(0));
+    assert_eq!(joined(0.25, g1, l2, g2(eta)), None);
+}
+
+/// quart-adj
+#[test]
+fn quart_adj_vv() {
+    let mut random = Random::new(9);
+    let (s, mut t) = (net(&mut random), net(&mut random));
+    let (l1, l2, eta) = (0.5, -1.0, -0.5);
+    t[..3].copy_from_slice(&quartic_surface::g2_vv(&s, l1, l2, 0.8).unwrap());
+    let joined = |l1, g1, l2, g2| order(&surface(l1, g1, &s), Edge::UEnd, &surface(l2, g2, &t), Edge::UStart);
+    let (g1, g2) = (|eta| [1.0, eta, eta, eta], |eta| [eta, eta, eta, -2.0]);
+    assert_eq!(joined(l1, g1(eta), l2, g2(eta)), Some(2));
+    // The common parameter, γ¹₀ and γ²₃, and a common factor are free.
+    assert_eq!(joined(l1, g1(1.0), l2, g2(1.0)), Some(2));
+    assert_eq!(joined(l1, [-1.0, eta, eta, eta], l2, [eta, eta, eta, 0.5]), Some(2));
+    assert_eq!(joined(times(0.5, l1), g1(eta), times(0.5, l2), g2(eta)), Some(2));
+    // γ¹₁, γ²₂, λ₁ and λ₂ alone keep G1.
+    assert_eq!(joined(l1, [1.0, -2.0, eta, eta], l2, g2(eta)), Some(1));
+    assert_eq!(joined(l1, g1(eta), l2, [eta, eta, 0.5, -2.0]), Some(1));
+    assert_eq!(joined(-2.0, g1(eta), l2, g2(eta)), Some(1));
+    assert_eq!(joined(l1, g1(eta), 0.25, g2(eta)), Some(1));
+    // The others do not.
+    assert_eq!(joined(l1, [1.0, eta, 0.5, eta], l2, g2(eta)), Some(0));
+    assert_eq!(joined(l1, g1(eta), l2, [eta, 0.5, eta, -2.0]), Some(0));
+    assert_eq!(joined(l1, g1(0.25), l2, g2(eta)), None);
 }
 
 /// A random point of the triangle.
@@ -382,8 +451,16 @@ fn every_refuted_claim_has_a_test() {
         })
         .collect();
     assert!(refuted.len() > 20, "{refuted:?}");
-    let comments: Vec<&str> =
-        include_str!("refuted_claims.rs").lines().filter_map(|line| line.strip_prefix("/// ")).collect();
+    // The lines of a comment that stands over a test, nothing between them.
+    let source: Vec<&str> = include_str!("refuted_claims.rs").lines().collect();
+    let over_a_test = |k: usize| {
+        let rest = source[k..].iter().find(|line| !line.starts_with("///"));
+        rest.is_some_and(|line| *line == "#[test]")
+    };
+    let comments: Vec<&str> = (0..source.len())
+        .filter(|k| over_a_test(*k))
+        .filter_map(|k| source[k].strip_prefix("/// "))
+        .collect();
     for id in refuted {
         let named = |line: &str| {
             let ids = line.split(": ").next().unwrap_or(line);
