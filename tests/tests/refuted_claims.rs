@@ -1,7 +1,7 @@
 //! Every published claim that is refuted fails on floats, too, and its correction holds; the claims are stated and decided in
 //! `specs/papers`.
 
-use basis_runtime::{Curve, Edge, TensorSurface, basis, edge_continuity};
+use basis_runtime::{Curve, Edge, Surface, SurfaceOfRevolution, TensorSurface, basis, edge_continuity};
 use basis_tests::random::Random;
 
 basis!("../../specs/quadratic.basis", QuadraticBezier);
@@ -418,6 +418,51 @@ fn rev_t1_at_the_end_of_the_range() {
     let next = Curve::new(QuarticBernstein::new(0.5).unwrap(), [p[3], p[3], [4.0, 4.0], [5.0, 5.0]]);
     let (before, after) = (minus(p[3], first.eval(1.0 - 1e-4)), minus(next.eval(1e-4), p[3]));
     assert!(cross(before, after) > 0.5 * length(before) * length(after));
+}
+
+/// rev-def2
+#[test]
+fn rev_def2_on_the_axis() {
+    type Space = [f64; 3];
+    let dot = |a: Space, b: Space| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let inverse = |a: Space| a.map(|x| x / dot(a, a));
+    let minus = |a: Space, b: Space| core::array::from_fn(|k| a[k] - b[k]);
+    let plus = |a: Space, k: f64, b: Space| -> Space { core::array::from_fn(|i| a[i] + k * b[i]) };
+    let fraction = |y: f64, t: f64| -> Space {
+        let [v0, v1, v2] = [[2.0, y, 0.0], [2.0, 0.0, y], [2.0, -y, 0.0]];
+        let (b1, c2) = (inverse(minus(v1, v0)).map(|x| 0.5 * x), inverse(minus(v2, v0)));
+        let b2 = inverse(minus(c2, b1)).map(|x| 0.5 * x);
+        plus(v0, t, inverse(plus(b1, t - 0.5, inverse(b2))))
+    };
+    for y in [1.5, -0.5] {
+        for (t, wanted) in [(0.0, [2.0, y, 0.0]), (0.5, [2.0, 0.0, y]), (1.0, [2.0, -y, 0.0])] {
+            let found = fraction(y, t);
+            assert!((0..3).all(|k| close(found[k], wanted[k])), "{found:?}");
+        }
+    }
+    assert!(fraction(0.0, 0.5).iter().all(|x| x.is_nan()));
+}
+
+/// rev-P3
+#[test]
+fn rev_p3_on_the_axis() {
+    let normals = |points: [Plane; 4], u: f64| {
+        let curve = Curve::new(QuarticBernstein::new(0.5).unwrap(), points);
+        let surface = SurfaceOfRevolution::about_x(&curve, std::f64::consts::PI).unwrap();
+        [0.0, std::f64::consts::FRAC_PI_2].map(|v| surface.normal(u, v).unwrap())
+    };
+    let dot = |[a, b]: [[f64; 3]; 2]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    // Away from the axis the normals of both surfaces agree.
+    let first = [[0.0, 1.0], [1.0, 2.0], [2.0, 2.0], [3.0, 1.0]];
+    let next = [[3.0, 1.0], [4.0, 0.0], [5.0, 1.0], [6.0, 3.0]];
+    for (a, b) in normals(first, 1.0).into_iter().zip(normals(next, 0.0)) {
+        assert!(close(dot([a, b]), 1.0), "{a:?} {b:?}");
+    }
+    // Next to a point of the axis there are many, but for a perpendicular generatrix.
+    let near = 1.0 - 1e-6;
+    assert!(dot(normals([[0.0, 3.0], [1.0, 2.0], [2.0, 1.0], [3.0, 0.0]], near)) < 0.6);
+    assert!(dot(normals([[0.0, 3.0], [1.0, 2.0], [2.0, 0.0], [3.0, 0.0]], near)) < 0.1);
+    assert!(dot(normals([[0.0, 3.0], [2.0, 2.0], [3.0, 1.0], [3.0, 0.0]], near)) > 0.999);
 }
 
 /// rev-angle
