@@ -5,6 +5,7 @@ mod error;
 mod facets;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod meet;
 #[cfg(feature = "obj")]
 mod obj;
 mod orient;

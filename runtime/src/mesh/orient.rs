@@ -1,8 +1,10 @@
 //! Which surfaces have to be turned over so that all triangles turn the same way.
 
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-use super::weld::Seam;
+use super::Mesh;
+use crate::Scalar;
 
 /// Components of connected surfaces, and which surfaces of each are turned over.
 pub(super) struct Orientation {
@@ -12,16 +14,10 @@ pub(super) struct Orientation {
     pub(super) flipped: Vec<bool>,
 }
 
-/// Spreads the orientation of the first surface of each component over its seams. Where that is impossible, as on a Möbius
-/// strip, some seam is left between different orientations.
-pub(super) fn orient(count: usize, seams: &[Seam]) -> Orientation {
-    let mut neighbours: Vec<Vec<(usize, bool)>> = alloc::vec![Vec::new(); count];
-    for seam in seams {
-        let [a, b] = seam.sides;
-        let same = a.edge.surface_on_the_right() ^ b.edge.surface_on_the_right() ^ seam.reversed;
-        neighbours[a.surface].push((b.surface, !same));
-        neighbours[b.surface].push((a.surface, !same));
-    }
+/// Spreads the orientation of the first surface of each component over the edges that its triangles share with others. Where
+/// that is impossible, as on a Möbius strip, some edge is left between different orientations.
+pub(super) fn orient<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Orientation {
+    let neighbours = neighbours(count, mesh);
     let mut component = alloc::vec![usize::MAX; count];
     let mut flipped = alloc::vec![false; count];
     for start in 0..count {
@@ -41,4 +37,24 @@ pub(super) fn orient(count: usize, seams: &[Seam]) -> Orientation {
         }
     }
     Orientation { component, flipped }
+}
+
+/// For each surface those with which it shares edges of triangles, and whether both go through them in the same direction.
+fn neighbours<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Vec<Vec<(usize, bool)>> {
+    let mut first_use: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
+    let mut neighbours: Vec<Vec<(usize, bool)>> = alloc::vec![Vec::new(); count];
+    for &triangle in &mesh.triangles {
+        let surface = mesh.vertices[triangle[0] as usize].surface as usize;
+        let Some([a, b, c]) = mesh.corners(triangle) else { continue };
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            let here = (surface, from < to);
+            let there = *first_use.entry([from.min(to), from.max(to)]).or_insert(here);
+            if there.0 != surface {
+                let same = there.1 == here.1;
+                neighbours[surface].push((there.0, same));
+                neighbours[there.0].push((surface, same));
+            }
+        }
+    }
+    neighbours
 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::cells::{Cells, Node, on_edge, unit};
 use super::facets::triangles;
+use super::meet::meet;
 use super::orient::orient;
 use super::patch::Patch;
 use super::weld::{self, Classes, Seam};
@@ -17,10 +18,10 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 /// Every triangle is nearer to its surface than the tolerance, in the middle as at its sides; this is guaranteed by bounds of
 /// the second derivatives ([`BoundedSurface`]) and not only tested at samples. Curved regions get more triangles than flat ones.
 ///
-/// Two edges that run along each other with the same parameters, in the same or in the opposite direction, become a seam, and
-/// so do both ends of a surface that closes on itself: the triangles on both sides share their positions, and turn the same
-/// way. Edges belong together if they are nowhere farther apart than 1/16 of the tolerance. An edge that is one point
-/// becomes one position, with the normals of all directions.
+/// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long edge
+/// meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share their
+/// positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the tolerance. An edge
+/// that is one point becomes one position, with the normals of all directions.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -78,6 +79,8 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
         }
         let found = weld::find(patches, weld);
         share_parameters(&mut cells, &found.seams);
+        let met = meet(patches, &mut cells, &found, self.tolerance, weld);
+        share_parameters(&mut cells, &found.seams);
 
         let mut builder = Builder::default();
         for (surface, (patch, cells)) in patches.iter().zip(&cells).enumerate() {
@@ -97,9 +100,12 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
                 builder.join(&mut classes, first, (pole.surface, on_edge(pole.edge, along)));
             }
         }
+        for [a, b] in met {
+            builder.join(&mut classes, a, b);
+        }
         builder.join_corners(&mut classes, patches.len(), weld);
         let mut mesh = builder.finish(&mut classes);
-        turn(&mut mesh, patches.len(), &found.seams);
+        turn(&mut mesh, patches.len());
         shade(&mut mesh);
         Ok(mesh)
     }
@@ -230,8 +236,8 @@ impl<S: Scalar> Builder<S> {
 }
 
 /// Turns surfaces over so that neighbours agree and closed parts face outwards.
-fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize, seams: &[Seam]) {
-    let orientation = orient(surfaces, seams);
+fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize) {
+    let orientation = orient(surfaces, mesh);
     let mut flipped = orientation.flipped;
     flip(mesh, &flipped);
 

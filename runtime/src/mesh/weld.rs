@@ -9,7 +9,7 @@ use crate::vector::distance;
 use crate::{Edge, Scalar};
 
 /// An edge of one of the surfaces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Side {
     pub(super) surface: usize,
     pub(super) edge: Edge,

@@ -5,7 +5,7 @@ use crate::vector::{cross, direction, distance, dot, length};
 use crate::{Curvature, Point, Point3, Scalar};
 
 /// An edge of the parameter rectangle of a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Edge {
     /// `u = lo`; runs along `v`.

@@ -111,23 +111,86 @@ fn joined_surfaces_share_their_seam() {
         let right = right.subpatch(0.0..1.0, 1.0..0.0);
         let [upper, lower] = right.split_v(0.4);
         let parts = [&below, &above, &upper, &lower];
-        let mut tessellation = Tessellation::new(0.01).unwrap();
-        for part in parts {
-            tessellation = tessellation.with(part);
-        }
-        let mesh = tessellation.mesh().unwrap();
-        assert!(mesh.is_oriented());
-        // One boundary loop: as many edges as positions on it, and all inside is shared.
-        let boundary = mesh.boundary();
-        let mut on_boundary: Vec<u32> = boundary.iter().flatten().copied().collect();
-        on_boundary.sort_unstable();
-        on_boundary.dedup();
-        assert_eq!(boundary.len(), on_boundary.len());
-        // Euler's formula for a disc.
-        let twice_the_edges = 3 * mesh.triangles.len() + boundary.len();
-        assert_eq!(2 * (mesh.positions.len() + mesh.triangles.len()), twice_the_edges + 2);
-        assert!(deviation(&mesh, &parts) <= 0.01);
+        let tessellation = parts.iter().fold(Tessellation::new(0.01).unwrap(), |t, part| t.with(*part));
+        assert!(deviation(&disc(&tessellation), &parts) <= 0.01);
     }
+}
+
+/// The mesh of the surfaces, which must have no crack: one boundary loop, as many of its edges as positions on it, and what
+/// Euler's formula gives for a disc.
+fn disc(tessellation: &Tessellation<'_, f64>) -> Mesh<f64> {
+    let mesh = tessellation.mesh().unwrap();
+    assert!(mesh.is_oriented());
+    let boundary = mesh.boundary();
+    let mut on_boundary: Vec<u32> = boundary.iter().flatten().copied().collect();
+    on_boundary.sort_unstable();
+    on_boundary.dedup();
+    assert_eq!(boundary.len(), on_boundary.len());
+    let twice_the_edges = 3 * mesh.triangles.len() + boundary.len();
+    assert_eq!(2 * (mesh.positions.len() + mesh.triangles.len()), twice_the_edges + 2);
+    mesh
+}
+
+#[test]
+fn edges_with_different_parameters_are_one_seam() {
+    let random = &mut Random::new(83);
+    let cubic = BernsteinBasis::<f64, 4>::new();
+    for round in 0..6 {
+        // Both edges are the segment from (1, 0, 0) to (1, 1, 0), with other control points on it.
+        let (a, b) = (random.between(0.05, 0.9), random.between(0.1, 0.95));
+        let side = |at: [f64; 4], x: f64, heights: [f64; 4]| {
+            core::array::from_fn(|i| {
+                let away = i as f64 / 3.0;
+                core::array::from_fn(|j| [1.0 + x * away, at[j], away * heights[j] * (1.0 + away)])
+            })
+        };
+        let left =
+            TensorSurface::new(cubic, cubic, side([0.0, a * 0.5, a, 1.0], -1.0, [0.1, 0.7, -0.4, 0.3]));
+        let mut at = [0.0, b * 0.3, b, 1.0];
+        if round % 2 == 1 {
+            at.reverse();
+        }
+        let right = TensorSurface::new(cubic, cubic, side(at, 1.0, [-0.2, 0.5, 0.3, -0.6]));
+        let surfaces = [&left, &right];
+        let mesh = disc(&Tessellation::new(2e-3).unwrap().with(&left).with(&right));
+        assert!(deviation(&mesh, &surfaces) <= 2e-3);
+        assert!(normals_agree(&mesh));
+        // The seam is no boundary.
+        let inside = |p: &[f64; 3]| p[0] == 1.0 && p[1] > 0.0 && p[1] < 1.0;
+        assert!(mesh.positions.iter().filter(|&p| inside(p)).count() > 5);
+        let positions = &mesh.positions;
+        assert!(!mesh.boundary().iter().any(|edge| edge.iter().any(|&p| inside(&positions[p as usize]))));
+    }
+}
+
+#[test]
+fn a_long_edge_meets_short_ones() {
+    let random = &mut Random::new(84);
+    for _ in 0..4 {
+        let surface = random_surface::<[f64; 3]>(random);
+        let [left, right] = surface.split_u(0.37);
+        let [below, above] = left.split_v(0.6);
+        let [first, rest] = right.split_v(0.25);
+        let [second, third] = rest.split_v(0.4);
+        let parts = [&below, &above, &first, &second, &third];
+        let tessellation = parts.iter().fold(Tessellation::new(0.01).unwrap(), |t, part| t.with(*part));
+        assert!(deviation(&disc(&tessellation), &parts) <= 0.01);
+    }
+}
+
+#[test]
+fn circles_that_begin_at_different_angles() {
+    let arc = |points: [[f64; 2]; 4], turn: f64| {
+        let points = points.map(|[x, r]| [x, r * turn.cos(), r * turn.sin()]);
+        let curve = Curve::new(QuarticBernstein::new(0.5).unwrap(), points);
+        SurfaceOfRevolution::new(&curve, [0.0; 3], [1.0, 0.0, 0.0], FULL).unwrap()
+    };
+    let cup = arc([[-1.0, 0.0], [-1.0, 0.5], [-0.6, 1.0], [0.0, 1.0]], 0.0);
+    let lid = arc([[0.0, 1.0], [0.6, 1.0], [1.0, 0.7], [1.0, 0.0]], 1.0);
+    let mesh = Tessellation::new(0.01).unwrap().with(&cup).with(&lid).mesh().unwrap();
+    assert!(mesh.is_closed() && mesh.volume() > 0.0);
+    assert!(deviation(&mesh, &[&cup, &lid]) <= 0.01);
+    assert!(normals_agree(&mesh));
 }
 
 fn egg(angle: f64) -> SurfaceOfRevolution<QuarticBernstein, [f64; 3]> {
