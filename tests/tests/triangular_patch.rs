@@ -374,6 +374,16 @@ fn indices_of_any_size_are_answered() {
     assert_eq!(TriangleIndex::at(order, last), Some(TriangleIndex::new([order, 0, 0])));
     assert_eq!(TriangleIndex::at(order, last - 1), Some(TriangleIndex::new([order - 1, 1, 0])));
     assert_eq!(TriangleIndex::at(usize::MAX, 7), Some(TriangleIndex::new([0, 7, usize::MAX - 7])));
+    for order in [1 << 31, (1 << 32) - 9] {
+        let last = TriangleIndex::count(order) - 1;
+        assert_eq!(TriangleIndex::at(order, last), Some(TriangleIndex::new([order, 0, 0])));
+    }
+    for position in [1 << 40, usize::MAX - 1] {
+        for order in [1 << 40, usize::MAX] {
+            assert_eq!(TriangleIndex::at(order, position).unwrap().position(), position);
+            assert_eq!(TetrahedronIndex::at(order, position).unwrap().position(), position);
+        }
+    }
 }
 
 /// The curve of an edge is a curve like any other.

@@ -55,14 +55,24 @@ impl<const K: usize> SimplexIndex<K> {
                 order -= position;
                 break;
             }
-            // Those that share the first component are indices of one corner less.
-            let mut block = lattice_size(K - 1 - place, order);
-            while position >= block {
-                position -= block;
-                order -= 1;
-                components[place] += 1;
-                block = lattice_size(K - 1 - place, order);
+            // The largest component before which there are not more than `position` indices.
+            let corners = K - place;
+            let all = wide_lattice_size(corners, order);
+            let (mut low, mut high) = (0, order);
+            // Where they are too many to be counted, those with the component 0 are more than any position.
+            while all < u128::MAX && low < high {
+                let middle = high - (high - low) / 2;
+                if all - wide_lattice_size(corners, order - middle) <= position as u128 {
+                    low = middle;
+                } else {
+                    high = middle - 1;
+                }
             }
+            if all < u128::MAX {
+                position -= (all - wide_lattice_size(corners, order - low)) as usize;
+            }
+            components[place] = low;
+            order -= low;
             place += 1;
         }
         components[K - 1] = order;
@@ -71,15 +81,18 @@ impl<const K: usize> SimplexIndex<K> {
 
     /// The position in the lexicographic order; `usize::MAX` where it is not a `usize`.
     pub const fn position(self) -> usize {
-        let (mut order, mut position, mut place) = (self.order(), 0, 0);
+        let (mut order, mut position, mut place) = (self.order(), 0_usize, 0);
         while place + 1 < K {
             // Before this one come all whose component here is smaller.
             let corners = K - place;
+            let all = wide_lattice_size(corners, order);
             let rest = order.saturating_sub(self.components[place]);
-            let before = lattice_size(corners, order).saturating_sub(lattice_size(corners, rest));
-            position = before.saturating_add(position);
-            if lattice_size(corners, order) == usize::MAX {
-                return usize::MAX;
+            if rest < order {
+                let before = all - wide_lattice_size(corners, rest);
+                if all == u128::MAX || before >= (usize::MAX - position) as u128 {
+                    return usize::MAX;
+                }
+                position += before as usize;
             }
             order = rest;
             place += 1;
@@ -143,14 +156,20 @@ impl<const K: usize> SimplexIndex<K> {
 
 /// `binomial(n + K - 1, K - 1)`, the number of indices with `K` components and the sum `n`; at most `usize::MAX`.
 pub(crate) const fn lattice_size(corners: usize, order: usize) -> usize {
+    let size = wide_lattice_size(corners, order);
+    if size < usize::MAX as u128 { size as usize } else { usize::MAX }
+}
+
+/// The same, at most `u128::MAX`; that only if `binomial(n + K - 2, K - 2)` is no `usize`.
+const fn wide_lattice_size(corners: usize, order: usize) -> u128 {
     let (mut size, mut k) = (1_u128, 1);
     while k < corners {
         // No partial product is greater than the next one.
         size = match size.checked_mul(order as u128 + k as u128) {
             Some(product) => product / k as u128,
-            None => return usize::MAX,
+            None => return u128::MAX,
         };
         k += 1;
     }
-    if size < usize::MAX as u128 { size as usize } else { usize::MAX }
+    size
 }
