@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 
 use crate::bernstein::{self, bracketed_root, changes_of_sign};
 use crate::domain::from_unit;
-use crate::vector::{distance, dot, is_finite, largest_component};
+use crate::vector::{distance, dot, is_finite, length};
 use crate::{Array, Basis, Curve, Point, Scalar};
 
 /// Below this depth a piece is narrower than the distance of two floats.
@@ -49,10 +49,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         for p in seen.as_mut() {
             *p = p.minus(point);
         }
-        let size = seen.as_ref().iter().fold(B::Scalar::ZERO, |size, &p| {
-            let component = largest_component(p);
-            if component <= size { size } else { component }
-        });
+        let size = seen.as_ref().iter().fold(B::Scalar::ZERO, |size, &p| size.max(length(p)));
         if !seen.as_ref().iter().all(|&p| is_finite(p)) || !size.is_finite() {
             return Nearest { t: nan, point: P::from_components(|_| nan), distance: nan };
         }
@@ -64,7 +61,9 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             for p in seen.as_mut() {
                 *p = P::from_components(|d| p.component(d) / size);
             }
-            let rounding = B::Scalar::EPSILON * B::Scalar::from_usize(8 * (B::DEGREE + 1));
+            // Not less than twice the noise of a square: in a space of many dimensions less could never be settled.
+            let units = (8 * (B::DEGREE + 1)).max(2 * noise_units::<B, P>());
+            let rounding = B::Scalar::EPSILON * B::Scalar::from_usize(units);
             search.accuracy = (accuracy / size).max(rounding);
             search.run(seen);
         }
@@ -169,6 +168,11 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
     }
 }
 
+/// A bound of the rounding errors of `|C|²`, in units of `ε` times its largest coefficient.
+const fn noise_units<B: Basis, P: Point>() -> usize {
+    2 * B::DEGREE + P::DIM + 6
+}
+
 /// The Bernstein coefficients of `|C|²`.
 struct Square<B: Basis> {
     /// One more than there are.
@@ -201,7 +205,7 @@ impl<B: Basis> Square<B> {
         for c in &mut c[..=2 * B::DEGREE] {
             *c = *c * B::Scalar::of(1.0 / weights.next());
         }
-        let noise = largest * B::Scalar::EPSILON * B::Scalar::from_usize(2 * B::DEGREE + P::DIM + 6);
+        let noise = largest * B::Scalar::EPSILON * B::Scalar::from_usize(noise_units::<B, P>());
         Self { coefficients, noise }
     }
 

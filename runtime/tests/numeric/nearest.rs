@@ -120,3 +120,17 @@ fn degenerate_curves_and_points() {
         assert!((nearest.t - 0.5).abs() < 1e-7 && (nearest.distance / size - 2.0).abs() < 1e-14, "{size:e}");
     }
 }
+
+/// The distance from all of the curve is the same up to rounding errors, which grow with the dimension of the space.
+#[test]
+fn in_many_dimensions() {
+    let mut line = [[1.0_f64; 12]; 2];
+    [line[0][0], line[0][1], line[1][0], line[1][1]] = [0.0, 2.0, 2.0, 0.0];
+    let nearest = Bezier::from_points(line).nearest([0.0; 12], 0.0);
+    assert!((nearest.distance - 12_f64.sqrt()).abs() < 1e-14);
+    let tiny: [[f64; 20]; 4] = core::array::from_fn(|i| {
+        core::array::from_fn(|d| if d == 0 { 1.0 + 1e-6 * (i as f64 - 1.4) } else { 1.0 })
+    });
+    let nearest = Bezier::from_points(tiny).nearest([0.0; 20], 0.0);
+    assert!((nearest.distance - (19.0 + (1.0 - 1.4e-6_f64).powi(2)).sqrt()).abs() < 1e-14);
+}
