@@ -110,6 +110,15 @@ pub(crate) fn lerp<P: Point>(a: P, b: P, x: P::Scalar) -> P {
     a.scale(P::Scalar::ONE - x).add_scaled(b, x)
 }
 
+/// The unit in which to measure things of that size: 1 if their power with the exponent `2^squarings` neither overflows nor
+/// vanishes, with a margin of `ε²` on both sides, and otherwise their size. A scale of 1 leaves exact numbers exact.
+pub(crate) fn safe_unit<S: Scalar>(size: S, squarings: usize) -> S {
+    let power = (0..squarings).fold(size, |power, _| power * power);
+    let margin = S::EPSILON * S::EPSILON;
+    let in_range = power * margin > S::MIN_POSITIVE && (power / margin).is_finite();
+    if in_range || size == S::ZERO { S::ONE } else { size }
+}
+
 /// Whether all components are finite.
 #[inline]
 pub(crate) fn is_finite<P: Point>(point: P) -> bool {
@@ -133,7 +142,7 @@ pub(crate) fn largest_component<P: Point>(vector: P) -> P::Scalar {
 
 #[cfg(test)]
 mod tests {
-    use super::{cross, direction, dot, length};
+    use super::{cross, direction, dot, length, safe_unit};
 
     #[test]
     fn products() {
@@ -150,6 +159,16 @@ mod tests {
         assert_eq!(length([f64::NEG_INFINITY, 1.0]), f64::INFINITY);
         assert!(length([1.0, f64::NAN, 2.0]).is_nan());
         assert!(length([f64::INFINITY, f64::NAN]).is_nan());
+    }
+
+    #[test]
+    fn units_for_powers() {
+        assert_eq!(safe_unit(1e30, 1), 1.0);
+        assert_eq!(safe_unit(1e30, 3), 1.0);
+        assert_eq!(safe_unit(1e40, 3), 1e40);
+        assert_eq!(safe_unit(1e-40, 3), 1e-40);
+        assert_eq!(safe_unit(1e300, 0), 1e300);
+        assert_eq!(safe_unit(0.0_f32, 1), 1.0);
     }
 
     #[test]

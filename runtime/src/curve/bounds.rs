@@ -5,13 +5,14 @@ use alloc::vec::Vec;
 
 use crate::bernstein::{self, Root, roots};
 use crate::domain::from_unit;
-use crate::vector::wedge;
+use crate::vector::{largest_component, length, safe_unit, wedge};
 use crate::{Basis, Curve, CurveError, Point, Scalar};
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The parameters inside of the domain at which a component has a maximum or minimum, in increasing order.
     ///
-    /// For the extrema of one component ask [`component`](Self::component). None if a control point is infinite or NaN.
+    /// For the extrema of one component ask [`component`](Self::component). A component that is constant up to rounding errors
+    /// has none. None if a control point is infinite or NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -22,6 +23,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     pub fn extrema(&self) -> Vec<B::Scalar> {
         let points = self.to_bernstein();
         let mut all: Vec<B::Scalar> = (0..P::DIM)
+            .filter(|&d| !is_constant(points.as_ref(), d))
             .flat_map(|d| stationary(points.as_ref(), d))
             .filter(|root| root.crosses)
             .map(|root| from_unit(B::domain(), root.x))
@@ -66,17 +68,26 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         if P::DIM != 2 {
             return Err(CurveError::Dimension { expected: 2, found: P::DIM });
         }
-        let points = self.to_bernstein();
+        let mut points = self.to_bernstein();
+        let mut largest = points.as_ref().iter().fold(B::Scalar::ZERO, |a, &p| a.max(largest_component(p)));
+        // The scale does not matter; products of differences are formed.
+        let unit = safe_unit(largest, 2);
+        if unit != B::Scalar::ONE {
+            for p in points.as_mut() {
+                *p = P::from_components(|d| p.component(d) / unit);
+            }
+            largest = B::Scalar::ONE;
+        }
         let (mut first, mut second) = (points, points);
         let first = &*bernstein::differentiate(first.as_mut());
         let velocity = bernstein::differentiate(second.as_mut());
         let second = &*bernstein::differentiate(velocity);
         let mut turn = vec![B::Scalar::ZERO; (first.len() + second.len()).saturating_sub(1)];
         bernstein::bilinear(first, second, &mut turn, |a, b| wedge(a, b, 0, 1));
-        // On a straight line only rounding errors are left, of the size of the products.
-        let size =
-            |points: &[P]| points.iter().fold(B::Scalar::ZERO, |a, &p| a.max(crate::vector::length(p)));
-        let noise = B::Scalar::of(4.0) * B::Scalar::EPSILON * size(first) * size(second);
+        // On a straight line only the rounding errors of the points are left, in both factors.
+        let noise = |order: usize| difference_noise::<B::Scalar>(B::DEGREE, order) * largest;
+        let size = |points: &[P]| points.iter().fold(B::Scalar::ZERO, |a, &p| a.max(length(p)));
+        let noise = size(first) * noise(2) + size(second) * noise(1);
         if turn.iter().all(|c| c.abs() <= noise) {
             return Ok(Vec::new());
         }
@@ -87,8 +98,26 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
 /// Where the derivative of a component vanishes.
 fn stationary<P: Point>(points: &[P], d: usize) -> Vec<Root<P::Scalar>> {
-    let mut component: Vec<P::Scalar> = points.iter().map(|p| p.component(d)).collect();
+    let component = points.iter().map(|p| p.component(d));
+    // So that differences do not overflow.
+    let unit = safe_unit(component.clone().fold(P::Scalar::ZERO, |a, c| a.max(c.abs())), 0);
+    let mut component: Vec<P::Scalar> = component.map(|c| c / unit).collect();
     roots(bernstein::differentiate(&mut component))
+}
+
+/// Whether the control points differ in a component by rounding errors only.
+fn is_constant<P: Point>(points: &[P], d: usize) -> bool {
+    let components = points.iter().map(|p| p.component(d));
+    let largest = components.clone().fold(P::Scalar::ZERO, |a, c| a.max(c.abs()));
+    let noise = difference_noise::<P::Scalar>(1, 1) * largest;
+    points.windows(2).all(|pair| (pair[1].component(d) - pair[0].component(d)).abs() <= noise)
+}
+
+/// What rounding errors of the control points of a curve of that degree leave of the control points of a derivative of that
+/// order, in units of the largest control point.
+fn difference_noise<S: Scalar>(degree: usize, order: usize) -> S {
+    let rounding = S::of(4.0) * S::EPSILON;
+    (0..order.min(degree)).fold(rounding, |noise, k| noise * S::from_usize(2 * (degree - k)))
 }
 
 /// The smallest and the largest value of a component.

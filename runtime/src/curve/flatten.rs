@@ -12,8 +12,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The corners of a polygon that follows the curve: no point of the one is farther than `tolerance` from the other.
     ///
     /// The curve is halved until its Bézier control points are that close to the chord, or until `n (n-1)/8` times their
-    /// largest second difference is. Both ends of the curve are corners, exactly. A curve that is a point gives this point
-    /// twice.
+    /// largest second difference is, up to rounding errors. Both ends of the curve are corners, exactly. A curve that is a point
+    /// gives this point twice.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -40,10 +40,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         if needed.is_nan() || needed > MOST {
             return Err(CurveError::TooManyPoints { needed });
         }
+        // As often as it has to be halved; without rounding errors it never is more often, with them it could be without end.
+        let deepest = (0..25).find(|&depth| 2.0 * f64::from(1_u32 << depth) >= needed).unwrap_or(25);
         let mut corners = alloc::vec![points.as_ref()[0]];
         let mut pieces = alloc::vec![(points, 0)];
         while let Some((mut piece, depth)) = pieces.pop() {
-            if depth == 26 || is_flat(piece.as_ref(), tolerance) {
+            if depth == deepest || is_flat(piece.as_ref(), tolerance) {
                 corners.push(piece.as_ref()[piece.as_ref().len() - 1]);
                 continue;
             }

@@ -105,8 +105,14 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
         let no_normal = CurveError::NoNormal { parameter: t.to_f64() };
         let bend = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
-        let noise = B::Scalar::of(16.0) * B::Scalar::EPSILON;
-        if !(length(bend) > noise * length(acceleration) && length(velocity) > B::Scalar::ZERO) {
+        // What is left of the second differences of the control points, and of the part along the tangent, by rounding.
+        let largest =
+            self.to_bernstein().as_ref().iter().fold(B::Scalar::ZERO, |a, &p| a.max(largest_component(p)));
+        let inverse_width = inverse_width(B::domain());
+        let factor =
+            B::Scalar::from_usize(B::DEGREE * B::DEGREE.saturating_sub(1)) * inverse_width * inverse_width;
+        let noise = B::Scalar::of(16.0) * B::Scalar::EPSILON * (length(acceleration) + factor * largest);
+        if !(length(bend) > noise && length(velocity) > B::Scalar::ZERO) {
             return Err(no_normal);
         }
         let normal = perpendicular(tangent, bend).ok_or(no_normal)?;

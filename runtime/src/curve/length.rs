@@ -12,7 +12,7 @@
 
 use super::quadrature::{RULES, Rule};
 use crate::domain::from_unit;
-use crate::vector::{distance, dot, is_finite};
+use crate::vector::{distance, dot, is_finite, safe_unit};
 use crate::{Array, Basis, Curve, FUSED_HERE, Point, Scalar, bernstein};
 
 /// The `ρ` of the ellipses that are tried.
@@ -175,16 +175,13 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             return None;
         }
         // Products of eight velocities are formed.
-        let power = (0..3).fold(polygon, |power, _| power * power);
-        let margin = B::Scalar::EPSILON * B::Scalar::EPSILON;
-        let in_range = power * margin > B::Scalar::MIN_POSITIVE && (power / margin).is_finite();
-        let unit = if in_range || polygon == B::Scalar::ZERO { B::Scalar::ONE } else { polygon };
-        if unit != B::Scalar::ONE {
-            // The start becomes the origin, so that nothing overflows.
-            let start = points.as_ref()[0];
-            for p in points.as_mut() {
-                let q = p.minus(start);
-                *p = P::from_components(|d| q.component(d) / unit);
+        let unit = safe_unit(polygon, 3);
+        // The start becomes the origin, so that no digits are lost far from it, and nothing overflows.
+        let start = points.as_ref()[0];
+        for p in points.as_mut() {
+            *p = p.minus(start);
+            if unit != B::Scalar::ONE {
+                *p = P::from_components(|d| p.component(d) / unit);
             }
         }
         let accuracy = (accuracy / unit).max(B::Scalar::EPSILON * (polygon / unit));

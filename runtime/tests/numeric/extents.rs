@@ -97,6 +97,38 @@ fn no_inflections() {
     assert_eq!(error, CurveError::Dimension { expected: 2, found: 3 });
 }
 
+/// A line with equal steps has second differences that are rounding errors only.
+#[test]
+fn straight_up_to_rounding() {
+    for [start, end] in
+        [[[0.1, 0.7], [0.33, 0.15]], [[0.1, 0.2], [0.4, 0.5]], [[1e6, 3e6 + 0.7], [1e6 + 0.3, 3e6]]]
+    {
+        let line = Bezier::from_points([start, end]);
+        assert_eq!(line.elevate::<6>().inflections(), Ok(vec![]));
+        assert_eq!(line.elevate::<13>().inflections(), Ok(vec![]));
+    }
+    assert!(Bezier::from_points([0.1, 0.1]).elevate::<6>().extrema().is_empty());
+    let level = Bezier::from_points([[0.0, 0.1], [1.0, 0.1]]).elevate::<8>();
+    assert!(level.extrema().is_empty());
+}
+
+/// Neither products of large differences overflow nor do those of small ones vanish.
+#[test]
+fn turns_and_boxes_of_any_size() {
+    for size in [1e-300, 1e-170, 1e-60, 1e60, 1e170, 1e300] {
+        let wave = Bezier::from_points(
+            [[0.0, 0.0], [1.0, 1.0], [2.0, -1.0], [3.0, 0.0]].map(|p| p.map(|c| c * size)),
+        );
+        let found = wave.inflections().unwrap();
+        assert!(found.len() == 1 && (found[0] - 0.5_f64).abs() < 1e-15, "{size}: {found:?}");
+    }
+    for size in [1e308, 1.5e308] {
+        let arch = Bezier::from_points([-size, size, -size]);
+        assert_eq!(arch.bounding_box(), [-size, 0.0]);
+        assert_eq!(arch.extrema(), [0.5]);
+    }
+}
+
 fn distance_to_polygon(p: [f64; 2], corners: &[[f64; 2]]) -> f64 {
     let to_segment = |pair: &[[f64; 2]]| {
         let [a, b] = [pair[0], pair[1]];
@@ -136,6 +168,16 @@ fn polygons_stay_within_the_tolerance() {
                 assert!(curve.nearest(middle, 1e-9).distance <= tolerance + 1e-9);
             }
         }
+    }
+}
+
+/// Where the rounding errors of the points are larger than the tolerance, halving does not help.
+#[test]
+fn polygons_far_from_the_origin() {
+    let arch = |x: f64| Bezier::from_points([[x, x], [x + 1.0, x + 2.0], [x + 3.0, x + 2.0], [x + 4.0, x]]);
+    let corners = arch(0.0).flatten(1e-7).unwrap().len();
+    for x in [1e7, 1e9, 1e12] {
+        assert!(arch(x).flatten(1e-7).unwrap().len() <= 2 * corners);
     }
 }
 

@@ -79,6 +79,13 @@ fn frenet_frames() {
     let line = Bezier::from_points([[0.1, 0.2, 0.3], [0.2, 0.4, 0.6], [0.7, 1.4, 2.1_f64]]);
     assert_eq!(line.frenet_frame(0.25), Err(CurveError::NoNormal { parameter: 0.25 }));
     assert_eq!(Bezier::from_points([[1.0_f64; 3]; 3]).frenet_frame(0.25), Err(CurveError::NoTangent));
+    // With equal steps the second derivative is nothing but rounding errors.
+    for offset in [0.0, 1e6] {
+        let line = Bezier::from_points([[0.1 + offset, 0.7, 0.3], [0.33 + offset, 0.15, 0.9]]).elevate::<6>();
+        for parameter in [0.0, 0.3, 0.77, 1.0] {
+            assert_eq!(line.frenet_frame(parameter), Err(CurveError::NoNormal { parameter }));
+        }
+    }
 }
 
 /// The exact frame turns against the Frenet frame by minus the integral of torsion over length.

@@ -185,3 +185,14 @@ fn straight_lines_with_a_halt() {
         }
     }
 }
+
+/// Moving a curve by whole numbers does not change its length, nor how well it is known.
+#[test]
+fn far_from_the_origin() {
+    let cusp = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [1.0, 0.0_f64]];
+    let length = Bezier::from_points(cusp).arclen(1e-14);
+    for x in [1e6, 1e9, 1e12] {
+        let moved = Bezier::from_points(cusp.map(|[a, b]| [a + x, b - x]));
+        assert!((moved.arclen(1e-14) - length).abs() < 1e-14);
+    }
+}
