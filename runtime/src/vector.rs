@@ -125,6 +125,19 @@ pub(crate) fn is_finite<P: Point>(point: P) -> bool {
     (0..P::DIM).all(|i| point.component(i).is_finite())
 }
 
+/// The smallest axis-parallel box around points, as its two extreme corners; NaN in a component in which a point is NaN.
+pub(crate) fn box_of<P: Point>(points: &[P]) -> [P; 2] {
+    let extreme = |of: fn(P::Scalar, P::Scalar) -> P::Scalar| {
+        P::from_components(|c| {
+            let components = points.iter().map(|p| p.component(c));
+            let extreme =
+                components.reduce(|a, b| if a.is_nan() || b.is_nan() { P::Scalar::NAN } else { of(a, b) });
+            extreme.unwrap_or(P::Scalar::NAN)
+        })
+    };
+    [extreme(Scalar::min), extreme(Scalar::max)]
+}
+
 /// The component `a_i b_j - a_j b_i` of the exterior product.
 #[inline]
 pub(crate) fn wedge<P: Point>(a: P, b: P, i: usize, j: usize) -> P::Scalar {

@@ -1,5 +1,6 @@
 //! Families on boxes, products of intervals: what they provide, and the patches over them.
 
+mod bounds;
 mod net;
 
 use core::fmt::{self, Debug, Formatter};

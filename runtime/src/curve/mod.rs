@@ -191,16 +191,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap, and
     /// never too small but for rounding errors. NaN in a component in which a control point is NaN.
     pub fn control_box(&self) -> [P; 2] {
-        let points = self.to_bernstein();
-        let extreme = |of: fn(B::Scalar, B::Scalar) -> B::Scalar| {
-            P::from_components(|d| {
-                let components = points.as_ref().iter().map(|p| p.component(d));
-                let extreme = components
-                    .reduce(|a, b| if a.is_nan() || b.is_nan() { B::Scalar::NAN } else { of(a, b) });
-                extreme.unwrap_or(B::Scalar::NAN)
-            })
-        };
-        [extreme(Scalar::min), extreme(Scalar::max)]
+        crate::vector::box_of(self.to_bernstein().as_ref())
     }
 
     /// The polynomial in `x = (t - lo) / (hi - lo)` that is evaluated.

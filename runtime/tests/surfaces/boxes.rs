@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use basis_runtime::{
-    BernsteinBasis, Bezier, Curve, Point, RationalSurface, Surface, SurfaceOfRevolution, TriangularPatch,
-    basis,
+    BernsteinBasis, Bezier, BoxPatch, Curve, Point, RationalSurface, Surface, SurfaceOfRevolution,
+    TriangularPatch, basis,
 };
 
 use crate::families::{Cubic, Linear, bicubic, graph, random_surface};
@@ -161,4 +161,39 @@ fn of_degenerate_surfaces() {
     let [low, _] = bicubic(|i, j| [i as f64, j as f64, f64::INFINITY]).bounding_box();
     assert!(low[2].is_nan());
     assert!(bicubic(|i, _| [if i == 3 { f64::NAN } else { 0.0 }; 3]).control_box()[0][0].is_nan());
+}
+
+basis! {
+    family Brick {
+        domain -1 <= x <= 1, 0 <= y <= 3, 0 <= z <= 1;
+        b[0] = (1 - x^2)*y*z^3;
+        b[1] = x*y^2*(1 - z);
+        b[2] = x^3*z - y;
+        b[3] = 1 - b[0] - b[1] - b[2];
+    }
+}
+
+#[test]
+fn of_patches_on_boxes() {
+    let random = &mut Random::new(63);
+    for _ in 0..10 {
+        let points: [[f64; 2]; 4] =
+            core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
+        let patch = BoxPatch::new(Brick::new(), points);
+        let ([low, high], control) = (patch.bounding_box(), patch.control_box());
+        let (mut least, mut most) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for k in 0..24_u32.pow(3) {
+            let part = |digit: u32| f64::from(k / 24_u32.pow(digit) % 24) / 23.0;
+            let point = patch.eval([2.0 * part(0) - 1.0, 3.0 * part(1), part(2)]);
+            for c in 0..2 {
+                least[c] = least[c].min(point[c]);
+                most[c] = most[c].max(point[c]);
+            }
+        }
+        for c in 0..2 {
+            assert!(low[c] <= least[c] + 1e-13 && low[c] > least[c] - 0.1, "{low:?} {least:?}");
+            assert!(high[c] >= most[c] - 1e-13 && high[c] < most[c] + 0.1, "{high:?} {most:?}");
+            assert!(control[0][c] <= low[c] && control[1][c] >= high[c]);
+        }
+    }
 }
