@@ -5,7 +5,9 @@ use core::fmt::Debug;
 use crate::curve::{eliminate, touching};
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
-use crate::{BernsteinBasis, Contact, Curve, CurveError, Point, Scalar};
+use crate::{
+    BernsteinBasis, Contact, Curve, CurveError, Point, Scalar, TriangularBasis, TriangularBernsteinBasis,
+};
 
 /// An array `[T; N]` of a length that a [`Basis`] has fixed.
 ///
@@ -18,6 +20,13 @@ pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> + sealed::Sealed {
     /// The Bernstein basis with as many functions as the array has elements.
     type Basis<S: Scalar>: Basis<Scalar = S> + Default;
 
+    /// The Bernstein basis on a triangle with as many functions as the array has elements, `N` of them on each edge.
+    type Triangle<S: Scalar, const N: usize>: TriangularBasis<Scalar = S> + Default;
+
+    /// The Bernstein basis on a triangle with as many functions on each edge as this array has elements, in all as many as the
+    /// array `A`.
+    type OnTriangle<S: Scalar, A: Array<()>>: TriangularBasis<Scalar = S> + Default;
+
     /// The array `[element(0), …, element(LEN - 1)]`.
     fn from_fn(element: impl FnMut(usize) -> T) -> Self;
 }
@@ -25,6 +34,8 @@ pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> + sealed::Sealed {
 impl<T: Copy, const N: usize> Array<T> for [T; N] {
     const LEN: usize = N;
     type Basis<S: Scalar> = BernsteinBasis<S, N>;
+    type Triangle<S: Scalar, const M: usize> = TriangularBernsteinBasis<S, M, N>;
+    type OnTriangle<S: Scalar, A: Array<()>> = A::Triangle<S, N>;
 
     #[inline]
     fn from_fn(element: impl FnMut(usize) -> T) -> Self {

@@ -107,7 +107,8 @@ pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
 pub use scalar::{FUSED_HERE, Scalar};
 pub use simplex::{
     EdgeBasis, SimplexBasis, SimplexIndex, SimplexPatch, TetrahedronIndex, TriangleEdge, TriangleIndex,
-    TriangularBasis, TriangularPatch,
+    TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
+    TriangularPatch,
 };
 #[cfg(feature = "alloc")]
 pub use surface::BoundedSurface;

@@ -14,8 +14,8 @@ use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError, Edge,
     EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Mesh, MeshError, Nearest,
     PiecewiseCurve, RationalSurface, RevolutionError, RevolutionPatch, Samples, ShapeError, SimplexIndex,
-    SimplexPatch, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, TriangleEdge, Vertex, basis,
-    bernstein::Root, edge_continuity,
+    SimplexPatch, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, TriangleEdge,
+    TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -73,6 +73,8 @@ fn spline() -> BSplineSurface<P> {
 fn bases_forms_and_curves() {
     again(quartic());
     again(BernsteinBasis::<f64, 4>::new());
+    again(TriangularBernsteinBasis::<f64, 4, 10>::new());
+    again(TriangularBezier::<f64, 2, 3>::from_points([0.5, 1.0, 2.0]));
     again(EndpointForm::new([0.0, 4.0], [12.0, 1.0]));
     again(BernsteinForm::new([[0.0, 4.0], [12.0, 1.0]]));
     again(curve());

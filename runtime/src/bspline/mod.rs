@@ -54,6 +54,7 @@ pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs_curve::NurbsCurve;
 pub use nurbs_surface::NurbsSurface;
 pub use project::Projection;
+pub(crate) use project::nearest_of_patch;
 pub use splice::{
     Continuity, Joint, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
 };

@@ -3,9 +3,10 @@
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Coefficients, Components, Elements};
+use super::{Coefficients, Components, Elements, read_shape, write_shape};
 use crate::{
-    BernsteinForm, BoxBasis, BoxPatch, EndpointForm, Point, SimplexBasis, SimplexIndex, SimplexPatch,
+    BernsteinForm, BoxBasis, BoxPatch, EndpointForm, Point, Scalar, SimplexBasis, SimplexIndex, SimplexPatch,
+    TriangularBernsteinBasis,
 };
 
 /// A patch as it is written: its basis and its control points.
@@ -50,6 +51,19 @@ macro_rules! patch {
 }
 patch!(SimplexPatch, SimplexBasis, "SimplexPatch");
 patch!(BoxPatch, BoxBasis, "BoxPatch");
+
+impl<S: Scalar, const N: usize, const T: usize> Serialize for TriangularBernsteinBasis<S, N, T> {
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        write_shape::<f64, Z>(serializer, "TriangularBernsteinBasis", &[])
+    }
+}
+
+impl<'de, S: Scalar, const N: usize, const T: usize> Deserialize<'de> for TriangularBernsteinBasis<S, N, T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let []: [f64; 0] = read_shape(deserializer, "TriangularBernsteinBasis", &[])?;
+        Ok(Self::new())
+    }
+}
 
 impl<const K: usize> Serialize for SimplexIndex<K> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {

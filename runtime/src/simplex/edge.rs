@@ -42,7 +42,7 @@ impl TriangleEdge {
     pub const ALL: [Self; 3] = [Self::U, Self::V, Self::W];
 
     /// Which coordinate is 1 at the start, and which at the end.
-    const fn corners(self) -> [usize; 2] {
+    pub(super) const fn corners(self) -> [usize; 2] {
         match self {
             Self::U => [1, 2],
             Self::V => [2, 0],

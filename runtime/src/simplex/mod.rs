@@ -1,15 +1,20 @@
 //! Families on triangles and tetrahedra: what they provide, and the patches over them.
 
+mod bernstein;
 mod edge;
 mod index;
+#[cfg(feature = "alloc")]
+mod join;
 mod net;
 mod normal;
+mod parts;
 mod patch;
 pub(crate) mod raise;
 mod shape;
 
 use core::fmt::Debug;
 
+pub use bernstein::{TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf};
 pub use edge::{EdgeBasis, TriangleEdge};
 pub use index::{SimplexIndex, TetrahedronIndex, TriangleIndex};
 pub(crate) use net::simplex_sum;

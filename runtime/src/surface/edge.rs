@@ -1,7 +1,8 @@
 //! The four edges of a surface, and how smoothly two surfaces meet along one.
 
+use super::limit::rounding;
 use super::{ScalarOf, Surface};
-use crate::vector::{cross, direction, distance, dot, length};
+use crate::vector::{cross, direction, distance, dot, largest_component, length};
 use crate::{Curvature, Point, Point3, Scalar};
 
 /// An edge of the parameter rectangle of a surface.
@@ -177,8 +178,14 @@ fn conormal<A: Surface>(
 where
     A::Point: Point3,
 {
-    let [[_, along_v], [along_u, _]] = surface.eval_with_partials::<2>(u, v);
-    let [along, out] = edge.derivatives(along_u, along_v);
+    let [[point, along_v], [along_u, _]] = surface.eval_with_partials::<2>(u, v);
+    let [width_u, width_v] = surface.domain().map(|[lo, hi]| hi - lo);
+    let [along, out] = edge.derivatives(along_u.scale(width_u), along_v.scale(width_v));
+    // Rounding errors have no direction.
+    let [size, step] = [point, along].map(largest_component);
+    if largest_component(out) <= rounding(size.max(step)) {
+        return None;
+    }
     let perpendicular = direction(cross(direction(along)?, normal))?;
     let height = dot(perpendicular, direction(out)?);
     // Where the derivative across the edge vanishes up to rounding it has no side.

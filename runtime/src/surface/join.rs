@@ -40,6 +40,13 @@ pub enum JoinError {
         /// The order asked for.
         found: usize,
     },
+    /// The apex of a triangle that continues another one across an edge is not beyond the edge.
+    Apex {
+        /// Its barycentric coordinate that must be negative.
+        value: f64,
+    },
+    /// No control points of the family with these shape values give the second patch the derivatives of the first one.
+    Unreachable,
     /// With these shape values the control points next to the edge do not determine the derivatives across it; in the
     /// quartic family at γ = -3.
     Undetermined,
@@ -66,6 +73,16 @@ impl Display for JoinError {
             Self::Contact { most, found } => {
                 write!(f, "contact of order {found} is not possible, at most of order {most}")
             }
+            Self::Apex { value } => write!(
+                f,
+                "the apex is not beyond the edge: its barycentric coordinate that belongs to the opposite corner is {value}, and \
+                 must be negative"
+            ),
+            Self::Unreachable => write!(
+                f,
+                "no control points of the second patch continue the first one with these shape values: choose others, or a \
+                 family with more functions of its degree, such as that of Bernstein"
+            ),
             Self::Undetermined => write!(
                 f,
                 "with these shape values of the second surface its control points do not determine the derivatives across \

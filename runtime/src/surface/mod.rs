@@ -6,6 +6,8 @@ mod edge;
 mod join;
 mod limit;
 #[cfg(feature = "alloc")]
+mod nearest;
+#[cfg(feature = "alloc")]
 mod net;
 mod parts;
 mod rational;

@@ -10,6 +10,7 @@ mod grids;
 mod hostile;
 mod joins;
 mod meshes;
+mod nearest;
 mod normals;
 mod partials;
 mod parts;

@@ -71,10 +71,7 @@ impl<P: Point> BSplineSurface<P> {
     pub fn project(&self, point: P) -> Option<Projection<P>> {
         let spans = [Direction::U, Direction::V].map(|d| self.knots(d).spans().collect::<Vec<_>>());
         let differences = self.net().map(|p| p.minus(point));
-        // Lengths are measured in that of the longest difference, so that no square overflows.
-        let longest = differences.as_slice().iter().map(|&p| length(p).to_f64());
-        let unit = longest.filter(|length| length.is_finite()).fold(0.0, f64::max);
-        let unit = if unit > 0.0 { unit } else { 1.0 };
+        let unit = length_unit(differences.as_slice().iter().map(|&p| length(p)));
         let pieces = self.pieces(point, unit);
         let extent = (0..P::DIM).fold(0.0_f64, |extent, c| {
             let all = self.net().as_slice().iter().map(|p| p.component(c).to_f64()).filter(|x| x.is_finite());
@@ -139,6 +136,31 @@ impl<P: Point> BSplineSurface<P> {
             })
             .collect()
     }
+}
+
+/// The parameters, from 0 to 1, at which a Bézier patch of those degrees is nearest to `point`, up to that accuracy, and a lower
+/// bound of its distance; a row of control points for each function of `v`.
+pub(crate) fn nearest_of_patch<P: Point>(
+    degrees: [usize; 2],
+    net: impl Iterator<Item = P> + Clone,
+    point: P,
+    accuracy: P::Scalar,
+) -> Option<([P::Scalar; 2], P::Scalar)> {
+    let unit = length_unit(net.clone().map(|p| length(p.minus(point))));
+    let difference = |p: P, c: usize| (p.component(c).to_f64() - point.component(c).to_f64()) / unit;
+    let net = net.flat_map(|p| (0..P::DIM).map(move |c| difference(p, c))).collect();
+    let epsilon = P::Scalar::EPSILON.to_f64();
+    // The point that is returned is rounded, too.
+    let tolerance = (0.5 * accuracy.to_f64() / unit).max(64.0 * epsilon);
+    let (nearest, bound) = search(&[Piece::new(degrees, P::DIM, net)], tolerance)?;
+    let at_least = P::Scalar::of((bound * unit * (1.0 - epsilon)).max(0.0));
+    Some((nearest.at.map(P::Scalar::of), at_least))
+}
+
+/// Lengths are measured in that of the longest difference, so that no square overflows.
+fn length_unit<S: Scalar>(lengths: impl Iterator<Item = S>) -> f64 {
+    let unit = lengths.map(S::to_f64).filter(|length| length.is_finite()).fold(0.0, f64::max);
+    if unit > 0.0 { unit } else { 1.0 }
 }
 
 /// A place on one of the pieces.
