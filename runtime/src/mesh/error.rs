@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-/// Why surfaces cannot become a mesh.
+/// Why surfaces cannot become a mesh, or a mesh no file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum MeshError {
@@ -24,6 +24,11 @@ pub enum MeshError {
         /// The highest number of pieces.
         most: usize,
     },
+    /// A position is infinite or NaN in single precision, in which the file is written.
+    Single {
+        /// The position.
+        position: usize,
+    },
     /// An index of a mesh is none of a position or of a vertex; the first ones.
     Index {
         /// The vertex whose position does not exist.
@@ -40,6 +45,12 @@ impl Display for MeshError {
                 write!(f, "the tolerance {value} is not a positive, finite number in the unit of length")
             }
             Self::NotFinite { surface } => write!(f, "surface {surface} is infinite or NaN"),
+            Self::Single { position } => {
+                write!(
+                    f,
+                    "position {position} is infinite or NaN in single precision: choose a larger unit of length"
+                )
+            }
             Self::Index { vertex: Some(vertex), .. } => {
                 write!(f, "vertex {vertex} has the index of a position that does not exist")
             }

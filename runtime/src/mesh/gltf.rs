@@ -23,12 +23,16 @@ impl<S: Scalar> Mesh<S> {
     /// The material is plain and shows both sides, since surfaces may be open.
     ///
     /// # Errors
-    /// When the writer fails, and if an index does not exist, see [`check`](Self::check).
+    /// When the writer fails, if an index does not exist, see [`check`](Self::check), and if a position is too large for single
+    /// precision, with a [`MeshError`](crate::MeshError) inside.
     pub fn write_gltf(&self, writer: impl Write) -> io::Result<()> {
-        self.check().map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
+        let positions = self
+            .check()
+            .and_then(|()| self.single_positions())
+            .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
         let mut file = File::default();
         if !self.triangles.is_empty() {
-            file.add(self);
+            file.add(self, &positions);
         }
         let json = file.root.to_vec().map_err(io::Error::other)?;
         let header = Header { magic: *b"glTF", version: 2, length: 0 }; // the length is found when it is written
@@ -44,12 +48,11 @@ struct File {
 }
 
 impl File {
-    fn add<S: Scalar>(&mut self, mesh: &Mesh<S>) {
+    fn add<S: Scalar>(&mut self, mesh: &Mesh<S>, positions: &[[f32; 3]]) {
         use gltf::json;
 
         let single = |value: S| value.to_f64() as f32;
-        let positions: Vec<[f32; 3]> =
-            mesh.vertices.iter().map(|v| mesh.positions[v.position as usize].map(single)).collect();
+        let positions: Vec<[f32; 3]> = mesh.vertices.iter().map(|v| positions[v.position as usize]).collect();
         let normals: Vec<[f32; 3]> = mesh.vertices.iter().map(|v| unit(v.normal.map(single))).collect();
         let textures: Vec<[f32; 2]> = mesh.vertices.iter().map(|v| v.uv.map(single)).collect();
         let indices: Vec<[u32; 1]> = mesh.triangles.iter().flatten().map(|&index| [index]).collect();

@@ -18,8 +18,8 @@ mod weld;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-use crate::Scalar;
 use crate::vector::{cross, dot, length};
+use crate::{Point, Scalar};
 pub use error::MeshError;
 pub use tessellation::Tessellation;
 
@@ -85,6 +85,20 @@ impl<S: Scalar> Mesh<S> {
         Some([a?, b?, c?])
     }
 
+    /// The positions as files hold them; [`MeshError::Single`] with the first that is too large.
+    #[cfg(any(feature = "gltf", feature = "stl"))]
+    fn single_positions(&self) -> Result<Vec<[f32; 3]>, MeshError> {
+        let single = self.positions.iter().map(|p| p.map(|c| c.to_f64() as f32));
+        single
+            .enumerate()
+            .map(
+                |(position, p)| {
+                    if crate::vector::is_finite(p) { Ok(p) } else { Err(MeshError::Single { position }) }
+                },
+            )
+            .collect()
+    }
+
     fn corner_positions(&self, triangle: [u32; 3]) -> Option<[[S; 3]; 3]> {
         let [a, b, c] = self.corners(triangle)?.map(|position| self.positions.get(position as usize));
         Some([*a?, *b?, *c?])
@@ -100,9 +114,12 @@ impl<S: Scalar> Mesh<S> {
         self.all_corner_positions().fold(S::ZERO, |sum, corners| sum + length(area_vector(corners)))
     }
 
-    /// The volume enclosed by a closed mesh; what it means for an open one depends on the origin.
+    /// The volume enclosed by a closed mesh; of an open one, of the cone over it whose tip is its first position.
     pub fn volume(&self) -> S {
-        let sum = self.all_corner_positions().fold(S::ZERO, |sum, [a, b, c]| sum + dot(a, cross(b, c)));
+        // From a point of the mesh: from the origin, far away, there would be little left of the sum.
+        let Some(&tip) = self.positions.first() else { return S::ZERO };
+        let sum =
+            self.all_corner_positions().fold(S::ZERO, |sum, corners| sum + sixfold_volume(corners, tip));
         sum / S::of(6.0)
     }
 
@@ -142,6 +159,13 @@ impl<S: Scalar> Mesh<S> {
 
 /// The normal of a triangle, as long as its area.
 fn area_vector<S: Scalar>([a, b, c]: [[S; 3]; 3]) -> [S; 3] {
-    let [x, y] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+    let [x, y] = [b, c].map(|p| p.minus(a));
     cross(x, y).map(|component| component * S::of(0.5))
+}
+
+/// Six times the volume of the tetrahedron between a triangle and a point, positive if the triangle turns counter-clockwise
+/// seen from the other side.
+fn sixfold_volume<S: Scalar>(corners: [[S; 3]; 3], tip: [S; 3]) -> S {
+    let [a, b, c] = corners.map(|p| p.minus(tip));
+    dot(a, cross(b, c))
 }

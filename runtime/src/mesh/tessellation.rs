@@ -9,8 +9,8 @@ use super::meet::meet;
 use super::orient::orient;
 use super::patch::Patch;
 use super::weld::{self, Classes, Seam};
-use super::{Mesh, MeshError, Vertex, area_vector};
-use crate::vector::{direction, distance, dot};
+use super::{Mesh, MeshError, Vertex, area_vector, sixfold_volume};
+use crate::vector::{direction, distance};
 use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 
 /// Surfaces that become one mesh.
@@ -20,8 +20,9 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 ///
 /// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long edge
 /// meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share their
-/// positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the tolerance. An edge
-/// that is one point becomes one position, with the normals of all directions.
+/// positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the tolerance; of a pile
+/// of edges that near to each other, so many are joined that no position moves by more than 1/8 of the tolerance. An edge that is
+/// one point becomes one position, with the normals of all directions.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -70,12 +71,13 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     /// # Errors
     /// When a surface is infinite or NaN, or the tolerance is so small that a surface would need millions of triangles.
     pub fn mesh(&self) -> Result<Mesh<S>, MeshError> {
-        // What the seams take of the tolerance is left to them.
+        // What the seams take of the tolerance is left to them: positions that become one are nowhere farther than that from it.
         let weld = self.tolerance * S::of(0.0625);
+        let reach = weld + weld;
         let patches = &self.patches;
         let mut cells = Vec::with_capacity(patches.len());
         for (surface, patch) in patches.iter().enumerate() {
-            cells.push(Cells::new(*patch, self.tolerance - weld, surface)?);
+            cells.push(Cells::new(*patch, self.tolerance - reach, surface)?);
         }
         let found = weld::find(patches, weld);
         share_parameters(&mut cells, &found.seams);
@@ -86,7 +88,7 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
         for (surface, (patch, cells)) in patches.iter().zip(&cells).enumerate() {
             builder.facets(surface, *patch, cells)?;
         }
-        let mut classes = Classes::new(builder.points.len());
+        let mut classes = Classes::new(builder.points.len(), reach);
         for seam in &found.seams {
             let [a, b] = seam.sides;
             for &along in cells[a.surface].edge(a.edge).iter() {
@@ -182,14 +184,14 @@ impl<S: Scalar> Builder<S> {
         })
     }
 
-    fn join(&self, classes: &mut Classes, a: (usize, Node), b: (usize, Node)) {
+    fn join(&self, classes: &mut Classes<S>, a: (usize, Node), b: (usize, Node)) {
         if let (Some(&a), Some(&b)) = (self.index.get(&a), self.index.get(&b)) {
-            classes.join(a as usize, b as usize);
+            classes.join(&self.points, a as usize, b as usize);
         }
     }
 
     /// Corners of surfaces at one place are one position, also where only corners or poles meet.
-    fn join_corners(&self, classes: &mut Classes, surfaces: usize, tolerance: S) {
+    fn join_corners(&self, classes: &mut Classes<S>, surfaces: usize, tolerance: S) {
         let mut corners: Vec<usize> = (0..surfaces)
             .flat_map(|surface| {
                 [Edge::VStart, Edge::VEnd].into_iter().flat_map(move |edge| {
@@ -205,14 +207,14 @@ impl<S: Scalar> Builder<S> {
             let reach = self.points[a][0] + tolerance;
             for &b in corners[k + 1..].iter().take_while(|&&b| self.points[b][0] <= reach) {
                 if distance(self.points[a], self.points[b]) <= tolerance {
-                    classes.join(a, b);
+                    classes.join(&self.points, a, b);
                 }
             }
         }
     }
 
     /// Numbers the positions and leaves out triangles that have become edges or points.
-    fn finish(self, classes: &mut Classes) -> Mesh<S> {
+    fn finish(self, classes: &mut Classes<S>) -> Mesh<S> {
         let mut positions = Vec::new();
         let mut number = alloc::vec![0_u32; self.points.len()];
         let mut vertices = self.vertices;
@@ -242,10 +244,13 @@ fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize) {
     flip(mesh, &flipped);
 
     let mut volumes = alloc::vec![S::ZERO; surfaces];
+    // Measured from a point of each part, which may be far from the origin.
+    let mut tips = alloc::vec![None; surfaces];
     for &triangle in &mesh.triangles {
         let component = orientation.component[mesh.vertices[triangle[0] as usize].surface as usize];
-        let Some([a, b, c]) = mesh.corner_positions(triangle) else { continue };
-        volumes[component] = volumes[component] + dot(a, crate::vector::cross(b, c));
+        let Some(corners) = mesh.corner_positions(triangle) else { continue };
+        let tip = *tips[component].get_or_insert(corners[0]);
+        volumes[component] = volumes[component] + sixfold_volume(corners, tip);
     }
     let mut open = alloc::vec![false; surfaces];
     let mut component_of = alloc::vec![0; mesh.positions.len()];

@@ -104,24 +104,37 @@ pub(super) fn find<S: Scalar>(patches: &[&dyn Patch<S>], tolerance: S) -> Seams 
     Seams { seams, poles: poles.into_iter().map(|trace| trace.side).collect() }
 }
 
-/// Classes of things that are the same: each is known by its smallest member.
-pub(super) struct Classes(Vec<usize>);
+/// Classes of points that become one: each is known by its first member, to whose place the others move.
+pub(super) struct Classes<S> {
+    parent: Vec<usize>,
+    /// How far the members of the class of a first member can be from it.
+    radius: Vec<S>,
+    /// As far as a point may move.
+    reach: S,
+}
 
-impl Classes {
-    pub(super) fn new(count: usize) -> Self {
-        Self((0..count).collect())
+impl<S: Scalar> Classes<S> {
+    pub(super) fn new(count: usize, reach: S) -> Self {
+        Self { parent: (0..count).collect(), radius: alloc::vec![S::ZERO; count], reach }
     }
 
     pub(super) fn find(&mut self, mut member: usize) -> usize {
-        while self.0[member] != member {
-            self.0[member] = self.0[self.0[member]];
-            member = self.0[member];
+        while self.parent[member] != member {
+            self.parent[member] = self.parent[self.parent[member]];
+            member = self.parent[member];
         }
         member
     }
 
-    pub(super) fn join(&mut self, a: usize, b: usize) {
+    /// Makes two classes one, unless a point would then move too far: a chain of points, each next to the one before it, would
+    /// else draw together what is far apart.
+    pub(super) fn join(&mut self, points: &[[S; 3]], a: usize, b: usize) {
         let (a, b) = (self.find(a), self.find(b));
-        self.0[a.max(b)] = a.min(b);
+        let (first, other) = (a.min(b), a.max(b));
+        let moved = distance(points[first], points[other]) + self.radius[other];
+        if first != other && moved <= self.reach {
+            self.parent[other] = first;
+            self.radius[first] = self.radius[first].max(moved);
+        }
     }
 }

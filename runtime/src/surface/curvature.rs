@@ -1,6 +1,6 @@
 //! Curvatures of a surface at a point, from its first and second partial derivatives.
 
-use crate::vector::{cross, direction, dot};
+use crate::vector::{cross, direction, dot, length};
 use crate::{Point3, Scalar};
 
 /// How a surface bends at a point.
@@ -73,11 +73,13 @@ impl<P: Point3> Curvature<P> {
         let [l, m, n] = [partials[2][0], partials[1][1], partials[0][2]].map(|second| dot(second, normal));
         // The second fundamental form in that frame.
         let w11 = l / a / a;
-        let w12 = (m - l * b / a) / a / c;
-        let w22 = (n - P::Scalar::of(2.0) * m * b / a + l * b / a * b / a) / c / c;
+        // Quotients first: products of large numbers overflow.
+        let slope = b / a;
+        let w12 = (m - l * slope) / a / c;
+        let w22 = (n - P::Scalar::of(2.0) * m * slope + l * slope * slope) / c / c;
         let half = P::Scalar::of(0.5);
         let (middle, half_difference) = ((w11 + w22) * half, (w11 - w22) * half);
-        let radius = (half_difference * half_difference + w12 * w12).sqrt();
+        let radius = length([half_difference, w12]);
         let principal = [middle + radius, middle - radius];
         if !principal[0].is_finite() || !principal[1].is_finite() {
             return None;

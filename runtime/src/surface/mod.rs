@@ -25,7 +25,7 @@ pub use rational::RationalSurface;
 pub use second::BoundedSurface;
 pub use tensor::TensorSurface;
 
-use crate::vector::{cross, direction, largest_component};
+use crate::vector::{cross, direction, largest_component, safe_unit};
 use crate::{Point, Point3, Scalar};
 use limit::{Side, limit_normal, rounding};
 
@@ -127,13 +127,17 @@ pub trait Surface {
 /// The scalar type of a surface.
 pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;
 
-/// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or may overflow.
+/// The direction of `S_u × S_v`; `None` where it vanishes up to rounding errors, or is not finite.
 pub(crate) fn regular_normal<P: Point3>(first: &[[P; 2]; 2], widths: [P::Scalar; 2]) -> Option<P> {
-    let (along_u, along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
+    let (mut along_u, mut along_v) = (first[1][0].scale(widths[0]), first[0][1].scale(widths[1]));
+    let [mut size, mut u_size, mut v_size] = [first[0][0], along_u, along_v].map(largest_component);
+    size = [u_size, v_size].into_iter().fold(size, |a, b| if b > a { b } else { a });
+    let unit = safe_unit(size, 1);
+    if unit != P::Scalar::ONE {
+        [along_u, along_v] = [along_u, along_v].map(|p| P::from_components(|c| p.component(c) / unit));
+        [size, u_size, v_size] = [size, u_size, v_size].map(|size| size / unit);
+    }
     let product = cross(along_u, along_v);
-    let [size, u_size, v_size] = [first[0][0], along_u, along_v].map(largest_component);
-    let size = [size, u_size, v_size].into_iter().fold(P::Scalar::ZERO, |a, b| if b > a { b } else { a });
-    let in_range = size > P::Scalar::of(1e-18) && size < P::Scalar::of(1e18);
     let error = rounding(size) * (u_size + v_size);
-    if in_range && largest_component(product) > error { direction(product) } else { None }
+    if largest_component(product) > error { direction(product) } else { None }
 }

@@ -96,3 +96,20 @@ fn of_a_plane_are_zero() {
     assert!(curvature.principal.iter().all(|k| k.abs() < 1e-15));
     assert!(curvature.directions.iter().flatten().all(|c| c.is_finite()));
 }
+
+/// A curvature is the inverse of a length, whatever the unit.
+#[test]
+fn in_any_unit_of_length() {
+    let at = |size: f64| {
+        let saddle = bicubic(|i, j| [i as f64, j as f64, (i * j) as f64 + 0.25 * i as f64].map(|c| c * size));
+        saddle.curvature(0.25, 0.5).unwrap()
+    };
+    let expected = at(1.0);
+    for size in [1e-150, 1e-40, 1e-20, 1e20, 1e40, 1e150] {
+        let found = at(size);
+        for k in 0..2 {
+            let scaled = found.principal[k] * size;
+            assert!((scaled - expected.principal[k]).abs() < 1e-14, "{size}: {scaled}");
+        }
+    }
+}

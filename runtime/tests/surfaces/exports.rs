@@ -1,5 +1,7 @@
 //! Meshes written to files are the meshes, as other programs read them.
 
+#[cfg(any(feature = "gltf", feature = "stl"))]
+use basis_runtime::MeshError;
 use basis_runtime::{Curve, Mesh, SurfaceOfRevolution, Tessellation};
 
 use crate::families::QuarticBernstein;
@@ -90,4 +92,19 @@ fn gltf() {
     let mut empty = Vec::new();
     Mesh::<f64>::default().write_gltf(&mut empty).unwrap();
     assert!(gltf::Gltf::from_slice(&empty).is_ok());
+}
+
+#[test]
+#[cfg(any(feature = "gltf", feature = "stl"))]
+fn too_large_for_single_precision() {
+    let mut mesh = egg();
+    mesh.positions[3][1] = 1e40;
+    let refused = |result: std::io::Result<()>| {
+        let error = result.unwrap_err().into_inner().unwrap();
+        assert_eq!(error.downcast_ref(), Some(&MeshError::Single { position: 3 }));
+    };
+    #[cfg(feature = "gltf")]
+    refused(mesh.write_gltf(Vec::new()));
+    #[cfg(feature = "stl")]
+    refused(mesh.write_stl(std::io::Cursor::new(Vec::new())));
 }

@@ -1,8 +1,8 @@
 //! Meshes are within the tolerance, have no cracks, and turn one way.
 
 use basis_runtime::{
-    BernsteinBasis, BoundedSurface, Curve, Mesh, MeshError, Point, Point3, RationalSurface, Surface,
-    SurfaceOfRevolution, TensorSurface, Tessellation, Vertex,
+    BernsteinBasis, Bezier, BoundedSurface, Curve, Mesh, MeshError, Point, Point3, RationalSurface, Scalar,
+    Surface, SurfaceOfRevolution, TensorSurface, Tessellation, Vertex,
 };
 
 use crate::families::{Cubic, Linear, QuarticBernstein, bicubic, graph, random_surface};
@@ -390,5 +390,63 @@ fn broken_meshes_are_refused() {
         assert!(mesh.write_stl(std::io::Cursor::new(Vec::new())).is_err());
         #[cfg(feature = "gltf")]
         assert!(mesh.write_gltf(Vec::new()).is_err());
+    }
+}
+
+/// A volume is a sum of which little is left far from the origin, unless it is measured from near by; and its sign turns closed
+/// meshes over.
+#[test]
+fn far_from_the_origin() {
+    let near = egg_at(0.0_f64).volume();
+    for x in [1e6, 1e9, 1e11] {
+        let mesh = egg_at(x);
+        assert!(mesh.is_closed() && (mesh.volume() - near).abs() < 1e-3, "{x}: {} {near}", mesh.volume());
+    }
+    for x in [1e2, 1e3, 3e3_f32] {
+        let mesh = egg_at(x);
+        assert!(mesh.is_closed() && (mesh.volume() - near as f32).abs() < 0.02, "{x}: {}", mesh.volume());
+    }
+}
+
+fn egg_at<S: Scalar>(x: S) -> Mesh<S> {
+    let [a, b] = [x - S::ONE, x + S::ONE];
+    let side = x + S::of(1.25);
+    let arc = Bezier::from_points([[a, x, x], [a, side, x], [b, side, x], [b, x, x]]);
+    let axis = [S::ONE, S::ZERO, S::ZERO];
+    let egg = SurfaceOfRevolution::new(&arc, [x; 3], axis, S::of(2.0) * S::PI).unwrap();
+    Tessellation::new(S::of(0.01)).unwrap().with(&egg).mesh().unwrap()
+}
+
+/// Each sheet would be joined to the next one, and the first to the last.
+#[test]
+fn piles_are_not_drawn_together() {
+    let tolerance = 0.1;
+    let step = tolerance / 20.0;
+    let linear = Linear::new();
+    let pile: Vec<_> = (0..30)
+        .map(|k| {
+            let z = step * f64::from(k);
+            TensorSurface::new(
+                linear,
+                linear,
+                [[[0.0, 0.0, z], [0.0, 1.0, z]], [[1.0, 0.0, z], [1.0, 1.0, z]]],
+            )
+        })
+        .collect();
+    let strips: Vec<_> = (0..30)
+        .map(|k| {
+            let [y, w] = [k, k + 1].map(|k| step * f64::from(k));
+            TensorSurface::new(
+                linear,
+                linear,
+                [[[0.0, y, 0.0], [0.0, w, 0.0]], [[1.0, y, 0.0], [1.0, w, 0.0]]],
+            )
+        })
+        .collect();
+    for surfaces in [&pile, &strips] {
+        let tessellation = surfaces.iter().fold(Tessellation::new(tolerance).unwrap(), Tessellation::with);
+        let mesh = tessellation.mesh().unwrap();
+        assert!(!mesh.triangles.is_empty());
+        assert!(deviation(&mesh, &surfaces.iter().collect::<Vec<_>>()) <= tolerance);
     }
 }
