@@ -13,7 +13,7 @@ use core::fmt::{self, Display, Formatter};
 /// assert_eq!(error.to_string(), "QuarticBernstein: λ = 2 is outside the declared range -3 <= λ <= 1");
 /// # }
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShapeError {
     family: &'static str,
     parameter: &'static str,

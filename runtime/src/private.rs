@@ -15,6 +15,7 @@ use crate::form::{binomials, nested};
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
 pub use crate::simplex::raise::raise_weights;
+use crate::vector::is_finite;
 use crate::{Basis, CurveError, Point, Scalar, ShapeError};
 
 /// `value`, if it is finite and lies between the bounds; a bound that is no float stands for the nearest one.
@@ -45,6 +46,15 @@ pub fn check_shape<S: Scalar>(
     } else {
         Err(ShapeError::new(family, parameter, value.to_f64(), range))
     }
+}
+
+/// `point`, which a join computes, if all its components are finite.
+///
+/// # Errors
+/// [`CurveError::NotFinite`] otherwise.
+#[inline]
+pub fn check_point<P: Point>(point: P) -> Result<P, CurveError> {
+    if is_finite(point) { Ok(point) } else { Err(CurveError::NotFinite) }
 }
 
 /// The error of [`Basis::start_points`](crate::Basis::start_points) if a divisor is zero, as it is `at` some shape values.

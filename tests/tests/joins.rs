@@ -1,7 +1,9 @@
 //! Functions of joins: the control points that they compute make curves and surfaces join, measured on the evaluated curves
 //! and surfaces, which know nothing of the formulas.
 
-use basis_runtime::{Contact, Curve, Edge, EdgeContinuity, TensorSurface, basis, edge_continuity};
+use basis_runtime::{
+    Contact, Curve, CurveError, Edge, EdgeContinuity, TensorSurface, basis, edge_continuity,
+};
 use basis_tests::random::Random;
 
 basis!("../../specs/quadratic.basis");
@@ -71,9 +73,9 @@ fn curves_join_with_a_common_curvature() {
 #[test]
 fn an_assumption_that_fails_is_an_error() {
     let p = [[0.0_f64, 0.0], [1.0, 2.0], [3.0, 1.0]];
-    let refused = |l1: f64, l2: f64, delta: f64| {
-        let error = quadratic::g1(&p, l1, l2, delta).unwrap_err();
-        (error.parameter(), error.range())
+    let refused = |l1: f64, l2: f64, delta: f64| match quadratic::g1(&p, l1, l2, delta) {
+        Err(CurveError::Shape(error)) => (error.parameter(), error.range()),
+        other => panic!("{other:?}"),
     };
     assert_eq!(refused(0.5, 0.5, 0.0), ("δ", "0 < δ"));
     assert_eq!(refused(0.5, 0.5, -1.0), ("δ", "0 < δ"));
@@ -85,6 +87,23 @@ fn an_assumption_that_fails_is_an_error() {
     // At λ = 1 the second derivative at the start does not depend on the last point.
     let error = quadratic::g2(&p, 0.5, 1.0, 1.0, 0.0).unwrap_err();
     assert_eq!(error.to_string(), "G2: λ2 = 1 is outside the declared range -2 < λ2 < 1");
+}
+
+#[test]
+fn points_that_are_not_finite_are_an_error() {
+    let p = [[0.0_f64, 0.0], [1.0, 2.0], [3.0, 1.0]];
+    // The reciprocal of the smallest number is infinite, and so is that of a square.
+    assert_eq!(quadratic::g1(&p, 0.5, 0.5, 5e-324), Err(CurveError::NotFinite));
+    assert_eq!(quadratic::g2(&p, 0.5, 0.5, 1e-200, 0.0), Err(CurveError::NotFinite));
+    assert_eq!(quadratic::g2(&p, 0.5, 0.5, 1.0, 1e308), Err(CurveError::NotFinite));
+    assert_eq!(
+        quadratic::g1(&[[0.0, 0.0], [1.0, f64::NAN], [3.0, 1.0]], 0.5, 0.5, 1.0),
+        Err(CurveError::NotFinite)
+    );
+    let surface = [[[0.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0], [0.0, 3.0, 0.0]]; 4];
+    assert_eq!(quartic_surface::g1_uu(&surface, [0.5; 4], [0.5; 4], 1e-310), Err(CurveError::NotFinite));
+    // A small δ alone is none.
+    assert!(quadratic::g1(&p, 0.5, 0.5, 1e-300).is_ok());
 }
 
 #[test]
@@ -193,8 +212,8 @@ fn curves_are_continued_at_either_end() {
         let next = family.curve_after(&curve, contact, free).unwrap();
         let previous = family.curve_before(&curve, contact, free).unwrap();
         assert_eq!((next.control_points()[3], previous.control_points()[0]), (free[3], free[0]));
-        for joint in [curve.joint(&next), previous.joint(&curve)] {
-            let [_, v, a] = curve.eval_with_derivs::<3>(0.0);
+        for (joint, end) in [(curve.joint(&next), 1.0), (previous.joint(&curve), 0.0)] {
+            let [_, v, a] = curve.eval_with_derivs::<3>(end);
             let bend = a.iter().map(|x| x.abs()).fold(1.0, f64::max) / v.iter().map(|x| x * x).sum::<f64>();
             assert!(joint.gap <= 1e-14 && joint.angle <= 1e-12, "{joint:?}");
             assert!(joint.curvature <= 1e-10 * bend.max(1.0), "{joint:?}");

@@ -94,7 +94,10 @@ pub(crate) fn join(
     let given: Vec<TokenStream> = used.mapped(|k| given(&points, &theorem.points[*k]));
     let mut code = ScalarCode::new(variables);
     let results: Vec<(TokenStream, TokenStream)> = determined.mapped(|(_, points)| {
-        let mut value = |form: &Form| combination(form, &used, runtime, &mut code);
+        let mut value = |form: &Form| {
+            let point = combination(form, &used, runtime, &mut code);
+            quote_spanned!(site()=> #runtime::__private::check_point(#point)?)
+        };
         arranged(points, &mut value)
     });
     let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.into_iter().unzip();
@@ -113,7 +116,7 @@ pub(crate) fn join(
         #[allow(clippy::all, clippy::pedantic, unused_variables)]
         pub fn #name<S: #runtime::Scalar, P: #runtime::Point<Scalar = S>>(
             #(#arguments),*
-        ) -> #core::result::Result<#result, #runtime::ShapeError> {
+        ) -> #core::result::Result<#result, #runtime::CurveError> {
             let given: [P; #count] = [#(#given),*];
             #checks
             #lets
@@ -351,10 +354,9 @@ fn documentation(
     let written: Vec<String> = determined.mapped(|(p, _)| format!("`{} = {}`", p.name, p.written));
     lines.push(String::from("```"));
     lines.extend([String::new(), format!("of {}.", written.join(", "))]);
-    lines.extend(
-        ["", "# Errors", "", "When a scalar is outside of its range, infinite, or NaN.", ""]
-            .map(String::from),
-    );
+    let errors =
+        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
+    lines.extend(["", "# Errors", "", errors, ""].map(String::from));
     lines.extend(["# Claims", "", "Decided exactly, while this crate was compiled.", ""].map(String::from));
     lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
     lines.extend(theorem.claims.iter().zip(verdicts).map(|(claim, verdict)| docs::row(&claim.text, verdict)));

@@ -3,6 +3,8 @@
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
+use crate::ShapeError;
+
 /// A question about a curve that has no answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -65,6 +67,8 @@ pub enum CurveError {
         /// The factor.
         value: f64,
     },
+    /// A shape value or another scalar of a join is outside of its range.
+    Shape(ShapeError),
     /// The tolerance asks for more points than can be made.
     TooManyPoints {
         /// The number of points that would be needed.
@@ -110,6 +114,7 @@ impl Display for CurveError {
             Self::Factor { value } => {
                 write!(f, "the factor {value} of a join must be finite, and a ratio of velocities positive")
             }
+            Self::Shape(error) => error.fmt(f),
             Self::TooManyPoints { needed } => {
                 write!(f, "the tolerance asks for {needed:.0} points: choose a larger one")
             }
@@ -118,3 +123,9 @@ impl Display for CurveError {
 }
 
 impl Error for CurveError {}
+
+impl From<ShapeError> for CurveError {
+    fn from(error: ShapeError) -> Self {
+        Self::Shape(error)
+    }
+}
