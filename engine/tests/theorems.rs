@@ -1,5 +1,6 @@
 //! Claims of theorems have exact verdicts, and counterexamples name scalars and control points.
 
+use basis_engine::prove::{check as checker, theorem_statements};
 use basis_engine::{Report, Source, Verdict, check};
 
 const QUADRATIC: &str = "family Quadratic {
@@ -15,7 +16,8 @@ fn checked(theorem: &str) -> Report {
     check(Source::text("theorem.basis", &format!("{QUADRATIC}{theorem}")))
 }
 
-/// The verdicts of a theorem without errors, `=` for proved, else the value of the counterexample and its place.
+/// The verdicts of a theorem without errors, `=` for proved, else the value of the counterexample and its place. All of them
+/// check out.
 fn verdicts(theorem: &str) -> Vec<String> {
     let report = checked(&format!("theorem T {{ {theorem} }}"));
     let errors: Vec<&str> =
@@ -26,7 +28,18 @@ fn verdicts(theorem: &str) -> Vec<String> {
         Verdict::Refuted(witness) => format!("{} at {}", witness.value, witness.point()),
         Verdict::Undecided(_) => String::from("?"),
     };
-    report.theorems[0].verdicts.iter().map(shown).collect()
+    let checked = &report.theorems[0];
+    for (claim, verdict) in checked.theorem.claims.iter().zip(&checked.verdicts) {
+        let fine = match verdict {
+            Verdict::Proved(evidence) => {
+                checker::steps(&theorem_statements(&checked.theorem, claim), evidence)
+            }
+            Verdict::Refuted(witness) => checker::theorem_witness(&checked.theorem, claim, witness),
+            Verdict::Undecided(_) => Ok(()),
+        };
+        assert_eq!(fine, Ok(()), "{}", claim.text);
+    }
+    checked.verdicts.iter().map(shown).collect()
 }
 
 #[test]
@@ -137,6 +150,29 @@ fn directions_where_both_sides_vanish_together() {
     let anywhere = "curve P = Bernstein(1); scalar x;";
     let claim = "prove ((x^2 - 2)^2 + dot(P[0], P[0])^2)*P[0] parallel P[0];";
     assert_ne!(verdicts(&format!("{anywhere} {claim}"))[0].chars().next(), Some('0'));
+}
+
+/// Also where a scalar is irrational; points that depend on it follow from the others.
+#[test]
+fn irrational_counterexamples_name_the_control_points() {
+    let found = verdicts(
+        "curve P = Quadratic(0); curve Q = Quadratic(0); scalar 0 <= k <= 2;
+        let Q[0] = k*P[0];
+        prove (k^2 - 2)^2*P[0] parallel P[0];
+        prove (k^2 - 2)^2*(1 + dot(P[0], P[1])^2) > 0;",
+    );
+    let root = "0 at k = root of -2 + k^2 between";
+    for found in found {
+        let named = |point: &str| found.contains(&format!("{point} = ("));
+        assert!(found.starts_with(root) && named("P[0]") && named("P[2]") && named("Q[1]"), "{found}");
+        assert!(!named("Q[0]"), "{found}");
+    }
+    let found = verdicts(
+        "dimension 2; curve P = Bernstein(1); scalar 0 <= k <= 2;
+        prove (k^2 - 2)^2*P[0] parallel P[0];
+        prove (k^2 - 2)^2 + P[0][0]^2 > 0;",
+    );
+    assert!(found.iter().all(|f| f.starts_with(root) && f.contains("P[1] = (")), "{found:?}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Checks verdicts without the search that found them: proofs against statements, witnesses against expressions.
 
-use super::net::{Net, evaluated};
+use super::net::{Net, evaluated, on_net};
 use super::{Assertion, Evidence, RankProof, Statement, StepProof, Witness, expressions, fixed, statements};
 use super::{Inequality, independent, parallel, theorem};
 use crate::algebra::algebraic::Algebraic;
@@ -166,6 +166,11 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
         }
     }
     if !irrational.is_empty() {
+        let net = net_of(theorem, witness)?;
+        let vars: Vec<Var> = irrational.iter().map(|(var, _)| *var).collect();
+        if evaluated(theorem, &net, &at, &vars) != witness.net {
+            return Err(String::from("the control points do not belong to the theorem"));
+        }
         // Only inequalities between scalars and directions fail at irrational points alone.
         let (comparison, f) = match &claim.kind {
             TheoremClaimKind::Scalar(comparison, f) => (comparison, f),
@@ -173,11 +178,12 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
                 let irrational: Vec<(Var, Algebraic)> =
                     irrational.into_iter().map(|(var, x)| (var, x.clone())).collect();
                 let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
+                let work = &mut Work::new(parallel::WORK);
                 let said = witness.of == format!("dot({left}, {right})");
-                if !said || !witness.value.is_zero() || !witness.net.is_empty() {
+                if !said || !witness.value.is_zero() {
                     return Err(String::from("the claim says nothing of the value"));
                 }
-                let shown = parallel::one_vanishes(theorem, [a, b], &at, &irrational);
+                let shown = parallel::one_vanishes(theorem, &net, [a, b], &at, &irrational, work);
                 let wrong = || String::from("it is not shown that one side is zero and the other is not");
                 return shown.then_some(()).ok_or_else(wrong);
             }
@@ -188,13 +194,13 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
         for (var, x) in irrational {
             coordinates[var.0] = Coordinate::Algebraic(x.clone());
         }
-        let zero =
-            strict && witness.value.is_zero() && witness.net.is_empty() && vanishes(f, &Point(coordinates));
+        let value = on_net(theorem, f, &net);
+        let zero = strict && witness.value.is_zero() && vanishes(&value, &Point(coordinates));
         let right = zero && witness.of == claim.difference;
         return if right { Ok(()) } else { Err(String::from("the value is not shown to be zero")) };
     }
     let net = net_of(theorem, witness)?;
-    if evaluated(theorem, &net, &at) != witness.net {
+    if evaluated(theorem, &net, &at, &[]) != witness.net {
         return Err(String::from("the control points do not belong to the theorem"));
     }
     let known = theorem::contradictions(theorem, claim, &net, &at);
@@ -206,15 +212,18 @@ pub fn theorem_witness(theorem: &Theorem, claim: &TheoremClaim, witness: &Witnes
     }
 }
 
-/// The net of a witness: the places of the given points.
+/// The net of a witness: the places of the given points. One that is left out, because it is determined at an irrational
+/// place, counts nowhere; whether others are missing is seen by who computes the points of this net.
 fn net_of(theorem: &Theorem, witness: &Witness) -> Result<Net, String> {
     if witness.net.is_empty() {
         return Ok(Net::new(vec![Vec::new(); theorem.points.len()]));
     }
-    let place = |name: &String| witness.net.iter().find(|(n, _)| n == name).map(|(_, place)| place.clone());
-    let points: Option<Vec<Vec<Rational>>> = theorem.points.iter().map(|p| place(&p.name)).collect();
-    let points = points.ok_or("a control point is missing")?;
-    let dimension = theorem.dimension.or(points.first().map(Vec::len)).unwrap_or(0);
+    let dimension = theorem.dimension.or(witness.net.first().map(|(_, place)| place.len())).unwrap_or(0);
+    let place = |name: &String| {
+        let named = witness.net.iter().find(|(n, _)| n == name);
+        named.map_or_else(|| vec![Rational::ZERO; dimension], |(_, place)| place.clone())
+    };
+    let points: Vec<Vec<Rational>> = theorem.points.mapped(|p| place(&p.name));
     if theorem.dimension.is_none() && dimension < 2 && !points.is_empty()
         || points.iter().any(|p| p.len() != dimension)
     {

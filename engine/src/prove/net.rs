@@ -1,7 +1,7 @@
 //! Control nets for counterexamples: definite points in place of the given ones.
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_unique;
@@ -25,7 +25,7 @@ impl Net {
 
     /// The net with the coordinates that the variables have at a point.
     pub(super) fn from_coordinates(theorem: &Theorem, at: &[Rational]) -> Self {
-        let coordinates = |vars: &[crate::algebra::poly::Var]| vars.mapped(|v| at[v.0].clone());
+        let coordinates = |vars: &[Var]| vars.mapped(|v| at[v.0].clone());
         Self { points: theorem.points.mapped(|p| coordinates(&p.coordinates)) }
     }
 }
@@ -152,8 +152,14 @@ fn parts_along(theorem: &Theorem, form: &Form, axes: &[&Form], net: &Net) -> Vec
     if is_outer { outer } else { vector }
 }
 
-/// The control points of all patches for values of the scalars; none when every point is a definite one anyway.
-pub(super) fn evaluated(theorem: &Theorem, net: &Net, scalars: &[Rational]) -> Vec<(String, Vec<Rational>)> {
+/// The control points of all patches for values of the scalars; none when every point is a definite one anyway. Points that
+/// depend on scalars with irrational values are left out: the others determine them.
+pub(super) fn evaluated(
+    theorem: &Theorem,
+    net: &Net,
+    scalars: &[Rational],
+    irrational: &[Var],
+) -> Vec<(String, Vec<Rational>)> {
     let mut at = scalars.to_vec();
     for (point, place) in theorem.points.iter().zip(&net.points) {
         for (var, x) in point.coordinates.iter().zip(place) {
@@ -173,6 +179,9 @@ pub(super) fn evaluated(theorem: &Theorem, net: &Net, scalars: &[Rational]) -> V
     let mut all = Vec::new();
     for patch in &theorem.patches {
         for point in &patch.points {
+            if point.value.terms.values().any(|f| irrational.iter().any(|var| f.depends_on(*var))) {
+                continue;
+            }
             let Some(mut place) = point.value.eval(&at, &units) else { continue };
             place.resize(dimension, Rational::ZERO);
             all.push((crate::model::label(&patch.name, &point.index), place));

@@ -1,6 +1,6 @@
 //! Directions of vectors: `a parallel b` is true at a point if a = f·b there for some f > 0, or both are zero.
 
-use super::net::{Net, nets, parts, parts_of_both};
+use super::net::{Net, evaluated, nets, parts, parts_of_both};
 use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
@@ -12,11 +12,12 @@ use crate::algebra::gcd::checked_gcd;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::collections::list::Mapped;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation, is_zero};
 use crate::model::theorem::{Form, Theorem, TheoremClaim};
 
 /// The work for common factors, and for values at algebraic points.
-const WORK: u64 = 1_000_000;
+pub(super) const WORK: u64 = 1_000_000;
 
 /// Factors with more bytes are not written in messages.
 const MAX_SHOWN: usize = 160;
@@ -236,9 +237,13 @@ fn failing(
     }
     // Control points can be chosen, irrational coordinates of theirs are not looked for.
     let scalars = algebraic.iter().all(|(var, _)| theorem.scalars.iter().any(|p| p.var == *var));
-    if !scalars || !one_vanishes(theorem, [a, b], &at, &algebraic) {
+    if !scalars {
         return None;
     }
+    let work = &mut Work::new(WORK);
+    let net = nets(theorem).find(|net| one_vanishes(theorem, net, [a, b], &at, &algebraic, work))?;
+    let irrational: Vec<Var> = algebraic.mapped(|(var, _)| *var);
+    let net = evaluated(theorem, &net, &at, &irrational);
     let named = theorem.scalars.iter().map(|p| {
         let value = algebraic.iter().find(|(var, _)| *var == p.var);
         let value = value.map_or_else(
@@ -248,32 +253,30 @@ fn failing(
         (p.name.clone(), value)
     });
     let at = named.collect();
-    Some(Witness { of, at, idle: Vec::new(), net: Vec::new(), value: Rational::ZERO, notes: Vec::new() })
+    Some(Witness { of, at, idle: Vec::new(), net, value: Rational::ZERO, notes: Vec::new() })
 }
 
-/// Whether there is a net with which one of two vectors is zero and the other is not, where some scalars are irrational.
+/// Whether on a net one of two vectors is zero and the other is not, where some scalars are irrational.
 pub(super) fn one_vanishes(
     theorem: &Theorem,
+    net: &Net,
     [a, b]: [&Form; 2],
     at: &[Rational],
     algebraic: &[(Var, Algebraic)],
+    work: &mut Work,
 ) -> bool {
-    let mut work = Work::new(WORK);
-    nets(theorem).any(|net| {
-        let mut zeros = |form: &Form| -> Vec<Option<bool>> {
-            let mut zero = |f: &Fraction| {
-                let p = f.numer();
-                let rational =
-                    p.variables().into_iter().filter(|v| !algebraic.iter().any(|(var, _)| var == v));
-                is_zero(&rational.fold(p.clone(), |p, v| p.at(v, &at[v.0])), algebraic, &mut work)
-            };
-            parts(theorem, form, &net).iter().map(|(_, f)| zero(f)).collect()
+    let mut zeros = |form: &Form| -> Vec<Option<bool>> {
+        let mut zero = |f: &Fraction| {
+            let p = f.numer();
+            let rational = p.variables().into_iter().filter(|v| !algebraic.iter().any(|(var, _)| var == v));
+            is_zero(&rational.fold(p.clone(), |p, v| p.at(v, &at[v.0])), algebraic, work)
         };
-        let (a, b) = (zeros(a), zeros(b));
-        let vanishes = |values: &[Option<bool>]| values.iter().all(|zero| *zero == Some(true));
-        let differs = |values: &[Option<bool>]| values.contains(&Some(false));
-        (vanishes(&a) && differs(&b)) || (vanishes(&b) && differs(&a))
-    })
+        parts(theorem, form, net).iter().map(|(_, f)| zero(f)).collect()
+    };
+    let (a, b) = (zeros(a), zeros(b));
+    let vanishes = |values: &[Option<bool>]| values.iter().all(|zero| *zero == Some(true));
+    let differs = |values: &[Option<bool>]| values.contains(&Some(false));
+    (vanishes(&a) && differs(&b)) || (vanishes(&b) && differs(&a))
 }
 
 /// The factor f with a = f·b as functions; `None` when there is none.

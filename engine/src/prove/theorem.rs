@@ -10,8 +10,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
-use crate::model::Comparison;
 use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind};
+use crate::model::{Comparison, Parameter};
 
 /// Decides a claim of a theorem.
 pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
@@ -103,19 +103,24 @@ pub(super) fn explained(mut witness: Witness, what: &str) -> Verdict {
     Verdict::Refuted(witness)
 }
 
-/// The values of the scalars at which a function is not zero.
+/// The values of the scalars at which a function has a value, and one that is not zero.
 pub(super) fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
-    let mut rest = value.numer().clone();
-    if rest.is_zero() {
+    if value.is_zero() {
         return None;
     }
+    // Where the denominator were zero, there would be no value.
+    let mut rest = [value.numer().clone(), value.denom().clone()];
     let mut at = vec![Rational::ZERO; theorem.names.len()];
-    for scalar in &theorem.scalars {
-        let count = rest.degree(scalar.var) + 1;
+    let settled = |scalar: &Parameter| scalar.range.finite().is_some_and(|(low, high)| low == high);
+    // A scalar with a single value leaves no choice, so that its value is put in before others are chosen.
+    let (single, others): (Vec<_>, Vec<_>) = theorem.scalars.iter().partition(|scalar| settled(scalar));
+    for scalar in single.into_iter().chain(others) {
+        // Of more numbers than the two have zeros in this variable together, one is none of them.
+        let count = rest.iter().map(|p| p.degree(scalar.var)).sum::<u32>() + 1;
         let found = point::candidates(&scalar.range, count)
             .into_iter()
-            .find(|x| !rest.at(scalar.var, x).is_zero())?;
-        rest = rest.at(scalar.var, &found);
+            .find(|x| rest.iter().all(|p| !p.at(scalar.var, x).is_zero()))?;
+        rest = rest.map(|p| p.at(scalar.var, &found));
         at[scalar.var.0] = found;
     }
     Some(at)
@@ -130,15 +135,9 @@ pub(super) fn refutation(
     at: &[Rational],
 ) -> Witness {
     let value = value.eval(at).unwrap_or(Rational::ZERO);
+    let net = evaluated(theorem, net, at, &[]);
     let named = theorem.scalars.iter().map(|p| (p.name.clone(), Coordinate::Rational(at[p.var.0].clone())));
-    Witness {
-        of,
-        at: named.collect(),
-        idle: Vec::new(),
-        net: evaluated(theorem, net, at),
-        value,
-        notes: Vec::new(),
-    }
+    Witness { of, at: named.collect(), idle: Vec::new(), net, value, notes: Vec::new() }
 }
 
 /// A polynomial with the sign of a quotient: the denominator vanishes nowhere on the ranges, so that its sign at one
@@ -205,15 +204,17 @@ fn counterexample(
 ) -> Verdict {
     let at = coordinates(theorem, &witness.point);
     let mut result = refutation(theorem, net, of.to_string(), value, &at);
-    for (var, c) in &witness.point {
-        if let Coordinate::Algebraic(_) = c {
-            let name = &theorem.names[var.0];
-            if let Some(slot) = result.at.iter_mut().find(|(n, _)| n == name) {
-                slot.1 = c.clone();
-            }
-            result.value = witness.value.clone();
-            result.net.clear();
+    let irrational = witness.point.iter().filter(|(_, c)| matches!(c, Coordinate::Algebraic(_)));
+    let vars: Vec<Var> = irrational.clone().map(|(var, _)| *var).collect();
+    for (var, c) in irrational {
+        let name = &theorem.names[var.0];
+        match result.at.iter_mut().find(|(n, _)| n == name) {
+            Some(slot) => slot.1 = c.clone(),
+            // A coordinate of a control point.
+            None => result.notes.push(c.describe(name)),
         }
+        result.value = witness.value.clone();
+        result.net = evaluated(theorem, net, &at, &vars);
     }
     explained(result, "the value is")
 }
