@@ -209,8 +209,13 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
         }
         let value = scope.scalar(&binding.value)?;
         let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)?;
-        let inside =
-            Inside { value: value.clone(), name: name.clone(), range: parameter.range.clone(), family: None };
+        let inside = Inside {
+            value: value.clone(),
+            name: name.clone(),
+            range: parameter.range.clone(),
+            family: None,
+            assumable: false,
+        };
         let place = scope.place(binding.value.span);
         match value.as_constant() {
             Some(c) if !parameter.range.contains(&c) => {

@@ -666,6 +666,7 @@ impl Scope<'_> {
                 name: parameter.name.clone(),
                 range: parameter.range.clone(),
                 family: Some(family.title()),
+                assumable: false,
             };
             let place = self.place(shape.span);
             if let Some(c) = value.as_constant() {

@@ -34,6 +34,8 @@ pub(super) struct Inside {
     pub(super) range: Range,
     /// The family that has the parameter, if it is another one.
     pub(super) family: Option<String>,
+    /// Whether `assume` can narrow the ranges, as in theorems.
+    pub(super) assumable: bool,
 }
 
 impl Inside {
@@ -52,6 +54,24 @@ impl Inside {
             ),
         };
         Diagnostic::error(place, message).help(help)
+    }
+
+    /// What to do about a value, as it is shown, that goes beyond an end of the range.
+    fn help(&self, shown: &str, end: &End, above: bool) -> String {
+        if !self.assumable {
+            return String::from("narrow the ranges so that the value stays inside");
+        }
+        let symbol = match (above, end.is_included()) {
+            (true, true) => "<=",
+            (true, false) => "<",
+            (false, true) => ">=",
+            (false, false) => ">",
+        };
+        let limit = end.value().map_or_else(String::new, |bound| format!("{shown} {symbol} {bound}"));
+        match self.value.numer().variables().as_slice() {
+            [var] if self.value == Fraction::var(*var) => format!("restrict the scalar: `assume {limit};`"),
+            _ => format!("restrict the scalars, such as by `assume`, so that {limit}"),
+        }
     }
 
     fn of(&self) -> String {
@@ -168,7 +188,7 @@ impl Scope<'_> {
                     format!("{name} = {shown} leaves the declared range `{declared}`{of}"),
                 )
                 .label(format!("at {}", self.own(&sign, &witness.point)))
-                .help("narrow the ranges so that the value stays inside"),
+                .help(inside.help(&shown, end, above)),
                 Decision::Undecided(left) => Diagnostic::error(
                     place,
                     format!("it is undecided whether {name} = {shown} stays in the range `{declared}`{of}"),

@@ -15,7 +15,7 @@ use crate::model::scope::Scope;
 use crate::model::{Comparison, Library, Parameter, build, label};
 use crate::source::SourceId;
 use crate::syntax::{self, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind};
-use crate::words::count;
+use crate::words::{count, did_you_mean};
 
 /// The first variables stand for the parameters of every patch, until arguments take their places.
 pub(super) const OWN: usize = 3;
@@ -40,11 +40,15 @@ pub(super) struct Elaboration<'a> {
     pub(super) scalars: Vec<Parameter>,
     /// Parameters of patches that are scalars only if something mentions them.
     pub(super) implicit: Vec<(Var, bool)>,
+    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand for.
+    pub(super) shape_values: Vec<Var>,
     /// Vectors that `let` defined.
     pub(super) vectors: Vec<(String, Option<Value>)>,
     pub(super) patches: Vec<PatchDef>,
     pub(super) points: Vec<GivenPoint>,
     pub(super) dimension: Option<usize>,
+    /// Whether the determined points become a function.
+    pub(super) join: bool,
     pub(super) products: Vec<(Var, (usize, usize))>,
 }
 
@@ -61,10 +65,12 @@ pub(in crate::model) fn theorem(
         scope,
         scalars: Vec::new(),
         implicit: Vec::new(),
+        shape_values: Vec::new(),
         vectors: Vec::new(),
         patches: Vec::new(),
         points: Vec::new(),
         dimension: None,
+        join: written.kind == TheoremKind::Join,
         products: Vec::new(),
     };
     let theorem = all.theorem(written);
@@ -360,7 +366,12 @@ impl Elaboration<'_> {
         }
         let name = self.target_name(target)?;
         self.check_free(&name, target.span)?;
-        match self.value(value) {
+        let value_of = self.value(value);
+        if let (true, ExprKind::Index(base, _), Some(Value::Vector(_))) = (self.join, &target.kind, &value_of)
+        {
+            return self.no_patch(base, &name);
+        }
+        match value_of {
             Some(Value::Scalar(f)) => self.scope.lets.push((name, Some(f))),
             Some(Value::Map(patch, _)) => {
                 let patch = self.patches[patch].name.clone();
@@ -375,6 +386,24 @@ impl Elaboration<'_> {
             }
         }
         Some(())
+    }
+
+    /// In a join a vector with an index is a control point, of a curve that has to be declared.
+    fn no_patch(&self, base: &Expr, point: &str) -> Option<()> {
+        let patches = self.patches.mapped(|p| p.name.as_str());
+        let written = Printer { constants: &[], component: None }.print(base);
+        let error = self.scope.error(base.span, format!("there is no curve or surface `{written}`"));
+        let otherwise = || {
+            format!(
+                "declare it, `curve {written} = …;`, before its control point `{point}` is determined; other vectors have names without an index"
+            )
+        };
+        let other_case = patches.iter().find(|p| p.to_lowercase() == written.to_lowercase());
+        self.scope.report(error.help(match other_case {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => did_you_mean(&written, &patches, &otherwise),
+        }));
+        None
     }
 
     /// One claim, for each value of its index variables.

@@ -13,7 +13,7 @@ use crate::algebra::range::Range;
 use crate::collections::list::Mapped;
 use crate::model::obligations::Inside;
 use crate::model::print::Printer;
-use crate::model::{Family, label};
+use crate::model::{Family, Parameter, label};
 use crate::syntax::{Expr, ExprKind, Name};
 use crate::words::{count, here};
 
@@ -280,11 +280,14 @@ impl Elaboration<'_> {
             if let Some(name) = name.filter(|name| !self.scope.constants.iter().any(|(n, _)| n == name)) {
                 if self.taken(&name).is_none() && !self.is_point(expr) {
                     let var = self.new_scalar(&name, parameter.range.clone(), &parameter.doc, expr.span);
+                    self.shape_values.push(var);
                     values.push(Fraction::var(var));
                     continue;
                 }
-                // A scalar that a patch has declared before belongs to both ranges.
-                if let Some(at) = self.scalars.iter().position(|p| p.name == name) {
+                // A name that another shape value introduced belongs to both ranges. One with a range of its own is
+                // never cut: it must lie inside.
+                let introduced = |p: &Parameter| p.name == name && self.shape_values.contains(&p.var);
+                if let Some(at) = self.scalars.iter().position(introduced) {
                     self.narrow(at, &parameter.range, expr.span)?;
                 }
             }
@@ -294,6 +297,7 @@ impl Elaboration<'_> {
                 name: parameter.name.clone(),
                 range: parameter.range.clone(),
                 family: Some(factor.family.title()),
+                assumable: true,
             };
             let place = self.scope.place(expr.span);
             self.scope.must_stay_inside(inside, place);
