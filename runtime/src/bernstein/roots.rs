@@ -184,13 +184,14 @@ fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
     bracketed_root(&mut coefficients.to_vec(), &mut vec![S::ZERO; coefficients.len()])
 }
 
-/// The only zero of a polynomial whose coefficients change their sign once: Newton's method, and halving where it leaves the
-/// bracket or does not halve it. Overwrites the coefficients; `scratch` is not shorter.
+/// The only zero inside of the interval of a polynomial whose coefficients change their sign once: Newton's method, and halving
+/// where it leaves the bracket or does not halve it. Coefficients of zero at the ends, so zeros there, do not matter. Overwrites the
+/// coefficients; `scratch` is not shorter.
 #[inline] // callers know the degree
 pub(crate) fn bracketed_root<S: Scalar>(values: &mut [S], scratch: &mut [S]) -> S {
     let half = S::of(0.5);
-    let mut x = polygon_zero(values);
     let rising = values.iter().find(|&&c| c != S::ZERO).is_some_and(|&c| c < S::ZERO);
+    let mut x = polygon_zero(values, rising);
     // With the binomial coefficients multiplied in, once: both evaluations are then free of divisions.
     let slopes = &mut scratch[..values.len()];
     slopes.copy_from_slice(values);
@@ -229,10 +230,11 @@ pub(crate) fn bracketed_root<S: Scalar>(values: &mut [S], scratch: &mut [S]) -> 
     x
 }
 
-/// The first zero of the control polygon, whose corners are the coefficients at `k/n`.
+/// Where the control polygon, whose corners are the coefficients at `k/n`, leaves its first sign: not where it is zero at the start.
 #[inline]
-fn polygon_zero<S: Scalar>(coefficients: &[S]) -> S {
-    let Some(k) = coefficients.windows(2).position(|pair| (pair[0] < S::ZERO) != (pair[1] < S::ZERO)) else {
+fn polygon_zero<S: Scalar>(coefficients: &[S], rising: bool) -> S {
+    let first = |c: S| if rising { c < S::ZERO } else { c > S::ZERO };
+    let Some(k) = coefficients.windows(2).position(|pair| first(pair[0]) && !first(pair[1])) else {
         return S::of(0.5);
     };
     let part = coefficients[k] / (coefficients[k] - coefficients[k + 1]);

@@ -34,7 +34,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// It is a global minimum: its distance is at most `accuracy` larger than that of any other point of the curve. This
     /// bound is proved up to rounding: an `accuracy` below some `ε` times the size of the curve as seen from the point, also
     /// zero or NaN, asks for what the scalar type can give. Of several nearest points one is returned. If `point` or a control
-    /// point is infinite or NaN, everything in the result is NaN.
+    /// point is infinite or NaN, or so large that a point of the curve is, everything in the result is NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -44,17 +44,22 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert_eq!((nearest.t, nearest.point, nearest.distance), (0.5, [0.0, 0.0], 2.0));
     /// ```
     pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Nearest<P> {
-        let nan = B::Scalar::NAN;
+        let nan = Nearest {
+            t: B::Scalar::NAN,
+            point: P::from_components(|_| B::Scalar::NAN),
+            distance: B::Scalar::NAN,
+        };
         let mut seen = self.to_bernstein();
         for p in seen.as_mut() {
             *p = p.minus(point);
         }
         let size = seen.as_ref().iter().fold(B::Scalar::ZERO, |size, &p| size.max(length(p)));
         if !seen.as_ref().iter().all(|&p| is_finite(p)) || !size.is_finite() {
-            return Nearest { t: nan, point: P::from_components(|_| nan), distance: nan };
+            return nan;
         }
         let best = self.candidate(point, B::Scalar::ZERO);
-        let mut search = Search { curve: self, point, size, accuracy: B::Scalar::ZERO, best };
+        let mut search =
+            Search { curve: self, point, size, accuracy: B::Scalar::ZERO, best, overflow: false };
         search.improve(B::Scalar::ONE);
         if size > B::Scalar::ZERO {
             // Scaled, so that no square overflows or vanishes.
@@ -67,7 +72,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             search.accuracy = (accuracy / size).max(rounding);
             search.run(seen);
         }
-        search.best
+        if search.overflow { nan } else { search.best }
     }
 
     /// The point at `x` in the unit interval.
@@ -85,6 +90,8 @@ struct Search<'a, B: Basis, P: Point<Scalar = B::Scalar>> {
     size: B::Scalar,
     accuracy: B::Scalar,
     best: Nearest<P>,
+    /// Whether a distance was infinite or NaN, which nothing can be concluded from.
+    overflow: bool,
 }
 
 /// A part of the curve as seen from the point, in the search's unit.
@@ -99,6 +106,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
     /// Returns the square of the distance at `x`.
     fn improve(&mut self, x: B::Scalar) -> B::Scalar {
         let candidate = self.curve.candidate(self.point, x);
+        self.overflow |= !candidate.distance.is_finite();
         if candidate.distance < self.best.distance {
             self.best = candidate;
         }
@@ -116,7 +124,9 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Search<'_, B, P> {
         let half = B::Scalar::of(0.5);
         let mut next = Some(Piece { points: curve, from: B::Scalar::ZERO, to: B::Scalar::ONE, depth: 0 });
         let mut pieces = Vec::new();
-        while let Some(Piece { mut points, from, to, depth }) = next.take().or_else(|| pieces.pop()) {
+        while let Some(Piece { mut points, from, to, depth }) = next.take().or_else(|| pieces.pop())
+            && !self.overflow
+        {
             let square = Square::<B>::of(&points);
             let [lowest, _] = bernstein::bounds(square.coefficients());
             if self.is_settled(lowest - square.noise) {

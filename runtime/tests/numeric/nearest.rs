@@ -40,6 +40,35 @@ fn of_random_curves() {
     }
 }
 
+/// On a grid of whole numbers the derivative of the distance often vanishes at an end of the curve, exactly: because two control
+/// points are one, or because the first leg is perpendicular to the line of sight. The nearest point is inside all the same.
+#[test]
+fn where_the_start_is_farther_than_its_neighbours() {
+    let nearest =
+        Bezier::from_points([[1.0, 3.0], [1.0, 3.0], [1.0, 2.0], [0.0, 2.0]]).nearest([1.0, 2.0], 1e-12);
+    assert!((nearest.distance - 0.393_115_212_253_786_3_f64).abs() < 1e-12, "{nearest:?}");
+    let arch = Bezier::from_points([[0.0, 2.0], [1.0, 2.0], [1.0, 0.0]]);
+    assert_eq!(arch.nearest([0.0, 0.0], 1e-12).point, [1.0, 0.0]);
+
+    let random = &mut Random::new(57);
+    for _ in 0..150 {
+        let mut grid = || [(); 2].map(|()| f64::floor(random.between(0.0, 4.0)));
+        let (target, points) = (grid(), core::array::from_fn(|_| grid()));
+        let quartic = Curve::new(QuarticBernstein::new(random.between(-3.0, 1.0)).unwrap(), points);
+        is_nearest(&quartic, target, 0.0);
+        is_nearest(&quartic.reverse(), target, 1e-9);
+        is_nearest(&Bezier::from_points(points), target, 1e-9);
+    }
+}
+
+/// Finite control points, between which the curve overflows.
+#[test]
+fn of_a_curve_that_overflows() {
+    let points = [[1e8, f64::MAX], [1.0, 1e-300], [1e154, 1e300], [-1.0, 1e-8]];
+    let nearest = Curve::new(QuarticBernstein::new(-1.6).unwrap(), points).nearest([-1e150, 1e154], 1e-3);
+    assert!(nearest.distance.is_nan() || nearest.distance <= 1e154, "{nearest:?}");
+}
+
 /// From a point of the curve the distance is zero, and from a point next to it the parameter is found to the last digits.
 #[test]
 fn from_points_on_the_curve() {
