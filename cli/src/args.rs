@@ -46,11 +46,15 @@ pub(crate) enum Command {
     /// Greek names may be spelled out: lambda1 is λ1.
     #[command(after_help = EVAL_HELP)]
     Eval(EvalArguments),
-    /// Show what follows from the formulas of a family
+    /// Show what follows from the formulas of a family, and what joins and theorems say
     ///
-    /// The functions in factored and expanded form, the derivatives of a curve at both ends as combinations of its
-    /// control points, the shape values at which the functions are linearly dependent, and the largest ranges of the shape parameters on
+    /// Of a family: the functions in factored and expanded form; the derivatives of a curve at both ends as combinations of
+    /// its control points; the shape values at which the functions are linearly dependent; which control points C1, G1, C2 and
+    /// G2 contact with another curve determines at either end, as formulas; and the largest ranges of the shape parameters on
     /// which all functions stay nonnegative.
+    ///
+    /// Of a join or theorem: its curves, surfaces and scalars with their ranges, the control points that it determines as
+    /// formulas in the given ones, and its claims, each with its verdict and the reason.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
     /// Print the families of spec files with what is proved of them, as a table in Markdown
@@ -174,8 +178,9 @@ Examples:
 pub(crate) struct ExplainArguments {
     /// The spec file
     pub(crate) file: PathBuf,
-    /// The family, with its order if it has index parameters; without it all families in their lowest orders
-    pub(crate) family: Option<String>,
+    /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of the
+    /// file, families in their lowest orders
+    pub(crate) name: Option<String>,
 }
 
 const EXPLAIN_HELP: &str = "\
@@ -185,7 +190,9 @@ Exit status:
 
 Examples:
   basis explain quartic.basis
-  basis explain bernstein.basis 'Bernstein(n=3)'";
+  basis explain bernstein.basis 'Bernstein(n=3)'
+  basis explain quadratic.basis G1
+  basis explain papers/quartic.basis | less";
 
 /// What can be typed after `basis gallery`.
 #[derive(Debug, Args)]

@@ -1,6 +1,7 @@
-//! Domains as the spec writes them, and degrees on them.
+//! Domains as the spec writes them, degrees on them, and what theorems are about.
 
 use basis_engine::Family;
+use basis_engine::model::theorem::Theorem;
 
 /// The domain, such as `0 <= t <= 1` or `triangle (u, v, w)`.
 pub(crate) fn describe(family: &Family) -> String {
@@ -11,6 +12,16 @@ pub(crate) fn describe(family: &Family) -> String {
     }
     let ranges: Vec<String> = family.domain.iter().map(|p| p.range.display(&p.name).to_string()).collect();
     ranges.join(", ")
+}
+
+/// A title with the curves, surfaces and scalars of a theorem, such as `join G1: P = Quadratic(λ); -2 <= λ <= 1`.
+pub(crate) fn theorem_heading(theorem: &Theorem, title: &str) -> String {
+    let patches: Vec<String> =
+        theorem.patches.iter().map(|p| format!("{} = {}", p.name, p.written)).collect();
+    let scalars: Vec<String> = theorem.scalars.iter().map(|p| p.range.display(&p.name).to_string()).collect();
+    let mut facts = vec![patches.join(", "), scalars.join(", ")];
+    facts.retain(|fact| !fact.is_empty());
+    format!("{title}: {}\n", facts.join("; "))
 }
 
 /// The degree in each variable of a box; the only one, in all variables together, on a simplex.

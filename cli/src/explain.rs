@@ -1,8 +1,9 @@
-//! `basis explain`: what a family is, worked out exactly.
+//! `basis explain`: what a family is, and what joins and theorems say, worked out exactly.
 
 use std::rc::Rc;
 
-use basis_engine::{Disk, Family, Library, Selected, Severity, explain};
+use basis_engine::prove::Verdict;
+use basis_engine::{CheckedTheorem, Disk, Family, Library, Selected, Severity, decide_theorem, explain};
 
 use crate::args::ExplainArguments;
 use crate::output::{self, Status, complain};
@@ -11,7 +12,7 @@ use crate::{domain, eval, spec};
 /// Derivatives at the ends are shown up to this order.
 const ORDER: u32 = 2;
 
-/// Explains the family that the arguments name, or all families of the file in their lowest orders.
+/// Explains the family, join or theorem that the arguments name, or all of the file, families in their lowest orders.
 pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     let library = match spec::read(&arguments.file) {
         Ok(source) => Library::from_source(&Disk, source),
@@ -20,9 +21,20 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             return Status::Unusable;
         }
     };
-    let families = match &arguments.family {
-        Some(name) => eval::find_family(&library, name).map(|family| vec![family]),
-        None => Ok(lowest_orders(&library)),
+    let theorems = library.theorems();
+    let named = arguments.name.as_ref().and_then(|name| theorems.iter().find(|t| t.name == *name));
+    let (families, theorems) = match (&arguments.name, named) {
+        (Some(_), Some(theorem)) => (Ok(Vec::new()), vec![theorem.clone()]),
+        (Some(name), None) => {
+            let mut found = eval::find_family(&library, name).map(|family| vec![family]);
+            let known: Vec<&str> = theorems.iter().map(|t| t.name.as_str()).collect();
+            if let (Err(errors), false) = (&mut found, known.is_empty()) {
+                let known = format!("joins and theorems here: {}", known.join(", "));
+                errors.iter_mut().take(1).for_each(|error| error.notes.push(known.clone()));
+            }
+            (found, Vec::new())
+        }
+        (None, _) => (Ok(lowest_orders(&library)), theorems),
     };
     let mut errors = match &families {
         Ok(_) => library.diagnostics(),
@@ -32,7 +44,8 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     for error in &errors {
         complain(&(error.render(library.sources(), true) + "\n\n"));
     }
-    let texts: Vec<String> = families.unwrap_or_default().iter().map(|family| text(family)).collect();
+    let mut texts: Vec<String> = families.unwrap_or_default().iter().map(|family| text(family)).collect();
+    texts.extend(theorems.into_iter().map(|theorem| theorem_text(&decide_theorem(theorem))));
     let printed = output::print(&texts.join("\n"));
     if errors.is_empty() { printed } else { Status::Unusable }
 }
@@ -86,6 +99,26 @@ fn text(family: &Family) -> String {
         for range in ranges {
             text += &format!("    {range}\n");
         }
+    }
+    text
+}
+
+/// The curves and surfaces of a theorem, the points that it determines, and its claims with their verdicts.
+fn theorem_text(checked: &CheckedTheorem) -> String {
+    let CheckedTheorem { theorem, verdicts } = checked;
+    let mut text = domain::theorem_heading(theorem, &theorem.title());
+    for line in &theorem.doc {
+        text += &format!("    {line}\n");
+    }
+    section(&mut text, "Determined control points", explain::determined_points(theorem).into_iter());
+    text += "\n  Claims\n";
+    for (claim, verdict) in theorem.claims.iter().zip(verdicts) {
+        let (word, why) = match verdict {
+            Verdict::Proved(evidence) => ("proved", evidence.method.clone()),
+            Verdict::Refuted(witness) => ("refuted", witness.notes.join("; ")),
+            Verdict::Undecided(left) => ("undecided", left.clone()),
+        };
+        text += &format!("    {}\n      {word}: {why}\n", claim.text);
     }
     text
 }

@@ -52,6 +52,47 @@ fn one_order_of_a_family() {
 }
 
 #[test]
+fn joins_and_theorems() {
+    let spec = "
+use \"q.basis\";
+/// Tangent continuation.
+join G1 {
+    curve P = QuarticBernstein(λ);
+    curve Q = QuarticBernstein(μ);
+    scalar 0 < δ;
+    assume μ > -3;
+    let Q[0] = P[3];
+    let Q[1] = Q[0] + (3 + λ)/(δ*(3 + μ)) * (P[3] - P[2]);
+    prove D(P)(1) == δ*D(Q)(0);
+    refute D(P, 2)(1) == δ^2*D(Q, 2)(0);
+}
+theorem Worked {
+    curve P = QuarticBernstein(1) [(0, 0), (1, 2), (3, 2), (4, 0)];
+    curve Q = QuarticBernstein(0);
+    let Q[0] = P[3] + (1, 1/2);
+    prove P(1/2)[1] > 1;
+}";
+    let folder = Folder::with("q.basis", QUARTIC);
+    folder.write("j.basis", spec);
+    let run = folder.run(&["explain", "j.basis"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    for line in [
+        "join G1: P = QuarticBernstein(λ), Q = QuarticBernstein(μ); -3 <= λ <= 1, -3 < μ <= 1, 0 < δ\n    Tangent continuation.\n",
+        "  Determined control points\n    Q[0] = P[3]\n    Q[1] = -(3 + λ)/(δ*(3 + μ))*P[2] + (3 + λ + 3*δ + μ*δ)/(δ*(3 + μ))*P[3]\n",
+        "    D(P)(1) == δ*D(Q)(0)\n      proved: expansion of both sides\n",
+        "    D(P, 2)(1) == δ^2*D(Q, 2)(0)\n      refuted: the two sides differ by ",
+        "    Q[0] = (5, 1/2)\n",
+    ] {
+        assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
+    }
+    let one = folder.run(&["explain", "j.basis", "Worked"]);
+    assert!(one.stdout.starts_with("theorem Worked: ") && !one.stdout.contains("G1"), "{}", one.stdout);
+    let none = folder.run(&["explain", "j.basis", "G2"]);
+    assert_eq!(none.code, 2);
+    assert!(none.stderr.contains("joins and theorems here: G1, Worked"), "{}", none.stderr);
+}
+
+#[test]
 fn mistakes() {
     let folder = Folder::with("q.basis", QUARTIC);
     let run = folder.run(&["explain", "q.basis", "Quartic"]);

@@ -2,8 +2,10 @@
 //! at their ends.
 
 mod contacts;
+mod theorems;
 
 pub use contacts::{Contact, contacts};
+pub use theorems::determined_points;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::{gcd, square_free};

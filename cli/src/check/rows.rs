@@ -154,11 +154,12 @@ fn short_sum(formula: &str) -> String {
 
 /// The point of a counterexample; large nets are left to the JSON output.
 fn short_point(witness: &Witness) -> String {
-    if witness.net.len() <= MAX_POINTS {
+    let points = witness.points().0.len();
+    if points <= MAX_POINTS {
         return witness.point();
     }
     let short = Witness { net: Vec::new(), ..witness.clone() };
-    let more = format!("a net of {}", crate::name::count(witness.net.len(), "point"));
+    let more = format!("a net of {}", crate::name::count(points, "point"));
     let mut point = short.point();
     if !point.is_empty() {
         point += ", ";

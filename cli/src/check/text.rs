@@ -63,14 +63,7 @@ const fn verdict(kind: Kind) -> (Mark, &'static str) {
 fn heading(items: &[Decided]) -> String {
     let Some(first) = items.first() else { return String::new() };
     if let Subject::Theorem(theorem) = &first.subject {
-        let patches = theorem.patches.iter().map(|p| format!("{} = {}", p.name, p.written));
-        let scalars = theorem.scalars.iter().map(|p| p.range.display(&p.name).to_string());
-        let facts: Vec<String> =
-            [patches.collect::<Vec<_>>().join(", "), scalars.collect::<Vec<_>>().join(", ")]
-                .into_iter()
-                .filter(|fact| !fact.is_empty())
-                .collect();
-        return format!("{}: {}\n", styled(STRONG, &theorem.title()), facts.join("; "));
+        return domain::theorem_heading(theorem, &styled(STRONG, &theorem.title()));
     }
     let families: Vec<&Family> = items
         .iter()

@@ -1,7 +1,7 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
-use super::scope::Scope;
+use super::scope::{Scope, Subject};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
@@ -142,9 +142,24 @@ impl Scope<'_> {
         Some(match zero(divisor, region, budget) {
             Zero::Nowhere => return None,
             Zero::At(point) => {
-                Diagnostic::error(place, format!("the denominator vanishes at {}", self.own(divisor, &point)))
+                // A value at which the denominator is zero, whatever the others are, says it best.
+                let alone = point.iter().find_map(|(var, c)| match c {
+                    Coordinate::Rational(x) if divisor.at(*var, x).is_zero() => Some((*var, x)),
+                    _ => None,
+                });
+                let (at, help) = match alone {
+                    Some((var, x)) => (
+                        format!("{} = {x}", self.names[var.0]),
+                        self.without_value(var, x, &region.range(var)),
+                    ),
+                    None => (
+                        self.own(divisor, &point),
+                        String::from("narrow the declared ranges so that they leave this value out"),
+                    ),
+                };
+                Diagnostic::error(place, format!("the denominator vanishes at {at}"))
                     .label(format!("this is {shown}"))
-                    .help("narrow the declared ranges so that they leave this value out")
+                    .help(help)
             }
             Zero::Undecided(left) => Diagnostic::error(
                 place,
@@ -154,6 +169,27 @@ impl Scope<'_> {
             .note(left)
             .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
         })
+    }
+
+    /// How to leave a value out of the range of a parameter or scalar.
+    fn without_value(&self, var: Var, value: &Rational, range: &Range) -> String {
+        let name = &self.names[var.0];
+        let at = |end: &End| end.value() == Some(value);
+        if self.subject == Subject::Theorem && range.finite().is_none() && !at(&range.low) && !at(&range.high)
+        {
+            return format!("give it a range without {value}: `scalar {value} < {name};`");
+        }
+        let excluded = End::Excluded(value.clone());
+        let (sign, narrowed) = if at(&range.high) {
+            ("<", Range { high: excluded, ..range.clone() })
+        } else {
+            (">", Range { low: excluded, ..range.clone() })
+        };
+        if self.subject == Subject::Theorem {
+            format!("leave this value out: `assume {name} {sign} {value};`")
+        } else {
+            format!("leave this value out: `shape {};`", narrowed.display(name))
+        }
     }
 
     /// A value must stay in the range of the parameter that it stands for.

@@ -1,7 +1,7 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
 use crate::collections::list::Mapped;
-use crate::syntax::{Expr, ExprKind, Generator};
+use crate::syntax::{Expr, ExprKind, Generator, TheoremRelation};
 
 /// How to print.
 pub(super) struct Printer<'a> {
@@ -134,7 +134,8 @@ impl Printer<'_> {
                 let mut text = format!("{} for {}", self.print(body), ranges.join(", "));
                 for (k, (a, sign, b)) in loops.conditions.iter().enumerate() {
                     let word = if k == 0 { "if" } else { "&&" };
-                    text += &format!(" {word} {} {} {}", self.print(a), sign.symbol(), self.print(b));
+                    let sign = TheoremRelation::Compare(*sign).symbol();
+                    text += &format!(" {word} {} {sign} {}", self.print(a), self.print(b));
                 }
                 (text, Binding::Sum)
             }

@@ -32,6 +32,15 @@ pub(super) enum Value {
     List(Vec<(Vec<i64>, Fraction)>),
 }
 
+/// What the names belong to.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Subject {
+    /// Variables are shape parameters and domain variables.
+    Family,
+    /// Variables are scalars.
+    Theorem,
+}
+
 /// Where a function is defined.
 pub(super) struct Definition {
     /// Its place in the order of the definitions.
@@ -46,6 +55,7 @@ pub(super) struct Scope<'a> {
     pub(super) library: &'a Library<'a>,
     pub(super) unit: usize,
     pub(super) source: SourceId,
+    pub(super) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
     pub(super) constants: Vec<(String, i64)>,
     /// What `let` defined; `None` when that went wrong.
@@ -115,7 +125,13 @@ impl Scope<'_> {
         } else if self.lets.iter().any(|(n, _)| n == name) {
             Some("a name given by `let`")
         } else if let Some(var) = self.variable(name) {
-            Some(if self.is_domain_variable(var) { "a domain variable" } else { "a shape parameter" })
+            Some(if self.subject == Subject::Theorem {
+                "a scalar"
+            } else if self.is_domain_variable(var) {
+                "a domain variable"
+            } else {
+                "a shape parameter"
+            })
         } else if self.function_name == name {
             Some("the name of the basis functions")
         } else {
@@ -126,11 +142,9 @@ impl Scope<'_> {
     /// Reports a name that is declared although it already means something; whether it is free.
     pub(super) fn check_free(&self, name: &Name) -> bool {
         let Some(what) = self.taken(&name.text) else { return true };
-        self.report(
-            self.error(name.span, format!("`{}` is already {what}", name.text))
-                .label("declared again here")
-                .help("choose another name"),
-        );
+        let error =
+            self.error(name.span, format!("`{}` is already {what}", name.text)).label("declared again here");
+        self.report(error.help("choose another name"));
         false
     }
 
@@ -215,6 +229,14 @@ impl Scope<'_> {
     fn check_loop_name(&self, name: &Name) -> bool {
         match self.taken(&name.text) {
             None | Some("an index") => true,
+            Some("a scalar") => {
+                let error = self.error(name.span, format!("`{}` is a scalar, not an index", name.text));
+                self.report(error.help(format!(
+                    "a claim is about all values of its scalars: leave `for {} …` out; indices run over whole numbers",
+                    name.text
+                )));
+                false
+            }
             Some(_) => self.check_free(name),
         }
     }
@@ -291,6 +313,7 @@ impl Scope<'_> {
             library,
             unit,
             source,
+            subject: Subject::Family,
             constants: Vec::new(),
             lets: Vec::new(),
             names: Vec::new(),

@@ -112,8 +112,8 @@ pub struct Witness {
     pub of: String,
     /// The point: every shape parameter and domain variable.
     pub at: Vec<(String, Coordinate)>,
-    /// Those of them on which the expression does not depend, such as t for a difference at the ends of the domain: they are
-    /// left out of texts.
+    /// Names in `at` and `net` on which the expression does not depend, such as t for a difference at the ends of the domain:
+    /// they are left out of texts.
     pub idle: Vec<String>,
     /// For claims of theorems: the control points with their coordinates.
     pub net: Vec<(String, Vec<Rational>)>,
@@ -123,12 +123,30 @@ pub struct Witness {
     pub notes: Vec<String>,
 }
 
+/// More points than this are not all written if most of them are zero.
+const MAX_ALL: usize = 8;
+
 impl Witness {
+    /// The control points that matter, and whether those at zero are left out because most of many are.
+    pub fn points(&self) -> (Vec<&(String, Vec<Rational>)>, bool) {
+        let mut points: Vec<_> = self.net.iter().filter(|(name, _)| !self.idle.contains(name)).collect();
+        let all = points.len();
+        let zero = |place: &[Rational]| place.iter().all(Rational::is_zero);
+        let zeros = points.iter().filter(|(_, place)| zero(place)).count();
+        let short = all > MAX_ALL && 2 * zeros > all;
+        points.retain(|(_, place)| !short || !zero(place));
+        (points, short)
+    }
+
     /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
         let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
         let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).collect();
-        parts.extend(self.net.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
+        let (points, short) = self.points();
+        parts.extend(points.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
+        if short {
+            parts.push(String::from("all other points 0"));
+        }
         parts.join(", ")
     }
 }

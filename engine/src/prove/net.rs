@@ -34,25 +34,35 @@ impl Net {
 /// two are not zero, at which a form with few terms is seen to be different from zero.
 pub(super) fn nets(theorem: &Theorem) -> impl Iterator<Item = Net> {
     let count = theorem.points.len();
-    let usual = if theorem.patches.iter().all(|p| p.curve) { 2 } else { 3 };
-    let dimension = theorem.dimension.unwrap_or(usual);
+    let dimension = dimension(theorem);
     // Without points all nets are alike.
     let attempts = if count == 0 { 0 } else { ATTEMPTS };
     let mut seed = 1;
     let random = move |attempt| {
         // In a space of as many dimensions as there are points, their dot products are independent.
-        let wide = if attempt % 2 == 0 { usual } else { count.clamp(2, 8) };
+        let wide = if attempt % 2 == 0 { dimension } else { count.clamp(2, 8) };
         let dimension = theorem.dimension.unwrap_or(wide);
         let points = (0..count).map(|_| (0..dimension).map(|_| small(&mut seed)).collect()).collect();
         Net { points }
     };
+    let random = (0..attempts).map(random);
+    core::iter::once_with(move || regular(theorem, dimension)).chain(random).chain(sparse(theorem))
+}
+
+/// The number of coordinates of a net.
+fn dimension(theorem: &Theorem) -> usize {
+    theorem.dimension.unwrap_or_else(|| if theorem.patches.iter().all(|p| p.curve) { 2 } else { 3 })
+}
+
+/// Nets of which two points are (1, 0, …) and (0, 1, …), the others zero.
+pub(super) fn sparse(theorem: &Theorem) -> impl Iterator<Item = Net> {
+    let (count, dimension) = (theorem.points.len(), dimension(theorem));
     let unit = move |k: usize, p: usize, q: usize| -> Vec<Rational> {
         let place = |c| i64::from((c == 0 && k == p) || (c == 1 && k == q));
         (0..dimension).map(|c| Rational::from(place(c))).collect()
     };
     let pairs = (0..count).flat_map(move |p| (p + 1..count.max(p + 2)).map(move |q| (p, q)));
-    let sparse = pairs.map(move |(p, q)| Net { points: (0..count).map(|k| unit(k, p, q)).collect() });
-    core::iter::once_with(move || regular(theorem, dimension)).chain((0..attempts).map(random)).chain(sparse)
+    pairs.map(move |(p, q)| Net { points: (0..count).map(|k| unit(k, p, q)).collect() })
 }
 
 /// Points over a grid of their indices on a curved surface, each patch moved a little.

@@ -1,7 +1,7 @@
 //! Directions of vectors: `a parallel b` is true at a point if a = f·b there for some f > 0, or both are zero.
 
 use super::net::{Net, evaluated, nets, parts, parts_of_both};
-use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation};
+use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation, witness_nets};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
 use super::{Evidence, Step, StepProof, Verdict, Witness};
@@ -137,7 +137,7 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
     }
     let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
     let Some(found) = Proportion::new(a, b) else {
-        return not_proportional(theorem, a, b, left, right);
+        return not_proportional(theorem, claim, [a, b], [left, right]);
     };
     let decide = |p: &Poly, relation: Relation| {
         decide::decide(p, relation, &theorem.region(), &mut Budget::scaled(theorem.budget))
@@ -197,7 +197,7 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
             if !found.factors[1].is_zero() && shown.len() <= MAX_SHOWN {
                 result.notes.push(format!("the left side is ({shown}) times the right side"));
             }
-            return explained(result, note);
+            return explained(theorem, claim, result, note);
         }
     }
     let shown = if shown.len() <= MAX_SHOWN { format!("({shown})") } else { String::from("a long factor") };
@@ -288,8 +288,13 @@ fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
 }
 
 /// A point at which the coordinates of two vectors are not proportional.
-fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &str) -> Verdict {
-    for net in nets(theorem) {
+fn not_proportional(
+    theorem: &Theorem,
+    claim: &TheoremClaim,
+    [a, b]: [&Form; 2],
+    [left, right]: [&str; 2],
+) -> Verdict {
+    for net in witness_nets(theorem, claim) {
         let [x, y] = parts_of_both(theorem, [a, b], &net);
         for i in 0..x.len() {
             for j in i + 1..x.len().min(y.len()) {
@@ -301,7 +306,8 @@ fn not_proportional(theorem: &Theorem, a: &Form, b: &Form, left: &str, right: &s
                 } else {
                     format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
                 };
-                return explained(refutation(theorem, &net, of, &minor, &at), "the directions differ:");
+                let witness = refutation(theorem, &net, of, &minor, &at);
+                return explained(theorem, claim, witness, "the directions differ:");
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::{Verdict, as_declared};
 use crate::collections::list::Mapped;
 use crate::diagnostic::{Diagnostic, Place};
-use crate::model::theorem::{Theorem, TheoremClaim};
+use crate::model::theorem::{Theorem, TheoremClaim, TheoremKind};
 use crate::model::{Claim, Expected, Family};
 
 /// The error for a claim whose verdict is not the declared one; `None` when all is as declared.
@@ -21,9 +21,10 @@ pub fn diagnose_theorem(theorem: &Theorem, claim: &TheoremClaim, verdict: &Verdi
     let diagnostic = contradiction(&theorem.title(), &claim.text, claim.expected, &claim.place, verdict)?;
     let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
     Some(match verdict {
-        Verdict::Undecided(_) if of_products => diagnostic.help(
-            "without coordinates little is known of dot products; say how many there are, such as `dimension 2;`",
-        ),
+        Verdict::Undecided(_) if of_products => diagnostic.help(match theorem.kind {
+            TheoremKind::Theorem => "without coordinates little is known of dot products; say how many there are, such as `dimension 2;`",
+            TheoremKind::Join => "without coordinates little is known of dot products: state this in a `theorem` with `dimension 2;`",
+        }),
         _ => diagnostic,
     })
 }

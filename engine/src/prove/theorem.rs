@@ -2,16 +2,20 @@
 
 use core::convert::Infallible;
 
-use super::net::{Net, evaluated, nets, on_net, parts};
+use super::net::{Net, evaluated, nets, on_net, parts, sparse};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
 use super::{Evidence, Step, StepProof, Verdict, Witness, parallel, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
-use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind};
+use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind, Unit};
 use crate::model::{Comparison, Parameter};
+
+/// Regular nets have at most so many points that matter.
+const MAX_REGULAR: usize = 8;
 
 /// Decides a claim of a theorem.
 pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
@@ -20,24 +24,24 @@ pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
         TheoremClaimKind::Scalar(Comparison::Equal, f) if f.is_zero() => identity(of),
         TheoremClaimKind::Zero(form) if form.is_zero() => identity(of),
         TheoremClaimKind::Scalar(Comparison::Equal, f) => {
-            let found = nets(theorem).find_map(|net| {
+            let found = witness_nets(theorem, claim).find_map(|net| {
                 let value = on_net(theorem, f, &net);
                 let at = nonzero(theorem, &value)?;
                 Some(refutation(theorem, &net, of.clone(), &value, &at))
             });
-            found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
+            found.map_or_else(no_witness, |w| explained(theorem, claim, w, "the two sides differ by"))
         }
         TheoremClaimKind::Zero(form) => {
-            let found = nets(theorem).find_map(|net| {
+            let found = witness_nets(theorem, claim).find_map(|net| {
                 parts(theorem, form, &net).into_iter().find_map(|(label, value)| {
                     let at = nonzero(theorem, &value)?;
                     let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
                     Some(refutation(theorem, &net, of, &value, &at))
                 })
             });
-            found.map_or_else(no_witness, |witness| explained(witness, "the two sides differ by"))
+            found.map_or_else(no_witness, |w| explained(theorem, claim, w, "the two sides differ by"))
         }
-        TheoremClaimKind::Scalar(comparison, f) => sign(theorem, of, *comparison, f),
+        TheoremClaimKind::Scalar(comparison, f) => sign(theorem, claim, *comparison, f),
         TheoremClaimKind::Parallel(a, b) => parallel::parallel(theorem, claim, a, b),
     }
 }
@@ -96,11 +100,69 @@ pub(super) fn no_witness() -> Verdict {
     ))
 }
 
-pub(super) fn explained(mut witness: Witness, what: &str) -> Verdict {
+/// The verdict with a witness; texts leave out the scalars and points that do not matter to the claim.
+pub(super) fn explained(
+    theorem: &Theorem,
+    claim: &TheoremClaim,
+    mut witness: Witness,
+    what: &str,
+) -> Verdict {
+    witness.idle = idle(theorem, &claim.kind);
     let at = witness.point();
     let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
     witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
+    if !matches!(claim.kind, TheoremClaimKind::Zero(_) | TheoremClaimKind::Scalar(Comparison::Equal, _)) {
+        // The sign of a scalar without a range is easily forgotten.
+        let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
+            scalar.range == Range::all()
+                && claim.kind.depends_on(scalar.var)
+                && matches!(value, Coordinate::Rational(x) if !x.is_positive())
+        });
+        witness.notes.extend(any.map(|(scalar, _)| {
+            let name = &scalar.name;
+            format!("`{name}` can be any number; `scalar 0 < {name};` declares it positive")
+        }));
+    }
     Verdict::Refuted(witness)
+}
+
+/// Nets that show two things to be different, such as a person can read: with most points in one place if there are many.
+pub(super) fn witness_nets(theorem: &Theorem, claim: &TheoremClaim) -> impl Iterator<Item = Net> {
+    let idle = idle(theorem, &claim.kind);
+    let used = theorem.points.iter().filter(|point| !idle.contains(&point.name)).count();
+    let first = if used > MAX_REGULAR { Some(sparse(theorem)) } else { None };
+    first.into_iter().flatten().chain(nets(theorem))
+}
+
+/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points are
+/// expressed by given ones.
+fn idle(theorem: &Theorem, kind: &TheoremClaimKind) -> Vec<String> {
+    let forms: &[&Form] = match kind {
+        TheoremClaimKind::Scalar(..) => &[],
+        TheoremClaimKind::Zero(form) => &[form],
+        TheoremClaimKind::Parallel(a, b) => &[a, b],
+    };
+    let mut used = Vec::new();
+    if theorem.dimension.is_none() {
+        for unit in forms.iter().flat_map(|form| form.terms.keys()) {
+            match unit {
+                Unit::Point(p) => used.push(*p),
+                Unit::Pair(p, q) => used.extend([*p, *q]),
+            }
+        }
+    }
+    let products = theorem.products.iter().filter(|(var, _)| kind.depends_on(*var));
+    used.extend(products.flat_map(|(_, (p, q))| [*p, *q]));
+    let matters = |label: &String| {
+        let mut given = theorem.points.iter().enumerate().filter(|(_, point)| point.name == *label);
+        given.any(|(k, point)| used.contains(&k) || point.coordinates.iter().any(|var| kind.depends_on(*var)))
+    };
+    let scalars = theorem.scalars.iter().filter(|p| !kind.depends_on(p.var)).map(|p| p.name.clone());
+    let labels = theorem
+        .patches
+        .iter()
+        .flat_map(|patch| patch.points.iter().map(|point| crate::model::label(&patch.name, &point.index)));
+    scalars.chain(labels.filter(|label| !matters(label))).collect()
 }
 
 /// The values of the scalars at which a function has a value, and one that is not zero.
@@ -161,7 +223,8 @@ const fn relation(comparison: Comparison) -> (Relation, bool) {
 }
 
 /// An inequality between a scalar and zero.
-fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -> Verdict {
+fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: &Fraction) -> Verdict {
+    let of = claim.difference.as_str();
     let (relation, negate) = relation(comparison);
     let decide = |value: &Fraction| {
         let polynomial = with_sign(theorem, value);
@@ -182,7 +245,7 @@ fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -
         for net in nets(theorem) {
             let value = on_net(theorem, value, &net);
             if let Decision::Refuted(witness) = decide(&value) {
-                return counterexample(theorem, &net, of, &value, &witness);
+                return counterexample(theorem, claim, &net, &value, &witness);
             }
         }
         return Verdict::Undecided(format!(
@@ -191,19 +254,19 @@ fn sign(theorem: &Theorem, of: &str, comparison: Comparison, value: &Fraction) -
     }
     let at = coordinates(theorem, &witness.point);
     let net = Net::from_coordinates(theorem, &at);
-    counterexample(theorem, &net, of, value, &witness)
+    counterexample(theorem, claim, &net, value, &witness)
 }
 
 /// The witness of an inequality; at irrational values of scalars the function is exactly zero.
 fn counterexample(
     theorem: &Theorem,
+    claim: &TheoremClaim,
     net: &Net,
-    of: &str,
     value: &Fraction,
     witness: &decide::Witness,
 ) -> Verdict {
     let at = coordinates(theorem, &witness.point);
-    let mut result = refutation(theorem, net, of.to_string(), value, &at);
+    let mut result = refutation(theorem, net, claim.difference.clone(), value, &at);
     let irrational = witness.point.iter().filter(|(_, c)| matches!(c, Coordinate::Algebraic(_)));
     let vars: Vec<Var> = irrational.clone().map(|(var, _)| *var).collect();
     for (var, c) in irrational {
@@ -216,7 +279,7 @@ fn counterexample(
         result.value = witness.value.clone();
         result.net = evaluated(theorem, net, &at, &vars);
     }
-    explained(result, "the value is")
+    explained(theorem, claim, result, "the value is")
 }
 
 /// The rational values by variable, simple ones for what is left open.

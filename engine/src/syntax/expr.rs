@@ -229,6 +229,11 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             inner.span = g.span();
             Ok(inner)
         }
+        Some((TokenTree::Punct(p), _)) if p.as_char() == '|' => Err(error(
+            span,
+            "bars have no meaning around an expression",
+            "a range is written `-1 <= λ <= 1`; the square of a length, in theorems, is `dot(x, x)`",
+        )),
         _ => Err(unexpected(input, "a number, a name or `(`")),
     }
 }
@@ -408,6 +413,9 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
 /// `i in low..=high`, or `i, j, k in simplex(n)`.
 fn generator(input: ParseStream<'_>) -> Result<Generator> {
     let ahead = input.fork();
+    if ahead.cursor().ident().is_none() {
+        return Ok(Generator::Range(index_range(input, NO_SCALAR)?));
+    }
     let mut names = vec![name(&ahead)?];
     while ahead.peek(Token![,]) {
         ahead.parse::<Token![,]>()?;
@@ -420,7 +428,7 @@ fn generator(input: ParseStream<'_>) -> Result<Generator> {
         && ahead.parse::<Token![in]>().is_ok()
         && ahead.cursor().ident().is_some_and(|(word, _)| word == "simplex");
     if !simplex {
-        return Ok(Generator::Range(index_range(input)?));
+        return Ok(Generator::Range(index_range(input, NO_SCALAR)?));
     }
     ahead.call(Ident::parse_any)?;
     let content;
@@ -433,15 +441,22 @@ fn generator(input: ParseStream<'_>) -> Result<Generator> {
     Ok(Generator::Simplex(names, sum))
 }
 
+/// What an index is, for those who mean a scalar.
+const NO_SCALAR: &str =
+    "; indices run over whole numbers, and a claim is about all values of its parameters without `for`";
+
 /// `i in low..=high`.
-pub(super) fn index_range(input: ParseStream<'_>) -> Result<IndexRange> {
+pub(super) fn index_range(input: ParseStream<'_>, hint: &str) -> Result<IndexRange> {
+    if input.cursor().ident().is_none() {
+        let found = unexpected(input, "the name of an index").to_string();
+        return Err(error(input.span(), found, format!("write a range, such as `i in 0..=3`{hint}")));
+    }
     let name = name(input)?;
     if !input.peek(Token![in]) {
-        return Err(error(
-            input.span(),
-            format!("expected `in` after `{}`", name.text),
-            format!("write a range, such as `{} in 0..=3`", name.text),
-        ));
+        let found = unexpected(input, &format!("`in` after `{}`", name.text)).to_string();
+        let name = if name.text == "all" { "i" } else { &name.text };
+        let help = format!("write a range, such as `{name} in 0..=3`{hint}");
+        return Err(error(input.span(), found, help));
     }
     input.parse::<Token![in]>()?;
     let low = expr(input)?;
@@ -451,7 +466,8 @@ pub(super) fn index_range(input: ParseStream<'_>) -> Result<IndexRange> {
     } else if input.peek(Token![..]) {
         input.parse::<Token![..]>()?;
     } else {
-        return Err(error(input.span(), "expected a range", "write `0..=3` for 0, 1, 2, 3"));
+        let help = format!("write `0..=3` for 0, 1, 2, 3{hint}");
+        return Err(error(low.span, "this is not a range of an index", help));
     }
     let high = expr(input)?;
     Ok(IndexRange { name, low, high, inclusive })

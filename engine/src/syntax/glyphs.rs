@@ -12,10 +12,19 @@ pub(super) const MAX_NESTING: usize = 64;
 /// After this many errors the text is most likely not a spec at all.
 const MAX_ERRORS: usize = 20;
 
-/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with, of the
-/// same length in bytes, in which every wrong character is replaced; `None` when brackets do not balance.
-pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
+/// A text without characters that cannot stand in a spec.
+pub(super) struct Readable<'a> {
+    /// The text, of the same length in bytes, in which every wrong character is replaced.
+    pub(super) text: Cow<'a, str>,
+    /// Where nothing stands in place of a wrong character: a statement there means something else than was meant.
+    pub(super) gaps: Vec<usize>,
+}
+
+/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when brackets do
+/// not balance.
+pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut errors = Vec::new();
+    let mut gaps = Vec::new();
     let mut repaired = Cow::Borrowed(text);
     let mut open: Vec<(char, usize)> = Vec::new();
     let mut previous = ' ';
@@ -39,9 +48,16 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
             _ if QUOTES.contains(c) && is_path(text, at) => {
                 errors.push(quoted(text, at, &mut rest, repaired.to_mut()));
             }
+            // Of several primes the first says it.
+            _ if PRIMES.contains(c) && PRIMES.contains(previous) => {
+                repaired.to_mut().replace_range(at..at + c.len_utf8(), &padded("", c.len_utf8()));
+            }
             _ => {
-                if let Some((message, help, instead)) = wrong_glyph(c, previous) {
+                if let Some((message, help, instead)) = wrong_glyph(c, &text[..at]) {
                     errors.push(new(text, at, &message, &help));
+                    if instead.is_empty() {
+                        gaps.push(at);
+                    }
                     repaired.to_mut().replace_range(at..at + c.len_utf8(), &padded(&instead, c.len_utf8()));
                 }
             }
@@ -59,7 +75,7 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Cow<'_, str>>) {
     for (c, at) in open {
         errors.push(never_closed(text, c, at));
     }
-    (errors, balanced.then_some(repaired))
+    (errors, balanced.then_some(Readable { text: repaired, gaps }))
 }
 
 /// The text with white space added up to a length in bytes.
@@ -157,12 +173,15 @@ fn new(text: &str, at: usize, message: &str, help: &str) -> SyntaxError {
     }
 }
 
+/// Signs of derivatives.
+const PRIMES: &str = "'′″‴’";
+
 const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉";
 
 /// What is wrong with a character outside of comments and strings, what to write instead, and Rust tokens
 /// that stand for it while the rest of the text is read (no longer than the character in bytes).
-fn wrong_glyph(c: char, previous: char) -> Option<(String, String, String)> {
+fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     // Nearly all characters are these; the check runs unoptimised on every build.
     if c.is_ascii() && !matches!(c, '\'' | '\\' | '`' | '\0') {
         return None;
@@ -173,16 +192,28 @@ fn wrong_glyph(c: char, previous: char) -> Option<(String, String, String)> {
         return Some((message, format!("write `^{d}` for a power, such as `t^{d}`"), format!("^{d}")));
     }
     if let Some(d) = digit(SUBSCRIPTS) {
-        let base = if previous.is_alphanumeric() { previous } else { 'λ' };
+        let base = before.chars().next_back().filter(|c| c.is_alphanumeric()).unwrap_or('λ');
         let message = format!("the subscript `{c}` cannot stand in a spec");
         let help =
             format!("write the digit after the name, such as `{base}{d}`, or an index, such as `b[{d}]`");
         return Some((message, help, d.to_string()));
     }
+    if PRIMES.contains(c) {
+        let start = before.trim_end_matches(|c: char| c.is_alphanumeric() || c == '_').len();
+        let name = if before[start..].is_empty() { "b" } else { &before[start..] };
+        let help = format!("write `D({name})` for the derivative of `{name}`, `D({name}, 2)` for the second");
+        return Some((format!("the character `{c}` cannot stand in a spec"), help, String::new()));
+    }
     let (help, instead) = match c {
-        '\'' | '′' | '″' | '’' => {
-            ("write `D(b)` for the derivative of `b`, `D(b, 2)` for the second", "")
-        }
+        '∥' | '‖' => ("write `a parallel b` for vectors, `dot(a, a)` for the square of a length", ""),
+        '⊥' => ("write `dot(a, b) == 0`", ""),
+        '∧' => ("write `cross(a, b)` for vectors, `&&` between conditions", ""),
+        '⟨' | '⟩' => ("write `dot(a, b)`", ""),
+        '√' => ("a claim about a root is one about its square", ""),
+        '∀' | '∈' => ("a claim is about all values in the declared ranges without saying so", ""),
+        '≡' => ("write `==`", "=="),
+        '±' | '∓' => ("write two claims", ""),
+        '≈' | '≃' | '≅' => ("numbers are exact here: write `==`, or two inequalities", ""),
         '≤' => ("write `<=`", "<="),
         '≥' => ("write `>=`", ">="),
         '≠' => ("write `!=` in a condition of a loop; `refute … = …;` claims that two things differ", "!="),
@@ -297,6 +328,10 @@ mod tests {
         check(text).0.into_iter().map(|e| format!("{} | {}", e.message, e.help.unwrap_or_default())).collect()
     }
 
+    fn repaired(text: &str) -> Option<String> {
+        Some(check(text).1?.text.into_owned())
+    }
+
     #[test]
     fn a_clean_text_has_no_errors() {
         assert!(
@@ -318,24 +353,24 @@ mod tests {
 
     #[test]
     fn the_rest_is_read_with_what_was_meant() {
-        assert_eq!(check("t² − λ₁").1.as_deref(), Some("t^2 -   λ1  "));
-        assert_eq!(check("b'").1.as_deref(), Some("b "));
-        assert_eq!(check("(").1, None);
+        assert_eq!(repaired("t² − λ₁").as_deref(), Some("t^2 -   λ1  "));
+        assert_eq!(repaired("b''").as_deref(), Some("b  "));
+        assert_eq!(repaired("("), None);
     }
 
     #[test]
     fn paths_are_read_as_they_are_meant() {
         let path = "use \"a/b.basis\";";
         for text in ["use 'a/b.basis';", "use `a/b.basis`;", "use 'a\\b.basis';", "use \"a\\b.basis\";"] {
-            let (errors, repaired) = check(text);
+            let errors = check(text).0;
             assert_eq!(errors.len(), 1, "{text}");
             assert!(errors[0].help.as_deref().is_some_and(|h| h.contains("use \"")), "{text}");
-            assert_eq!(repaired.as_deref(), Some(path));
+            assert_eq!(repaired(text).as_deref(), Some(path));
         }
-        assert_eq!(check("use “a/b.basis” ;\n").1.as_deref(), Some("use \"a/b.basis\"     ;\n"));
+        assert_eq!(repaired("use “a/b.basis” ;\n").as_deref(), Some("use \"a/b.basis\"     ;\n"));
         assert_eq!(messages("use 'a;").len(), 1);
         assert_eq!(messages("use '").len(), 1);
-        assert!(messages("use a'")[0].contains("D(b)"));
+        assert!(messages("use a'")[0].contains("D(a)"));
     }
 
     #[test]

@@ -12,6 +12,7 @@ mod theorems;
 
 pub use error::{SyntaxError, SyntaxPlace};
 pub use parse::{parse_text, parse_tokens};
+pub(crate) use theorems::ASSUME_HELP;
 
 use proc_macro2::Span;
 
@@ -221,6 +222,7 @@ impl TheoremRelation {
     /// The sign or word as it is written.
     pub const fn symbol(self) -> &'static str {
         match self {
+            Self::Compare(Comparison::Equal) => "==",
             Self::Compare(sign) => sign.symbol(),
             Self::Parallel => "parallel",
         }

@@ -6,7 +6,7 @@ use syn::parse::{ParseStream, Parser};
 
 use super::error::{SyntaxError, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
-use super::{Item, Spec, Use, glyphs};
+use super::{Family, Item, Spec, StatementKind, Theorem, Use, glyphs};
 use crate::words::did_you_mean;
 
 /// The words that begin an item.
@@ -46,11 +46,12 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
     let _own = OwnLexer::start();
     let (mut errors, readable) = glyphs::check(text);
     let Some(readable) = readable else { return (Spec::default(), errors) };
-    match readable.parse::<TokenStream>() {
+    match readable.text.parse::<TokenStream>() {
         Ok(tokens) => {
-            let (spec, more) = parse(tokens, errors.is_empty());
+            let (mut spec, more) = parse(tokens, errors.is_empty());
+            leave_out(&mut spec, &readable.gaps);
             let at_end = text.trim_end().len();
-            errors.extend(more.into_iter().map(|mut e| {
+            let more = more.into_iter().map(|mut e| {
                 if let SyntaxPlace::Token(span) = e.place {
                     let range = span.byte_range();
                     // The end of the input has no token; show the end of the text.
@@ -58,7 +59,15 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
                     e.place = SyntaxPlace::Bytes(range);
                 }
                 e
-            }));
+            });
+            // What follows from a gap in the same statement is not another error.
+            let follows = |e: &SyntaxError| match &e.place {
+                SyntaxPlace::Bytes(range) => readable.gaps.iter().any(|gap| {
+                    text.get(*gap..range.start).is_some_and(|between| !between.contains([';', '{', '}']))
+                }),
+                SyntaxPlace::Token(_) => false,
+            };
+            errors.extend(more.filter(|e| !follows(e)));
             (spec, errors)
         }
         Err(e) => {
@@ -70,6 +79,40 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
                 Some(String::from("a spec is made of names, numbers, operators, brackets and `//` comments"));
             errors.push(SyntaxError { place: SyntaxPlace::Bytes(range), message, help });
             (Spec::default(), errors)
+        }
+    }
+}
+
+/// Leaves out the statements in which something is missing; every one goes from its first token to the next statement.
+fn leave_out(spec: &mut Spec, gaps: &[usize]) {
+    let start = |span: proc_macro2::Span| span.byte_range().start;
+    let mut end = usize::MAX;
+    let mut whole = |from: usize| {
+        let until = core::mem::replace(&mut end, from);
+        !gaps.iter().any(|gap| (from..until).contains(gap))
+    };
+    for item in spec.items.iter_mut().rev() {
+        match item {
+            Item::Use(written) => {
+                whole(start(written.span));
+            }
+            Item::Family(Family { name, statements, incomplete, .. }) => {
+                for k in (0..statements.len()).rev() {
+                    if !whole(start(statements[k].span)) {
+                        *incomplete |= !matches!(statements.remove(k).kind, StatementKind::Claim(_));
+                    }
+                }
+                whole(start(name.span));
+            }
+            Item::Theorem(Theorem { name, statements, incomplete, .. }) => {
+                for k in (0..statements.len()).rev() {
+                    if !whole(start(statements[k].span)) {
+                        statements.remove(k);
+                        *incomplete = true;
+                    }
+                }
+                whole(start(name.span));
+            }
         }
     }
 }

@@ -49,7 +49,7 @@ pub(super) fn family(
         let content;
         syn::parenthesized!(content in input);
         while !content.is_empty() {
-            orders.push(index_range(&content)?);
+            orders.push(index_range(&content, "")?);
             if !content.is_empty() {
                 content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
             }
@@ -338,8 +338,10 @@ pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Resul
     let start = input.span();
     let mut parts = vec![expr(input)?];
     let mut signs = Vec::new();
-    while let Some(sign) = comparison(input)? {
-        signs.push((sign, input.span()));
+    loop {
+        let at = input.span();
+        let Some(sign) = comparison(input)? else { break };
+        signs.push((sign, at));
         parts.push(expr(input)?);
     }
     if at_word(input, "in") {
@@ -356,6 +358,10 @@ pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Resul
         included.push(match (sign, descending) {
             (Comparison::Less, false) | (Comparison::Greater, true) => false,
             (Comparison::LessEqual, false) | (Comparison::GreaterEqual, true) => true,
+            (Comparison::Equal, _) => {
+                let help = "a range of one value is written `1 <= λ <= 1`";
+                return Err(error(*span, "a range is made of inequalities, this is an equation", help));
+            }
             _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
         });
     }
@@ -373,6 +379,8 @@ pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Resul
         (Some(a), Some(b), None, [i]) => {
             if is_target(&b) {
                 Ok(Bounds { target: b, low: Some((a, *i)), high: None })
+            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
+                target(b).map(|target| Bounds { target, low: Some((a, *i)), high: None })
             } else {
                 Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
             }

@@ -17,6 +17,9 @@ use crate::words::did_you_mean;
 const STATEMENTS: [&str; 10] =
     ["curve", "surface", "patch", "scalar", "assume", "let", "dimension", "prove", "refute", "budget"];
 
+/// What can be assumed.
+pub(crate) const ASSUME_HELP: &str = "`assume` narrows the range of one scalar by numbers, `assume a > 0;`; where a > b is meant, let their difference be the scalar: `scalar 0 < d;` and `let a = b + d;`";
+
 /// `theorem Name { … }` or `join Name { … }`, after its doc comment.
 pub(super) fn theorem(
     input: ParseStream<'_>,
@@ -26,8 +29,16 @@ pub(super) fn theorem(
     let kind = if at_word(input, "join") { TheoremKind::Join } else { TheoremKind::Theorem };
     take_word(input)?;
     let name = name(input)?;
-    if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
-    {
+    let next = match input.cursor().token_tree() {
+        Some((TokenTree::Group(g), _)) => Some(g.delimiter()),
+        _ => None,
+    };
+    if next == Some(Delimiter::Parenthesis) {
+        let message = format!("a {} has no index parameters", kind.keyword());
+        let help = "it is about one order of each family, which is named where the family is: `curve P = Bernstein(3);`";
+        return Err(error(input.span(), message, help));
+    }
+    if next != Some(Delimiter::Brace) {
         return Err(unexpected(input, &format!("`{{` after `{} {}`", kind.keyword(), name.text)));
     }
     let content;
@@ -61,7 +72,7 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     take_word(input)?;
     let kind = match word.as_str() {
         "scalar" | "assume" => {
-            let bounds = bounds(input, true, SHAPE_HELP)?;
+            let bounds = bounds(input, true, if word == "assume" { ASSUME_HELP } else { SHAPE_HELP })?;
             let loops = loops(input)?;
             match word.as_str() {
                 "scalar" => TheoremStatementKind::Scalar(bounds, loops),
@@ -125,6 +136,10 @@ fn assertion(input: ParseStream<'_>, expected: Expected) -> Result<Assertion> {
         take_word(input)?;
         TheoremRelation::Parallel
     } else {
+        if input.peek(Token![|]) || input.peek(Token![||]) {
+            let help = "write `a parallel b`: the same direction and the same sense";
+            return Err(error(input.span(), "bars are not a relation between vectors", help));
+        }
         match comparison(input)? {
             Some(sign) => TheoremRelation::Compare(sign),
             None => return Err(no_relation(input, &left)),

@@ -11,10 +11,12 @@ use crate::algebra::range::{End, Range, Region};
 use crate::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
 use crate::model::print::Printer;
-use crate::model::scope::Scope;
+use crate::model::scope::{Scope, Subject};
 use crate::model::{Comparison, Library, Parameter, build, label};
 use crate::source::SourceId;
-use crate::syntax::{self, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind};
+use crate::syntax::{
+    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind,
+};
 use crate::words::{count, did_you_mean};
 
 /// The first variables stand for the parameters of every patch, until arguments take their places.
@@ -37,6 +39,7 @@ pub(super) enum Value {
 /// The names of a theorem while it is read.
 pub(super) struct Elaboration<'a> {
     pub(super) scope: Scope<'a>,
+    pub(super) kind: TheoremKind,
     pub(super) scalars: Vec<Parameter>,
     /// Parameters of patches that are scalars only if something mentions them.
     pub(super) implicit: Vec<(Var, bool)>,
@@ -47,8 +50,6 @@ pub(super) struct Elaboration<'a> {
     pub(super) patches: Vec<PatchDef>,
     pub(super) points: Vec<GivenPoint>,
     pub(super) dimension: Option<usize>,
-    /// Whether the determined points become a function.
-    pub(super) join: bool,
     pub(super) products: Vec<(Var, (usize, usize))>,
 }
 
@@ -60,9 +61,11 @@ pub(in crate::model) fn theorem(
     written: &syntax::Theorem,
 ) -> (Option<Theorem>, Vec<Diagnostic>) {
     let mut scope = Scope::new(library, unit, source);
+    scope.subject = Subject::Theorem;
     scope.names = vec![String::new(); OWN];
     let mut all = Elaboration {
         scope,
+        kind: written.kind,
         scalars: Vec::new(),
         implicit: Vec::new(),
         shape_values: Vec::new(),
@@ -70,7 +73,6 @@ pub(in crate::model) fn theorem(
         patches: Vec::new(),
         points: Vec::new(),
         dimension: None,
-        join: written.kind == TheoremKind::Join,
         products: Vec::new(),
     };
     let theorem = all.theorem(written);
@@ -79,7 +81,8 @@ pub(in crate::model) fn theorem(
 
 impl Elaboration<'_> {
     fn theorem(&mut self, written: &syntax::Theorem) -> Option<Theorem> {
-        let mut fine = self.find_dimension(&written.statements);
+        let dimension = self.find_dimension(&written.statements);
+        let mut fine = dimension.is_some();
         let mut budget = 1;
         let mut claims = Vec::new();
         // Claims come last: they see every range as it is narrowed in the end, and every control point.
@@ -105,7 +108,7 @@ impl Elaboration<'_> {
             self.scope.report(error.help("write `prove … == …;`"));
         }
         if written.kind == TheoremKind::Join && fine {
-            self.check_join(written);
+            self.check_join(written, dimension.flatten());
         }
         self.scope.settle(&region, budget);
         if !fine {
@@ -131,14 +134,14 @@ impl Elaboration<'_> {
     }
 
     /// A join determines points for any given ones.
-    fn check_join(&self, written: &syntax::Theorem) {
+    fn check_join(&self, written: &syntax::Theorem, coordinates: Option<Span>) {
         let name = &written.name;
-        if self.dimension.is_some() {
-            let error = self
-                .scope
-                .error(name.span, format!("the points of the join `{}` have coordinates", name.text));
+        if let Some(span) = coordinates {
+            let error = self.scope.error(span, "the points of a join have no coordinates");
             self.scope.report(
-                error.help("a join is for points of any space: leave them out, or write a `theorem`"),
+                error
+                    .also(self.scope.place(name.span), "a join is for points of any space")
+                    .help("leave this out; what is true of coordinates is stated in a `theorem`"),
             );
         } else if self.patches.iter().all(|p| p.points.iter().all(|p| p.origin != Origin::Determined)) {
             let error =
@@ -147,21 +150,23 @@ impl Elaboration<'_> {
         }
     }
 
-    /// The number of coordinates: as declared, or that of the points that are written with coordinates.
-    fn find_dimension(&mut self, statements: &[TheoremStatement]) -> bool {
+    /// Finds the number of coordinates: as declared, or that of the points that are written with coordinates; where that is
+    /// said. `None` if the number makes no sense.
+    #[expect(clippy::option_option, reason = "it can be fine without coordinates")]
+    fn find_dimension(&mut self, statements: &[TheoremStatement]) -> Option<Option<Span>> {
         let mut declared = None;
         let mut seen = None;
         for statement in statements {
             match &statement.kind {
                 TheoremStatementKind::Dimension(value) => {
-                    let Some(n) = self.scope.whole(value, "the dimension") else { return false };
+                    let n = self.scope.whole(value, "the dimension")?;
                     if !(1..=MAX_DIMENSION).contains(&n) {
                         let error =
                             self.scope.error(value.span, format!("the dimension {n} is not supported"));
                         self.scope.report(error.help(format!("write a number from 1 to {MAX_DIMENSION}")));
-                        return false;
+                        return None;
                     }
-                    declared = Some(n as usize);
+                    declared = Some((n as usize, statement.span));
                 }
                 TheoremStatementKind::Patch(_, _, value) | TheoremStatementKind::Let(_, value, _) => {
                     seen = seen.or_else(|| coordinates(value));
@@ -172,8 +177,9 @@ impl Elaboration<'_> {
                 _ => {}
             }
         }
-        self.dimension = declared.or(seen);
-        true
+        let found = declared.or(seen);
+        self.dimension = found.map(|(n, _)| n);
+        Some(found.map(|(_, span)| span))
     }
 
     fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
@@ -264,8 +270,7 @@ impl Elaboration<'_> {
         } else if self.vectors.iter().any(|(n, _)| n == name) {
             Some("a name given by `let`")
         } else {
-            // Shape parameters of families are scalars here.
-            self.scope.taken(name).map(|what| if what == "a shape parameter" { "a scalar" } else { what })
+            self.scope.taken(name)
         }
     }
 
@@ -346,6 +351,13 @@ impl Elaboration<'_> {
     }
 
     fn range(&mut self, bounds: &Bounds) -> Option<Range> {
+        for (end, _) in bounds.low.iter().chain(&bounds.high) {
+            if self.scope.mentions_variable(end) {
+                let error = self.scope.error(end.span, "the end of a range must be a number");
+                self.scope.report(error.label("this contains a variable").help(ASSUME_HELP));
+                return None;
+            }
+        }
         build::range_of(
             &mut self.scope,
             bounds.target.span,
@@ -366,19 +378,14 @@ impl Elaboration<'_> {
         }
         let name = self.target_name(target)?;
         self.check_free(&name, target.span)?;
-        let value_of = self.value(value);
-        if let (true, ExprKind::Index(base, _), Some(Value::Vector(_))) = (self.join, &target.kind, &value_of)
+        let value_of = self.definite(value);
+        if let (true, ExprKind::Index(base, _), Some(Value::Vector(_))) =
+            (self.kind == TheoremKind::Join, &target.kind, &value_of)
         {
             return self.no_patch(base, &name);
         }
         match value_of {
             Some(Value::Scalar(f)) => self.scope.lets.push((name, Some(f))),
-            Some(Value::Map(patch, _)) => {
-                let patch = self.patches[patch].name.clone();
-                let error = self.scope.error(value.span, format!("`{patch}` is a curve or surface"));
-                self.scope.report(error.help("say at which parameter, such as `P(0)`"));
-                return None;
-            }
             other => {
                 let fine = other.is_some();
                 self.vectors.push((name, other));
@@ -430,18 +437,8 @@ impl Elaboration<'_> {
     }
 
     fn claim(&mut self, written: &Assertion) -> Option<TheoremClaimKind> {
-        let left = self.value(&written.left)?;
-        let right = self.value(&written.right)?;
-        for (side, value) in [(&written.left, &left), (&written.right, &right)] {
-            if let Value::Map(patch, _) = value {
-                let patch = &self.patches[*patch];
-                let names = patch.parameters.join(", ");
-                let shown = Printer { constants: &[], component: None }.print(side);
-                let error = self.scope.error(side.span, format!("`{shown}` needs a parameter value"));
-                self.scope.report(error.help(format!("write `{shown}({names})` for all of them")));
-                return None;
-            }
-        }
+        let left = self.definite(&written.left)?;
+        let right = self.definite(&written.right)?;
         let zero = |value: &Value| matches!(value, Value::Scalar(f) if f.is_zero());
         let comparison = match written.relation {
             TheoremRelation::Compare(Comparison::NotEqual) => {
@@ -478,7 +475,9 @@ impl Elaboration<'_> {
             {
                 Some(TheoremClaimKind::Zero(form))
             }
-            (a, b) => self.mismatch(written.span, &format!("compare by `{}`", comparison.symbol()), &a, &b),
+            (a, b) => {
+                self.mismatch(written.span, &format!("compare by `{}`", written.relation.symbol()), &a, &b)
+            }
         }
     }
 
@@ -529,10 +528,10 @@ fn intersection(a: &Range, b: &Range) -> Range {
     Range { low: pick(&a.low, &b.low, false), high: pick(&a.high, &b.high, true) }
 }
 
-/// The number of coordinates of the first point in an expression that is written by its coordinates.
-fn coordinates(expr: &Expr) -> Option<usize> {
+/// The first point in an expression that is written by its coordinates: their number, and where it stands.
+fn coordinates(expr: &Expr) -> Option<(usize, Span)> {
     match &expr.kind {
-        ExprKind::Tuple(parts) => Some(parts.len()),
+        ExprKind::Tuple(parts) => Some((parts.len(), expr.span)),
         ExprKind::Number(_) | ExprKind::Name(_) => None,
         ExprKind::Neg(inner) | ExprKind::Each(inner, _) => coordinates(inner),
         ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),

@@ -7,12 +7,46 @@ use super::form::{Form, Unit};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
+use crate::model::print::Printer;
 use crate::model::scope::BUILTINS;
-use crate::syntax::{Expr, ExprKind};
+use crate::syntax::{Expr, ExprKind, TheoremKind};
 use crate::words::{did_you_mean, here};
 
 /// The functions of theorems that families do not have.
 const PRODUCTS: [&str; 2] = ["cross", "dot"];
+
+/// What to write for the functions of the field that the language does not have.
+fn elsewhere(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "norm" | "length" | "len" | "abs" | "magnitude" | "mag" | "dist" | "distance" | "normsq" => {
+            "lengths are compared by their squares: `dot(a, a)`"
+        }
+        "sqrt" | "root" => "a claim about a root is one about its square",
+        "normalize" | "normalized" | "unit" | "direction" | "tangent" => {
+            "directions are compared by `a parallel b`, the same direction and the same sense"
+        }
+        "normal" => "the normal of a surface has the direction of `cross(D(S, u)(u, v), D(S, v)(u, v))`",
+        "curvature" | "kappa" => {
+            "curvatures are compared by `cross(D(P)(t), D(P, 2)(t))`, at the same speed, or by `dot(…, …)` of these"
+        }
+        "det" | "wedge" | "outer" | "vec" => {
+            "write `cross(a, b)`: the determinant in the plane, a vector in space, an outer product without coordinates; `dot(cross(a, b), c)` is the determinant in space"
+        }
+        "inner" | "scalar_product" => "write `dot(a, b)`",
+        "angle" => "angles are compared by `dot` and `cross`, or by `parallel`",
+        "diff" | "derivative" | "deriv" | "dd" | "d" | "grad" | "Diff" => {
+            "write `D(P)(0)` for a derivative at 0, `D(P, 2)(0)` for the second, `D(S, u)(0, v)` of a surface"
+        }
+        "sin" | "cos" | "tan" | "exp" | "log" | "ln" | "sinh" | "cosh" => {
+            "scalars are rational functions; with `scalar r;` the point `((1 - r^2)/(1 + r^2), 2*r/(1 + r^2))` runs over the circle"
+        }
+        "pi" | "π" => "numbers are rational: write a fraction such as 22/7",
+        "C" | "choose" | "binom" | "nCr" => "write `binomial(n, i)`",
+        "infinity" | "inf" => "leave the end of the range out: `scalar 0 < c;` has no upper end",
+        _ => return None,
+    })
+}
 
 impl Elaboration<'_> {
     /// What an expression denotes; `None` when that is reported as an error.
@@ -21,13 +55,13 @@ impl Elaboration<'_> {
             ExprKind::Number(n) => Some(Value::Scalar(Fraction::constant(n.clone()))),
             ExprKind::Name(name) => self.named(name, expr.span),
             ExprKind::Neg(inner) => {
-                let value = self.value(inner)?;
+                let value = self.definite(inner)?;
                 self.scaled(value, &Fraction::constant(-&Rational::ONE), inner.span)
             }
             ExprKind::Sum(parts) => {
                 let mut sum: Option<Value> = None;
                 for (minus, part) in parts {
-                    let value = self.value(part)?;
+                    let value = self.definite(part)?;
                     sum = Some(match sum {
                         None => value,
                         Some(sum) => self.add(sum, value, *minus, part.span)?,
@@ -38,7 +72,7 @@ impl Elaboration<'_> {
             ExprKind::Product(parts) => {
                 let mut product: Option<Value> = None;
                 for (divides, part) in parts {
-                    let value = self.value(part)?;
+                    let value = self.definite(part)?;
                     product = Some(match product {
                         None => value,
                         Some(product) if *divides => self.quotient(product, &value, part.span)?,
@@ -61,9 +95,37 @@ impl Elaboration<'_> {
         }
     }
 
+    /// What an expression denotes; reports a curve or surface without a parameter value.
+    pub(super) fn definite(&mut self, expr: &Expr) -> Option<Value> {
+        let value = self.value(expr)?;
+        let Value::Map(patch, _) = &value else { return Some(value) };
+        let printer = Printer { constants: &self.scope.constants, component: None };
+        let patch = &self.patches[*patch];
+        let names: Vec<&str> = patch.parameters.iter().chain(&patch.dependent).map(String::as_str).collect();
+        let (shown, names) = (printer.print(expr), names.join(", "));
+        let error = self.scope.error(expr.span, format!("`{shown}` needs a parameter value"));
+        let order = match &expr.kind {
+            ExprKind::Call(_, arguments) => match arguments.as_slice() {
+                [curve, Expr { kind: ExprKind::Number(order), .. }] => Some((printer.print(curve), order)),
+                _ => None,
+            },
+            _ => None,
+        };
+        self.scope.report(match order {
+            Some((curve, order)) if *order == Rational::ZERO || *order == Rational::ONE => {
+                let message = format!("`{shown}` is the derivative of order {order} without a parameter value");
+                Diagnostic { message, ..error }.help(format!(
+                    "write `D({curve})({order})` for the derivative at {names} = {order}, `D({curve}, 2)({order})` for the second"
+                ))
+            }
+            _ => error.help(format!("write `{shown}({names})` for all of them, or numbers for one point")),
+        });
+        None
+    }
+
     /// The scalar that an expression is; reports anything else.
     pub(super) fn scalar(&mut self, expr: &Expr) -> Option<Fraction> {
-        match self.value(expr)? {
+        match self.definite(expr)? {
             Value::Scalar(f) => Some(f),
             other => {
                 let error = self.scope.error(expr.span, format!("expected a scalar, found {}", kind(&other)));
@@ -123,6 +185,10 @@ impl Elaboration<'_> {
             );
             return;
         }
+        if let Some(help) = elsewhere(name) {
+            self.scope.report(error.help(help));
+            return;
+        }
         let mut known: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().collect();
         known.extend(self.scope.names.iter().map(String::as_str));
         known.extend(self.scope.constants.iter().map(|(n, _)| n.as_str()));
@@ -144,7 +210,7 @@ impl Elaboration<'_> {
     fn point(&mut self, parts: &[Expr], span: Span) -> Option<Value> {
         if self.dimension != Some(parts.len()) {
             let dimension = self.dimension.unwrap_or(0);
-            let message = format!("this point has {} coordinates, others have {dimension}", parts.len());
+            let message = format!("this point has {} coordinates, points here have {dimension}", parts.len());
             let error = self.scope.error(span, message);
             self.scope.report(error.help("give all points of a theorem the same number of coordinates"));
             return None;
@@ -172,11 +238,7 @@ impl Elaboration<'_> {
                 let (a, b) = (kind(&a), kind(&b));
                 let verb = if minus { "subtracted from" } else { "added to" };
                 let error = self.scope.error(span, format!("{b} cannot be {verb} {a}"));
-                self.scope.report(error.help(if a == "a patch" || b == "a patch" {
-                    "say at which parameter a curve or surface is meant, such as `P(0)`"
-                } else {
-                    "both sides of a sum are scalars, or both are vectors"
-                }));
+                self.scope.report(error.help("both sides of a sum are scalars, or both are vectors"));
                 None
             }
         }
@@ -200,14 +262,8 @@ impl Elaboration<'_> {
             Value::Outer(form) => {
                 Some(Value::Outer(self.fits(form.map(&mut |x| budget.mul(x, factor)), span)?))
             }
-            Value::Map(patch, _) => {
-                let error = self
-                    .scope
-                    .error(span, format!("`{}` needs a parameter value here", self.patches[patch].name));
-                self.scope
-                    .report(error.help("say at which parameter a curve or surface is meant, such as `P(0)`"));
-                None
-            }
+            // Reported where the curve or surface stands.
+            Value::Map(..) => None,
         }
     }
 
@@ -235,7 +291,7 @@ impl Elaboration<'_> {
     }
 
     fn power(&mut self, base: &Expr, exponent: &Expr) -> Option<Value> {
-        let value = match self.value(base)? {
+        let value = match self.definite(base)? {
             Value::Scalar(x) => x,
             other => {
                 let error = self.scope.error(base.span, format!("{} has no powers", kind(&other)));
@@ -268,7 +324,7 @@ impl Elaboration<'_> {
                 return self.named(&name, whole.span);
             }
         }
-        let form = match self.value(base)? {
+        let form = match self.definite(base)? {
             Value::Vector(form) => form,
             other => {
                 let error = self.scope.error(base.span, format!("{} has no coordinates", kind(&other)));
@@ -280,7 +336,12 @@ impl Elaboration<'_> {
         };
         let Some(dimension) = self.dimension else {
             let error = self.scope.error(whole.span, "points have no coordinates here");
-            self.scope.report(error.help("write `dimension 2;` at the beginning of the theorem"));
+            self.scope.report(error.help(match self.kind {
+                TheoremKind::Theorem => "write `dimension 2;` at the beginning of the theorem",
+                TheoremKind::Join => {
+                    "a join is for points of any space: state this in a `theorem`, with `dimension 2;`"
+                }
+            }));
             return None;
         };
         let index = self.indices(indices)?;
@@ -307,6 +368,28 @@ impl Elaboration<'_> {
                 }
                 _ => {}
             }
+        }
+        if let ExprKind::Name(name) = &callee.kind
+            && self.scope.constant(name).is_none()
+            && self.taken(name).is_none()
+            && !self.scope.library.knows(self.scope.unit, name)
+            && elsewhere(name).is_none()
+        {
+            let functions: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().collect();
+            let curves = self.patches.iter().map(|p| p.name.as_str());
+            let known: Vec<&str> = functions.iter().copied().chain(curves).collect();
+            let help = did_you_mean(name, &known, &|| {
+                if name.starts_with(char::is_uppercase) {
+                    return format!("declare it: `curve {name} = Bernstein(3);`");
+                }
+                format!(
+                    "functions are `{}`, and curves and surfaces that are declared",
+                    functions.join("`, `")
+                )
+            });
+            self.scope
+                .report(self.scope.error(callee.span, format!("there is no function `{name}`")).help(help));
+            return None;
         }
         match self.value(callee)? {
             Value::Map(patch, steps) => self.apply(patch, &steps, arguments, whole.span).map(Value::Vector),
@@ -368,7 +451,7 @@ impl Elaboration<'_> {
     }
 
     fn factor_vector(&mut self, expr: &Expr, name: &str) -> Option<Form> {
-        match self.value(expr)? {
+        match self.definite(expr)? {
             Value::Vector(form) => Some(form),
             other => {
                 let error = self

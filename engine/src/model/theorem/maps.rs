@@ -45,17 +45,20 @@ impl Elaboration<'_> {
             }
             by.pop();
         }
-        self.use_points(patch);
         let inner = steps.iter().all(|var| var.0 < OWN);
-        let def = &self.patches[patch];
         let mut sum = Form::default();
-        for ((_, function), point) in def.functions.iter().zip(&def.points) {
-            let mut f = function.clone();
+        for at in 0..self.patches[patch].points.len() {
+            let mut f = self.patches[patch].functions[at].1.clone();
             if inner {
                 f = self.differentiated(f, steps, span)?;
                 f = self.at(f, &by, span)?;
             }
-            let done = sum.add_scaled(&point.value, &f, &self.scope.budget);
+            // Whatever the point is, it does not matter here.
+            if f.is_zero() {
+                continue;
+            }
+            self.use_point(patch, at, span);
+            let done = sum.add_scaled(&self.patches[patch].points[at].value, &f, &self.scope.budget);
             self.fits(done, span)?;
         }
         if inner {
@@ -105,14 +108,14 @@ impl Elaboration<'_> {
             match name.filter(|n| self.scope.constant(n).is_none()) {
                 Some(name) => steps.push(self.step(&value, &name, argument.span)?),
                 None => {
-                    let order = self.scope.whole(argument, "the order of a derivative")?;
-                    if !(0..=100).contains(&order) {
-                        let error = self
-                            .scope
-                            .error(argument.span, format!("{order} is not the order of a derivative"));
-                        self.scope.report(error.help("write a small whole number, such as `D(P, 2)`"));
+                    let order = self.scope.scalar(argument)?.as_constant().and_then(|n| n.to_i64());
+                    let Some(order) = order.filter(|n| (0..=100).contains(n)) else {
+                        let error = self.scope.error(argument.span, "this is not the order of a derivative");
+                        self.scope.report(error.help(
+                            "write a small whole number, `D(P, 2)`; the parameter value stands in brackets of its own, `D(P)(1/2)`",
+                        ));
                         return None;
-                    }
+                    };
                     let var = match steps.pop() {
                         Some(var) => var,
                         None => self.only_parameter(&value, span)?,

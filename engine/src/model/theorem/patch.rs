@@ -29,8 +29,8 @@ pub(super) struct PatchDef {
     /// The basis functions in these variables, with the shape values put in.
     pub(super) functions: Vec<(Vec<i64>, Fraction)>,
     pub(super) points: Vec<ControlPoint>,
-    /// Whether a point was used while it was still given.
-    used: Vec<bool>,
+    /// Where a point was first used while it was still given; listed points are not determined any more.
+    used: Vec<Option<Span>>,
 }
 
 impl PatchDef {
@@ -108,6 +108,14 @@ impl Elaboration<'_> {
         let mut order = Vec::new();
         if self.scope.library.order_count(self.scope.unit, name) > 0 {
             for o in calls.next().unwrap_or_default() {
+                if self.scope.mentions_variable(o) {
+                    let error = self.scope.error(o.span, "the order of a family is a number here");
+                    self.scope.report(error.help(format!(
+                        "a {} is about one order of each family: write `{name}(3)`",
+                        self.kind.keyword()
+                    )));
+                    return None;
+                }
                 order.push(self.scope.whole(o, "the order of a family")?);
             }
         }
@@ -140,12 +148,21 @@ impl Elaboration<'_> {
             || parameter.is_some_and(|p| p.len() != 1)
             || (parameter.is_some() != product)
         {
-            let error = self.scope.error(expr.span, "this is not a curve or surface");
-            self.scope.report(error.help(if product {
-                format!("every factor of a surface names its parameter: `{call}(u)`")
-            } else {
-                format!("write `{call}`; a parameter is named in products only, `{call}(u) * …`")
-            }));
+            let written = Printer { constants: &[], component: None }.print(expr);
+            let (message, help) = match parameter {
+                None => (
+                    "a factor of a surface names its parameter",
+                    format!(
+                        "write `{written}(u)` or `{written}(v)`, as in `Bernstein(3)(u) * Bernstein(2)(v)`"
+                    ),
+                ),
+                Some([Expr { kind: ExprKind::Name(_), .. }]) if !product => (
+                    "a parameter is named in a product only",
+                    format!("write `{call}`, and `P(t)` for a point of the curve `P`"),
+                ),
+                Some(_) => ("this is not a curve or surface", format!("write `{call}`")),
+            };
+            self.scope.report(self.scope.error(expr.span, message).help(help));
             return None;
         }
         Some(Factor { family, shapes, parameter: parameter.and_then(<[Expr]>::first), span: expr.span })
@@ -196,7 +213,9 @@ impl Elaboration<'_> {
             };
             let ExprKind::Name(name) = &expr.kind else {
                 let error = self.scope.error(expr.span, "expected the name of a parameter of the surface");
-                self.scope.report(error.help("write `Bernstein(3)(u) * Bernstein(2)(v)`"));
+                self.scope.report(error.help(
+                    "write `Bernstein(3)(u) * Bernstein(2)(v)`, and `S(u, 0)` for points of the surface `S`",
+                ));
                 return None;
             };
             if def.parameters.contains(name) {
@@ -284,6 +303,15 @@ impl Elaboration<'_> {
                     values.push(Fraction::var(var));
                     continue;
                 }
+                let var = self.scope.variable(&name);
+                if var.is_some_and(|var| self.implicit.iter().any(|(implicit, _)| *implicit == var)) {
+                    let message =
+                        format!("`{name}` is the parameter of a curve or surface, not a shape value");
+                    self.scope.report(self.scope.error(expr.span, message).help(format!(
+                        "choose another name; where the shape value is to change along the curve, declare `scalar 0 <= {name} <= 1;` before"
+                    )));
+                    return None;
+                }
                 // A name that another shape value introduced belongs to both ranges. One with a range of its own is
                 // never cut: it must lie inside.
                 let introduced = |p: &Parameter| p.name == name && self.shape_values.contains(&p.var);
@@ -363,7 +391,7 @@ impl Elaboration<'_> {
                 let origin = Origin::Given;
                 def.points.push(ControlPoint { index: index.clone(), value: form, origin });
             }
-            def.used = vec![false; def.points.len()];
+            def.used = vec![None; def.points.len()];
             return Some(());
         };
         // The net of a surface is a list of rows.
@@ -387,7 +415,7 @@ impl Elaboration<'_> {
             let form = self.vector(expr, "a control point")?;
             def.points.push(ControlPoint { index: index.clone(), value: form, origin: Origin::Listed });
         }
-        def.used = vec![true; def.points.len()];
+        def.used = vec![None; def.points.len()];
         Some(())
     }
 
@@ -415,7 +443,7 @@ impl Elaboration<'_> {
         let def = &mut self.patches[patch];
         match def.points.iter().position(|p| p.index == index) {
             Some(at) => {
-                def.used[at] = true;
+                def.used[at].get_or_insert(span);
                 Some(def.points[at].value.clone())
             }
             None => {
@@ -444,23 +472,25 @@ impl Elaboration<'_> {
         value: &Expr,
     ) -> Option<()> {
         // The value is read first: it may not use the point itself.
+        let at = self.patches[patch].points.iter().position(|p| p.index == index);
+        let before = at.and_then(|at| self.patches[patch].used[at]);
         let form = self.vector(value, "a control point")?;
-        let Some(at) = self.patches[patch].points.iter().position(|p| p.index == index) else {
+        let Some(at) = at else {
             self.no_point(patch, index, span);
             return None;
         };
         let name = label(&self.patches[patch].name, index);
         let (message, help) = match self.patches[patch].points[at].origin {
-            Origin::Given if !self.patches[patch].used[at] => {
+            Origin::Given => {
+                if let Some(used) = self.patches[patch].used[at] {
+                    self.used_before(patch, at, used, before.map(|_| span));
+                    return None;
+                }
                 let point = &mut self.patches[patch].points[at];
                 point.value = form;
                 point.origin = Origin::Determined;
                 return Some(());
             }
-            Origin::Given => (
-                format!("`{name}` is used before it is determined"),
-                "determine a point before the first statement that uses it",
-            ),
             Origin::Listed => (
                 format!("`{name}` is given by the list of control points"),
                 "leave out the list, or this statement",
@@ -471,14 +501,29 @@ impl Elaboration<'_> {
         None
     }
 
-    /// Marks all points of a patch as used.
-    pub(super) fn use_points(&mut self, patch: usize) {
-        self.patches[patch].used.iter_mut().for_each(|used| *used = true);
+    /// Reports a point that something before its `let` depends on, or its own value if nothing else says where it is determined.
+    fn used_before(&self, patch: usize, at: usize, used: Span, determined: Option<Span>) {
+        let def = &self.patches[patch];
+        let name = label(&def.name, &def.points[at].index);
+        let Some(determined) = determined else {
+            let error = self.scope.error(used, format!("`{name}` is determined by itself"));
+            self.scope.report(error.help("a control point is determined by other points: solve for it"));
+            return;
+        };
+        let error = self.scope.error(used, format!("this depends on `{name}`, which is determined later"));
+        self.scope.report(error.also(self.scope.place(determined), "determined here").help(format!(
+            "move `let {name} = …;` before it; a point may depend only on points that are known"
+        )));
+    }
+
+    /// Notes that a point of a patch is used.
+    pub(super) fn use_point(&mut self, patch: usize, at: usize, span: Span) {
+        self.patches[patch].used[at].get_or_insert(span);
     }
 
     /// The vector that an expression is; reports anything else.
     pub(super) fn vector(&mut self, expr: &Expr, what: &str) -> Option<Form> {
-        match self.value(expr)? {
+        match self.definite(expr)? {
             Value::Vector(form) => Some(form),
             other => {
                 let error = self.scope.error(expr.span, format!("{what} is a point, found {}", kind(&other)));
