@@ -47,6 +47,10 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
 #[cfg(feature = "alloc")]
 const PARTS: usize = 1000;
 
+/// The number of halvings after which a part is a point; the smallest numbers stay apart for ever.
+#[cfg(feature = "alloc")]
+const ROUNDS: usize = 256;
+
 /// The largest value of a function on the unit cube, from its Bernstein coefficients, the last index fastest.
 #[cfg(feature = "alloc")]
 fn largest<S: Scalar>(degrees: &[usize], coefficients: Vec<S>) -> S {
@@ -59,14 +63,15 @@ fn largest<S: Scalar>(degrees: &[usize], coefficients: Vec<S>) -> S {
     let mut best = -S::INFINITY;
     let mut parts = alloc::vec![coefficients];
     // Every round halves what may hold a larger value; a part of the size of the noise holds none.
-    loop {
+    for round in 0.. {
         best = parts.iter().map(|part| largest_corner(degrees, part)).fold(best, S::max);
         parts.retain(|part| above(part) > best + noise);
-        if parts.is_empty() || parts.len() > PARTS {
+        if parts.is_empty() || parts.len() > PARTS || round > ROUNDS {
             return parts.iter().map(above).fold(best, S::max);
         }
         parts = parts.iter().flat_map(|part| halves(degrees, part)).collect();
     }
+    best
 }
 
 /// How far apart the neighbours along an axis are among the coefficients.

@@ -10,6 +10,10 @@ use crate::{Basis, Curve, Point3, Scalar};
 #[cfg(feature = "alloc")]
 const PARTS: usize = 500;
 
+/// The number of halvings after which a part is a point; the smallest numbers stay apart for ever.
+#[cfg(feature = "alloc")]
+const ROUNDS: usize = 64;
+
 impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     /// The smallest axis-parallel box around what the Bézier control points of the generatrix sweep, as its two extreme corners:
     /// cheap, and never too small up to rounding errors.
@@ -44,7 +48,7 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
             let noise = B::Scalar::of(4.0) * B::Scalar::EPSILON * size;
             let mut parts = alloc::vec![points];
             // Every round halves what may hold a larger value; a part of the size of the noise holds none.
-            loop {
+            for round in 0.. {
                 let ends =
                     parts.iter().filter_map(|part| Some([part.as_ref().first()?, part.as_ref().last()?]));
                 best = ends.flatten().map(of).fold(best, B::Scalar::max);
@@ -52,11 +56,12 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
                     part.as_ref().iter().map(of).fold(best, B::Scalar::max)
                 };
                 parts.retain(|part| above(part) > best + noise);
-                if parts.is_empty() || parts.len() > PARTS {
+                if parts.is_empty() || parts.len() > PARTS || round > ROUNDS {
                     return parts.iter().map(above).fold(best, B::Scalar::max);
                 }
                 parts = parts.into_iter().flat_map(|part| halves::<B>(part)).collect();
             }
+            best
         })
     }
 

@@ -106,6 +106,10 @@ fn quotient<S: Scalar>([point, weight]: [S; 2]) -> S {
 #[cfg(feature = "alloc")]
 const PARTS: usize = 500;
 
+/// The number of halvings after which a part is a point; the smallest numbers stay apart for ever.
+#[cfg(feature = "alloc")]
+const ROUNDS: usize = 128;
+
 /// The largest value of a function of two variables on the unit square, from Bernstein coefficients; `value` of the point
 /// itself, which is at most the largest of those of the coefficients. Infinite values are looked at again in smaller parts.
 #[cfg(feature = "alloc")]
@@ -118,13 +122,14 @@ fn largest<P: Point>(net: Net<P>, value: impl Fn(P) -> P::Scalar) -> P::Scalar {
     let mut best = -P::Scalar::INFINITY;
     let mut parts = alloc::vec![net];
     // Every round halves what may hold a larger value; a part of the size of the noise holds none.
-    loop {
+    for round in 0.. {
         best = parts.iter().flat_map(Net::corners).map(&value).fold(best, P::Scalar::max);
         let above = |part: &Net<P>| part.points().iter().map(|&c| value(c)).fold(best, P::Scalar::max);
         parts.retain(|part| above(part) > best + noise);
-        if parts.is_empty() || parts.len() > PARTS {
+        if parts.is_empty() || parts.len() > PARTS || round > ROUNDS {
             return parts.iter().map(above).fold(best, P::Scalar::max);
         }
         parts = parts.iter().flat_map(Net::halves).collect();
     }
+    best
 }

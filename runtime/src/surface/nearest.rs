@@ -4,7 +4,7 @@ use super::TensorSurface;
 use crate::bspline::{Projection, nearest_of_patch};
 use crate::domain::from_unit;
 use crate::vector::distance;
-use crate::{Basis, Point, Surface};
+use crate::{Basis, Point, Scalar, Surface};
 
 impl<U, V, P> TensorSurface<U, V, P>
 where
@@ -20,7 +20,7 @@ where
     /// around the centre of a sphere, the work ends earlier: the point is still a minimum, and `at_least` says how much is proved.
     ///
     /// Found by branch and bound on the Bézier form, from the box of a part and the Bernstein coefficients of its squared
-    /// distance, with Newton's method for the point. `None` if the point or the surface is not finite.
+    /// distance, with Newton's method for the point. `None` if the point, the surface or the distance is not finite.
     ///
     /// ```
     /// use basis_runtime::{BernsteinBasis, TensorSurface};
@@ -39,6 +39,9 @@ where
         let [u, v] = [(U::domain(), at[0]), (V::domain(), at[1])].map(|(domain, x)| from_unit(domain, x));
         let found = self.eval(u, v);
         let distance = distance(found, point);
+        if !distance.is_finite() {
+            return None;
+        }
         let at_least = if at_least < distance { at_least } else { distance };
         Some(Projection { parameters: [u, v], point: found, distance, at_least })
     }

@@ -1,0 +1,308 @@
+//! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
+
+use basis_runtime::{
+    BoundedSurface, Curve, Edge, Mesh, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
+    Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
+};
+
+use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
+
+basis!("../../../specs/quartic.basis");
+
+type Q = QuarticBernstein;
+type Tensor = TensorSurface<Q, Q, P>;
+type Rational = RationalSurface<Q, Q, P>;
+type Revolved = SurfaceOfRevolution<Q, P>;
+
+fn quartic(shape: f64) -> Q {
+    Q::new(shape).unwrap()
+}
+
+/// What every surface answers.
+fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
+    let mut grid = [[0.0; 3]; 5];
+    s.eval_grid(&[a, b], &[b, a], &mut grid);
+    s.eval_grid(&[a], &[], &mut grid);
+    s.eval_grid(&[], &[a], &mut grid);
+    s.eval_grid(&[a, b, 0.0, 1.0], &[a, b], &mut grid[..3]);
+    let _ =
+        (s.eval_with_partials::<0>(a, b), s.eval_with_partials::<1>(a, b), s.eval_with_partials::<4>(a, b));
+    let bounds = s.second_derivative_bounds([0.25, 0.75], [0.0, 0.5]);
+    let [[lo, hi], [low, high]] = s.domain();
+    lo < hi
+        && low < high
+        && s.normal(a, b).is_none_or(is_unit)
+        && s.curvature(a, b).is_none_or(|c| {
+            is_finite(c.normal) && !c.gaussian().is_nan()
+                || c.mean().is_nan()
+                || !c.mean().is_finite()
+                || !c.gaussian().is_finite()
+        })
+        && (is_nan(s.eval(a, b)) || !(a.is_nan() && b.is_nan()))
+        && bounds.into_iter().all(is_length)
+}
+
+const TENSOR: &[Case<Tensor>] = &[
+    ("new", |s, a, b| any(s, a, b)),
+    ("with_rows", |s, a, _| {
+        let shapes = [-3.0, 1.0, 0.5, 0.5].map(quartic);
+        let other = TensorSurface::with_rows(s.u_basis(), shapes, [[[a; 3]; 4]; 4]);
+        !a.is_nan() || is_nan(other.eval(0.5, 0.5))
+    }),
+    ("u_basis", |s, _, _| s.u_basis() == quartic(0.5)),
+    ("rows", |s, _, _| s.rows().len() == 4),
+    ("control_point", |s, _, _| {
+        s.control_point(4, 0).is_none()
+            && s.control_point(usize::MAX, usize::MAX).is_none()
+            && s.control_point(3, 3).is_some()
+    }),
+    ("isocurve_u", |s, a, b| !a.is_nan() || is_nan(s.isocurve_u(a).eval(b))),
+    ("isocurve_v", |s, a, b| s.isocurve_v(a).is_none_or(|c| !b.is_nan() || is_nan(c.eval(b)))),
+    ("isocurve_v_bezier", |s, a, b| !a.is_nan() || is_nan(s.isocurve_v_bezier(a).eval(b))),
+    ("boundary_u", |s, _, _| s.boundary_u().len() == 2),
+    ("boundary_v", |s, _, _| s.boundary_v().iter().all(Option::is_some)),
+    ("to_bezier", |s, a, b| any(&s.to_bezier(), a, b)),
+    ("split_u", |s, a, b| s.split_u(a).iter().all(|part| !b.is_nan() || is_nan(part.eval(b, b)))),
+    ("split_v", |s, a, b| s.split_v(a).iter().all(|part| !b.is_nan() || is_nan(part.eval(b, b)))),
+    ("subpatch", |s, a, b| s.subpatch(a..b, b..a).control_point(4, 4).is_some()),
+    ("control_box", |s, _, _| is_box(s.control_box())),
+    ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
+    ("nearest", |s, a, b| {
+        // The point matters, and accuracies of every size.
+        let few = [0.375, 1e300, f64::NAN].into_iter().any(|x| x.to_bits() == a.to_bits());
+        !few || s.nearest([a, 0.25, a], b).is_none_or(|found| {
+            let inside = found.parameters.iter().all(|x| (0.0..=1.0).contains(x));
+            inside && found.at_least <= found.distance && is_length(found.distance)
+        })
+    }),
+    ("join_uu", |s, a, _| {
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_uu(s, k, a).map_or(true, |t| t.rows().len() == 4))
+    }),
+    ("join_uv", |s, a, _| {
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_uv(s, k, a).map_or(true, |t| t.rows().len() == 4))
+    }),
+    ("join_vv", |s, a, _| {
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|k| s.join_vv(s, k, a).map_or(true, |t| t.rows().len() == 4))
+    }),
+    ("edge_continuity", |s, a, b| {
+        a != 0.0
+            || [0, 1, 2, 5].into_iter().all(|samples| {
+                let joint = edge_continuity(s, Edge::UEnd, s, Edge::VStart, b > 0.0, samples);
+                is_length(joint.gap) && is_length(joint.angle) && is_length(joint.curvature)
+            })
+    }),
+    ("order", |s, a, b| {
+        edge_continuity(s, Edge::UEnd, s, Edge::UStart, false, 2).order(a, b, a).is_none_or(|k| k <= 2)
+    }),
+    ("parameters", |s, a, _| {
+        Edge::ALL.iter().all(|e| {
+            let (u, v) = e.parameters(s.domain(), a);
+            !a.is_nan() || u.is_nan() || v.is_nan()
+        })
+    }),
+    ("runs_along_u", |_, _, _| Edge::VStart.runs_along_u() && !Edge::UEnd.runs_along_u()),
+    ("gaussian", |s, a, b| {
+        s.curvature(a, b).is_none_or(|c| c.gaussian().is_nan() || c.principal.iter().all(|k| !k.is_nan()))
+    }),
+    ("mean", |s, a, b| {
+        s.curvature(a, b).is_none_or(|c| c.mean().is_nan() || c.principal.iter().all(|k| !k.is_nan()))
+    }),
+    ("along", |s, a, b| {
+        s.curvature(0.3, 0.4)
+            .is_none_or(|c| c.along([a, b, 0.0]).is_none_or(|k| !k.is_nan() || !c.mean().is_finite()))
+    }),
+];
+
+const RATIONAL: &[Case<Rational>] = &[
+    ("new", |s, a, b| any(s, a, b)),
+    ("from_homogeneous", |s, _, _| {
+        s.control_point(0, 0)
+            == RationalSurface::from_homogeneous(*s.numerator(), *s.weight()).control_point(0, 0)
+            || !is_finite(s.eval(0.5, 0.5))
+    }),
+    ("numerator", |s, _, _| s.numerator().rows().len() == 4),
+    ("weight", |s, _, _| s.weight().rows().len() == 4),
+    ("subpatch", |s, a, b| s.subpatch(a..b, b..a).numerator().control_point(4, 4).is_some()),
+    ("control_point", |s, _, _| {
+        s.control_point(4, 0).is_none() && s.control_point(usize::MAX, usize::MAX).is_none()
+    }),
+    ("control_box", |s, _, _| is_box(s.control_box())),
+    ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
+];
+
+const REVOLVED: &[Case<Revolved>] = &[
+    ("new", |s, a, b| {
+        let other = SurfaceOfRevolution::new(s.generatrix(), [a, b, 0.0], [b, a, 1.0], a);
+        any(s, a, b)
+            && other.is_ok_and(|t| t.angle() == a)
+                == (a > 0.0 && a <= 2.0 * core::f64::consts::PI && b.is_finite())
+    }),
+    ("angle", |s, _, _| s.angle() == 4.0),
+    ("generatrix", |s, _, _| s.generatrix().control_points().len() == 4),
+    ("axis", |s, _, _| is_unit(s.axis()[1])),
+    ("is_closed", |s, _, _| !s.is_closed()),
+    ("meridian", |s, a, b| {
+        !a.is_nan() || is_nan(s.meridian(a).eval(b)) || !b.is_nan() || !is_finite(s.eval(0.5, 1.0))
+    }),
+    ("about_x", |s, a, b| {
+        let plane = Curve::new(s.generatrix().basis(), [[a, b], [b, a], [0.0, 0.0], [1.0, 1.0]]);
+        SurfaceOfRevolution::about_x(&plane, b).map_or(true, |t| any(&t, a, b))
+    }),
+    ("control_box", |s, _, _| is_box(s.control_box())),
+    ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
+    ("half_turn_parameter", |_, a, _| {
+        half_turn_parameter(a).is_nan()
+            || (0.0..=1.0).contains(&half_turn_parameter(a))
+            || !(0.0..=core::f64::consts::PI).contains(&a)
+    }),
+    ("to_rational_patches", |s, a, b| s.to_rational_patches().iter().all(|patch| any(patch, a, b))),
+    ("half_turns", |s, a, b| s.half_turns().iter().all(|patch| any(patch, a, b))),
+];
+
+const MESH: &[Case<Mesh<f64>>] = &[
+    ("check", |m, _, _| m.check().is_ok()),
+    ("corners", |m, _, _| m.corners([u32::MAX; 3]).is_none()),
+    ("area", |m, _, _| is_length(m.area())),
+    ("volume", |m, _, _| m.volume().is_nan() || m.volume().abs() >= 0.0),
+    ("boundary", |m, _, _| m.boundary().iter().flatten().all(|&p| (p as usize) < m.positions.len())),
+    ("is_closed", |m, _, _| !m.is_closed() || m.boundary().is_empty()),
+    ("is_oriented", |m, _, _| m.is_oriented() || !m.triangles.is_empty()),
+];
+
+/// Of a tessellation, whose functions answer with a mesh or an error, and of the features that write files.
+const OTHERS: &[&str] = &["with", "mesh", "write_obj", "write_stl", "write_gltf"];
+
+pub(crate) const NAMES: &[&str] = &{
+    let mut names = [""; TENSOR.len() + RATIONAL.len() + REVOLVED.len() + MESH.len() + OTHERS.len()];
+    let mut k = 0;
+    while k < TENSOR.len() {
+        names[k] = TENSOR[k].0;
+        k += 1;
+    }
+    let mut from = k;
+    while k - from < RATIONAL.len() {
+        names[k] = RATIONAL[k - from].0;
+        k += 1;
+    }
+    from = k;
+    while k - from < REVOLVED.len() {
+        names[k] = REVOLVED[k - from].0;
+        k += 1;
+    }
+    from = k;
+    while k - from < MESH.len() {
+        names[k] = MESH[k - from].0;
+        k += 1;
+    }
+    from = k;
+    while k - from < OTHERS.len() {
+        names[k] = OTHERS[k - from];
+        k += 1;
+    }
+    names
+};
+
+fn tensor(net: fn(usize) -> P) -> Tensor {
+    let shapes = [-3.0, 1.0, 0.5, 0.5].map(quartic);
+    TensorSurface::with_rows(
+        quartic(0.5),
+        shapes,
+        core::array::from_fn(|i| core::array::from_fn(|j| net(4 * i + j))),
+    )
+}
+
+#[test]
+fn tensor_surfaces() {
+    check(TENSOR, |net| Some(tensor(net)));
+    // Poles: each row is one point, or all rows are the same.
+    let pole = |net: fn(usize) -> P, rows: bool| {
+        let place = move |i: usize, j: usize| net(if rows { i } else { j });
+        let net = core::array::from_fn(|i| core::array::from_fn(|j| place(i, j)));
+        Some(TensorSurface::new(quartic(0.5), quartic(-1.0), net))
+    };
+    check(TENSOR, |net| pole(net, true));
+    check(TENSOR, |net| pole(net, false));
+}
+
+#[test]
+fn rational_surfaces() {
+    for weight in [1.0, 0.0, -1.0, 1e-300, f64::MAX, f64::NAN] {
+        check(RATIONAL, |net| {
+            let points = core::array::from_fn(|i| core::array::from_fn(|j| net(4 * i + j)));
+            let weights = core::array::from_fn(|i| {
+                core::array::from_fn(|j| if (i + j) % 3 == 1 { weight } else { 1.0 })
+            });
+            Some(RationalSurface::new(quartic(0.5), quartic(1.0), points, weights))
+        });
+    }
+}
+
+#[test]
+fn surfaces_of_revolution() {
+    check(REVOLVED, |net| {
+        let curve = Curve::new(quartic(0.5), core::array::from_fn(net));
+        SurfaceOfRevolution::new(&curve, [0.0; 3], [0.0, 0.6, 0.8], 4.0).ok()
+    });
+}
+
+#[test]
+fn meshes() {
+    for net in NETS {
+        for tolerance in crate::NUMBERS {
+            let Ok(tessellation) = Tessellation::new(tolerance) else {
+                assert!(tolerance <= 0.0 || !tolerance.is_finite());
+                continue;
+            };
+            let surface = tensor(net);
+            let curve = Curve::new(quartic(0.5), core::array::from_fn(net));
+            let size = surface.control_box().iter().flatten().fold(0.0_f64, |size, c| size.max(c.abs()));
+            // Meshes finer than this take their time, and are cut off at millions of triangles.
+            if size / tolerance > 1e4 && size.is_finite() {
+                continue;
+            }
+            let revolved = SurfaceOfRevolution::new(&curve, [0.0; 3], [0.0, 0.6, 0.8], 4.0);
+            let tessellation = tessellation.with(&surface).with(&surface);
+            let found = revolved.as_ref().map_or_else(
+                |_| tessellation.mesh(),
+                |revolved| Tessellation::new(tolerance)?.with(revolved).with(&surface).mesh(),
+            );
+            let Ok(mesh) = found else { continue };
+            assert!(mesh.positions.iter().all(|&p| is_finite(p)));
+            for (name, call) in MESH {
+                assert!(call(&mesh, 0.0, 0.0), "{name}: {net:?} {tolerance}");
+            }
+        }
+    }
+    assert_eq!(Tessellation::new(1.0).unwrap().mesh(), Ok(Mesh::default()));
+}
+
+/// Put together by hand, with indices that do not exist and positions that are no numbers.
+#[test]
+fn broken_meshes() {
+    let vertex =
+        |position| Vertex { position, normal: [f64::NAN; 3], uv: [f64::INFINITY; 2], surface: u32::MAX };
+    for position in [[f64::NAN; 3], [f64::MAX; 3], [0.0; 3]] {
+        for index in [0, 1, u32::MAX] {
+            let triangles = vec![[0, 1, index], [index; 3], [0, 1, 2], [0, 0, 1]];
+            let mesh = Mesh {
+                positions: vec![position; 2],
+                vertices: vec![vertex(0), vertex(index), vertex(1)],
+                triangles,
+            };
+            let _ = (
+                mesh.check(),
+                mesh.area(),
+                mesh.volume(),
+                mesh.boundary(),
+                mesh.is_closed(),
+                mesh.is_oriented(),
+            );
+            #[cfg(feature = "obj")]
+            let _ = mesh.write_obj(std::io::sink());
+            #[cfg(feature = "stl")]
+            let _ = mesh.write_stl(std::io::sink());
+            #[cfg(feature = "gltf")]
+            let _ = mesh.write_gltf(std::io::sink());
+        }
+    }
+}
