@@ -80,7 +80,8 @@ pub(super) fn shown(value: &Value) -> String {
     }
 }
 
-fn number(x: f64) -> String {
+/// A number with few digits, its sign as in print.
+pub(super) fn number(x: f64) -> String {
     let text = if x == 0.0 {
         String::from("0")
     } else if (1e-3..1e5).contains(&x.abs()) {

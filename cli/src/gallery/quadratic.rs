@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use basis_runtime::{Curve, Joint, SurfaceOfRevolution};
 
 use super::families::QuadraticBezier;
-use super::figure::{Drawing, Facts, Figure, Picture};
+use super::figure::{Drawing, Facts, Figure, Picture, number};
 use super::plot::{Axis, Plot};
 use super::scene::{Scene, View};
 
@@ -114,7 +114,7 @@ fn family() -> Result<Drawing, Box<dyn Error>> {
     let mut heights = Vec::new();
     for lambda in [-1.0, 0.0, 1.0] {
         let curve = Curve::new(QuadraticBezier::new(lambda)?, points);
-        plot.curve(&curve, &format!("λ = {lambda}"));
+        plot.curve(&curve, &format!("λ = {}", number(lambda)));
         heights.push(curve.bounding_box()[1][1]);
     }
     Ok(Drawing {
@@ -178,7 +178,7 @@ fn generatrix<const N: usize>(
     plot.axis(Axis::Y);
     for (k, segment) in segments.iter().enumerate() {
         plot.polygon(segment.control_points());
-        plot.curve(segment, &format!("P{} (λ = {})", k + 1, profile.lambda[k]));
+        plot.curve(segment, &format!("P{} (λ = {})", k + 1, number(profile.lambda[k])));
     }
     Ok(Drawing {
         picture: Picture::Curves(plot),
@@ -223,7 +223,11 @@ fn surface<const N: usize>(
         picture: Picture::Surfaces(scene, view),
         params: params(&profile),
         facts,
-        note: note.to_owned(),
+        note: if up > 0.0 {
+            note.to_owned()
+        } else {
+            format!("{note} The y axis of the generatrix points down here.")
+        },
     })
 }
 

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use basis_runtime::{Edge, EdgeContinuity, ShapeError, Surface, TensorSurface, edge_continuity};
 
 use super::families::QuarticBernstein;
-use super::figure::{Drawing, Facts, Figure, Picture};
+use super::figure::{Drawing, Facts, Figure, Picture, number};
 use super::scene::{Point3d, Scene, View};
 
 type Net = [[Point3d; 4]; 4];
@@ -22,7 +22,7 @@ pub(super) fn figures() -> Vec<Figure> {
         let id = format!("quart-fig-three-sided-{}", file(lambda));
         figures.push(Figure::new(
             id,
-            format!("A three-sided patch, λ = {lambda}, γᵢ = {gamma}"),
+            format!("A three-sided patch, λ = {}, γᵢ = {}", number(lambda), number(gamma)),
             move || {
                 special(
                     &three_sided(),
@@ -36,15 +36,19 @@ pub(super) fn figures() -> Vec<Figure> {
     }
     for gamma in [-2.0, -1.0, 0.0, 1.0] {
         let id = format!("quart-fig-two-sided-{}", file(gamma));
-        figures.push(Figure::new(id, format!("A two-sided patch, λ = −1, γᵢ = {gamma}"), move || {
-            special(
-                &two_sided(),
-                -1.0,
-                gamma,
-                &[Edge::UStart, Edge::UEnd],
-                View { azimuth: -62.0, elevation: 28.0 },
-            )
-        }));
+        figures.push(Figure::new(
+            id,
+            format!("A two-sided patch, λ = −1, γᵢ = {}", number(gamma)),
+            move || {
+                special(
+                    &two_sided(),
+                    -1.0,
+                    gamma,
+                    &[Edge::UStart, Edge::UEnd],
+                    View { azimuth: -62.0, elevation: 28.0 },
+                )
+            },
+        ));
     }
     figures
         .push(Figure::new("quart-fig-join-before", "Two patches before the join", || joined(&Join::Before)));

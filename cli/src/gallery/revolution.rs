@@ -8,7 +8,7 @@ use basis_runtime::{
 };
 
 use super::families::QuarticBernstein;
-use super::figure::{Drawing, Facts, Figure, Picture};
+use super::figure::{Drawing, Facts, Figure, Picture, number};
 use super::plot::{Axis, Plot};
 use super::scene::{Point3d, Scene, View};
 
@@ -36,7 +36,7 @@ pub(super) fn figures() -> Vec<Figure> {
     for (lambda, name) in [(1.0, "1"), (0.0, "0"), (-0.75, "m0.75"), (-1.5, "m1.5")] {
         figures.push(Figure::new(
             format!("rev-eq18-{name}"),
-            format!("Equation (18), a full turn, λ = {lambda}"),
+            format!("Equation (18), a full turn, λ = {}", number(lambda)),
             move || whole(&[ONE], &[lambda], 2.0 * PI),
         ));
     }
@@ -65,14 +65,14 @@ pub(super) fn figures() -> Vec<Figure> {
     for [a, b] in [[1.0, 1.0], [0.0, 0.0], [-1.0, -1.0], [-2.0, -2.0], [1.0, -3.0], [-3.0, 1.0]] {
         figures.push(Figure::new(
             format!("rev-eq22-{}-{}", file(a), file(b)),
-            format!("Equation (22), λ₁ = {a}, λ₂ = {b}"),
+            format!("Equation (22), λ₁ = {}, λ₂ = {}", number(a), number(b)),
             move || whole(&TWO, &[a, b], 2.0 * PI),
         ));
     }
     for lambda in [1.0, -1.0] {
         figures.push(Figure::new(
             format!("rev-eq22-smooth-{}", file(lambda)),
-            format!("A second pair of nets with a G1 join, λ₁ = λ₂ = {lambda}"),
+            format!("A second pair of nets with a G1 join, λ₁ = λ₂ = {}", number(lambda)),
             move || whole(&TWO_SMOOTH, &[lambda, lambda], 2.0 * PI),
         ));
     }
@@ -91,7 +91,7 @@ fn generatrix_of_one(lambdas: &[f64]) -> Result<Drawing, Box<dyn Error>> {
     let mut off = 0.0_f64;
     for &lambda in lambdas {
         let curve = Curve::new(QuarticBernstein::new(lambda)?, ONE);
-        plot.curve(&curve, &format!("λ = {lambda}"));
+        plot.curve(&curve, &format!("λ = {}", number(lambda)));
         for k in 0..=100 {
             let s = f64::from(k) / 100.0;
             let [x, y] = curve.eval(s);

@@ -182,7 +182,7 @@ where
     }
     let [low, high] = extent(&points);
     let size = (0..3).map(|c| (high[c] - low[c]).powi(2)).sum::<f64>().sqrt();
-    if size > 0.0 && size.is_finite() { size / 1500.0 } else { 1e-3 }
+    if size > 0.0 && size.is_finite() { size / 5000.0 } else { 1e-3 }
 }
 
 /// A parallel projection that fits a set of points into the picture.
