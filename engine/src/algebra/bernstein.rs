@@ -1,8 +1,8 @@
 //! Polynomials in several variables in scaled Bernstein form on boxes whose sides may be infinite.
 
-use super::fibre;
+use super::fibre::{self, Step};
 use super::poly::{Poly, Var};
-use super::rational::Rational;
+use super::rational::{Rational, Words};
 use super::work::Work;
 use crate::collections::list::Mapped;
 
@@ -81,11 +81,12 @@ impl Form {
         }
         let mut form = Self { degrees, coefficients };
         for (axis, (_, side)) in sides.iter().enumerate() {
-            form.along(axis, work, |fibre| match side {
-                Side::Finite(a, b) => fibre::on_interval(fibre, a, b),
-                Side::Upwards(a) => fibre::upwards(fibre, a),
-                Side::Downwards(b) => fibre::downwards(fibre, b),
-            })?;
+            let steps = match side {
+                Side::Finite(a, b) => fibre::on_interval(a, b),
+                Side::Upwards(a) => fibre::upwards(a),
+                Side::Downwards(b) => fibre::downwards(b),
+            };
+            form.along(axis, &steps, work)?;
         }
         Some(form)
     }
@@ -105,26 +106,25 @@ impl Form {
         self.degrees[axis + 1..].iter().map(|d| d + 1).product()
     }
 
-    /// Applies a linear function to every fibre along an axis.
-    fn along(&mut self, axis: usize, work: &mut Work, f: impl Fn(&mut [Rational])) -> Option<()> {
+    /// Changes the basis along an axis, fibre by fibre.
+    fn along(&mut self, axis: usize, steps: &[Step], work: &mut Work) -> Option<()> {
         let (n, stride) = (self.degrees[axis], self.stride(axis));
-        let count = self.coefficients.len() / (n + 1);
-        let bits = self.coefficients.iter().map(Rational::bits).max().unwrap_or(0);
-        work.spend((count * (n + 1) * (n + 2)) as u64 * (1 + bits / 64))?;
-        let mut fibre = vec![Rational::ZERO; n + 1];
-        for k in 0..count {
-            let start = k / stride * stride * (n + 1) + k % stride;
-            // Zeros stay zeros.
-            if (0..=n).all(|i| self.coefficients[start + i * stride].is_zero()) {
-                continue;
-            }
-            for (i, c) in fibre.iter_mut().enumerate() {
-                core::mem::swap(c, &mut self.coefficients[start + i * stride]);
-            }
-            f(&mut fibre);
-            for (i, c) in fibre.iter_mut().enumerate() {
-                core::mem::swap(c, &mut self.coefficients[start + i * stride]);
-            }
+        let words = Words::of(self.coefficients.iter());
+        let bits = match words {
+            Some(words) if words.are_whole() => Rational::from(words.largest() as i64).bits(),
+            _ => self.coefficients.iter().map(Rational::bits).max().unwrap_or(0),
+        };
+        work.spend((self.coefficients.len() * (n + 2)) as u64 * (1 + bits / 64))?;
+        if let Some(words) = words
+            && let Some(steps) = fibre::word_steps(steps, n + 1, words.largest())
+        {
+            let mut tensor = self.coefficients.mapped(|c| words.word(c));
+            each_fibre(&mut tensor, n, stride, &0, &mut |fibre| fibre::apply_words(&steps, fibre));
+            self.coefficients = tensor.mapped(|word| words.number(*word));
+        } else {
+            each_fibre(&mut self.coefficients, n, stride, &Rational::ZERO, &mut |fibre| {
+                fibre::apply(steps, fibre);
+            });
         }
         Some(())
     }
@@ -134,11 +134,11 @@ impl Form {
     pub fn halves(&self, axis: usize, side: &Side, work: &mut Work) -> Option<(Self, Self)> {
         let (mut low, mut high) = (self.clone(), self.clone());
         if let Side::Finite(..) = side {
-            low.along(axis, work, fibre::lower_half)?;
-            high.along(axis, work, fibre::upper_half)?;
+            low.along(axis, &fibre::lower_half(), work)?;
+            high.along(axis, &fibre::upper_half(), work)?;
         } else {
-            low.along(axis, work, fibre::lower_part)?;
-            high.along(axis, work, fibre::upper_part)?;
+            low.along(axis, &fibre::lower_part(), work)?;
+            high.along(axis, &fibre::upper_part(), work)?;
         }
         Some((low, high))
     }
@@ -223,6 +223,40 @@ impl Form {
             below && above
         };
         (0..fibres).filter(mixed).count()
+    }
+}
+
+/// Changes the fibres of a tensor along an axis with n + 1 places that are a stride apart; those of zeros stay.
+fn each_fibre<T: Clone + PartialEq>(
+    tensor: &mut [T],
+    n: usize,
+    stride: usize,
+    zero: &T,
+    change: &mut dyn FnMut(&mut [T]),
+) {
+    let mut fibre = vec![zero.clone(); n + 1];
+    let mut start = 0;
+    while start < tensor.len() {
+        let mut any = false;
+        let mut i = 0;
+        while i <= n {
+            let place = start + i * stride;
+            any |= tensor[place] != *zero;
+            fibre[i].clone_from(&tensor[place]);
+            i += 1;
+        }
+        if any {
+            change(&mut fibre);
+            let mut i = 0;
+            while i <= n {
+                tensor[start + i * stride].clone_from(&fibre[i]);
+                i += 1;
+            }
+        }
+        start += 1;
+        if start % stride == 0 {
+            start += n * stride;
+        }
     }
 }
 

@@ -88,6 +88,13 @@ impl Fraction {
         self.as_poly()?.as_constant()
     }
 
+    /// The variable that the function is, if it is one.
+    pub fn as_var(&self) -> Option<Var> {
+        let poly = self.as_poly().filter(|p| p.len() == 1)?;
+        let (m, c) = poly.leading_term()?;
+        (c.is_one() && m.total_degree() == 1).then(|| Var(m.width() - 1))
+    }
+
     /// Whether a variable occurs.
     pub fn depends_on(&self, var: Var) -> bool {
         self.numer.depends_on(var) || self.denom.depends_on(var)

@@ -200,14 +200,49 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
         factors.push((Poly::var(Var(i)), u32::from(*e)));
     }
     let mut rest = rest.normalized();
+    // Squares are common, and a root is found much faster than a greatest common divisor.
+    work.spend_product(&rest, &rest)?;
+    let exponent = match square_root(&rest) {
+        Some(root) if !rest.is_one() => {
+            rest = root;
+            2
+        }
+        _ => 1,
+    };
+    let first = factors.len();
     while let Some(var) = rest.variables().into_iter().min_by_key(|v| rest.degree(*v)) {
         let lower = content(&rest, var, work)?;
         let primitive = if lower.is_one() { rest } else { rest.div_exact(&lower)? };
         yun(&primitive, var, &mut factors, work)?;
         rest = lower;
     }
+    for (_, e) in &mut factors[first..] {
+        *e *= exponent;
+    }
     sort_by(&mut factors, |a, b| (a.1, a.0.total_degree(), &a.0).cmp(&(b.1, b.0.total_degree(), &b.0)));
     Some(factors)
+}
+
+/// The polynomial with a positive leading coefficient whose square this is, if there is one; from the greatest term on, each
+/// term of a square is twice the product of the greatest term of the root and one that is not known yet, plus what is known.
+fn square_root(poly: &Poly) -> Option<Poly> {
+    let half = |m: &Monomial| {
+        let exponents = m.exponents();
+        exponents.iter().all(|e| e % 2 == 0).then(|| Monomial::new(exponents.iter().map(|e| e / 2).collect()))
+    };
+    let (m, c) = poly.leading_term()?;
+    half(poly.terms().next()?.0)?;
+    let lead = (half(m)?, c.square_root()?);
+    let mut root = Poly::term(lead.0.clone(), lead.1.clone());
+    let mut rest = poly - &(&root * &root);
+    // The root of a square has no more terms than the square.
+    for _ in 1..=poly.len() {
+        let Some((m, c)) = rest.leading_term() else { return Some(root) };
+        let next = Poly::term(m.checked_div(&lead.0)?, c / &(&lead.1 + &lead.1));
+        rest = &rest - &(&(&(&root + &root) + &next) * &next);
+        root = &root + &next;
+    }
+    None
 }
 
 /// Yun's algorithm for a polynomial whose coefficients in `var` have no common divisor.
@@ -280,7 +315,20 @@ mod tests {
         let p = (&(&f.pow(2) * &g) * &(&z() - &n(1)).pow(3)).scale(&Rational::new(-3, 4));
         let p = &p * &y().pow(2);
         let parts = square_free(&p, &mut Work::unlimited()).expect("unlimited");
-        assert_eq!(parts, vec![(g, 1), (f, 2), (y(), 2), (&z() - &n(1), 3)]);
+        assert_eq!(parts, vec![(g.clone(), 1), (f.clone(), 2), (y(), 2), (&z() - &n(1), 3)]);
         assert_eq!(square_free(&n(5), &mut Work::unlimited()), Some(vec![]));
+        let square = &(&f * &x()) * &g.pow(2);
+        let parts = square_free(&square.pow(2).scale(&Rational::new(5, 3)), &mut Work::unlimited());
+        assert_eq!(parts, Some(vec![(f, 2), (x(), 2), (g, 4)]));
+    }
+
+    #[test]
+    fn square_roots() {
+        let p = &(&(&x() * &y()).scale(&Rational::from(3)) - &z().pow(2)) + &n(7);
+        assert_eq!(square_root(&p.pow(2)), Some(p.clone()));
+        assert_eq!(square_root(&(&p.pow(2) + &n(1))), None);
+        assert_eq!(square_root(&(&p.pow(2) + &x())), None);
+        assert_eq!(square_root(&p.pow(2).scale(&Rational::from(2))), None);
+        assert_eq!(square_root(&-&p.pow(2)), None);
     }
 }

@@ -12,11 +12,11 @@ pub struct Var(pub usize);
 /// A product of powers of variables.
 ///
 /// The order is lexicographic, variable 0 counting most.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 pub struct Monomial(Repr);
 
 /// The exponents; the representation is canonical, so that equal monomials are equal as data.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 enum Repr {
     /// One byte for each of the first 16 variables, variable 0 in the highest: a product is one addition, and
     /// numbers compare as monomials do.
@@ -85,6 +85,21 @@ impl Monomial {
                 (0..len).map(|i| (all >> shift(i)) as u16 & 0xff).collect()
             }
             Wide(e) => e.clone(),
+        }
+    }
+
+    /// The parts in the first variables, so many of them, and in the others.
+    pub fn split(&self, count: usize) -> (Self, Self) {
+        match &self.0 {
+            Packed(all) => {
+                let others = u128::MAX.checked_shr(8 * count as u32).unwrap_or(0);
+                (Self(Packed(all & !others)), Self(Packed(all & others)))
+            }
+            Wide(e) => {
+                let (first, _) = e.split_at(count.min(e.len()));
+                let others = e.iter().enumerate().map(|(i, e)| if i < count { 0 } else { *e });
+                (Self::new(first.to_vec()), Self::new(others.collect()))
+            }
         }
     }
 
@@ -160,6 +175,16 @@ impl Monomial {
     }
 }
 
+impl Clone for Monomial {
+    // The derived one calls a function for every field.
+    fn clone(&self) -> Self {
+        match &self.0 {
+            Packed(all) => Self(Packed(*all)),
+            Wide(e) => Self(Wide(e.clone())),
+        }
+    }
+}
+
 impl Default for Monomial {
     fn default() -> Self {
         Self::one()
@@ -205,6 +230,13 @@ mod tests {
         assert_eq!((far.width(), far.exponent(Var(20)), far.total_degree()), (21, 2, 2));
         assert!(far < m && Monomial::one() < far);
         assert_eq!(far.with_exponent(Var(20), 0), Monomial::one());
+        for m in [&m, &far, &product, &Monomial::one()] {
+            for count in [0, 1, 2, 16, 17, 21, 30] {
+                let (first, others) = m.split(count);
+                assert_eq!(&first.mul(&others), m);
+                assert!(first.width() <= count && (0..count).all(|i| others.exponent(Var(i)) == 0));
+            }
+        }
         assert_eq!(Monomial::new(vec![2, 1]).checked_div(&Monomial::new(vec![1, 2])), None);
         assert_eq!(
             Monomial::new(vec![2, 2]).checked_div(&Monomial::new(vec![1, 2])),

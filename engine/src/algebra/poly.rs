@@ -3,12 +3,12 @@
 use core::cmp::Ordering;
 use core::fmt;
 use core::ops::{Add, Mul, Neg, Sub};
-use std::collections::BTreeMap;
 
-use super::fibre;
+use super::fibre::{Change, Step};
 pub use super::monomial::{Monomial, Var};
 use super::rational::Rational;
 use crate::collections::list::Mapped;
+use crate::collections::map::SortedMap;
 use crate::collections::sort::sort_by;
 
 /// A monomial with its coefficient.
@@ -183,7 +183,7 @@ impl Poly {
 
     /// Whether the polynomial is the number 1.
     pub fn is_one(&self) -> bool {
-        self.as_constant().is_some_and(|c| c.is_one())
+        matches!(self.terms.as_slice(), [(m, c)] if m.is_one() && c.is_one())
     }
 
     /// The number that the polynomial is, if no variable occurs.
@@ -207,28 +207,48 @@ impl Poly {
 
     /// The highest exponent of a variable; 0 for the zero polynomial.
     pub fn degree(&self, var: Var) -> u32 {
-        self.terms.iter().map(|(m, _)| u32::from(m.exponent(var))).max().unwrap_or(0)
+        let mut degree = 0;
+        for (m, _) in &self.terms {
+            degree = m.exponent(var).max(degree);
+        }
+        u32::from(degree)
     }
 
     /// The highest sum of exponents; 0 for the zero polynomial.
     pub fn total_degree(&self) -> u32 {
-        self.terms.iter().map(|(m, _)| m.total_degree()).max().unwrap_or(0)
+        let mut degree = 0;
+        for (m, _) in &self.terms {
+            degree = m.total_degree().max(degree);
+        }
+        degree
     }
 
     /// The variables that occur, in increasing order.
     pub fn variables(&self) -> Vec<Var> {
-        let count = self.terms.iter().map(|(m, _)| m.width()).max().unwrap_or(0);
-        (0..count).map(Var).filter(|v| self.depends_on(*v)).collect()
+        let mut width = 0;
+        for (m, _) in &self.terms {
+            width = m.width().max(width);
+        }
+        (0..width).map(Var).filter(|v| self.depends_on(*v)).collect()
     }
 
     /// Whether a variable occurs.
     pub fn depends_on(&self, var: Var) -> bool {
-        self.terms.iter().any(|(m, _)| m.exponent(var) > 0)
+        for (m, _) in &self.terms {
+            if m.exponent(var) > 0 {
+                return true;
+            }
+        }
+        false
     }
 
     /// The size of the largest coefficient in bits: the work that arithmetic costs.
     pub fn max_bits(&self) -> u64 {
-        self.terms.iter().map(|(_, c)| c.bits()).max().unwrap_or(0)
+        let mut bits = 0;
+        for (_, c) in &self.terms {
+            bits = c.bits().max(bits);
+        }
+        bits
     }
 
     /// The polynomial times a number.
@@ -278,11 +298,14 @@ impl Poly {
 
     /// The partial derivative in a variable.
     pub fn derivative(&self, var: Var) -> Self {
-        let terms = self.terms.iter().filter_map(|(m, c)| {
+        let mut terms = Vec::new();
+        for (m, c) in &self.terms {
             let e = m.exponent(var);
-            (e > 0).then(|| (m.with_exponent(var, e - 1), c * &Rational::from(i64::from(e))))
-        });
-        Self { terms: terms.collect() }
+            if e > 0 {
+                terms.push((m.with_exponent(var, e - 1), c * &Rational::from(i64::from(e))));
+            }
+        }
+        Self { terms }
     }
 
     /// The polynomial with a number put in place of a variable.
@@ -307,41 +330,83 @@ impl Poly {
         if let Some(c) = value.as_constant() {
             return self.at(var, &c);
         }
-        if let Some(moved) = self.substitute_linear(var, value) {
-            return moved;
+        if !self.depends_on(var) {
+            return self.clone();
         }
-        let mut result = Self::zero();
-        for coefficient in self.coefficients_in(var).iter().rev() {
-            result = &(&result * value) + coefficient;
+        let (mut terms, mut last) = (Vec::new(), Vec::new());
+        for term in &value.terms {
+            (if term.0.exponent(var) == 0 { &mut terms } else { &mut last }).push(term);
         }
-        result
+        let own = last.len();
+        terms.append(&mut last);
+        match terms[..] {
+            [only] => self.substitute_term(var, only),
+            // One term after the other: x + c for x, and at last a + b.
+            [.., a, b] if terms.len() <= 4 && own <= 1 => {
+                let x = (Monomial::one().with_exponent(var, 1), Rational::ONE);
+                let moved = terms[..terms.len() - 2]
+                    .iter()
+                    .fold(self.clone(), |moved, c| moved.substitute_binomial(var, c, &x));
+                moved.substitute_binomial(var, a, b)
+            }
+            _ => {
+                let mut result = Self::zero();
+                for coefficient in self.coefficients_in(var).iter().rev() {
+                    result = &(&result * value) + coefficient;
+                }
+                result
+            }
+        }
     }
 
-    /// The polynomial with a + b·y, two numbers and a variable, put in place of a variable; `None` for other values.
-    fn substitute_linear(&self, var: Var, value: &Self) -> Option<Self> {
-        let [(one, a), (power, b)] = value.terms.as_slice() else { return None };
-        let y = Var(power.width().checked_sub(1)?);
-        if !one.is_one() || power.total_degree() != 1 || y != var && self.depends_on(y) {
-            return None;
-        }
-        // By the rest of the monomial the coefficients of the powers of the variable.
-        let mut fibres: BTreeMap<Monomial, Vec<Rational>> = BTreeMap::new();
-        for (m, c) in &self.terms {
-            let fibre = fibres.entry(m.with_exponent(var, 0)).or_default();
-            let e = usize::from(m.exponent(var));
-            if fibre.len() <= e {
-                fibre.resize(e + 1, Rational::ZERO);
+    /// The polynomial with a·m + b·n, two numbers and two monomials, put in place of a variable.
+    fn substitute_binomial(&self, var: Var, (m, a): &Term, (n, b): &Term) -> Self {
+        let degree = self.degree(var) as usize;
+        let powers = |m: &Monomial| {
+            let mut all = vec![Monomial::one()];
+            for k in 0..degree {
+                all.push(all[k].mul(m));
+            }
+            all
+        };
+        let (of_m, of_n) = (powers(m), powers(n));
+        // r·xᵉ becomes Σ binomial(e, k)·aᵉ⁻ᵏ·bᵏ·r·mᵉ⁻ᵏ·nᵏ: terms with the same r·mᵉ are a polynomial in one variable.
+        let mut fibres: SortedMap<Monomial, Vec<Rational>> = SortedMap::new();
+        for (monomial, c) in &self.terms {
+            let e = usize::from(monomial.exponent(var));
+            let key = monomial.with_exponent(var, 0).mul(&of_m[e]);
+            let fibre = fibres.get_or_insert_with(key, Vec::new);
+            while fibre.len() <= e {
+                fibre.push(Rational::ZERO);
             }
             fibre[e] = c.clone();
         }
+        let steps = [Step::Shift(a.clone()), Step::Powers(b.clone())];
+        let mut change = Change::new(&steps, self.terms.iter().map(|(_, c)| c), degree + 1);
         let mut terms = Vec::with_capacity(self.len());
-        for (rest, mut fibre) in fibres {
-            fibre::shift(&mut fibre, a);
-            fibre::powers(&mut fibre, b);
-            let raised = |(k, c)| (rest.with_exponent(y, k as u16), c);
-            terms.extend(fibre.into_iter().enumerate().map(raised));
+        for (key, mut fibre) in fibres {
+            change.apply(&mut fibre);
+            for (k, c) in fibre.into_iter().enumerate() {
+                // The fibre has a term with r·mᵉ and e ≥ k.
+                if let Some(rest) = key.checked_div(&of_m[k]) {
+                    terms.push((rest.mul(&of_n[k]), c));
+                }
+            }
         }
-        Some(Self::from_terms(terms))
+        Self::from_terms(terms)
+    }
+
+    /// The polynomial with a number times a monomial put in place of a variable.
+    fn substitute_term(&self, var: Var, (m, a): &Term) -> Self {
+        let (mut monomials, mut numbers) = (vec![Monomial::one()], vec![Rational::ONE]);
+        for k in 0..self.degree(var) as usize {
+            monomials.push(monomials[k].mul(m));
+            numbers.push(&numbers[k] * a);
+        }
+        Self::from_terms(self.terms.mapped(|(n, c)| {
+            let e = usize::from(n.exponent(var));
+            (n.with_exponent(var, 0).mul(&monomials[e]), c * &numbers[e])
+        }))
     }
 
     /// The polynomial with others put in place of all variables at once, by their index; variables beyond

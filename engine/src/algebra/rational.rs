@@ -13,10 +13,10 @@ use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, ToPrimitive};
 
 /// An exact fraction in lowest terms with a positive denominator.
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 pub struct Rational(Repr);
 
-#[derive(Clone, PartialEq, Eq, Hash)]
+#[derive(PartialEq, Eq, Hash)]
 enum Repr {
     /// Numerator and denominator, lowest terms, denominator positive, neither is `i64::MIN`.
     Small(i64, i64),
@@ -24,6 +24,16 @@ enum Repr {
     Big(Box<BigRational>),
 }
 use Repr::{Big, Small};
+
+impl Clone for Rational {
+    // The derived one calls a function for every field, and nothing is called as often.
+    fn clone(&self) -> Self {
+        match &self.0 {
+            Small(n, d) => Self(Small(*n, *d)),
+            Big(b) => Self(Big(b.clone())),
+        }
+    }
+}
 
 impl Rational {
     /// 0.
@@ -196,6 +206,16 @@ impl Rational {
         result
     }
 
+    /// The number that is not negative and whose square this is; `None` where there is no rational one.
+    pub fn square_root(&self) -> Option<Self> {
+        if self.is_negative() {
+            return None;
+        }
+        let big = self.to_big();
+        let root = Self::from_big(BigRational::new_raw(big.numer().sqrt(), big.denom().sqrt()));
+        (&(&root * &root) == self).then_some(root)
+    }
+
     /// The largest whole number not above this one.
     pub fn floor(&self) -> Self {
         Self::from_big(self.to_big().floor())
@@ -318,7 +338,7 @@ fn gcd(mut a: u128, mut b: u128) -> u128 {
 
 impl From<i64> for Rational {
     fn from(value: i64) -> Self {
-        Self::from_i128(i128::from(value), 1)
+        if value == i64::MIN { Self::from_i128(i128::from(value), 1) } else { Self(Small(value, 1)) }
     }
 }
 
@@ -441,6 +461,56 @@ impl Div<&Rational> for &Rational {
             }
         }
         Rational::from_big(self.to_big() / other.to_big())
+    }
+}
+
+/// How numbers become machine words: as numerators over a common denominator.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Words {
+    denom: i64,
+    largest: u64,
+}
+
+impl Words {
+    /// For some numbers; `None` when one of them does not fit.
+    pub(super) fn of<'a>(numbers: impl Iterator<Item = &'a Rational>) -> Option<Self> {
+        let (mut denom, mut largest) = (1_i64, 0);
+        for number in numbers {
+            let Small(n, d) = number.0 else { return None };
+            largest = n.unsigned_abs().max(largest);
+            if d != 1 && d != denom {
+                let common = gcd(u128::from(denom.unsigned_abs()), u128::from(d.unsigned_abs()));
+                denom = denom.checked_mul(d / i64::try_from(common).ok()?)?;
+            }
+        }
+        Some(Self { denom, largest: largest.checked_mul(denom.unsigned_abs())? })
+    }
+
+    /// No numerator has a larger absolute value.
+    pub(super) const fn largest(self) -> u64 {
+        self.largest
+    }
+
+    /// Whether all numbers are whole.
+    pub(super) const fn are_whole(self) -> bool {
+        self.denom == 1
+    }
+
+    /// The numerator of one of the numbers.
+    pub(super) fn word(self, number: &Rational) -> i64 {
+        match number.0 {
+            Small(n, d) if d == self.denom => n,
+            Small(n, d) => n * (self.denom / d),
+            Big(_) => 0, // not one of them
+        }
+    }
+
+    /// The number with this numerator.
+    pub(super) fn number(self, word: i64) -> Rational {
+        if self.denom == 1 {
+            return Rational::from(word);
+        }
+        Rational::from_i128(i128::from(word), i128::from(self.denom))
     }
 }
 

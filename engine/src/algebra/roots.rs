@@ -191,7 +191,7 @@ fn on_interval(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work)
     let n = p.degree() as u64;
     work.spend(2 * n * n * (1 + (p.max_bits() + n * (low.bits() + high.bits())) / 64) + 10)?;
     let mut form = p.coefficients().to_vec();
-    fibre::on_interval(&mut form, low, high);
+    fibre::apply(&fibre::on_interval(low, high), &mut form);
     Some(form)
 }
 
@@ -201,8 +201,8 @@ fn halves(form: &[Rational], work: &mut Work) -> Option<(Vec<Rational>, Vec<Rati
     let bits = form.iter().map(Rational::bits).max().unwrap_or(0);
     work.spend(n * n * (1 + bits / 64) + 10)?;
     let (mut left, mut right) = (form.to_vec(), form.to_vec());
-    fibre::lower_half(&mut left);
-    fibre::upper_half(&mut right);
+    fibre::apply(&fibre::lower_half(), &mut left);
+    fibre::apply(&fibre::upper_half(), &mut right);
     Some((left, right))
 }
 

@@ -3,6 +3,8 @@
 //! Every pair of types in a `BTreeMap` compiles a whole search tree, and every user of the macro builds them all. Maps of
 //! the engine have few keys: two lists will do.
 
+use core::cmp::Ordering;
+
 /// Values by keys, in the order of the keys.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SortedMap<K, V> {
@@ -79,7 +81,16 @@ impl<K: Ord, V> SortedMap<K, V> {
 
     /// The value of a key, which is added with a first value if it has none.
     pub fn get_or_insert_with(&mut self, key: K, first: impl FnOnce() -> V) -> &mut V {
-        let position = self.keys.binary_search(&key).unwrap_or_else(|position| {
+        // Keys often come in order.
+        let last = match self.keys.last() {
+            None => Err(0),
+            Some(last) => match last.cmp(&key) {
+                Ordering::Less => Err(self.keys.len()),
+                Ordering::Equal => Ok(self.keys.len() - 1),
+                Ordering::Greater => self.keys.binary_search(&key),
+            },
+        };
+        let position = last.unwrap_or_else(|position| {
             self.keys.insert(position, key);
             self.values.insert(position, first());
             position

@@ -1,6 +1,8 @@
 //! The formulas that are emitted, still exact: factored values, Bernstein tables, the endpoint form.
 
-use crate::algebra::poly::{Poly, Var};
+use crate::SortedMap;
+use crate::algebra::fibre;
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
 use crate::collections::list::Mapped;
 use crate::model::Family;
@@ -112,27 +114,27 @@ fn affine(coefficients: &[Poly], low: &Rational, width: &Rational) -> Vec<Poly> 
     result
 }
 
-/// The coefficients of p(by + x), by Horner's scheme: sums of the coefficients, made whole as long as they are added.
+/// The coefficients of p(by + x).
 fn shift(coefficients: &mut [Poly], by: &Rational) {
     if by.is_zero() {
         return;
     }
-    let content = coefficients.iter().fold(Rational::ZERO, |g, c| g.gcd(&c.numeric_content()));
-    if let Some(factor) = content.recip().filter(|_| !content.is_integer()) {
-        for c in &mut *coefficients {
-            *c = c.scale(&factor);
+    // By monomial, its coefficients for the powers of x.
+    let mut fibres: SortedMap<Monomial, Vec<Rational>> = SortedMap::new();
+    for (k, coefficient) in coefficients.iter().enumerate() {
+        for (m, c) in coefficient.terms() {
+            fibres.get_or_insert_with(m.clone(), || vec![Rational::ZERO; coefficients.len()])[k] = c.clone();
         }
-        shift(coefficients, by);
-        for c in coefficients {
-            *c = c.scale(&content);
-        }
-        return;
     }
-    for start in 0..coefficients.len() {
-        for k in (start..coefficients.len() - 1).rev() {
-            let next = if by.is_one() { coefficients[k + 1].clone() } else { coefficients[k + 1].scale(by) };
-            coefficients[k] = &coefficients[k] + &next;
+    let mut terms = coefficients.mapped(|_| Vec::new());
+    for (m, mut fibre) in fibres {
+        fibre::shift(&mut fibre, by);
+        for (k, c) in fibre.into_iter().enumerate() {
+            terms[k].push((m.clone(), c));
         }
+    }
+    for (k, terms) in terms.into_iter().enumerate() {
+        coefficients[k] = Poly::from_terms(terms);
     }
 }
 

@@ -67,6 +67,9 @@ impl Budget {
 
     /// Counts a product before it is computed.
     fn before_product(&self, a: &Poly, b: &Poly) -> Result<(), TooLarge> {
+        if a.is_one() && b.is_one() {
+            return self.spend(1);
+        }
         let degree = a.total_degree() + b.total_degree();
         if degree > MAX_DEGREE {
             return Err(format!("has degree {degree}; the highest degree is {MAX_DEGREE}"));

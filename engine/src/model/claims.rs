@@ -406,6 +406,7 @@ fn differences(
         }
     };
     let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
+    let (library, unit) = (scope.library, scope.unit);
     let mut all = Vec::new();
     for (position, ((index, l), (other, r))) in left.into_iter().zip(right).enumerate() {
         let difference = match scope.budget.sub(&l, &r) {
@@ -420,21 +421,15 @@ fn differences(
         } else {
             scope.put(&difference, &vars, &values, relation.span)?
         };
-        let (library, unit) = (scope.library, scope.unit);
-        let is_family = |name: &str| library.knows(unit, name);
+        let is_family = |name: &str| scope.variable(name).is_none() && library.knows(unit, name);
         let function_name = scope.function_name.as_str();
         // A plain list has positions for indices; the functions' own indices say more.
         let index = if index.len() >= other.len() { &index } else { &other };
         let component =
             is_list.then_some(Component { function_name, is_family: &is_family, position, index });
         let printer = Printer { constants: &scope.constants, component };
-        let (left, right) = (&relation.left, &relation.right);
-        all.push(Difference {
-            left: printer.print(left),
-            right: printer.print(right),
-            text: printer.difference(left, right),
-            value,
-        });
+        let (left, right, text) = printer.difference(&relation.left, &relation.right);
+        all.push(Difference { left, right, text, value });
     }
     Some(all)
 }

@@ -63,7 +63,7 @@ impl Scope<'_> {
             }
             ExprKind::Power(base, exponent) => self.power(base, exponent, expr.span),
             ExprKind::Index(base, indices) => self.indexed(base, indices, expr.span),
-            ExprKind::Call(callee, arguments) => self.call(callee, arguments, expr.span),
+            ExprKind::Call(callee, arguments) => self.call(callee, arguments, None, expr.span),
             ExprKind::List(parts) => {
                 let mut list = Vec::new();
                 for (k, part) in parts.iter().enumerate() {
@@ -139,7 +139,7 @@ impl Scope<'_> {
             return None;
         }
         if self.library.knows(self.unit, name) {
-            return self.family(name, &[], &[], span);
+            return self.family(name, &[], &[], None, span);
         }
         self.unknown(name, span);
         None
@@ -314,7 +314,11 @@ impl Scope<'_> {
             });
             return None;
         }
-        match self.value(base)? {
+        let value = match &base.kind {
+            ExprKind::Call(callee, arguments) => self.call(callee, arguments, Some(&index), base.span)?,
+            _ => self.value(base)?,
+        };
+        match value {
             Value::List(list) => match list.iter().find(|(i, _)| *i == index) {
                 Some((_, value)) => Some(Value::Scalar(value.clone())),
                 None => {
@@ -334,7 +338,8 @@ impl Scope<'_> {
         }
     }
 
-    fn call(&mut self, callee: &Expr, arguments: &[Expr], span: Span) -> Option<Value> {
+    /// The value of a call; of the functions of another family perhaps one only.
+    fn call(&mut self, callee: &Expr, arguments: &[Expr], only: Option<&[i64]>, span: Span) -> Option<Value> {
         match &callee.kind {
             ExprKind::Name(name) if name == "D" => self.derivative(arguments, span),
             ExprKind::Name(name) if BUILTINS.contains(&name.as_str()) => self.builtin(name, arguments, span),
@@ -349,9 +354,9 @@ impl Scope<'_> {
                     return None;
                 }
                 if self.library.order_count(self.unit, name) == 0 {
-                    self.family(name, &[], arguments, span)
+                    self.family(name, &[], arguments, only, span)
                 } else {
-                    self.family(name, arguments, &[], span)
+                    self.family(name, arguments, &[], only, span)
                 }
             }
             // Family(order)(shape values)
@@ -360,7 +365,7 @@ impl Scope<'_> {
                     if self.library.order_count(self.unit, name) > 0 && self.taken(name).is_none()) =>
             {
                 let ExprKind::Name(name) = &inner.kind else { return None };
-                self.family(name, orders, arguments, span)
+                self.family(name, orders, arguments, only, span)
             }
             ExprKind::Name(_) | ExprKind::Index(..) | ExprKind::Call(..) => {
                 let value = self.value(callee)?;
@@ -418,7 +423,8 @@ impl Scope<'_> {
     /// A function with others put in place of variables, all at once.
     pub(super) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
         let mut result = f.clone();
-        if by.iter().all(|value| value.as_constant().is_some()) {
+        let later = |k: usize| vars.iter().skip(k + 1).any(|var| by[k].depends_on(*var));
+        if !(0..by.len()).any(later) {
             for (var, value) in vars.iter().zip(by) {
                 result = self.put_one(&result, *var, value, span)?;
             }
@@ -609,7 +615,14 @@ impl Scope<'_> {
     }
 
     /// The functions of another family, in this family's domain variables.
-    fn family(&mut self, name: &str, orders: &[Expr], shapes: &[Expr], span: Span) -> Option<Value> {
+    fn family(
+        &mut self,
+        name: &str,
+        orders: &[Expr],
+        shapes: &[Expr],
+        only: Option<&[i64]>,
+        span: Span,
+    ) -> Option<Value> {
         let mut order = Vec::new();
         for o in orders {
             order.push(self.whole(o, "the order of a family")?);
@@ -681,17 +694,23 @@ impl Scope<'_> {
             by.push(value);
         }
         // The other family's shape parameters stand aside until their values take their places, so that no value
-        // is substituted into another.
-        let aside: Vec<Var> = (0..by.len()).map(|k| Var(self.names.len() + k)).collect();
-        let dependent = family.dependent.as_ref().and(self.dependent);
-        let names: Vec<Var> = aside.iter().chain(&self.domain).copied().chain(dependent).collect();
+        // is substituted into another; different variables take them at once.
+        let plain = by.mapped(Fraction::as_var);
+        let renamed = (0..plain.len()).all(|k| plain[k].is_some() && !plain[..k].contains(&plain[k]));
+        let aside = |k: usize| Var(self.names.len() + k);
+        let mut names: Vec<Var> =
+            (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).collect();
+        names.extend(&self.domain);
+        names.extend(family.dependent.as_ref().and(self.dependent));
+        // An index that is none is reported with the whole list.
+        let only = only.filter(|index| family.functions.iter().any(|f| f.index == **index));
         let mut list = Vec::new();
-        for f in &family.functions {
+        for f in family.functions.iter().filter(|f| only.is_none_or(|index| f.index == index)) {
             let size = (f.value.numer().len() + f.value.denom().len()) as u64;
             self.fits(self.budget.spend(size), span)?;
             let mut value = f.value.rename(&names);
-            for (var, value_of) in aside.iter().zip(&by) {
-                match self.fits(self.budget.substitute(&value, *var, value_of), span)? {
+            for (k, value_of) in by.iter().enumerate().filter(|_| !renamed) {
+                match self.fits(self.budget.substitute(&value, aside(k), value_of), span)? {
                     Some(v) => value = v,
                     None => {
                         self.report(self.error(span, format!("a denominator of `{name}` becomes zero here")));

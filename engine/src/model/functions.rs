@@ -1,10 +1,12 @@
 //! The functions of a family: one by one, by loops, by permutation, and by recursion from a lowest order.
 
+use std::rc::Rc;
+
 use proc_macro2::Span;
 
 use super::indices::{check_indices, grid, sizes};
 use super::scope::{Definition, Scope, multi_indices};
-use super::{Function, label};
+use super::{Family, Function, label};
 use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -305,7 +307,15 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
             .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
             .collect();
     }
-    for current in lowest + 1..=wanted {
+    let mut done = lowest;
+    if let Some(before) = order_before(scope, written, lowest, wanted) {
+        scope.functions = SortedMap::new();
+        for f in &before.functions {
+            scope.functions.insert(f.index.clone(), Some(f.value.clone()));
+        }
+        done = wanted - 1;
+    }
+    for current in done + 1..=wanted {
         let Some(indices) = raised_indices(scope, def, names.len()) else {
             scope.cut_short = true;
             return;
@@ -331,6 +341,22 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
             return;
         }
     }
+}
+
+/// The family of the order before, expanded once for all orders above it; `None` where it may not be what the recursion runs
+/// through on its way to a higher order, and where its range begins later.
+fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted: i64) -> Option<Rc<Family>> {
+    // Other statements may depend on the order that is wanted.
+    let own = |s: &syntax::Statement| matches!(s.kind, StatementKind::Let(..) | StatementKind::Function(_));
+    if written.orders.len() != 1 || written.statements.iter().any(own) {
+        return None;
+    }
+    let mut family = None;
+    // From the lowest on, so that each needs one other only.
+    for order in lowest + 1..wanted {
+        family = Some(scope.library.family(scope.unit, &written.name.text, &[order]).ok()?);
+    }
+    family
 }
 
 /// The indices of the next order: on a simplex those with a sum greater by one, else one more in each place.

@@ -38,12 +38,16 @@ impl Printer<'_> {
         self.at_least(expr, Binding::Sum)
     }
 
-    /// `left - right` as text, without what need not be said.
-    pub(super) fn difference(&self, left: &Expr, right: &Expr) -> String {
-        match self.print(right).as_str() {
-            "0" => self.print(left),
-            _ => format!("{} - {}", self.print(left), self.at_least(right, Binding::Product)),
-        }
+    /// `left`, `right` and `left - right` as text, without what need not be said.
+    pub(super) fn difference(&self, left: &Expr, right: &Expr) -> (String, String, String) {
+        let left = self.print(left);
+        let (right, binding) = self.parts(right);
+        let difference = match (right.as_str(), binding) {
+            ("0", _) => left.clone(),
+            (_, Binding::Sum) => format!("{left} - ({right})"),
+            _ => format!("{left} - {right}"),
+        };
+        (left, right, difference)
     }
 
     fn at_least(&self, expr: &Expr, wanted: Binding) -> String {

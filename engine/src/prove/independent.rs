@@ -70,7 +70,9 @@ pub fn coefficient_table(family: &Family) -> Table {
         return Table { rows, symmetries };
     }
     let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
-    let domain_degree = |m: &Monomial| domain.iter().map(|v| m.exponent(*v)).sum::<u16>();
+    // The shape parameters are the first variables.
+    let parts_of = |m: &Monomial| m.split(family.shapes.len());
+    let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
     let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
     let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);
     // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the degree.
@@ -90,8 +92,7 @@ pub fn coefficient_table(family: &Family) -> Table {
         let raised = parts.into_iter().zip(&powers).map(|(part, power)| &Poly::from_terms(part) * power);
         let mut row: SortedMap<Monomial, Poly> = SortedMap::new();
         for (m, c) in raised.fold(Poly::zero(), |sum, p| &sum + &p).terms() {
-            let shape = domain.iter().fold(m.clone(), |m, v| m.with_exponent(*v, 0));
-            let column = family.shapes.iter().fold(m.clone(), |m, p| m.with_exponent(p.var, 0));
+            let (shape, column) = parts_of(m);
             row.get_or_insert_with(column, Poly::zero).add_term(shape, c);
         }
         row

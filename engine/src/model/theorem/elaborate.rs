@@ -423,13 +423,13 @@ impl Elaboration<'_> {
         self.each(&written.loops, &mut |all| {
             let kind = all.claim(written)?;
             let printer = Printer { constants: &all.scope.constants, component: None };
-            let (left, right) = (printer.print(&written.left), printer.print(&written.right));
+            let (left, right, difference) = printer.difference(&written.left, &written.right);
             claims.push(TheoremClaim {
                 text: format!("{left} {} {right}", written.relation.symbol()),
                 doc: statement.doc.clone(),
                 expected: written.expected,
                 place: all.scope.place(statement.span),
-                difference: printer.difference(&written.left, &written.right),
+                difference,
                 kind,
             });
             Some(())
