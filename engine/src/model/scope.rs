@@ -169,6 +169,11 @@ impl Scope<'_> {
             "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
             "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
             _ => did_you_mean(name, &known, &|| {
+                if self.subject == Subject::Theorem {
+                    return format!(
+                        "indices and orders are numbers, or index variables: `for {name} in 0..=3`"
+                    );
+                }
                 if name.starts_with(|c: char| c.is_ascii_uppercase()) {
                     format!("families here are {}", crate::words::list(&families))
                 } else {

@@ -17,6 +17,9 @@ use crate::model::{Comparison, Parameter};
 /// Regular nets have at most so many points that matter.
 const MAX_REGULAR: usize = 8;
 
+/// So many nets are tried where an inequality between coordinates stays undecided.
+const ATTEMPTS: usize = 16;
+
 /// Decides a claim of a theorem.
 pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
     let of = &claim.difference;
@@ -226,25 +229,36 @@ const fn relation(comparison: Comparison) -> (Relation, bool) {
 fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: &Fraction) -> Verdict {
     let of = claim.difference.as_str();
     let (relation, negate) = relation(comparison);
-    let decide = |value: &Fraction| {
+    let decide = |value: &Fraction, budget: &mut Budget| {
         let polynomial = with_sign(theorem, value);
         let polynomial = if negate { -&polynomial } else { polynomial };
-        decide::decide(&polynomial, relation, &theorem.region(), &mut Budget::scaled(theorem.budget))
+        decide::decide(&polynomial, relation, &theorem.region(), budget)
     };
-    let witness = match decide(value) {
+    let fresh = || Budget::scaled(theorem.budget);
+    let witness = match decide(value, &mut fresh()) {
         Decision::Proved(proof) => {
             let method = proof.method.to_string();
             let proof = StepProof::Sign(proof);
             return Verdict::Proved(Evidence { method, steps: vec![Step { of: of.to_string(), proof }] });
         }
-        Decision::Undecided(left) => return Verdict::Undecided(format!("`{of}`: {left}")),
+        Decision::Undecided(left) => {
+            // With definite points in place of coordinates the question is a smaller one.
+            let budget = &mut fresh();
+            for net in nets(theorem).take(if theorem.dimension.is_some() { ATTEMPTS } else { 0 }) {
+                let value = on_net(theorem, value, &net);
+                if let Decision::Refuted(witness) = decide(&value, budget) {
+                    return counterexample(theorem, claim, &net, &value, &witness);
+                }
+            }
+            return Verdict::Undecided(format!("`{of}`: {left}"));
+        }
         Decision::Refuted(witness) => witness,
     };
     if theorem.products.iter().any(|(var, _)| value.depends_on(*var)) {
         // Dot products are not any numbers: the claim must fail for a net.
         for net in nets(theorem) {
             let value = on_net(theorem, value, &net);
-            if let Decision::Refuted(witness) = decide(&value) {
+            if let Decision::Refuted(witness) = decide(&value, &mut fresh()) {
                 return counterexample(theorem, claim, &net, &value, &witness);
             }
         }

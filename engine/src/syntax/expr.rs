@@ -78,6 +78,11 @@ fn flat(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) -
     }
 }
 
+/// Whether a word begins a claim or another statement, and is nobody's name.
+fn is_statement(word: &str) -> bool {
+    ["prove", "refute", "curve", "surface", "scalar", "assume", "let"].contains(&word)
+}
+
 /// Two factors side by side, as papers write them, are an error with the place of the missing sign; on two lines it is
 /// the end of a statement that is missing.
 fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
@@ -91,14 +96,18 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
         _ => return Ok(()),
     };
-    if input.span().start().line > before.span.end().line {
+    if input.span().start().line > before.span.end().line || is_statement(&found) {
         return Err(missing_semicolon(before.span));
     }
-    Err(error(
-        input.span(),
-        format!("an operator is missing before `{found}`"),
-        "write `*` between the factors of a product",
-    ))
+    let help = match found.as_str() {
+        "and" | "or" => "write two claims, or `,` between the members of a list",
+        "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
+        "where" | "when" | "with" => {
+            "ranges are declared, `scalar 0 < c;`; index variables follow after `for`"
+        }
+        _ => "write `*` between the factors of a product",
+    };
+    Err(error(input.span(), format!("an operator is missing before `{found}`"), help))
 }
 
 /// −x binds looser than x^2 and may be repeated.

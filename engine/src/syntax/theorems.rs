@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Span, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
-use super::error::error;
+use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{SHAPE_HELP, at_word, bounds, doc, skip_statement, take_word};
 use super::{
@@ -28,6 +28,10 @@ pub(super) fn theorem(
 ) -> Result<Theorem> {
     let kind = if at_word(input, "join") { TheoremKind::Join } else { TheoremKind::Theorem };
     take_word(input)?;
+    if input.cursor().ident().is_none() {
+        let help = format!("write `{} Name {{ … }}`", kind.keyword());
+        return Err(error(input.span(), unexpected(input, "a name").to_string(), help));
+    }
     let name = name(input)?;
     let next = match input.cursor().token_tree() {
         Some((TokenTree::Group(g), _)) => Some(g.delimiter()),
@@ -50,8 +54,11 @@ pub(super) fn theorem(
             Ok(statement) => statements.push(statement),
             Err(e) => {
                 incomplete = true;
+                let goes_on = is_missing_semicolon(&e);
                 errors.push(e.into());
-                skip_statement(&content);
+                if !goes_on {
+                    skip_statement(&content);
+                }
             }
         }
     }
@@ -61,12 +68,22 @@ pub(super) fn theorem(
 fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     let doc = doc(input, false)?;
     let start = input.span();
-    let Some((word, _)) = input.cursor().ident() else { return Err(unexpected(input, "a statement")) };
+    let Some((word, after)) = input.cursor().ident() else { return Err(unexpected(input, "a statement")) };
     let word = word.to_string();
     if !STATEMENTS.contains(&word.as_str()) {
-        let help = did_you_mean(&word, &STATEMENTS, &|| {
-            format!("statements here are `{}`", STATEMENTS.join("`, `"))
-        });
+        let bracket = matches!(after.token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket);
+        let help = match word.as_str() {
+            _ if bracket => format!("write `let {word}[…] = …;` to determine a control point"),
+            "point" | "vector" => String::from(
+                "points are control points: `curve P = Bernstein(1);` has any two points, `P[0]` and `P[1]`",
+            ),
+            "domain" | "shape" => String::from(
+                "families have domains and shape parameters; here a parameter is a scalar, `scalar 0 <= c <= 1;`",
+            ),
+            _ => did_you_mean(&word, &STATEMENTS, &|| {
+                format!("statements here are `{}`", STATEMENTS.join("`, `"))
+            }),
+        };
         return Err(error(start, format!("`{word}` does not begin a statement of a theorem"), help));
     }
     take_word(input)?;
@@ -81,8 +98,10 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         }
         "let" => {
             let target = target(input)?;
+            let sign = input.span();
             if comparison(input)? != Some(Comparison::Equal) {
-                return Err(unexpected(input, "`=` and a value"));
+                let help = "a value is given by `let c = …;`, a range by `scalar 0 < c;`";
+                return Err(error(sign, "expected `=` and a value", help));
             }
             let value = expr(input)?;
             TheoremStatementKind::Let(target, value, loops(input)?)
@@ -96,7 +115,11 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         _ => {
             let name = name(input)?;
             if comparison(input)? != Some(Comparison::Equal) {
-                let help = format!("write `{word} {} = Bernstein(3);`", name.text);
+                let help = if input.peek(Token![,]) {
+                    format!("write a statement for each, `{word} {} = Bernstein(3);`", name.text)
+                } else {
+                    format!("write `{word} {} = Bernstein(3);`", name.text)
+                };
                 return Err(error(input.span(), unexpected(input, "`=` and a family").to_string(), help));
             }
             TheoremStatementKind::Patch(word == "curve", name, expr(input)?)
@@ -104,7 +127,14 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     };
     if !input.peek(Token![;]) {
         let message = unexpected(input, "`;` or an operator").to_string();
-        return Err(error(input.span(), message, "a statement ends with `;`"));
+        let help = match &kind {
+            _ if !input.peek(Token![,]) && !input.peek(Token![&&]) && !input.peek(Token![||]) => {
+                "a statement ends with `;`"
+            }
+            TheoremStatementKind::Claim(_) => "write two claims: a statement ends with `;`",
+            _ => "write two statements: a statement ends with `;`",
+        };
+        return Err(error(input.span(), message, help));
     }
     let end = input.parse::<Token![;]>()?.span;
     Ok(TheoremStatement { doc, span: join(start, end), kind })
@@ -124,13 +154,33 @@ fn target(input: ParseStream<'_>) -> Result<Expr> {
     Err(error(
         target.span,
         "`let` gives a value to a name or to a control point",
-        "write `let c = …;` or `let Q[1] = …;`",
+        "write `let c = …;` or `let Q[1] = …;`: an equation is solved for the control point",
     ))
 }
 
 /// `left == right for …`, with any comparison or `parallel`.
 fn assertion(input: ParseStream<'_>, expected: Expected) -> Result<Assertion> {
     let start = input.span();
+    if let Some((word, after)) = input.cursor().ident()
+        && after.ident().is_some()
+    {
+        let word = word.to_string();
+        let help = match word.as_str() {
+            "at" => {
+                "write the values as arguments, such as `prove P(0) == P[0];`, or declare a scalar with one value, `scalar 1 <= c <= 1;`"
+            }
+            "exists" => {
+                "that a positive factor exists is claimed by `a parallel b`; any other one is written out"
+            }
+            "forall" | "all" | "for" => {
+                "a claim is about all values in the declared ranges: `scalar 0 <= c <= 1;`"
+            }
+            _ => "",
+        };
+        if !help.is_empty() {
+            return Err(error(start, format!("`{word}` does not begin a claim of a theorem"), help));
+        }
+    }
     let left = expr(input)?;
     let relation = if at_word(input, "parallel") {
         take_word(input)?;
@@ -162,9 +212,10 @@ fn no_relation(input: ParseStream<'_>, left: &Expr) -> syn::Error {
         let help = "properties such as `nonnegative` are claims of families; here write `… == …`, `… > …` or `… parallel …`";
         return error(left.span, message, help);
     }
-    error(
-        input.span(),
-        unexpected(input, "`==`, `<=`, `>=`, `<`, `>` or `parallel`").to_string(),
-        "a claim is an equation, an inequality, or says that two vectors have the same direction",
-    )
+    let help = if input.peek(Token![.]) {
+        "coordinates are written `P(t)[0]`, `P(t)[1]`"
+    } else {
+        "a claim is an equation, an inequality, or says that two vectors have the same direction"
+    };
+    error(input.span(), unexpected(input, "`==`, `<=`, `>=`, `<`, `>` or `parallel`").to_string(), help)
 }

@@ -225,6 +225,15 @@ impl Elaboration<'_> {
         if !fine {
             return None;
         }
+        if let (true, Some((condition, ..))) = (all.is_empty(), loops.conditions.first()) {
+            let error = self.scope.error(condition.span, "this is never true: nothing is said here");
+            self.scope.report(
+                error.help(
+                    "conditions choose among the values of index variables, `for i in 0..=3 if i != 1`",
+                ),
+            );
+            return None;
+        }
         if let (true, Some(first)) = (all.is_empty(), loops.generators.first()) {
             let name = match first {
                 syntax::Generator::Range(range) => Some(&range.name),
@@ -489,9 +498,12 @@ impl Elaboration<'_> {
             format!("{a} and {b}")
         };
         let error = self.scope.error(span, format!("{both} do not {what}"));
-        self.scope.report(error.help(
-            "scalars compare by `==`, `<`, `<=`, `>`, `>=`; vectors by `==` and `parallel`; only 0 compares with both",
-        ));
+        let outer = [a, b].contains(&"an outer product") && [a, b].contains(&"a scalar");
+        self.scope.report(error.help(if outer && self.kind == TheoremKind::Theorem {
+            "in the plane the cross product is a scalar: write `dimension 2;` at the beginning of the theorem"
+        } else {
+            "scalars compare by `==`, `<`, `<=`, `>`, `>=`; vectors by `==` and `parallel`; only 0 compares with both"
+        }));
         None
     }
 

@@ -189,6 +189,24 @@ impl Elaboration<'_> {
             self.scope.report(error.help(help));
             return;
         }
+        // A name with an index, of which there are others, or the name alone.
+        let (base, indexed) = name.split_once('[').map_or((name, false), |(base, _)| (base, true));
+        let mut others = self
+            .scope
+            .names
+            .iter()
+            .map(String::as_str)
+            .chain(self.scope.lets.iter().map(|(n, _)| n.as_str()));
+        let last = others.rfind(|other| other.split_once('[').is_some_and(|(b, _)| b == base));
+        if let Some(last) = last {
+            let help = if indexed {
+                format!("the last one is `{last}`")
+            } else {
+                format!("it has an index, such as `{last}`")
+            };
+            self.scope.report(error.help(help));
+            return;
+        }
         let mut known: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().collect();
         known.extend(self.scope.names.iter().map(String::as_str));
         known.extend(self.scope.constants.iter().map(|(n, _)| n.as_str()));
@@ -200,7 +218,7 @@ impl Elaboration<'_> {
                 format!("declare it: `curve {curve} = …;` has control points, or `let {name} = …;`")
             }
             None => {
-                format!("declare it: `scalar 0 <= {name} <= 1;`, `let {name} = …;` or `curve {name} = …;`")
+                format!("declare it: `scalar 0 < {name};`, `let {name} = …;` or `curve {name} = …;`")
             }
         };
         self.scope.report(error.help(did_you_mean(name, &known, &declare)));
@@ -328,9 +346,12 @@ impl Elaboration<'_> {
             Value::Vector(form) => form,
             other => {
                 let error = self.scope.error(base.span, format!("{} has no coordinates", kind(&other)));
-                self.scope.report(
-                    error.help("`P[1]` is a control point, `P(t)[0]` the first coordinate of a point"),
-                );
+                self.scope.report(error.help(match other {
+                    Value::Outer(_) if self.dimension.is_none() => {
+                        "with `dimension 3;` at the beginning of a theorem it is a vector, with `dimension 2;` a scalar"
+                    }
+                    _ => "`P[1]` is a control point, `P(t)[0]` the first coordinate of a point",
+                }));
                 return None;
             }
         };
@@ -392,7 +413,9 @@ impl Elaboration<'_> {
             return None;
         }
         match self.value(callee)? {
-            Value::Map(patch, steps) => self.apply(patch, &steps, arguments, whole.span).map(Value::Vector),
+            Value::Map(patch, steps) => {
+                self.apply(patch, &steps, callee, arguments, whole.span).map(Value::Vector)
+            }
             other => {
                 let error = self.scope.error(callee.span, format!("{} is not a function", kind(&other)));
                 self.scope.report(error.help("write `*` between the factors of a product"));

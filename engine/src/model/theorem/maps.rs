@@ -8,6 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
+use crate::model::print::Printer;
 use crate::syntax::{Expr, ExprKind};
 use crate::words::{along_edges, count, here};
 
@@ -17,6 +18,7 @@ impl Elaboration<'_> {
         &mut self,
         patch: usize,
         steps: &[Var],
+        callee: &Expr,
         arguments: &[Expr],
         span: Span,
     ) -> Option<Form> {
@@ -27,7 +29,8 @@ impl Elaboration<'_> {
             let names: Vec<&str> = def.parameters.iter().chain(&def.dependent).map(String::as_str).collect();
             let (wanted, names) = (count(all, "parameter"), names.join(", "));
             let error = self.scope.error(span, format!("`{name}` has {wanted}, {}", here(arguments.len())));
-            self.scope.report(error.help(format!("write `{name}({names})`")));
+            let written = Printer { constants: &self.scope.constants, component: None }.print(callee);
+            self.scope.report(error.help(format!("write `{written}({names})`")));
             return None;
         }
         let mut by = Vec::new();

@@ -458,6 +458,15 @@ impl Elaboration<'_> {
         let wanted = label(&def.name, index);
         let error = self.scope.error(span, format!("there is no control point `{wanted}`"));
         self.scope.report(match def.points.last() {
+            Some(last) if last.index.len() != index.len() => {
+                let first =
+                    def.points.first().map_or_else(String::new, |first| label(&def.name, &first.index));
+                let has = crate::words::indices(last.index.len());
+                error.help(format!(
+                    "its control points have {has}, from `{first}` to `{}`",
+                    label(&def.name, &last.index)
+                ))
+            }
             Some(last) => error.help(format!("the last one is `{}`", label(&def.name, &last.index))),
             None => error,
         });
