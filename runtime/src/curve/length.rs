@@ -8,9 +8,11 @@
 //!
 //! There is no zero if `κ < 1`. That test is sharper for `q(z) q(-z)`, a polynomial in `y = T2(z)` of the same kind, whose
 //! ellipse has the parameter `ρ²` (Graeffe's method). Pieces for which no rule is good enough are halved; next to a cusp, where
-//! no test succeeds, pieces end when chord and control polygon agree to within the accuracy.
+//! no test succeeds, pieces end when chord and control polygon agree to within the accuracy, or when nothing is left but
+//! rounding errors.
 
 use super::quadrature::{RULES, Rule};
+use super::steady::Hodograph;
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite, safe_unit};
 use crate::{Array, Basis, Curve, FUSED_HERE, Point, Scalar, bernstein};
@@ -185,8 +187,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             }
         }
         let accuracy = (accuracy / unit).max(B::Scalar::EPSILON * (polygon / unit));
+        // So long can a piece be of which nothing is left but the rounding errors of its control points.
+        let noise = B::Scalar::EPSILON * B::Scalar::from_usize(4 * B::DEGREE) * (polygon / unit);
         let (from, to) = (B::Scalar::ZERO, B::Scalar::ONE);
-        Some(Whole { piece: Piece { points, from, to, accuracy, depth: 0 }, unit })
+        Some(Whole { piece: Piece { points, from, to, accuracy, noise, depth: 0 }, unit })
     }
 }
 
@@ -206,20 +210,27 @@ struct Piece<B: Basis, P: Point<Scalar = B::Scalar>> {
     from: B::Scalar,
     to: B::Scalar,
     accuracy: B::Scalar,
+    noise: B::Scalar,
     depth: u32,
 }
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Piece<B, P> {
     /// Returns whether to go on after this piece.
     fn walk(self, visit: &mut impl FnMut(&Leaf<B, P>) -> bool) -> bool {
-        let Self { points, from, to, accuracy, depth } = self;
-        let square = SquaredSpeed::<B>::of(points);
-        if let Some(rule) = square.rule(accuracy) {
-            let length = square.length(rule);
-            return visit(&Leaf { from, to, length, speed: Speed::Smooth { square, rule } });
+        let Self { points, from, to, accuracy, noise, depth } = self;
+        let smooth = if B::DEGREE <= MOST_POWERS {
+            let square = SquaredSpeed::<B>::of(points);
+            square.rule(accuracy).map(|rule| (square.length(rule), Speed::Smooth { square, rule }))
+        } else {
+            let velocity = Hodograph::of(points);
+            let rule = velocity.rule(accuracy);
+            rule.map(|rule| (rule.integrate(|z| velocity.speed(z)), Speed::Steady { velocity, rule }))
+        };
+        if let Some((length, speed)) = smooth {
+            return visit(&Leaf { from, to, length, speed });
         }
         let [shortest, longest] = length_bounds(points.as_ref());
-        if longest - shortest <= accuracy + accuracy || depth == DEPTH {
+        if longest - shortest <= accuracy + accuracy || longest <= noise || depth == DEPTH {
             let length = mean([shortest, longest]);
             return visit(&Leaf { from, to, length, speed: Speed::Straight { points } });
         }
@@ -228,20 +239,23 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Piece<B, P> {
         let (mut left, mut right) = (points, points);
         bernstein::split(left.as_mut(), half, right.as_mut());
         let (accuracy, depth) = (accuracy * half, depth + 1);
-        Self { points: left, from, to: middle, accuracy, depth }.walk(visit)
-            && Self { points: right, from: middle, to, accuracy, depth }.walk(visit)
+        Self { points: left, from, to: middle, accuracy, noise, depth }.walk(visit)
+            && Self { points: right, from: middle, to, accuracy, noise, depth }.walk(visit)
     }
 }
 
+/// Up to this degree the square of the speed is written in powers, which is faster; above it that would lose too many digits.
+const MOST_POWERS: usize = 8;
+
 /// The square of the speed `|dC/dz|` of a piece in powers of `z`: pairs of coefficients `[q[2k], q[2k+1]]`, of which the last
 /// ones are zero. The degree is `2n - 2` on a curve of degree `n`, and there are `n + 1` pairs.
-struct SquaredSpeed<B: Basis> {
+pub(super) struct SquaredSpeed<B: Basis> {
     coefficients: B::Bernstein<[B::Scalar; 2]>,
 }
 
 impl<B: Basis> SquaredSpeed<B> {
     /// The number of coefficients that need not be zero.
-    const LEN: usize = if B::DEGREE == 0 { 0 } else { 2 * B::DEGREE - 1 };
+    pub(super) const LEN: usize = if B::DEGREE == 0 { 0 } else { 2 * B::DEGREE - 1 };
 
     /// Of the piece with these Bézier control points over `0 <= x <= 1`, with `z = 2x - 1`.
     fn of<P: Point<Scalar = B::Scalar>>(mut points: B::Bernstein<P>) -> Self {
@@ -260,34 +274,14 @@ impl<B: Basis> SquaredSpeed<B> {
         Self { coefficients }
     }
 
-    /// The smallest rule whose error for `∫ |dC/dz| dz` is proved to be at most `accuracy`.
+    /// As [`Chebyshev::rule`]; `None` also where the powers cancel each other.
     #[inline]
     fn rule(&self, accuracy: B::Scalar) -> Option<&'static Rule> {
-        let margin = B::Scalar::of(0.99); // for rounding errors
         let powers = self.coefficients.as_ref().as_flattened();
-        let mut sum = Chebyshev::of(self);
-        let mean = sum.mean()?;
+        let sum = Chebyshev::of(self);
         let absolute = powers.iter().fold(B::Scalar::ZERO, |sum, c| sum + c.abs());
-        // The powers must not cancel each other.
-        let stable = absolute <= B::Scalar::of(4.0) * mean;
-        if !stable {
-            return None;
-        }
-        let change = sum.largest_changes(&RADII[0]);
-        let mut analytic = change.map(|change| change < mean * margin);
-        for radii in &RADII[1..] {
-            sum = sum.opposites();
-            let Some(mean) = sum.mean() else { break };
-            let change = sum.largest_changes(radii);
-            for k in 0..ELLIPSES.len() {
-                analytic[k] |= change[k] < mean * margin;
-            }
-        }
-        // The ellipses grow, and so do the changes.
-        let largest = analytic.iter().filter(|&&analytic| analytic).count().checked_sub(1)?;
-        let bound = (mean + change[largest]).sqrt();
-        let bad = FACTORS[largest].iter().filter(|&&factor| bound * B::Scalar::of(factor) > accuracy);
-        RULES.get(bad.count())
+        let stable = absolute <= B::Scalar::of(4.0) * sum.mean()?;
+        if stable { sum.rule(accuracy) } else { None }
     }
 
     /// The sum of the rule, by even and odd powers.
@@ -317,41 +311,12 @@ impl<B: Basis> SquaredSpeed<B> {
         let q = self.coefficients.as_ref().as_flattened().iter().rev();
         q.fold(B::Scalar::ZERO, |sum, &c| sum * z + c).sqrt()
     }
-
-    /// The part of the piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the bracket.
-    fn invert(&self, rule: &Rule, target: B::Scalar) -> B::Scalar {
-        let [one, two, half] = [B::Scalar::ONE, B::Scalar::of(2.0), B::Scalar::of(0.5)];
-        // The length over -1..z, and its derivative.
-        let up_to = |part: B::Scalar| rule.integrate(|y| self.speed((y + one) * part - one)) * part;
-        let [mut lo, mut hi] = [B::Scalar::ZERO, one];
-        let mut part = half;
-        for _ in 0..80 {
-            let gap = up_to(part) - target;
-            if gap == B::Scalar::ZERO {
-                break;
-            }
-            if gap < B::Scalar::ZERO {
-                lo = part;
-            } else {
-                hi = part;
-            }
-            let slope = two * self.speed(two * part - one);
-            let newton = part - gap / slope;
-            let next = if newton > lo && newton < hi { newton } else { lo + (hi - lo) * half };
-            let step = (next - part).abs();
-            part = next;
-            if step <= B::Scalar::EPSILON * part {
-                break;
-            }
-        }
-        part
-    }
 }
 
 /// `c0 + c1 T1 + c2 T2 + …`, each coefficient with an error of at most `noise`.
-struct Chebyshev<B: Basis> {
-    coefficients: B::Bernstein<[B::Scalar; 2]>,
-    noise: B::Scalar,
+pub(super) struct Chebyshev<B: Basis> {
+    pub(super) coefficients: B::Bernstein<[B::Scalar; 2]>,
+    pub(super) noise: B::Scalar,
 }
 
 impl<B: Basis> Chebyshev<B> {
@@ -372,6 +337,25 @@ impl<B: Basis> Chebyshev<B> {
             }
         }
         Self { coefficients, noise: B::Scalar::ZERO }
+    }
+
+    /// The smallest rule whose error for `∫ |dC/dz| dz` is proved to be at most `accuracy`, if this is the square of the speed.
+    #[inline]
+    pub(super) fn rule(self, accuracy: B::Scalar) -> Option<&'static Rule> {
+        let margin = B::Scalar::of(0.99); // for rounding errors
+        let mut sum = self;
+        let mean = sum.mean()?;
+        let change = sum.largest_changes(&RADII[0]);
+        let mut analytic = change.map(|change| change < mean * margin);
+        for radii in &RADII[1..] {
+            sum = sum.opposites();
+            let Some(mean) = sum.mean() else { break };
+            let change = sum.largest_changes(radii);
+            for k in 0..ELLIPSES.len() {
+                analytic[k] |= change[k] < mean * margin;
+            }
+        }
+        choose(analytic, mean, change, accuracy)
     }
 
     /// The first coefficient, if it is positive for certain.
@@ -425,6 +409,40 @@ impl<B: Basis> Chebyshev<B> {
     }
 }
 
+/// The smallest rule that is good enough by the largest ellipse on which the speed is `analytic`, its square at most
+/// `mean + change`.
+fn choose<S: Scalar>(
+    analytic: [bool; ELLIPSES.len()],
+    mean: S,
+    change: [S; ELLIPSES.len()],
+    accuracy: S,
+) -> Option<&'static Rule> {
+    // The ellipses grow, and so do the changes.
+    let largest = analytic.iter().filter(|&&analytic| analytic).count().checked_sub(1)?;
+    let bound = (mean + change[largest]).sqrt();
+    let bad = FACTORS[largest].iter().filter(|&&factor| bound * S::of(factor) > accuracy);
+    RULES.get(bad.count())
+}
+
+/// The smallest rule for a velocity with Bernstein coefficients of that degree that differ from one of the length `speed` by at
+/// most `spread`: on the ellipse `|x| + |1 - x|` is `(ρ + 1/ρ)/2`, so that they differ there by at most its power times `spread`.
+pub(super) fn rule_of_hull<S: Scalar>(
+    degree: usize,
+    speed: S,
+    spread: S,
+    accuracy: S,
+) -> Option<&'static Rule> {
+    let mut change = [S::ZERO; ELLIPSES.len()];
+    for (e, change) in change.iter_mut().enumerate() {
+        let axis = S::of(RADII[0][0][e] * RADII[0][1][e]);
+        let width = (0..degree).fold(spread, |width, _| width * axis);
+        // |(c + w)² - c²|
+        *change = (speed + speed + width) * width;
+    }
+    let mean = speed * speed;
+    choose(change.map(|change| change < mean * S::of(0.99)), mean, change, accuracy)
+}
+
 /// The lengths of the chord and of the control polygon, between which the length of the curve lies.
 fn length_bounds<P: Point>(points: &[P]) -> [P::Scalar; 2] {
     match points {
@@ -444,6 +462,8 @@ struct Leaf<B: Basis, P: Point<Scalar = B::Scalar>> {
 enum Speed<B: Basis, P: Point<Scalar = B::Scalar>> {
     /// The rule is good enough on every part of the piece that starts at its start.
     Smooth { square: SquaredSpeed<B>, rule: &'static Rule },
+    /// The same for curves of high degree.
+    Steady { velocity: Hodograph<B, P>, rule: &'static Rule },
     /// Chord and control polygon agree; so they do on every part, because subdivision shortens the polygons and
     /// lengthens the chords.
     Straight { points: B::Bernstein<P> },
@@ -456,11 +476,41 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Leaf<B, P> {
             return self.from;
         }
         let part = match &self.speed {
-            Speed::Smooth { square, rule } => square.invert(rule, target),
+            Speed::Smooth { square, rule } => invert(rule, target, |z| square.speed(z)),
+            Speed::Steady { velocity, rule } => invert(rule, target, |z| velocity.speed(z)),
             Speed::Straight { points } => halve(*points, target),
         };
         self.from + (self.to - self.from) * part
     }
+}
+
+/// The part of a smooth piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the bracket.
+fn invert<S: Scalar>(rule: &Rule, target: S, speed: impl Fn(S) -> S) -> S {
+    let [one, two, half] = [S::ONE, S::of(2.0), S::of(0.5)];
+    // The length over -1..z, and its derivative.
+    let up_to = |part: S| rule.integrate(|y| speed((y + one) * part - one)) * part;
+    let [mut lo, mut hi] = [S::ZERO, one];
+    let mut part = half;
+    for _ in 0..80 {
+        let gap = up_to(part) - target;
+        if gap == S::ZERO {
+            break;
+        }
+        if gap < S::ZERO {
+            lo = part;
+        } else {
+            hi = part;
+        }
+        let slope = two * speed(two * part - one);
+        let newton = part - gap / slope;
+        let next = if newton > lo && newton < hi { newton } else { lo + (hi - lo) * half };
+        let step = (next - part).abs();
+        part = next;
+        if step <= S::EPSILON * part {
+            break;
+        }
+    }
+    part
 }
 
 fn mean<S: Scalar>([a, b]: [S; 2]) -> S {

@@ -16,6 +16,7 @@ mod parts;
 mod piecewise;
 mod quadrature;
 mod slices;
+mod steady;
 
 use core::fmt::{self, Debug, Formatter};
 

@@ -196,3 +196,33 @@ fn far_from_the_origin() {
         assert!((moved.arclen(1e-14) - length).abs() < 1e-14);
     }
 }
+
+/// Curves with this many control points go to and fro; their lengths were computed with 60 digits.
+fn wild<const N: usize>() -> Bezier<[f64; 2], N> {
+    let residue = |k: usize, m: usize| (k % m) as f64;
+    Bezier::from_points(core::array::from_fn(|k| {
+        [(residue(7 * k * k, 11) - 5.0) / 4.0, (residue(5 * k * k * k, 13) - 6.0) / 4.0]
+    }))
+}
+
+#[test]
+fn of_high_degree() {
+    for accuracy in [1e-6, 1e-10, 1e-13] {
+        assert!((wild::<13>().arclen(accuracy) - 4.329_592_451_061_598).abs() <= accuracy);
+        assert!((wild::<21>().arclen(accuracy) - 6.172_496_520_528_452).abs() <= accuracy);
+        assert!((wild::<31>().arclen(accuracy) - 6.786_950_129_687_356).abs() <= accuracy);
+    }
+    let elevated = parabola::<f64>().elevate::<48>();
+    assert!((elevated.arclen(1e-13) - PARABOLA).abs() <= 1e-13);
+    let half = elevated.inv_arclen(PARABOLA / 2.0, 1e-13);
+    assert!((half - parabola().inv_arclen(PARABOLA / 2.0, 1e-13)).abs() <= 1e-12);
+}
+
+/// Where the curve turns back there is nothing but rounding errors; halving them again and again would not end.
+#[test]
+fn of_high_degree_to_and_fro() {
+    let line: [[f64; 2]; 31] = wild::<31>().control_points().try_into().unwrap();
+    let flat = Bezier::from_points(line.map(|[x, y]| [x, 0.5 * x + 1e-9 * y]));
+    let straight = Bezier::from_points(line.map(|[x, _]| [x, 0.5 * x]));
+    assert!((flat.arclen(0.0) - straight.arclen(0.0)).abs() < 1e-8);
+}
