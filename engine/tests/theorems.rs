@@ -195,11 +195,18 @@ fn directions_with_dot_products() {
         prove dot(P[0], P[0])*P[1] parallel dot(P[0], P[0])^2*P[1];
         prove dot(P[0], P[0]) >= 0;
         prove dot(P[0], P[0])*P[0] parallel P[0];
-        prove dot(P[0], P[1])*P[1] parallel P[1];",
+        prove dot(P[0], P[1])*P[1] parallel P[1];
+        prove dot(P[0] - P[1], P[0] - P[1])*(P[0] - P[1]) parallel P[0] - P[1];
+        prove dot(P[0] - P[1], P[0] - P[1])*P[0] parallel P[0];",
     );
-    assert_eq!(found[..4], ["=", "=", "=", "?"]);
+    assert_eq!(found[..4], ["="; 4]);
     assert!(found[4].starts_with("-2 at") || found[4].starts_with("0 at"), "{}", found[4]);
-    let report = checked("theorem T { curve P = Quadratic(0); prove dot(P[0] - P[1], P[0] - P[1]) >= 0; }");
+    assert_eq!(found[5], "=");
+    // With P0 = P1 one side is zero.
+    assert_ne!(found[6], "=");
+    let report = checked(
+        "theorem T { curve P = Quadratic(0); prove dot(P[0], P[0])*dot(P[1], P[1]) >= dot(P[0], P[1])^2; }",
+    );
     let help = report.diagnostics[0].help.as_deref();
     assert!(help.is_some_and(|help| help.ends_with("such as `dimension 2;`")), "{help:?}");
     let found = verdicts(
@@ -212,6 +219,28 @@ fn directions_with_dot_products() {
     );
     assert_eq!(found[..3], ["="; 3]);
     assert!(found[3].starts_with("0 at") || found[3].starts_with('-'), "{}", found[3]);
+}
+
+/// Without coordinates a sum of dot products is nonnegative if its matrix is positive semidefinite, and only then.
+#[test]
+fn sums_of_dot_products_are_decided_in_every_dimension() {
+    let found = verdicts(
+        "curve P = Quadratic(0);
+        prove dot(P[0] - P[1], P[0] - P[1]) >= 0;
+        prove dot(P[0] - 2*P[1] + P[2], P[0] - 2*P[1] + P[2]) + 1 > 0;
+        prove 2*dot(P[0], P[1]) <= dot(P[0], P[0]) + dot(P[1], P[1]);
+        prove dot(P[0] + P[1] + P[2], P[0] + P[1] + P[2]) <= 3*(dot(P[0], P[0]) + dot(P[1], P[1]) + dot(P[2], P[2]));
+        prove dot(D(P)(1/2), D(P)(1/2)) >= 0;
+        prove dot(P[0] - P[1], P[0] - P[1]) > 0;
+        prove dot(P[0], P[1]) >= 0;
+        prove dot(P[0], P[0]) + dot(P[1], P[2]) + 5 >= 0;
+        prove dot(P[0], P[0]) + 3*dot(P[0], P[1]) + dot(P[1], P[1]) >= 0;
+        prove dot(P[0], P[0]) >= 1;",
+    );
+    assert_eq!(found[..5], ["="; 5]);
+    assert!(found[5].starts_with("0 at"), "{}", found[5]);
+    assert!(found[6..].iter().all(|f| f.starts_with('-')), "{found:?}");
+    assert_eq!(found.len(), 10);
 }
 
 #[test]

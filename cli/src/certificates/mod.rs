@@ -21,6 +21,9 @@
 //! identity       difference = 0                  "expansion": whoever expands both sides anew has checked it
 //! sign           polynomial, relation, box       a certificate, see below; on a simplex the polynomial is pulled back to the
 //!                                                unit box by u = 1 − s1, v = s1 (1 − s2), w = s1 s2 (1 − s3), …
+//! dot products   polynomial, relation, points: a sum of dot products of points, which are numbered
+//!                a list of squares, factor times dot(vector, vector) with a positive factor; a vector is a list of points
+//!                with how much of each. The squares are the sum but for its constant
 //! independence   rows, except, box: the coefficients of the functions, up to denominators that vanish nowhere
 //!                exceptions    for each a combination of the rows that vanishes there
 //!                pieces        boxes that cover the rest; in each, after a change of bases (rows, columns: combinations

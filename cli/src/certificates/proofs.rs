@@ -2,7 +2,7 @@
 
 use basis_engine::algebra::poly::Poly;
 use basis_engine::decide::{ChangeOfBasis, Combination, Computed, Method, Minors, Piece, Proof};
-use basis_engine::prove::{Assertion, RankProof, Statement, StepProof, check};
+use basis_engine::prove::{Assertion, RankProof, Square, Statement, StepProof, check};
 use serde_json::{Map, Value, json};
 
 use super::fields::{Fields, list, position, text};
@@ -21,7 +21,22 @@ pub(super) fn proof(statement: &Statement, proof: &StepProof, names: &[String]) 
         StepProof::Identity => Value::from("expansion"),
         StepProof::Sign(proof) => writer.certificate(&proof.certificate),
         StepProof::Independence(proof) => independence(&mut writer, proof),
+        StepProof::Squares(squares) => Value::from(squares.iter().map(square).collect::<Vec<_>>()),
     })
+}
+
+/// A square of a vector with its factor.
+fn square(Square { factor, vector }: &Square) -> Value {
+    let parts = vector.iter().map(|(k, x)| json!([k, x.to_string()])).collect::<Vec<_>>();
+    json!({"factor": factor.to_string(), "vector": parts})
+}
+
+fn read_square(value: &Value) -> Result<Square, String> {
+    let mut fields = Fields::of(value)?;
+    let factor = number(fields.text("factor")?)?;
+    let vector = read_combination(fields.take("vector")?)?;
+    fields.end()?;
+    Ok(Square { factor, vector })
 }
 
 fn independence(writer: &mut Writer<'_>, proof: &RankProof) -> Value {
@@ -75,6 +90,9 @@ pub(super) fn read(
             // The method is not part of the proof.
             StepProof::Sign(Proof { method: Method::Constant, certificate: reader.certificate(value)? })
         }
+        Assertion::Squares { .. } => {
+            StepProof::Squares(list(value)?.iter().map(read_square).collect::<Result<_, _>>()?)
+        }
         Assertion::Independent { .. } => StepProof::Independence(read_independence(&mut reader, value)?),
     };
     Ok((proof, reader.computed))
@@ -119,10 +137,13 @@ fn read_piece(reader: &mut Reader<'_>, value: &Value) -> Result<Piece, String> {
 }
 
 fn read_bases(value: &Value) -> Result<Vec<Combination>, String> {
+    list(value)?.iter().map(read_combination).collect()
+}
+
+fn read_combination(value: &Value) -> Result<Combination, String> {
     let entry = |v: &Value| match list(v)? {
         [k, x] => Ok((position(k)?, number(text(x)?)?)),
         _ => Err(String::from("a position with its factor is expected")),
     };
-    let one = |v: &Value| list(v)?.iter().map(entry).collect::<Result<Combination, String>>();
-    list(value)?.iter().map(one).collect()
+    list(value)?.iter().map(entry).collect()
 }

@@ -1,6 +1,6 @@
 //! Items, claims and statements as JSON: everything in a certificate that the spec says.
 
-use basis_engine::algebra::poly::Poly;
+use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::range::Region;
 use basis_engine::decide::{Relation, Table, Values};
 use basis_engine::model::Parameter;
@@ -8,7 +8,7 @@ use basis_engine::prove::{Assertion, Statement};
 use basis_engine::{Family, Theorem};
 use serde_json::{Map, Value, json};
 
-use super::fields::{Fields, list, text};
+use super::fields::{Fields, list, position, text};
 use super::text::{name, number, polynomial, region, variable};
 use crate::check::prove::Subject;
 
@@ -87,6 +87,15 @@ pub(super) fn statement(names: &[String], statement: &Statement) -> Map<String, 
             "relation": relation_text(*relation),
             "box": boxed(region),
         }),
+        Assertion::Squares { polynomial, relation, products } => {
+            let pair = |(var, (p, q)): &(Var, (usize, usize))| (name(names, *var).to_string(), json!([p, q]));
+            json!({
+                "kind": "dot products",
+                "polynomial": polynomial.display(names).to_string(),
+                "relation": relation_text(*relation),
+                "points": products.iter().map(pair).collect::<Map<String, Value>>(),
+            })
+        }
         Assertion::Independent { table, except, region } => {
             let row = |row: &Vec<Poly>| row.iter().map(|p| p.display(names).to_string()).collect::<Vec<_>>();
             let values = |values: &Values| -> Map<String, Value> {
@@ -115,6 +124,14 @@ const fn relation_text(relation: Relation) -> &'static str {
     }
 }
 
+fn read_relation(text: &str) -> Result<Relation, String> {
+    match text {
+        ">= 0" => Ok(Relation::NonNegative),
+        "> 0" => Ok(Relation::Positive),
+        other => Err(format!("there is no relation `{other}`")),
+    }
+}
+
 /// Reads a statement from its fields.
 pub(super) fn read(fields: &mut Fields<'_>, names: &[String]) -> Result<Statement, String> {
     let of = fields.text("of")?.to_string();
@@ -125,13 +142,21 @@ pub(super) fn read(fields: &mut Fields<'_>, names: &[String]) -> Result<Statemen
         },
         "sign" => Assertion::Sign {
             polynomial: polynomial(fields.text("polynomial")?, names)?,
-            relation: match fields.text("relation")? {
-                ">= 0" => Relation::NonNegative,
-                "> 0" => Relation::Positive,
-                other => return Err(format!("there is no relation `{other}`")),
-            },
+            relation: read_relation(fields.text("relation")?)?,
             region: region(fields.texts("box")?.into_iter(), names)?,
         },
+        "dot products" => {
+            let points = |(n, pair): (&String, &Value)| match list(pair)? {
+                [p, q] => Ok((variable(n, names)?, (position(p)?, position(q)?))),
+                _ => Err(String::from("two points are expected")),
+            };
+            let object = fields.take("points")?.as_object().ok_or("the points are not an object")?;
+            Assertion::Squares {
+                polynomial: polynomial(fields.text("polynomial")?, names)?,
+                relation: read_relation(fields.text("relation")?)?,
+                products: object.iter().map(points).collect::<Result<_, String>>()?,
+            }
+        }
         "independence" => {
             let row = |v: &Value| {
                 list(v)?.iter().map(|p| polynomial(text(p)?, names)).collect::<Result<Vec<_>, String>>()

@@ -120,6 +120,9 @@ theorem Tangents {
 theorem Squares {
     curve P = Curve(0);
     prove dot(P[0], P[0])^2 + dot(P[0], P[1])^2 >= 0;
+    prove dot(P[0] - 2*P[1], P[0] + 2*P[1]) + 5*dot(P[1], P[1]) + 1 > 0;
+    prove dot(P[0], P[0])*P[0] parallel P[0];
+    refute dot(P[0], P[1]) >= 0;
 }
 theorem Single {
     curve P = Curve(1/2);
@@ -352,6 +355,7 @@ fn every_kind_of_certificate_is_written() {
         "slices",
         "identity",
         "sign",
+        "dot products",
         "independence",
     ] {
         assert!(text.contains(&format!("\"kind\":\"{kind}\"")), "{kind}");

@@ -1,5 +1,6 @@
 //! Checks verdicts without the search that found them: proofs against statements, witnesses against expressions.
 
+use super::gram::Gram;
 use super::net::{Net, evaluated, on_net};
 use super::{Assertion, Evidence, RankProof, Statement, StepProof, Witness, expressions, fixed, statements};
 use super::{Inequality, independent, parallel, theorem};
@@ -60,6 +61,10 @@ pub fn proof(statement: &Statement, proof: &StepProof) -> Result<Computed, Strin
         (Assertion::Sign { polynomial, relation, region }, StepProof::Sign(proof)) => {
             let cells = verify(polynomial, *relation, region, &proof.certificate)?;
             Ok(Computed { cells, minors: Vec::new() })
+        }
+        (Assertion::Squares { polynomial, relation, products }, StepProof::Squares(squares)) => {
+            let gram = Gram::of(polynomial, products).ok_or("this is no sum of dot products")?;
+            gram.check(*relation, squares).map(|()| Computed::default())
         }
         (Assertion::Independent { table, except, region }, StepProof::Independence(proof)) => {
             exceptions(table, except, region, proof)?;

@@ -2,6 +2,7 @@
 
 #[cfg(any(test, feature = "tools"))]
 pub mod check;
+mod gram;
 mod identity;
 mod independent;
 mod inequality;
@@ -11,6 +12,7 @@ mod point;
 mod report;
 mod theorem;
 
+pub use gram::Square;
 use inequality::Inequality;
 pub use report::{diagnose, diagnose_theorem};
 pub use theorem::theorem_claim;
@@ -63,6 +65,8 @@ pub enum StepProof {
     Sign(Proof),
     /// The rank of the coefficient table.
     Independence(RankProof),
+    /// A sum of squares of vectors.
+    Squares(Vec<Square>),
 }
 
 /// What has to be shown for a claim to be true.
@@ -87,6 +91,15 @@ pub enum Assertion {
         relation: Relation,
         /// The box.
         region: Region,
+    },
+    /// A polynomial that is linear in dot products of points is ≥ 0 or > 0 for all points.
+    Squares {
+        /// The polynomial.
+        polynomial: Poly,
+        /// What is claimed of it.
+        relation: Relation,
+        /// The numbers of the two points whose dot product a variable is.
+        products: Vec<(Var, (usize, usize))>,
     },
     /// The rows of a table are independent at all points of a box but the exceptions, and dependent at these.
     Independent {

@@ -23,6 +23,15 @@ impl Net {
         Self { points }
     }
 
+    /// Points on the first axis of the plane, those that are not named at the origin.
+    pub(super) fn on_a_line(theorem: &Theorem, places: &[(usize, Rational)]) -> Self {
+        let mut points = theorem.points.mapped(|_| vec![Rational::ZERO; 2]);
+        for (point, x) in places {
+            points[*point][0] = x.clone();
+        }
+        Self { points }
+    }
+
     /// The net with the coordinates that the variables have at a point.
     pub(super) fn from_coordinates(theorem: &Theorem, at: &[Rational]) -> Self {
         let coordinates = |vars: &[Var]| vars.mapped(|v| at[v.0].clone());

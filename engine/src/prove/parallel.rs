@@ -1,6 +1,9 @@
 //! Directions of vectors: `a parallel b` is true at a point if a = f·b there for some f > 0, or both are zero.
 
+use super::gram::{self, Gram};
 use super::net::{Net, evaluated, nets, parts, parts_of_both};
+#[cfg(any(test, feature = "tools"))]
+use super::theorem::sign_assertion;
 use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation, witness_nets};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
@@ -14,10 +17,13 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation, is_zero};
-use crate::model::theorem::{Form, Theorem, TheoremClaim};
+use crate::model::theorem::{Form, Theorem, TheoremClaim, Unit};
 
 /// The work for common factors, and for values at algebraic points.
 pub(super) const WORK: u64 = 1_000_000;
+
+/// What is left of a claim if the factor is not positive everywhere.
+const BOTH_ZERO: &str = "where it is not positive, both may be zero";
 
 /// Factors with more bytes are not written in messages.
 const MAX_SHOWN: usize = 160;
@@ -38,20 +44,18 @@ struct Proportion {
 
 impl Proportion {
     /// `None` when a and b are not multiples of one another.
-    fn new(a: &Form, b: &Form) -> Option<Self> {
+    fn new(theorem: &Theorem, a: &Form, b: &Form) -> Option<Self> {
         let (factors, common) = if b.is_zero() {
-            let common = a.terms.values().map(|x| x.numer().clone()).collect();
-            ([Poly::one(), Poly::zero()], common)
+            ([Poly::one(), Poly::zero()], a.clone())
         } else {
             let factor = proportion(a, b)?;
             let below = Fraction::from(factor.denom().clone());
             let whole = factor.denom().as_constant().is_some();
-            let common = b.terms.values().map(|y| {
-                let h = if whole { Some(y.clone()) } else { y.checked_div(&below) };
-                h.map(|h| h.numer().clone())
-            });
-            ([factor.numer().clone(), factor.denom().clone()], common.collect::<Option<Vec<Poly>>>()?)
+            let common = b.map(&mut |y| if whole { Ok(y.clone()) } else { y.checked_div(&below).ok_or(()) });
+            ([factor.numer().clone(), factor.denom().clone()], common.ok()?)
         };
+        let squared = square(theorem, &common);
+        let common: Vec<Poly> = common.terms.values().map(|h| h.numer().clone()).collect();
         let product = &factors[0] * &factors[1];
         let work = &mut Work::new(WORK);
         // Where a factor of one of these is zero, h is: all its coordinates, or the sum of their squares.
@@ -66,6 +70,9 @@ impl Proportion {
         if rest.as_constant().is_none() && common.iter().map(Poly::len).sum::<usize>() <= MAX_TERMS {
             let squares = common.iter().fold(Poly::zero(), |sum, p| &sum + &p.pow(2));
             rest = without(rest, &squares, work);
+        }
+        if let (None, Some(squared)) = (rest.as_constant(), squared) {
+            rest = without(rest, &squared, work);
         }
         Some(Self { factors, common, product, rest })
     }
@@ -91,6 +98,24 @@ impl Proportion {
         }
         all
     }
+}
+
+/// dot(h, h) up to a denominator, for a combination h of points without coordinates, if all dot products in it occur in the theorem.
+fn square(theorem: &Theorem, h: &Form) -> Option<Poly> {
+    let terms = h.terms.values().map(|f| f.numer().len() + f.denom().len()).sum::<usize>();
+    if theorem.products.is_empty() || terms > MAX_TERMS {
+        return None;
+    }
+    let mut sum = Fraction::zero();
+    for (p, x) in &h.terms {
+        for (q, y) in &h.terms {
+            let (Unit::Point(p), Unit::Point(q)) = (*p, *q) else { return None };
+            let pair = (p.min(q), p.max(q));
+            let (var, _) = theorem.products.iter().find(|(_, other)| *other == pair)?;
+            sum = &sum + &(&(x * y) * &Fraction::var(*var));
+        }
+    }
+    Some(sum.numer().clone())
 }
 
 /// A polynomial without the factors that it shares with another one.
@@ -119,13 +144,13 @@ pub(super) fn statements(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &
     if a.is_zero() && b.is_zero() {
         return vec![zero(Fraction::zero())];
     }
-    let Some(found) = Proportion::new(a, b) else {
+    let Some(found) = Proportion::new(theorem, a, b) else {
         // No factor at all: nothing can be proved.
         return vec![zero(Fraction::constant(Rational::ONE))];
     };
     let statement = |(of, polynomial, relation): (String, Poly, Relation)| Statement {
         of,
-        assertion: Assertion::Sign { polynomial, relation, region: theorem.region() },
+        assertion: sign_assertion(theorem, polynomial, relation),
     };
     found.statements(theorem).into_iter().map(statement).collect()
 }
@@ -136,7 +161,7 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
         return identity(&claim.difference);
     }
     let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
-    let Some(found) = Proportion::new(a, b) else {
+    let Some(found) = Proportion::new(theorem, a, b) else {
         return not_proportional(theorem, claim, [a, b], [left, right]);
     };
     let decide = |p: &Poly, relation: Relation| {
@@ -147,13 +172,25 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
     let mut methods = Vec::new();
     let mut open = None;
     for (of, polynomial, relation) in found.statements(theorem) {
+        if let Some(gram) = Gram::of(&polynomial, &theorem.products) {
+            match gram.decide(relation) {
+                Ok(squares) => {
+                    methods.push(gram::method(&squares));
+                    steps.push(Step { of, proof: StepProof::Squares(squares) });
+                }
+                Err(_) => {
+                    open.get_or_insert_with(|| String::from(BOTH_ZERO));
+                }
+            }
+            continue;
+        }
         match decide(&polynomial, relation) {
             Decision::Proved(proof) => {
                 methods.push(proof.method.to_string());
                 steps.push(Step { of, proof: StepProof::Sign(proof) });
             }
             Decision::Refuted(_) => {
-                open.get_or_insert_with(|| String::from("where it is not positive, both may be zero"));
+                open.get_or_insert_with(|| String::from(BOTH_ZERO));
             }
             Decision::Undecided(left) => open = Some(left),
         }

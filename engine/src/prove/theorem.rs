@@ -2,6 +2,7 @@
 
 use core::convert::Infallible;
 
+use super::gram::{self, Gram};
 use super::net::{Net, evaluated, nets, on_net, parts, sparse};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
@@ -64,10 +65,21 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
             let (relation, negate) = relation(*comparison);
             let polynomial = with_sign(theorem, f);
             let polynomial = if negate { -&polynomial } else { polynomial };
-            (claim.difference.clone(), Assertion::Sign { polynomial, relation, region: theorem.region() })
+            (claim.difference.clone(), sign_assertion(theorem, polynomial, relation))
         }
     };
     vec![Statement { of, assertion }]
+}
+
+/// The sign of a polynomial, of dot products or in the ranges of the scalars.
+#[cfg(any(test, feature = "tools"))]
+pub(super) fn sign_assertion(theorem: &Theorem, polynomial: Poly, relation: Relation) -> Assertion {
+    if Gram::of(&polynomial, &theorem.products).is_none() {
+        return Assertion::Sign { polynomial, relation, region: theorem.region() };
+    }
+    let own = theorem.products.iter().filter(|(var, _)| polynomial.depends_on(*var));
+    let products = own.copied().collect();
+    Assertion::Squares { polynomial, relation, products }
 }
 
 /// The claim with a number in place of every scalar whose range is a single number.
@@ -229,10 +241,28 @@ const fn relation(comparison: Comparison) -> (Relation, bool) {
 fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: &Fraction) -> Verdict {
     let of = claim.difference.as_str();
     let (relation, negate) = relation(comparison);
-    let decide = |value: &Fraction, budget: &mut Budget| {
+    let polynomial = |value: &Fraction| {
         let polynomial = with_sign(theorem, value);
-        let polynomial = if negate { -&polynomial } else { polynomial };
-        decide::decide(&polynomial, relation, &theorem.region(), budget)
+        if negate { -&polynomial } else { polynomial }
+    };
+    if let Some(gram) = Gram::of(&polynomial(value), &theorem.products) {
+        return match gram.decide(relation) {
+            Ok(squares) => {
+                let method = gram::method(&squares);
+                let proof = StepProof::Squares(squares);
+                Verdict::Proved(Evidence { method, steps: vec![Step { of: of.to_string(), proof }] })
+            }
+            Err(line) => {
+                let net = Net::on_a_line(theorem, &line);
+                let value = on_net(theorem, value, &net);
+                let at = coordinates(theorem, &[]);
+                let witness = refutation(theorem, &net, of.to_string(), &value, &at);
+                explained(theorem, claim, witness, "the value is")
+            }
+        };
+    }
+    let decide = |value: &Fraction, budget: &mut Budget| {
+        decide::decide(&polynomial(value), relation, &theorem.region(), budget)
     };
     let fresh = || Budget::scaled(theorem.budget);
     let witness = match decide(value, &mut fresh()) {
