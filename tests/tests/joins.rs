@@ -10,6 +10,26 @@ basis!("../../specs/quadratic.basis");
 basis!("../../specs/quartic.basis");
 basis!("../../specs/quartic_surface.basis");
 
+// Control points that are a multiple of one vector: half the derivative at an end, and in the join.
+basis! {
+    family HalfTangents {
+        domain 0 <= t <= 1;
+        b[0] = (1 + 2*t) * (1 - t)^2;
+        b[1] = 2 * t * (1 - t)^2;
+        b[2] = 2 * (t - 1) * t^2;
+        b[3] = t^2 * (3 - 2*t);
+    }
+
+    join SlowedDown {
+        curve P = HalfTangents;
+        curve Q = HalfTangents;
+        let Q[0] = P[3];
+        let Q[1] = 1/4*P[2];
+        prove Q(0) == P(1);
+        prove D(Q)(0) == 1/4*D(P)(1);
+    }
+}
+
 type Net = [[[f64; 3]; 4]; 4];
 
 fn point(random: &mut Random) -> [f64; 3] {
@@ -219,4 +239,114 @@ fn curves_are_continued_at_either_end() {
             assert!(joint.curvature <= 1e-10 * bend.max(1.0), "{joint:?}");
         }
     }
+}
+
+/// The size of P' - f Q' and of P'' - f² Q'' - c Q', in terms of the size of P' and P''.
+fn missed(p: [[f64; 3]; 3], q: [[f64; 3]; 3], f: f64, c: f64) -> [f64; 2] {
+    let size = |v: [f64; 3]| v.into_iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let scale = size(p[1]).max(size(p[2])).max(1.0);
+    let first = core::array::from_fn(|d| p[1][d] - f * q[1][d]);
+    let second = core::array::from_fn(|d| p[2][d] - f * f * q[2][d] - c * q[1][d]);
+    [size(first) / scale, size(second) / scale]
+}
+
+/// A G2 contact leaves two scalars free, f and c: the derivatives say that these are the ones that were asked for, which
+/// tangents and curvatures do not.
+#[test]
+fn the_scalars_of_a_contact_are_those_that_were_asked_for() {
+    let mut random = Random::new(7);
+    for _ in 0..100 {
+        let family = QuarticBernstein::new(0.25).unwrap();
+        let p: [[f64; 3]; 4] = core::array::from_fn(|_| point(&mut random));
+        let free: [[f64; 3]; 4] = core::array::from_fn(|_| point(&mut random));
+        let curve = Curve::new(QuarticBernstein::new(-1.5).unwrap(), p);
+        let (f, c) = (random.between(0.5, 2.0), random.between(-3.0, 3.0));
+        let next = family.curve_after(&curve, Contact::Curvature { f, c }, free).unwrap();
+        let previous = family.curve_before(&curve, Contact::Curvature { f, c }, free).unwrap();
+        let after = missed(curve.eval_with_derivs(1.0), next.eval_with_derivs(0.0), f, c);
+        let before = missed(curve.eval_with_derivs(0.0), previous.eval_with_derivs(1.0), f, c);
+        assert!(after.into_iter().chain(before).all(|x| x < 1e-12), "{after:?} {before:?}");
+        let next = family.curve_after(&curve, Contact::Tangent { f }, free).unwrap();
+        let previous = family.curve_before(&curve, Contact::Tangent { f }, free).unwrap();
+        let [after, _] = missed(curve.eval_with_derivs(1.0), next.eval_with_derivs(0.0), f, c);
+        let [before, _] = missed(curve.eval_with_derivs(0.0), previous.eval_with_derivs(1.0), f, c);
+        assert!(after < 1e-12 && before < 1e-12, "{after:e} {before:e}");
+        // What the contact does not determine is as it was given.
+        assert_eq!(next.control_points()[2..], free[2..]);
+        assert_eq!(previous.control_points()[..2], free[..2]);
+        // The join of the papers.
+        let (l1, l2) = (random.between(-1.5, 0.9), random.between(-1.5, 0.9));
+        let p = [p[0], p[1], p[2]];
+        let first = Curve::new(QuadraticBezier::new(l1).unwrap(), p);
+        let next = Curve::new(QuadraticBezier::new(l2).unwrap(), quadratic::g2(&p, l1, l2, f, c).unwrap());
+        let joined = missed(first.eval_with_derivs(1.0), next.eval_with_derivs(0.0), f, c);
+        assert!(joined.into_iter().all(|x| x < 1e-12), "{joined:?}");
+    }
+}
+
+#[test]
+fn a_contact_that_has_no_meaning_is_an_error() {
+    let family = QuarticBernstein::new(0.25).unwrap();
+    let points = [[0.0_f64, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]];
+    let refused = |contact: Contact<f64>, points: [[f64; 2]; 4]| {
+        let curve = Curve::new(QuarticBernstein::new(0.5).unwrap(), points);
+        let errors = [
+            family.curve_after(&curve, contact, [[0.0; 2]; 4]).map(|_| ()),
+            family.curve_before(&curve, contact, [[0.0; 2]; 4]).map(|_| ()),
+        ];
+        assert_eq!(format!("{:?}", errors[0]), format!("{:?}", errors[1]));
+        errors[0].unwrap_err()
+    };
+    let is_factor = |error: CurveError| matches!(error, CurveError::Factor { .. });
+    for f in [0.0, -2.0, f64::INFINITY, f64::NAN] {
+        assert!(is_factor(refused(Contact::Tangent { f }, points)), "{f}");
+        assert!(is_factor(refused(Contact::Curvature { f, c: 0.0 }, points)), "{f}");
+    }
+    for c in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+        assert!(is_factor(refused(Contact::Curvature { f: 1.0, c }, points)), "{c}");
+    }
+    // A reciprocal that overflows, and points that are not finite.
+    assert_eq!(refused(Contact::Tangent { f: 5e-324 }, points), CurveError::NotFinite);
+    let mut broken = points;
+    broken[0][1] = f64::NAN;
+    broken[3][0] = f64::INFINITY;
+    assert_eq!(refused(Contact::Tangent { f: 1.0 }, broken), CurveError::NotFinite);
+    // Four control points do not determine four derivatives and the point.
+    let error = refused(Contact::Parametric { order: 4 }, points);
+    assert!(matches!(error, CurveError::Join { conditions: 5, .. }), "{error}");
+}
+
+/// As many derivatives as there are control points: all of them follow from the other curve.
+#[test]
+fn a_contact_of_the_highest_order_determines_all_points() {
+    let curve =
+        Curve::new(QuarticBernstein::new(0.0).unwrap(), [[0.0_f64, 1.0], [1.0, 2.0], [3.0, 2.5], [4.0, 0.0]]);
+    let family = QuarticBernstein::new(0.0).unwrap();
+    let order = Contact::Parametric { order: 3 };
+    // With λ = 0 both are polynomials of degree 3, so that the curve goes on as it is.
+    let next = family.curve_after(&curve, order, [[9.0; 2]; 4]).unwrap();
+    let previous = family.curve_before(&curve, order, [[9.0; 2]; 4]).unwrap();
+    for t in [0.0_f64, 0.25, 0.5, 1.0] {
+        let ([a, b], [c, d]) = ([curve.eval(1.0 + t), next.eval(t)], [curve.eval(t - 1.0), previous.eval(t)]);
+        for k in 0..2 {
+            assert!((a[k] - b[k]).abs() < 1e-11 && (c[k] - d[k]).abs() < 1e-11, "{a:?} {b:?} {c:?} {d:?}");
+        }
+    }
+}
+
+#[test]
+fn control_points_that_are_multiples_of_one_vector() {
+    let points = [[0.0_f64, 0.0, 1.0], [1.0, 2.0, 0.0], [3.0, 2.0, -1.0], [4.0, 0.0, 2.0]];
+    let free = [[7.0, 8.0, 9.0]; 4];
+    let curve = Curve::new(HalfTangents::new(), points);
+    let next = HalfTangents::new().curve_after(&curve, Contact::Tangent { f: 2.0 }, free).unwrap();
+    let previous = HalfTangents::new().curve_before(&curve, Contact::Tangent { f: 2.0 }, free).unwrap();
+    // The derivatives at the ends are twice P[1] and P[2].
+    let wanted =
+        [[points[3], [1.5, 1.0, -0.5], free[2], free[3]], [free[0], free[1], [0.5, 1.0, 0.0], points[0]]];
+    for (found, wanted) in [next.control_points(), previous.control_points()].into_iter().zip(wanted) {
+        let pairs = found.as_flattened().iter().zip(wanted.as_flattened());
+        assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-14), "{found:?} {wanted:?}");
+    }
+    assert_eq!(joins::slowed_down(&points), Ok([points[3], [0.75, 0.5, -0.25]]));
 }
