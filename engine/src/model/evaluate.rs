@@ -3,14 +3,14 @@
 use proc_macro2::Span;
 
 use super::budget::TooLarge;
-use super::obligations::{Duty, Inside, Obligation};
+use super::obligations::{Duty, Obligation};
 use super::scope::{BUILTINS, Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
 use crate::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind, Loops};
-use crate::words::{along_edges, count, here};
+use crate::words::{count, here};
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;
@@ -84,7 +84,7 @@ impl Scope<'_> {
     }
 
     /// Passes on a result, or reports that a formula is too large.
-    fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
+    pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
         result
             .map_err(|reason| {
                 let error = self.error(span, format!("the formula {reason}"));
@@ -453,93 +453,6 @@ impl Scope<'_> {
         put
     }
 
-    /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
-    fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
-        let Some((f, rest)) = arguments.split_first() else {
-            self.report(self.error(span, "`D` needs a function").help("write `D(b)` or `D(b[0], 2)`"));
-            return None;
-        };
-        let mut steps: Vec<(Var, i64)> = Vec::new();
-        for argument in rest {
-            let name = match &argument.kind {
-                ExprKind::Name(name) if self.constant(name).is_none() => Some(name),
-                _ => None,
-            };
-            match (name, steps.last_mut()) {
-                (Some(name), _) => match self.variable(name) {
-                    Some(var) if self.dependent == Some(var) => {
-                        let error = self.error(
-                            argument.span,
-                            format!("`{name}` depends on the other barycentric coordinates"),
-                        );
-                        let names: Vec<&str> = self.domain.mapped(|v| self.names[v.0].as_str());
-                        let own =
-                            if self.function_name.is_empty() { "b" } else { self.function_name.as_str() };
-                        self.report(error.help(along_edges(own, &names, name)));
-                        return None;
-                    }
-                    Some(var) => steps.push((var, 1)),
-                    None => {
-                        let error = self
-                            .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
-                        self.report(error.help(format!("variables are {}", crate::words::list(&self.names))));
-                        return None;
-                    }
-                },
-                (None, None) => {
-                    let var = self.only_domain_variable(span)?;
-                    steps.push((var, self.whole(argument, "the order of a derivative")?));
-                }
-                (None, Some(_)) => {
-                    let order = self.whole(argument, "the order of a derivative")?;
-                    if let Some(last) = steps.last_mut() {
-                        last.1 = order;
-                    }
-                }
-            }
-        }
-        if steps.is_empty() {
-            steps.push((self.only_domain_variable(span)?, 1));
-        }
-        if let Some((_, order)) = steps.iter().find(|(_, order)| *order < 0) {
-            self.report(self.error(span, format!("the order {order} of a derivative is negative")));
-            return None;
-        }
-        let value = self.value(f)?;
-        let mut result = Vec::new();
-        let (list, single) = match value {
-            Value::Scalar(f) => (vec![(Vec::new(), f)], true),
-            Value::List(list) => (list, false),
-        };
-        for (index, mut f) in list {
-            for (var, order) in &steps {
-                for _ in 0..*order {
-                    if f.is_zero() {
-                        break;
-                    }
-                    f = self.fits(self.budget.derivative(&f, *var), span)?;
-                }
-            }
-            result.push((index, f));
-        }
-        match result.pop() {
-            Some((_, only)) if single => Some(Value::Scalar(only)),
-            last => Some(Value::List(result.into_iter().chain(last).collect())),
-        }
-    }
-
-    fn only_domain_variable(&self, span: Span) -> Option<Var> {
-        if let [only] = self.domain.as_slice() {
-            return Some(*only);
-        }
-        let names: Vec<String> = self.domain.mapped(|v| self.names[v.0].clone());
-        let error = self.error(span, format!("there are {} domain variables", names.len()));
-        self.report(
-            error.help(format!("say by which to differentiate: `D(b, {})`", names.join(")` or `D(b, "))),
-        );
-        None
-    }
-
     fn builtin(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
         let constant = |value: Rational| Some(Value::Scalar(Fraction::constant(value)));
         match (name, arguments) {
@@ -612,115 +525,6 @@ impl Scope<'_> {
                 None
             }
         }
-    }
-
-    /// The functions of another family, in this family's domain variables.
-    fn family(
-        &mut self,
-        name: &str,
-        orders: &[Expr],
-        shapes: &[Expr],
-        only: Option<&[i64]>,
-        span: Span,
-    ) -> Option<Value> {
-        let mut order = Vec::new();
-        for o in orders {
-            order.push(self.whole(o, "the order of a family")?);
-        }
-        let family = match self.library.family(self.unit, name, &order) {
-            Ok(family) => family,
-            Err(reason) => {
-                if let Some((message, help)) = reason {
-                    self.report(self.error(span, message).help(help));
-                }
-                return None;
-            }
-        };
-        if shapes.len() != family.shapes.len() {
-            let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
-            let error = self.error(
-                span,
-                format!("`{name}` has {}, {}", count(wanted.len(), "shape parameter"), here(shapes.len())),
-            );
-            let call = if order.is_empty() { name.to_string() } else { family.title() };
-            self.report(error.help(if wanted.is_empty() {
-                format!("write `{call}`")
-            } else {
-                format!("write `{call}({})`", wanted.join(", "))
-            }));
-            return None;
-        }
-        if family.domain.len() != self.domain.len() || family.is_simplex() != self.dependent.is_some() {
-            let kind = |simplex: bool, n: usize| match (simplex, n) {
-                (true, 2) => String::from("a triangle"),
-                (true, _) => String::from("a tetrahedron"),
-                (false, 1) => String::from("an interval"),
-                (false, n) => format!("a box in {n} variables"),
-            };
-            let theirs = kind(family.is_simplex(), family.domain.len());
-            let ours = kind(self.dependent.is_some(), self.domain.len());
-            let error = self.error(span, format!("`{name}` lives on {theirs}, this family on {ours}"));
-            self.report(error.help("compare with a family on the same domain, or with formulas"));
-            return None;
-        }
-        let mut by = Vec::new();
-        for (shape, parameter) in shapes.iter().zip(&family.shapes) {
-            let value = self.scalar(shape)?;
-            if let Some(var) = self.domain.iter().find(|v| value.depends_on(**v)) {
-                let error = self.error(
-                    shape.span,
-                    format!("a shape value of `{name}` contains the domain variable `{}`", self.names[var.0]),
-                );
-                self.report(error.help("shape values are numbers, or made of shape parameters"));
-                return None;
-            }
-            let inside = Inside {
-                value: value.clone(),
-                name: parameter.name.clone(),
-                range: parameter.range.clone(),
-                family: Some(family.title()),
-                assumable: false,
-            };
-            let place = self.place(shape.span);
-            if let Some(c) = value.as_constant() {
-                // A number needs no proof, and a function with a forbidden one no further look.
-                if !parameter.range.contains(&c) {
-                    self.report(inside.outside(&c, place));
-                    return None;
-                }
-            } else {
-                self.must_stay_inside(inside, place);
-            }
-            by.push(value);
-        }
-        // The other family's shape parameters stand aside until their values take their places, so that no value
-        // is substituted into another; different variables take them at once.
-        let plain = by.mapped(Fraction::as_var);
-        let renamed = (0..plain.len()).all(|k| plain[k].is_some() && !plain[..k].contains(&plain[k]));
-        let aside = |k: usize| Var(self.names.len() + k);
-        let mut names: Vec<Var> =
-            (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).collect();
-        names.extend(&self.domain);
-        names.extend(family.dependent.as_ref().and(self.dependent));
-        // An index that is none is reported with the whole list.
-        let only = only.filter(|index| family.functions.iter().any(|f| f.index == **index));
-        let mut list = Vec::new();
-        for f in family.functions.iter().filter(|f| only.is_none_or(|index| f.index == index)) {
-            let size = (f.value.numer().len() + f.value.denom().len()) as u64;
-            self.fits(self.budget.spend(size), span)?;
-            let mut value = f.value.rename(&names);
-            for (k, value_of) in by.iter().enumerate().filter(|_| !renamed) {
-                match self.fits(self.budget.substitute(&value, aside(k), value_of), span)? {
-                    Some(v) => value = v,
-                    None => {
-                        self.report(self.error(span, format!("a denominator of `{name}` becomes zero here")));
-                        return None;
-                    }
-                }
-            }
-            list.push((f.index.clone(), value));
-        }
-        Some(Value::List(list))
     }
 }
 

@@ -1,0 +1,98 @@
+//! Derivatives in expressions: `D(f)`, `D(f, 2)`, `D(f, x)`, `D(f, x, 2)`, `D(f, x, y)`.
+
+use proc_macro2::Span;
+
+use super::scope::{Scope, Value};
+use crate::algebra::poly::Var;
+use crate::collections::list::Mapped;
+use crate::syntax::{Expr, ExprKind};
+use crate::words::along_edges;
+
+impl Scope<'_> {
+    /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
+    pub(super) fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        let Some((f, rest)) = arguments.split_first() else {
+            self.report(self.error(span, "`D` needs a function").help("write `D(b)` or `D(b[0], 2)`"));
+            return None;
+        };
+        let mut steps: Vec<(Var, i64)> = Vec::new();
+        for argument in rest {
+            let name = match &argument.kind {
+                ExprKind::Name(name) if self.constant(name).is_none() => Some(name),
+                _ => None,
+            };
+            match (name, steps.last_mut()) {
+                (Some(name), _) => match self.variable(name) {
+                    Some(var) if self.dependent == Some(var) => {
+                        let error = self.error(
+                            argument.span,
+                            format!("`{name}` depends on the other barycentric coordinates"),
+                        );
+                        let names: Vec<&str> = self.domain.mapped(|v| self.names[v.0].as_str());
+                        let own =
+                            if self.function_name.is_empty() { "b" } else { self.function_name.as_str() };
+                        self.report(error.help(along_edges(own, &names, name)));
+                        return None;
+                    }
+                    Some(var) => steps.push((var, 1)),
+                    None => {
+                        let error = self
+                            .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
+                        self.report(error.help(format!("variables are {}", crate::words::list(&self.names))));
+                        return None;
+                    }
+                },
+                (None, None) => {
+                    let var = self.only_domain_variable(span)?;
+                    steps.push((var, self.whole(argument, "the order of a derivative")?));
+                }
+                (None, Some(_)) => {
+                    let order = self.whole(argument, "the order of a derivative")?;
+                    if let Some(last) = steps.last_mut() {
+                        last.1 = order;
+                    }
+                }
+            }
+        }
+        if steps.is_empty() {
+            steps.push((self.only_domain_variable(span)?, 1));
+        }
+        if let Some((_, order)) = steps.iter().find(|(_, order)| *order < 0) {
+            self.report(self.error(span, format!("the order {order} of a derivative is negative")));
+            return None;
+        }
+        let value = self.value(f)?;
+        let mut result = Vec::new();
+        let (list, single) = match value {
+            Value::Scalar(f) => (vec![(Vec::new(), f)], true),
+            Value::List(list) => (list, false),
+        };
+        for (index, mut f) in list {
+            for (var, order) in &steps {
+                for _ in 0..*order {
+                    if f.is_zero() {
+                        break;
+                    }
+                    f = self.fits(self.budget.derivative(&f, *var), span)?;
+                }
+            }
+            result.push((index, f));
+        }
+        match result.pop() {
+            Some((_, only)) if single => Some(Value::Scalar(only)),
+            last => Some(Value::List(result.into_iter().chain(last).collect())),
+        }
+    }
+
+    fn only_domain_variable(&self, span: Span) -> Option<Var> {
+        if let [only] = self.domain.as_slice() {
+            return Some(*only);
+        }
+        let names: Vec<String> = self.domain.mapped(|v| self.names[v.0].clone());
+        let error = self.error(span, format!("there are {} domain variables", names.len()));
+        self.report(
+            error.help(format!("say by which to differentiate: `D(b, {})`", names.join(")` or `D(b, "))),
+        );
+        None
+    }
+}
