@@ -33,8 +33,43 @@ fn a_path_of_segments() {
     let path = kurbo::BezPath::try_from(&PiecewiseCurve::new(vec![curve, curve.reverse()]).unwrap()).unwrap();
     assert_eq!(path.segments().count(), 2);
     assert!((path.perimeter(1e-9) - 2.0 * curve.arclen(1e-9)).abs() < 4e-9);
-    let high = PiecewiseCurve::from(curve.elevate::<5>());
+    let high = PiecewiseCurve::from(Bezier::from_points([
+        [0.0, 0.0],
+        [1.0, 2.0],
+        [3.0, 2.0],
+        [4.0, 0.0],
+        [5.0, 1.0],
+    ]));
     assert_eq!(kurbo::BezPath::try_from(&high), Err(CurveError::Degree { most: 3, found: 4 }));
+}
+
+/// What counts is the degree of the curve, not the one that its family can have.
+#[test]
+fn curves_of_a_lower_degree_than_their_family() {
+    let cubic = Bezier::from_points(POINTS);
+    let back = kurbo::CubicBez::try_from(&cubic.elevate::<9>()).unwrap();
+    for (found, expected) in [back.p0, back.p1, back.p2, back.p3].into_iter().zip(POINTS) {
+        assert!((found - kurbo::Point::from(<(f64, f64)>::from(expected))).hypot() < 1e-12, "{back:?}");
+    }
+    let parabola = Bezier::from_points([[0.0, 1.0], [1.0, 2.0], [5.0, 0.0]]);
+    let raised = kurbo::QuadBez::try_from(&parabola.elevate::<5>()).unwrap();
+    assert!((raised.p1 - kurbo::Point::new(1.0, 2.0)).hypot() < 1e-14);
+    assert_eq!((raised.p0, raised.p2), (kurbo::Point::new(0.0, 1.0), kurbo::Point::new(5.0, 0.0)));
+    assert!(QuadraticBezierSegment::try_from(&parabola.elevate::<4>()).is_ok());
+    // The degree that is found is the one of the curve.
+    assert_eq!(
+        kurbo::QuadBez::try_from(&cubic.elevate::<7>()),
+        Err(CurveError::Degree { most: 2, found: 3 })
+    );
+    // A change that is small, but no rounding error, is not lost.
+    let mut bent = cubic.elevate::<5>().to_bernstein();
+    bent[2][1] += 1e-12;
+    assert_eq!(
+        kurbo::CubicBez::try_from(&Bezier::from_points(bent)),
+        Err(CurveError::Degree { most: 3, found: 4 })
+    );
+    let wild = Bezier::from_points([[f64::NAN, 0.0], [0.0, 1.0], [f64::MAX, 1.0], [0.0, 0.0], [1.0, 1.0]]);
+    assert!(kurbo::CubicBez::try_from(&wild).is_err());
 }
 
 #[test]

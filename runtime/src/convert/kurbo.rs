@@ -74,8 +74,8 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for C
     }
 }
 
-/// The segment of the lowest degree. Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if it is no curve in the
-/// plane of degree up to 3.
+/// The segment of the degree of the family; a cubic where that is higher but the curve is not. Fails with [`CurveError::Degree`]
+/// or [`CurveError::Dimension`] if it is no curve in the plane of degree up to 3.
 impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for PathSeg {
     type Error = CurveError;
 

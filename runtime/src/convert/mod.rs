@@ -5,12 +5,13 @@ mod kurbo;
 #[cfg(feature = "lyon_geom")]
 mod lyon_geom;
 
-use crate::{Basis, Curve, CurveError, Point, bernstein};
+use crate::{Basis, Curve, CurveError, Point, Scalar, bernstein};
 
 /// A point of the plane, as other crates take it.
 type Pair<S> = (S, S);
 
-/// The `N` Bézier control points in the plane of a curve of a degree below `N`, elevated if need be.
+/// The `N` Bézier control points in the plane of a curve of a degree below `N`, elevated if need be. The degree is that of the curve,
+/// which can be lower than that of its family: the quartic family has the cubic curves at λ = 0.
 fn planar<B, P, const N: usize>(curve: &Curve<B, P>) -> Result<[Pair<B::Scalar>; N], CurveError>
 where
     B: Basis,
@@ -19,10 +20,45 @@ where
     if P::DIM != 2 {
         return Err(CurveError::Dimension { expected: 2, found: P::DIM });
     }
-    if B::DEGREE >= N {
-        return Err(CurveError::Degree { most: N - 1, found: B::DEGREE });
+    let mut bernstein = curve.to_bernstein();
+    let mut rest = bernstein.as_mut();
+    while rest.len() > N {
+        let degree = rest.len() - 1;
+        rest = reduce(rest).ok_or(CurveError::Degree { most: N - 1, found: degree })?;
     }
     let mut points = [P::zero(); N];
-    bernstein::elevate(curve.to_bernstein().as_ref(), &mut points);
+    bernstein::elevate(rest, &mut points);
     Ok(points.map(|p| (p.component(0), p.component(1))))
+}
+
+/// Replaces the control points by those of the same polynomial with one less, and returns them, if its degree is that low up to
+/// rounding errors: if the highest difference vanishes. The first and the last one stay.
+fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
+    let degree = points.len().checked_sub(1).filter(|&degree| degree > 0)?;
+    let (mut difference, mut largest) = (P::zero(), P::Scalar::ZERO);
+    let mut binomial = if degree % 2 == 0 { 1.0 } else { -1.0 };
+    for (k, &point) in points.iter().enumerate() {
+        difference = difference.add_scaled(point, P::Scalar::of(binomial));
+        largest = (0..P::DIM).fold(largest, |largest, d| largest.max(point.component(d).abs()));
+        binomial *= -((degree - k) as f64) / (k + 1) as f64;
+    }
+    // Each product has a binomial coefficient as a factor; their sum is 2ⁿ.
+    let noise = largest * P::Scalar::EPSILON * P::Scalar::of(libm::exp2(degree as f64) * (degree + 1) as f64);
+    if !noise.is_finite() || !(0..P::DIM).all(|d| difference.component(d).abs() <= noise) {
+        return None;
+    }
+    // n p[i] = i q[i-1] + (n - i) q[i], from both ends to the middle.
+    let n = P::Scalar::from_usize(degree);
+    let (last, middle) = (points[degree], degree.div_ceil(2));
+    for i in 1..middle {
+        let [before, rest] = [i, degree - i].map(P::Scalar::from_usize);
+        points[i] = points[i].scale(n / rest).add_scaled(points[i - 1], P::Scalar::ZERO - before / rest);
+    }
+    let mut after = last;
+    for i in (middle..degree).rev() {
+        let [before, rest] = [i, degree - i].map(P::Scalar::from_usize);
+        let point = points[i].scale(n / before).add_scaled(after, P::Scalar::ZERO - rest / before);
+        (points[i], after) = (after, point);
+    }
+    Some(&mut points[..degree])
 }
