@@ -29,6 +29,10 @@ use input::{Input, Spec};
 /// place before the families: `basis! { crate = curves; family … }`. Without it the compiler finds no `basis_runtime` in the
 /// crate root.
 ///
+/// Orders are chosen for specs in files; of a spec in place every family without index parameters is taken, which may use the
+/// others. Its letters are those of the calling crate: rustc warns (`mixed_script_confusables`) where a crate has no other Greek
+/// letters than such as `κ` and `α` that look like Latin ones; spelled out, `kappa`, or in a file, it has nothing to say.
+///
 /// A path is relative to the file that calls the macro, or else to the folder of `Cargo.toml`. The build stops
 /// with an error when a claim of a chosen family is not as the spec declares it.
 #[proc_macro]

@@ -178,7 +178,9 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         if let (true, Some((name, _))) = (alone, names.first()) {
             let place = diagnostic::Place::Token(Span::call_site());
             let message = "every family of the spec has index parameters, and no order is chosen";
-            let help = format!("name the families with their orders: `basis!(\"…\", {name}(3))`");
+            let help = format!(
+                "name the families with their orders: `basis!(\"…\", {name}(3))`; a spec in place has no room for them, a file has"
+            );
             diagnostics.push(Diagnostic::error(place, message).help(help));
         }
     }

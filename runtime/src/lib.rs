@@ -45,7 +45,7 @@
 //! | feature | default | |
 //! | --- | --- | --- |
 //! | `std` | yes | fused multiply-add and vector instructions where there are any; the crate is `no_std` without; enables `alloc` |
-//! | `alloc` | yes | everything that returns a vector, and [`bspline`] |
+//! | `alloc` | yes | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, meshes, rational patches of surfaces of revolution, [`bspline`] |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points |
 //! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |

@@ -201,6 +201,24 @@ fn joints_and_networks_of_splines() {
     again(Projection { parameters: [0.5, 0.25], point: [1.0, 0.0, 2.0], distance, at_least: 0.0 });
 }
 
+/// A message names the type that was asked for, not one of ours behind it.
+#[test]
+fn messages_name_the_type() {
+    fn message<T: DeserializeOwned>() -> String {
+        serde_json::from_str::<T>("7").err().map(|error| error.to_string()).unwrap()
+    }
+    for (found, name) in [
+        (message::<Curve<QuarticBernstein, [f64; 2]>>(), "struct Curve"),
+        (message::<TensorSurface<QuarticBernstein, QuarticBernstein, P>>(), "struct TensorSurface"),
+        (message::<BoxPatch<Bilinear, f64>>(), "struct BoxPatch"),
+        (message::<BSplineSurface<P>>(), "struct BSplineSurface"),
+        (message::<KnotVector<f64>>(), "struct KnotVector"),
+        (message::<Mesh<f64>>(), "struct Mesh"),
+    ] {
+        assert_eq!(found, format!("invalid type: integer `7`, expected {name} at line 1 column 1"));
+    }
+}
+
 /// What is no data can be shared too; errors are errors.
 #[test]
 fn all_else_is_shared() {

@@ -11,7 +11,7 @@ use crate::bspline::{
 use crate::{Point, Point3, Scalar};
 
 #[derive(Deserialize)]
-#[serde(rename = "KnotVector")]
+#[serde(rename = "KnotVector", expecting = "struct KnotVector")]
 pub(crate) struct Knots<S> {
     degree: usize,
     knots: Vec<S>,
@@ -26,7 +26,7 @@ impl<S: Scalar> TryFrom<Knots<S>> for KnotVector<S> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "Net")]
+#[serde(rename = "Net", expecting = "struct Net")]
 pub(crate) struct Points<P> {
     points: Vec<P>,
     columns: usize,
@@ -44,7 +44,7 @@ impl<P: Copy> TryFrom<Points<P>> for Net<P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "BSplineCurve")]
+#[serde(rename = "BSplineCurve", expecting = "struct BSplineCurve")]
 #[serde(bound(deserialize = "P: Deserialize<'de>, P::Scalar: Deserialize<'de>"))]
 pub(crate) struct Curve<P: Point> {
     knots: KnotVector<P::Scalar>,
@@ -60,7 +60,7 @@ impl<P: Point> TryFrom<Curve<P>> for BSplineCurve<P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "BSplineSurface")]
+#[serde(rename = "BSplineSurface", expecting = "struct BSplineSurface")]
 #[serde(bound(deserialize = "P: Deserialize<'de>, P::Scalar: Deserialize<'de>"))]
 pub(crate) struct Surface<P: Point> {
     u: KnotVector<P::Scalar>,
@@ -77,7 +77,7 @@ impl<P: Point> TryFrom<Surface<P>> for BSplineSurface<P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "NurbsCurve")]
+#[serde(rename = "NurbsCurve", expecting = "struct NurbsCurve")]
 #[serde(bound(deserialize = "P: Deserialize<'de>, P::Scalar: Deserialize<'de>"))]
 pub(crate) struct RationalCurve<P: Point> {
     homogeneous: BSplineCurve<Homogeneous<P>>,
@@ -92,7 +92,7 @@ impl<P: Point> TryFrom<RationalCurve<P>> for NurbsCurve<P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "NurbsSurface")]
+#[serde(rename = "NurbsSurface", expecting = "struct NurbsSurface")]
 #[serde(bound(deserialize = "P: Deserialize<'de>, P::Scalar: Deserialize<'de>"))]
 pub(crate) struct RationalSurface<P: Point> {
     homogeneous: BSplineSurface<Homogeneous<P>>,
@@ -107,7 +107,7 @@ impl<P: Point> TryFrom<RationalSurface<P>> for NurbsSurface<P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "Network")]
+#[serde(rename = "Network", expecting = "struct Network")]
 #[serde(bound(deserialize = "P: Deserialize<'de>, P::Scalar: Deserialize<'de>"))]
 pub(crate) struct Patches<P: Point> {
     patches: Vec<BSplineSurface<P>>,

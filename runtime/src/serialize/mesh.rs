@@ -7,7 +7,7 @@ use serde::Deserialize;
 use crate::{Mesh, MeshError, Scalar, Vertex};
 
 #[derive(Deserialize)]
-#[serde(rename = "Mesh")]
+#[serde(rename = "Mesh", expecting = "struct Mesh")]
 pub(crate) struct Parts<S> {
     positions: Vec<[S; 3]>,
     vertices: Vec<Vertex<S>>,

@@ -187,7 +187,11 @@ struct Written<'a, B, P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "Curve", bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>"))]
+#[serde(
+    rename = "Curve",
+    expecting = "struct Curve",
+    bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>")
+)]
 struct Read<B: Basis, P: Copy> {
     basis: B,
     points: Elements<B::Points<P>, P>,
@@ -220,6 +224,7 @@ struct WrittenSurface<'a, U, R> {
 #[derive(Deserialize)]
 #[serde(
     rename = "TensorSurface",
+    expecting = "struct TensorSurface",
     bound(deserialize = "U: Basis + Deserialize<'de>, R: Copy + Deserialize<'de>")
 )]
 struct ReadSurface<U: Basis, R: Copy> {

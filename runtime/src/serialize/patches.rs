@@ -11,7 +11,7 @@ use crate::{
 
 /// A patch as it is written: its basis and its control points.
 macro_rules! patch {
-    ($patch:ident, $basis:ident, $name:literal) => {
+    ($patch:ident, $basis:ident, $name:literal, $expecting:literal) => {
         const _: () = {
             #[derive(Serialize)]
             #[serde(rename = $name)]
@@ -23,6 +23,7 @@ macro_rules! patch {
             #[derive(Deserialize)]
             #[serde(
                                         rename = $name,
+                expecting = $expecting,
                                         bound(deserialize = "B: Deserialize<'de>, P: Copy + Deserialize<'de>")
                                     )]
             struct Read<B: $basis, P: Copy> {
@@ -49,8 +50,8 @@ macro_rules! patch {
         };
     };
 }
-patch!(SimplexPatch, SimplexBasis, "SimplexPatch");
-patch!(BoxPatch, BoxBasis, "BoxPatch");
+patch!(SimplexPatch, SimplexBasis, "SimplexPatch", "struct SimplexPatch");
+patch!(BoxPatch, BoxBasis, "BoxPatch", "struct BoxPatch");
 
 impl<S: Scalar, const N: usize, const T: usize> Serialize for TriangularBernsteinBasis<S, N, T> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
@@ -91,7 +92,11 @@ struct WrittenEndpoint<'a, P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "EndpointForm", bound(deserialize = "P: Copy + Deserialize<'de>"))]
+#[serde(
+    rename = "EndpointForm",
+    expecting = "struct EndpointForm",
+    bound(deserialize = "P: Copy + Deserialize<'de>")
+)]
 struct ReadEndpoint<P: Copy, const R: usize> {
     ends: [P; 2],
     inner: Elements<[P; R], P, Coefficients>,
@@ -118,7 +123,11 @@ struct WrittenBernstein<'a, P> {
 }
 
 #[derive(Deserialize)]
-#[serde(rename = "BernsteinForm", bound(deserialize = "P: Copy + Deserialize<'de>"))]
+#[serde(
+    rename = "BernsteinForm",
+    expecting = "struct BernsteinForm",
+    bound(deserialize = "P: Copy + Deserialize<'de>")
+)]
 struct ReadBernstein<P: Copy, const N: usize> {
     points: Elements<[P; N], P>,
 }
