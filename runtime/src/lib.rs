@@ -49,7 +49,7 @@
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points |
 //! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |
-//! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows |
+//! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree |
 //! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
 //! | `serde` | no | public data can be written and read; what is read is checked as by the constructors |
 

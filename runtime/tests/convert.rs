@@ -1,7 +1,7 @@
 //! Curves go to other crates and come back.
 #![cfg(all(feature = "kurbo", feature = "lyon_geom"))]
 
-use basis_runtime::{Bezier, CurveError, PiecewiseCurve};
+use basis_runtime::{Bezier, Curve, CurveError, PiecewiseCurve};
 use kurbo::{ParamCurve, ParamCurveArclen, Shape};
 use lyon_geom::{CubicBezierSegment, QuadraticBezierSegment};
 
@@ -87,4 +87,42 @@ fn lyon_and_back() {
         lyon_geom::point(2.0, 1.0)
     );
     assert!(lyon_geom::LineSegment::try_from(&parabola).is_err());
+}
+
+/// Curves of a higher degree become cubics within a tolerance.
+#[test]
+fn kurbo_fits_cubics() {
+    basis_runtime::basis! {
+        family Shifted {
+            domain 1 <= x <= 3;
+            b[0] = ((3 - x)/2)^4;
+            b[1] = 4*((x - 1)/2)*((3 - x)/2)^3;
+            b[2] = 6*((x - 1)/2)^2*((3 - x)/2)^2;
+            b[3] = 4*((x - 1)/2)^3*((3 - x)/2);
+            b[4] = ((x - 1)/2)^4;
+            prove partition_of_unity;
+        }
+    }
+    let corners = [(0.0, 0.0), (0.0, 2.0), (3.0, 3.0), (4.0, 0.0), (6.0, 1.0)].map(kurbo::Point::from);
+    let curve = Curve::new(Shifted::new(), corners);
+    for tolerance in [1e-2, 1e-4, 1e-6] {
+        let path = kurbo::fit_to_bezpath(&curve, tolerance);
+        let cubics: Vec<kurbo::PathSeg> = path.segments().collect();
+        let ends = [cubics[0].start(), cubics[cubics.len() - 1].end()];
+        assert!((ends[0] - curve.start()).hypot() < 1e-14 && (ends[1] - curve.end()).hypot() < 1e-14);
+        for cubic in &cubics {
+            for step in 0..=20 {
+                let there = curve.nearest(cubic.eval(f64::from(step) / 20.0), 1e-12);
+                assert!(there.distance <= 1.01 * tolerance, "{tolerance}: {cubic:?} {there:?}");
+            }
+        }
+    }
+    // (t², t³) over -1..1, its degree raised: no cubic with a tangent passes through the cusp.
+    let cusp = Bezier::from_points(
+        [(1.0, -1.0), (-1.0 / 3.0, 1.0), (-1.0 / 3.0, -1.0), (1.0, 1.0)].map(kurbo::Point::from),
+    );
+    let path = kurbo::fit_to_bezpath(&cusp.elevate::<5>(), 1e-6);
+    let ends: Vec<kurbo::Point> = path.segments().map(|segment| segment.end()).collect();
+    assert!(ends.iter().any(|end| end.to_vec2().hypot() < 1e-9), "{ends:?}");
+    assert!(ends.len() <= 4, "{ends:?}");
 }

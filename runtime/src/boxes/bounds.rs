@@ -4,7 +4,9 @@
 use alloc::vec::Vec;
 
 use super::{BoxBasis, BoxPatch};
-use crate::{Point, Scalar};
+use crate::Point;
+#[cfg(feature = "alloc")]
+use crate::Scalar;
 
 impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
     /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too small up

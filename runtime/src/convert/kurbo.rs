@@ -3,6 +3,8 @@
 use kurbo::{CubicBez, Line, PathSeg, QuadBez};
 
 use super::planar;
+#[cfg(feature = "alloc")]
+use crate::domain::from_unit;
 use crate::{Basis, Bezier, Curve, CurveError, Point};
 
 macro_rules! points {
@@ -107,5 +109,48 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCu
             path.push(segment.as_path_el());
         }
         Ok(path)
+    }
+}
+
+/// So [`kurbo::fit_to_bezpath`] writes curves of any degree as cubics, within a tolerance: where the degree is above 3, and in place
+/// of the exact conversion.
+///
+/// ```
+/// use basis_runtime::Bezier;
+/// use kurbo::{BezPath, Point};
+///
+/// let quartic = Bezier::from_points([(0.0, 0.0), (0.0, 2.0), (3.0, 3.0), (4.0, 0.0), (6.0, 1.0)].map(Point::from));
+/// let path: BezPath = kurbo::fit_to_bezpath(&quartic, 1e-3);
+/// assert!(path.segments().count() <= 4);
+/// ```
+#[cfg(feature = "alloc")]
+impl<B: Basis<Scalar = f64>> kurbo::ParamCurveFit for Curve<B, kurbo::Point> {
+    fn sample_pt_tangent(&self, t: f64, sign: f64) -> kurbo::CurveFitSample {
+        // At a cusp the direction of arriving is that of leaving on the way back.
+        let leaving = |tangent: Option<kurbo::Point>| tangent.unwrap_or_default().to_vec2();
+        let tangent = if sign < 0.0 {
+            -leaving(self.reverse().tangent(1.0 - t))
+        } else {
+            leaving(self.tangent(from_unit(B::domain(), t)))
+        };
+        kurbo::CurveFitSample { p: self.eval(from_unit(B::domain(), t)), tangent }
+    }
+
+    fn sample_pt_deriv(&self, t: f64) -> (kurbo::Point, kurbo::Vec2) {
+        let [lo, hi] = B::domain();
+        let [point, velocity] = self.eval_with_derivs(from_unit([lo, hi], t));
+        (point, velocity.to_vec2() * (hi - lo))
+    }
+
+    /// Where a curve turns back at a cusp, the component that turns has an extremum.
+    fn break_cusp(&self, range: core::ops::Range<f64>) -> Option<f64> {
+        let [lo, hi] = B::domain();
+        let velocities = self.hodograph();
+        let largest =
+            velocities.control_points().iter().fold(0.0, |largest, v| v.to_vec2().hypot().max(largest));
+        let margin = 1e-6 * (range.end - range.start);
+        let inside = |&t: &f64| t > range.start + margin && t < range.end - margin;
+        let stops = |&t: &f64| velocities.eval(t).to_vec2().hypot() <= 1e-7 * largest;
+        self.extrema().into_iter().map(|t| (t - lo) / (hi - lo)).filter(inside).find(stops)
     }
 }
