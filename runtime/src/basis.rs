@@ -166,7 +166,8 @@ pub trait Basis: Copy + PartialEq + Debug {
     /// ```
     ///
     /// # Errors
-    /// [`CurveError::Factor`] if `f` is not positive or a factor not finite, [`CurveError::NotFinite`] if a point is not,
+    /// [`CurveError::Factor`] if `f` is not positive or a factor not finite, [`CurveError::Contact`] if the order of the contact
+    /// is not below the number of control points, [`CurveError::NotFinite`] if a computed point is not finite,
     /// [`CurveError::Join`] if the first control points do not determine the derivatives, see
     /// [`start_points`](Self::start_points).
     fn curve_after<B: Basis<Scalar = Self::Scalar>, P: Point<Scalar = Self::Scalar>>(

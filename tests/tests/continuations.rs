@@ -85,7 +85,7 @@ fn errors_name_the_shape_value() {
     assert_eq!(error::<Smootheststep>(&[], g1), join("Smoothstep(5)", 2, ""));
     assert_eq!(
         error::<QuarticBernstein>(&[0.0], Contact::Tangent { f: -1.0 }),
-        CurveError::Factor { value: -1.0 }
+        CurveError::Factor { name: "f", value: -1.0 }
     );
     // Next to the exception there is a solution: Q1 = P3 + P'(1)/(f (2 + λ)).
     let step = 4.0 * f64::EPSILON;

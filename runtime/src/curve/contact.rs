@@ -44,10 +44,10 @@ impl<S: Scalar> Contact<S> {
             Self::Curvature { f, c } => (f, c),
         };
         if !(f > S::ZERO && f.is_finite()) {
-            return Err(CurveError::Factor { value: f.to_f64() });
+            return Err(CurveError::Factor { name: "f", value: f.to_f64() });
         }
         if !c.is_finite() {
-            return Err(CurveError::Factor { value: c.to_f64() });
+            return Err(CurveError::Factor { name: "c", value: c.to_f64() });
         }
         Ok(Some((f, c)))
     }
@@ -75,7 +75,8 @@ pub(crate) fn touching<B: Basis, C: Basis<Scalar = B::Scalar>, P: Point<Scalar =
 ) -> Result<C::Points<P>, CurveError> {
     let conditions = contact.order().saturating_add(1);
     if conditions > C::LEN {
-        return Err(CurveError::Join { family: C::NAME, conditions, at: "" });
+        let (most, found) = (C::LEN.saturating_sub(1), contact.order());
+        return Err(CurveError::Contact { family: C::NAME, most, found });
     }
     let mut derivatives = points;
     let derivatives = &mut derivatives.as_mut()[..conditions];

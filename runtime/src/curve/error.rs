@@ -62,8 +62,19 @@ pub enum CurveError {
         /// The shape values at which this is so, such as `λ = -3`; empty where no formula says it.
         at: &'static str,
     },
-    /// A factor of a join is not finite, or a ratio of velocities not positive.
+    /// The contact is of a higher order than the number of control points allows.
+    Contact {
+        /// The family of the curve that was to follow.
+        family: &'static str,
+        /// The highest order: one less than the number of control points.
+        most: usize,
+        /// The order asked for.
+        found: usize,
+    },
+    /// A factor of a [`Contact`](crate::Contact) is not finite, or `f`, a ratio of velocities, not positive.
     Factor {
+        /// Which one, `f` or `c`.
+        name: &'static str,
         /// The factor.
         value: f64,
     },
@@ -111,8 +122,21 @@ impl Display for CurveError {
                      end; choose other shape values or a lower order of contact"
                 )
             }
-            Self::Factor { value } => {
-                write!(f, "the factor {value} of a join must be finite, and a ratio of velocities positive")
+            Self::Contact { family, most, found } => {
+                let points = most + 1;
+                write!(
+                    f,
+                    "contact of order {found} determines more control points than the {points} of {family}: at most order {most}"
+                )
+            }
+            Self::Factor { name: "f", value } => {
+                write!(
+                    f,
+                    "f = {value} in the contact f Q' = P': a ratio of velocities is positive and finite"
+                )
+            }
+            Self::Factor { name, value } => {
+                write!(f, "{name} = {value} in the contact is not a finite number")
             }
             Self::Shape(error) => error.fmt(f),
             Self::TooManyPoints { needed } => {

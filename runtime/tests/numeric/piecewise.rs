@@ -65,11 +65,11 @@ fn joins_that_do_not_exist() {
     assert!(join(1.0, Contact::Curvature { f: 1.0, c: 0.0 }).is_ok());
     assert_eq!(
         join(0.0, Contact::Parametric { order: 4 }),
-        Err(CurveError::Join { family: "QuarticBernstein", conditions: 5, at: "" })
+        Err(CurveError::Contact { family: "QuarticBernstein", most: 3, found: 4 })
     );
     assert!(join(0.0, Contact::Parametric { order: usize::MAX }).is_err());
     for bad in [0.0, -1.0, f64::INFINITY] {
-        assert_eq!(join(0.0, Contact::Tangent { f: bad }), Err(CurveError::Factor { value: bad }));
+        assert_eq!(join(0.0, Contact::Tangent { f: bad }), Err(CurveError::Factor { name: "f", value: bad }));
     }
     assert!(join(0.0, Contact::Curvature { f: 1.0, c: f64::NAN }).is_err());
     let infinite = Bezier::from_points([[0.0, f64::INFINITY], [1.0, 1.0]]);
