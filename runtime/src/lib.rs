@@ -113,7 +113,7 @@ pub use simplex::{
 #[cfg(feature = "alloc")]
 pub use surface::BoundedSurface;
 pub use surface::{
-    BezierPatchOf, Curvature, Edge, EdgeContinuity, JoinError, RationalSurface, ScalarOf, Surface,
-    TensorSurface, edge_continuity,
+    BezierPatchOf, Curvature, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface, ScalarOf,
+    Surface, TensorSurface, edge_continuity,
 };
 pub use vector::Point3;

@@ -43,6 +43,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// # Ok(())
     /// # }
     /// ```
+    #[must_use]
     #[inline]
     pub fn to_bezier(&self) -> BezierOf<B, P> {
         bezier::<B, P>(self.to_bernstein().as_ref())
@@ -58,6 +59,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// let parabola = Bezier::from_points([0.0, 6.0, 3.0]);
     /// assert_eq!(parabola.elevate::<4>().control_points(), [0.0, 4.0, 5.0, 3.0]);
     /// ```
+    #[must_use]
     pub fn elevate<const N: usize>(&self) -> Bezier<P, N> {
         const { assert!(N > B::DEGREE, "degree elevation cannot lower the degree") };
         let mut points = [P::zero(); N];
@@ -77,6 +79,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert_eq!(left.control_points(), [0.0, 4.0, 5.0]);
     /// assert_eq!(right.control_points(), [5.0, 6.0, 4.0]);
     /// ```
+    #[must_use]
     pub fn split(&self, t: B::Scalar) -> [BezierOf<B, P>; 2] {
         let [_, x] = unit(B::domain(), t);
         let mut left = self.to_bernstein();
@@ -89,6 +92,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     ///
     /// If `range.start > range.end` it runs backwards. Where the range ends at an end of the domain, so does the part,
     /// exactly.
+    #[must_use]
     pub fn subsegment(&self, range: Range<B::Scalar>) -> BezierOf<B, P> {
         let [_, from] = unit(B::domain(), range.start);
         let [_, to] = unit(B::domain(), range.end);
@@ -98,6 +102,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     }
 
     /// The same curve in the other direction, on `0 <= x <= 1`: `C(hi - (hi - lo) x)`.
+    #[must_use]
     pub fn reverse(&self) -> BezierOf<B, P> {
         let mut points = self.to_bernstein();
         points.as_mut().reverse();
@@ -105,6 +110,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     }
 
     /// The derivative `C'(t)` as a curve over the domain scaled to `0 <= x <= 1`, written with the degree of `C`.
+    #[must_use]
     pub fn hodograph(&self) -> BezierOf<B, P> {
         let mut points = self.to_bernstein();
         let scale = crate::domain::inverse_width(B::domain());

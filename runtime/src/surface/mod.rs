@@ -20,7 +20,7 @@ pub use curvature::Curvature;
 pub use edge::{Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
 pub use parts::BezierPatchOf;
-pub use rational::RationalSurface;
+pub use rational::{RationalPatchOf, RationalSurface};
 #[cfg(feature = "alloc")]
 pub use second::BoundedSurface;
 pub use tensor::TensorSurface;

@@ -68,11 +68,13 @@ where
     }
 
     /// The same surface as a Bézier patch of the same degrees, on the unit square.
+    #[must_use]
     pub fn to_bezier(&self) -> BezierPatchOf<U, V, P> {
         patch::<U, V, P>(self.bezier_net())
     }
 
     /// The parts before and after `u`, each as a Bézier patch on the unit square. They share an edge exactly.
+    #[must_use]
     pub fn split_u(&self, u: P::Scalar) -> [BezierPatchOf<U, V, P>; 2] {
         let ([mut before, mut after], [_, x]) = ([self.bezier_net(); 2], unit(U::domain(), u));
         restrict_u::<U, V, P>(&mut before, P::Scalar::ZERO, x);
@@ -82,6 +84,7 @@ where
     }
 
     /// The parts before and after `v`, each as a Bézier patch on the unit square. They share an edge exactly.
+    #[must_use]
     pub fn split_v(&self, v: P::Scalar) -> [BezierPatchOf<U, V, P>; 2] {
         let ([mut before, mut after], [_, y]) = ([self.bezier_net(); 2], unit(V::domain(), v));
         restrict_v::<U, V, P>(&mut before, P::Scalar::ZERO, y);
@@ -95,6 +98,7 @@ where
     /// The part over a rectangle of parameters, as a Bézier patch on the unit square.
     ///
     /// A range with `start > end` runs backwards; outside of the domain the polynomials are continued.
+    #[must_use]
     pub fn subpatch(&self, u: Range<P::Scalar>, v: Range<P::Scalar>) -> BezierPatchOf<U, V, P> {
         let mut net = self.bezier_net();
         let [[_, u_from], [_, u_to]] = [u.start, u.end].map(|u| unit(U::domain(), u));

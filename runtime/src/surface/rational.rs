@@ -44,6 +44,9 @@ where
     weight: TensorSurface<U, V, U::Scalar>,
 }
 
+/// A part of a rational surface, as a rational Bézier patch of the same degrees on the unit square.
+pub type RationalPatchOf<U, V, P> = RationalSurface<BernsteinOf<U>, BernsteinOf<V>, P>;
+
 impl<U, V, P> RationalSurface<U, V, P>
 where
     U: Basis,
@@ -84,13 +87,28 @@ where
         &self.weight
     }
 
+    /// The same surface as a rational Bézier patch of the same degrees, on the unit square.
+    #[must_use]
+    pub fn to_bezier(&self) -> RationalPatchOf<U, V, P> {
+        RationalSurface { numerator: self.numerator.to_bezier(), weight: self.weight.to_bezier() }
+    }
+
+    /// The parts before and after `u`, each as a rational Bézier patch on the unit square. They share an edge exactly.
+    #[must_use]
+    pub fn split_u(&self, u: P::Scalar) -> [RationalPatchOf<U, V, P>; 2] {
+        quotients(self.numerator.split_u(u), self.weight.split_u(u))
+    }
+
+    /// The parts before and after `v`, each as a rational Bézier patch on the unit square. They share an edge exactly.
+    #[must_use]
+    pub fn split_v(&self, v: P::Scalar) -> [RationalPatchOf<U, V, P>; 2] {
+        quotients(self.numerator.split_v(v), self.weight.split_v(v))
+    }
+
     /// The part over a rectangle of parameters, as a rational Bézier patch on the unit square; see
     /// [`TensorSurface::subpatch`].
-    pub fn subpatch(
-        &self,
-        u: Range<P::Scalar>,
-        v: Range<P::Scalar>,
-    ) -> RationalSurface<BernsteinOf<U>, BernsteinOf<V>, P> {
+    #[must_use]
+    pub fn subpatch(&self, u: Range<P::Scalar>, v: Range<P::Scalar>) -> RationalPatchOf<U, V, P> {
         RationalSurface {
             numerator: self.numerator.subpatch(u.clone(), v.clone()),
             weight: self.weight.subpatch(u, v),
@@ -144,6 +162,22 @@ where
         }
         partials
     }
+}
+
+/// The two parts of a surface from those of its numerator and of its weight.
+fn quotients<U, V, P>(
+    [before, after]: [TensorSurface<U, V, P>; 2],
+    [weight_before, weight_after]: [TensorSurface<U, V, U::Scalar>; 2],
+) -> [RationalSurface<U, V, P>; 2]
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    [
+        RationalSurface::from_homogeneous(before, weight_before),
+        RationalSurface::from_homogeneous(after, weight_after),
+    ]
 }
 
 /// Pascal's triangle.

@@ -1,6 +1,6 @@
 //! Isocurves, boundaries and parts are the same surface.
 
-use basis_runtime::{Surface, TensorSurface};
+use basis_runtime::{BernsteinBasis, RationalSurface, Surface, TensorSurface};
 
 use crate::families::{QuarticBernstein, UniformBSpline, graph, random_quartic, random_surface};
 use crate::random::Random;
@@ -94,4 +94,29 @@ fn bezier_form() {
     assert_eq!(bezier.control_point(1, 2), Some([6.0]));
     assert_eq!(bezier.control_point(2, 2), Some([4.0]));
     assert_eq!(bezier.control_point(3, 3), Some([0.0]));
+}
+
+/// A quarter of a circle swept along a line, with its weights; both parts are the surface, and share their edge bit for bit.
+#[test]
+fn parts_of_rational_surfaces() {
+    let half = 0.5_f64.sqrt();
+    let arc = |x: f64| [[x, 1.0, 0.0], [x, 1.0, 1.0], [x, 0.0, 1.0]];
+    let cylinder = RationalSurface::new(
+        BernsteinBasis::<_, 2>::new(),
+        BernsteinBasis::<_, 3>::new(),
+        [arc(0.0), arc(2.0)],
+        [[1.0, half, 1.0], [2.0, half, 0.5]],
+    );
+    assert_eq!(cylinder.to_bezier(), cylinder);
+    let [before, after] = cylinder.split_u(0.3);
+    let [low, high] = cylinder.split_v(0.6);
+    for i in 0..=10 {
+        let x = f64::from(i) / 10.0;
+        assert_eq!(before.eval(1.0, x), after.eval(0.0, x));
+        assert_eq!(low.eval(x, 1.0), high.eval(x, 0.0));
+        assert!(near(before.eval(x, 0.7), cylinder.eval(0.3 * x, 0.7)));
+        assert!(near(after.eval(x, 0.7), cylinder.eval(0.3 + 0.7 * x, 0.7)));
+        assert!(near(low.eval(0.2, x), cylinder.eval(0.2, 0.6 * x)));
+        assert!(near(high.eval(0.2, x), cylinder.eval(0.2, 0.6 + 0.4 * x)));
+    }
 }

@@ -171,11 +171,13 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
     }
 
     /// The segments as Bézier curves of the same degree.
+    #[must_use]
     pub fn to_bezier(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {
         PiecewiseCurve { segments: self.segments.iter().map(Curve::to_bezier).collect() }
     }
 
     /// The curve in the other direction.
+    #[must_use]
     pub fn reverse(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {
         PiecewiseCurve { segments: self.segments.iter().rev().map(Curve::reverse).collect() }
     }
@@ -183,6 +185,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
     /// The two parts before and after `u`; the segment of `u` becomes two.
     ///
     /// At a joint, and outside of the domain, one part of a segment is a point, or runs backwards.
+    #[must_use]
     pub fn split(&self, u: B::Scalar) -> [PiecewiseCurve<BernsteinOf<B>, P>; 2] {
         let (index, t) = self.locate(u);
         let [left, right] = self.segments[index].split(t);
