@@ -77,14 +77,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert!((parabola.arclen(1e-12) - 1.478942857544597_f64).abs() < 1e-12);
     /// ```
     pub fn arclen(&self, accuracy: B::Scalar) -> B::Scalar {
-        let Some(whole) = self.prepare(accuracy) else { return B::Scalar::NAN };
-        let unit = whole.unit;
-        let mut sum = B::Scalar::ZERO;
-        whole.piece.walk(&mut |leaf| {
-            sum = sum + leaf.length;
-            true
-        });
-        sum * unit
+        self.length(accuracy, Rules::First)
     }
 
     /// The parameter `t` for which the curve from its start to `C(t)` has that length; the length up to there differs from
@@ -105,7 +98,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         if length.is_nan() {
             return length;
         }
-        let Some(whole) = self.prepare(accuracy) else { return B::Scalar::NAN };
+        let Some(whole) = self.prepare(accuracy, Rules::Smallest) else { return B::Scalar::NAN };
         let mut found = B::Scalar::ONE;
         let mut rest = length / whole.unit;
         whole.piece.walk(&mut |leaf| {
@@ -126,8 +119,10 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// All NaN if a control point is infinite or NaN.
     #[cfg(feature = "alloc")]
     pub fn arclen_parameters(&self, count: usize, accuracy: B::Scalar) -> alloc::vec::Vec<B::Scalar> {
-        let Some(whole) = self.prepare(accuracy) else { return alloc::vec![B::Scalar::NAN; count] };
-        let total = self.arclen(accuracy) / whole.unit;
+        let Some(whole) = self.prepare(accuracy, Rules::Smallest) else {
+            return alloc::vec![B::Scalar::NAN; count];
+        };
+        let total = self.length(accuracy, Rules::Smallest) / whole.unit;
         let step = total / B::Scalar::from_usize(count.saturating_sub(1).max(1));
         let mut parameters = alloc::vec::Vec::with_capacity(count);
         let mut before = B::Scalar::ZERO;
@@ -169,8 +164,20 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         self.arclen_parameters(count, accuracy).into_iter().map(|t| self.eval(t)).collect()
     }
 
+    /// [`arclen`](Self::arclen) with rules of that kind.
+    fn length(&self, accuracy: B::Scalar, rules: Rules) -> B::Scalar {
+        let Some(whole) = self.prepare(accuracy, rules) else { return B::Scalar::NAN };
+        let unit = whole.unit;
+        let mut sum = B::Scalar::ZERO;
+        whole.piece.walk(&mut |leaf| {
+            sum = sum + leaf.length;
+            true
+        });
+        sum * unit
+    }
+
     /// The whole curve, ready to be walked along; `None` if it is not finite.
-    fn prepare(&self, accuracy: B::Scalar) -> Option<Whole<B, P>> {
+    fn prepare(&self, accuracy: B::Scalar, rules: Rules) -> Option<Whole<B, P>> {
         let mut points = self.to_bernstein();
         let polygon = polygon(points.as_ref());
         if !points.as_ref().iter().all(|&p| is_finite(p)) || !polygon.is_finite() {
@@ -190,7 +197,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         // So long can a piece be of which nothing is left but the rounding errors of its control points.
         let noise = B::Scalar::EPSILON * B::Scalar::from_usize(4 * B::DEGREE) * (polygon / unit);
         let (from, to) = (B::Scalar::ZERO, B::Scalar::ONE);
-        Some(Whole { piece: Piece { points, from, to, accuracy, noise, depth: 0 }, unit })
+        Some(Whole { piece: Piece { points, from, to, accuracy, noise, depth: 0, rules }, unit })
     }
 }
 
@@ -205,6 +212,15 @@ fn polygon<P: Point>(points: &[P]) -> P::Scalar {
     points.windows(2).fold(P::Scalar::ZERO, |sum, pair| sum + distance(pair[0], pair[1]))
 }
 
+/// Which rule is looked for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rules {
+    /// The first that is proved to be good enough: to look for a smaller one takes longer than to use it once.
+    First,
+    /// The smallest one, to be used many times.
+    Smallest,
+}
+
 struct Piece<B: Basis, P: Point<Scalar = B::Scalar>> {
     points: B::Bernstein<P>,
     from: B::Scalar,
@@ -212,15 +228,16 @@ struct Piece<B: Basis, P: Point<Scalar = B::Scalar>> {
     accuracy: B::Scalar,
     noise: B::Scalar,
     depth: u32,
+    rules: Rules,
 }
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Piece<B, P> {
     /// Returns whether to go on after this piece.
     fn walk(self, visit: &mut impl FnMut(&Leaf<B, P>) -> bool) -> bool {
-        let Self { points, from, to, accuracy, noise, depth } = self;
+        let Self { points, from, to, accuracy, noise, depth, rules } = self;
         let smooth = if B::DEGREE <= MOST_POWERS {
             let square = SquaredSpeed::<B>::of(points);
-            square.rule(accuracy).map(|rule| (square.length(rule), Speed::Smooth { square, rule }))
+            square.rule(accuracy, rules).map(|rule| (square.length(rule), Speed::Smooth { square, rule }))
         } else {
             let velocity = Hodograph::of(points);
             let rule = velocity.rule(accuracy);
@@ -239,8 +256,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Piece<B, P> {
         let (mut left, mut right) = (points, points);
         bernstein::split(left.as_mut(), half, right.as_mut());
         let (accuracy, depth) = (accuracy * half, depth + 1);
-        Self { points: left, from, to: middle, accuracy, noise, depth }.walk(visit)
-            && Self { points: right, from: middle, to, accuracy, noise, depth }.walk(visit)
+        Self { points: left, from, to: middle, accuracy, noise, depth, rules }.walk(visit)
+            && Self { points: right, from: middle, to, accuracy, noise, depth, rules }.walk(visit)
     }
 }
 
@@ -276,12 +293,12 @@ impl<B: Basis> SquaredSpeed<B> {
 
     /// As [`Chebyshev::rule`]; `None` also where the powers cancel each other.
     #[inline]
-    fn rule(&self, accuracy: B::Scalar) -> Option<&'static Rule> {
+    fn rule(&self, accuracy: B::Scalar, rules: Rules) -> Option<&'static Rule> {
         let powers = self.coefficients.as_ref().as_flattened();
         let sum = Chebyshev::of(self);
         let absolute = powers.iter().fold(B::Scalar::ZERO, |sum, c| sum + c.abs());
         let stable = absolute <= B::Scalar::of(4.0) * sum.mean()?;
-        if stable { sum.rule(accuracy) } else { None }
+        if stable { sum.rule(accuracy, rules) } else { None }
     }
 
     /// The sum of the rule, by even and odd powers.
@@ -339,15 +356,20 @@ impl<B: Basis> Chebyshev<B> {
         Self { coefficients, noise: B::Scalar::ZERO }
     }
 
-    /// The smallest rule whose error for `∫ |dC/dz| dz` is proved to be at most `accuracy`, if this is the square of the speed.
+    /// A rule whose error for `∫ |dC/dz| dz` is proved to be at most `accuracy`, if this is the square of the speed.
     #[inline]
-    pub(super) fn rule(self, accuracy: B::Scalar) -> Option<&'static Rule> {
+    pub(super) fn rule(self, accuracy: B::Scalar, rules: Rules) -> Option<&'static Rule> {
         let margin = B::Scalar::of(0.99); // for rounding errors
         let mut sum = self;
         let mean = sum.mean()?;
         let change = sum.largest_changes(&RADII[0]);
         let mut analytic = change.map(|change| change < mean * margin);
         for radii in &RADII[1..] {
+            if rules == Rules::First
+                && let Some(rule) = choose(analytic, mean, change, accuracy)
+            {
+                return Some(rule);
+            }
             sum = sum.opposites();
             let Some(mean) = sum.mean() else { break };
             let change = sum.largest_changes(radii);

@@ -1,6 +1,6 @@
 //! The speed of a curve of high degree, from its Bernstein form: powers would cancel each other.
 
-use super::length::{Chebyshev, SquaredSpeed, rule_of_hull};
+use super::length::{Chebyshev, Rules, SquaredSpeed, rule_of_hull};
 use super::quadrature::Rule;
 use crate::vector::{dot, length};
 use crate::{Array, Basis, Point, Scalar, bernstein};
@@ -36,7 +36,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Hodograph<B, P> {
     /// The Chebyshev series bounds the speed on ellipses more sharply, but its rounding errors grow with the power of the
     /// degree; those of the control points do not.
     pub(super) fn rule(&self, accuracy: B::Scalar) -> Option<&'static Rule> {
-        self.squared().rule(accuracy).or_else(|| {
+        self.squared().rule(accuracy, Rules::Smallest).or_else(|| {
             let middle = self.at(B::Scalar::ZERO);
             let spread = self.velocity().iter().fold(B::Scalar::ZERO, |a, &v| a.max(length(v.minus(middle))));
             rule_of_hull(B::DEGREE - 1, length(middle), spread, accuracy)
