@@ -146,7 +146,7 @@ fn range_text(name: &str, (low, high): &Part, poles: &Part) -> String {
         |end: &Coordinate, pole: &Option<Coordinate>| if Some(end) == pole.as_ref() { "<" } else { "<=" };
     let low = low.as_ref().map_or_else(String::new, |c| format!("{} {} ", end(c), sign(c, &poles.0)));
     let high = high.as_ref().map_or_else(String::new, |c| format!(" {} {}", sign(c, &poles.1), end(c)));
-    format!("{low}{name}{high}")
+    if low.is_empty() && high.is_empty() { format!("every {name}") } else { format!("{low}{name}{high}") }
 }
 
 /// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None` when

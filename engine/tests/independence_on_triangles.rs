@@ -16,12 +16,12 @@ fn symmetric_families_fall_apart() {
         let region = item.family.shape_region();
         match independent(&table, &[], &region, &mut Budget::default()) {
             Independence::Proved(pieces) => {
-                assert_eq!(verify_independence(&table.rows, &[], &region, &pieces).err(), None);
+                assert_eq!(verify_independence(&table.rows, &[], &region, &pieces, 1).err(), None);
                 // A change of one number of the bases shows.
                 let mut wrong = pieces.clone();
                 if let Some(change) = &mut wrong[0].change {
                     change.columns[0][0].1 = &change.columns[0][0].1 + &Rational::ONE;
-                    assert!(verify_independence(&table.rows, &[], &region, &wrong).is_err());
+                    assert!(verify_independence(&table.rows, &[], &region, &wrong, 1).is_err());
                 }
                 String::from("proved")
             }

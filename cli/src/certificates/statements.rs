@@ -132,8 +132,8 @@ fn read_relation(text: &str) -> Result<Relation, String> {
     }
 }
 
-/// Reads a statement from its fields.
-pub(super) fn read(fields: &mut Fields<'_>, names: &[String]) -> Result<Statement, String> {
+/// Reads a statement from its fields; how much its proof may take is not among them.
+pub(super) fn read(fields: &mut Fields<'_>, names: &[String], budget: u32) -> Result<Statement, String> {
     let of = fields.text("of")?.to_string();
     let assertion = match fields.text("kind")? {
         "identity" => match fields.text("difference")? {
@@ -175,5 +175,5 @@ pub(super) fn read(fields: &mut Fields<'_>, names: &[String]) -> Result<Statemen
         }
         other => return Err(format!("there are no statements of the kind `{other}`")),
     };
-    Ok(Statement { of, assertion })
+    Ok(Statement { of, assertion, budget })
 }

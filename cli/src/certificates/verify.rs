@@ -356,7 +356,7 @@ fn step(value: &Value, expected: &prove::Statement, names: &[String]) -> Result<
         }
     }
     let mut fields = Fields::of(value)?;
-    let statement = statements::read(&mut fields, names)?;
+    let statement = statements::read(&mut fields, names, expected.budget)?;
     let (proof, written) = proofs::read(&statement, fields.take("proof")?, names)?;
     fields.end()?;
     // Here nothing is known but the statement and the proof.

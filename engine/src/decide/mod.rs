@@ -54,6 +54,7 @@ pub use independence::{
 pub use largest::{LargestRange, largest_range};
 #[cfg(any(test, feature = "tools"))]
 pub use parts::{Part, nonnegative_parts};
+pub(crate) use problem::simple;
 pub use symmetry::{ChangeOfBasis, Combination, Symmetries, Symmetry};
 #[cfg(any(test, feature = "tools"))]
 pub use verify::{CellCoefficients, Computed, verify, verify_independence};

@@ -110,7 +110,7 @@ pub(super) fn as_rational(point: &Point) -> Option<Vec<(Var, Rational)>> {
 }
 
 /// A simple number of a range that is not empty, an inner one if there is any.
-pub(super) fn simple(range: &Range) -> Rational {
+pub(crate) fn simple(range: &Range) -> Rational {
     simplest_between(range.low.value(), range.high.value())
 }
 

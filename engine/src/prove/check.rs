@@ -3,11 +3,12 @@
 use super::gram::Gram;
 use super::net::{Net, evaluated, on_net};
 use super::{Assertion, Evidence, RankProof, Statement, StepProof, Witness, expressions, fixed, statements};
-use super::{Inequality, independent, parallel, theorem};
+use super::{Inequality, independent, parallel, point, theorem};
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::matrix::determinant;
 use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
@@ -59,7 +60,7 @@ pub fn proof(statement: &Statement, proof: &StepProof) -> Result<Computed, Strin
             }
         }
         (Assertion::Sign { polynomial, relation, region }, StepProof::Sign(proof)) => {
-            let cells = verify(polynomial, *relation, region, &proof.certificate)?;
+            let cells = verify(polynomial, *relation, region, &proof.certificate, statement.budget)?;
             Ok(Computed { cells, minors: Vec::new() })
         }
         (Assertion::Squares { polynomial, relation, products }, StepProof::Squares(squares)) => {
@@ -68,7 +69,7 @@ pub fn proof(statement: &Statement, proof: &StepProof) -> Result<Computed, Strin
         }
         (Assertion::Independent { table, except, region }, StepProof::Independence(proof)) => {
             exceptions(table, except, region, proof)?;
-            verify_independence(&table.rows, except, region, &proof.pieces)
+            verify_independence(&table.rows, except, region, &proof.pieces, statement.budget)
         }
         _ => Err(String::from("the proof is one of another kind of statement")),
     }
@@ -123,12 +124,13 @@ fn exceptions(
 pub fn witness(family: &Family, claim: &Claim, witness: &Witness) -> Result<(), String> {
     let point = point(family, claim, witness)?;
     if let ClaimKind::Independent(except) = &claim.kind {
-        return dependence(family, except, witness, &point);
+        return dependence(family, (&claim.kind, except), witness, &point);
     }
     let expressions = expressions(family, claim);
     let Some((_, value)) = expressions.iter().find(|(of, _)| *of == witness.of) else {
         return Err(format!("the claim says nothing of `{}`", witness.of));
     };
+    idle(family, &claim.kind, witness, &|var| value.depends_on(var))?;
     let found = match point.exact() {
         Some(exact) => value.eval(&exact).ok_or("a denominator vanishes at the point")?,
         None if vanishes(value, &point) => Rational::ZERO,
@@ -142,6 +144,42 @@ pub fn witness(family: &Family, claim: &Claim, witness: &Witness) -> Result<(), 
         Some(i) => i.relation.holds(&if i.negate { -&found } else { found }),
     };
     if holds { Err(format!("`{}` is as claimed at the point", witness.of)) } else { Ok(()) }
+}
+
+/// The value in a counterexample of a variable that does not matter for it, so that there is one counterexample only.
+fn idle_value(kind: &ClaimKind, range: &Range) -> Rational {
+    let by_sign = match kind {
+        ClaimKind::Relation { comparison, .. } => {
+            !matches!(comparison, Comparison::Equal | Comparison::NotEqual)
+        }
+        ClaimKind::Nonnegative | ClaimKind::Independent(_) => true,
+        ClaimKind::PartitionOfUnity | ClaimKind::Symmetric | ClaimKind::Continuity(_) => false,
+    };
+    if by_sign { crate::decide::simple(range) } else { point::simple(range) }
+}
+
+/// Checks that the variables on which nothing depends have their one value. On a simplex this is for the shape parameters: its
+/// coordinates depend on each other.
+fn idle(
+    family: &Family,
+    kind: &ClaimKind,
+    witness: &Witness,
+    matters: &dyn Fn(Var) -> bool,
+) -> Result<(), String> {
+    let domain: &[_] = if family.is_simplex() { &[] } else { &family.domain };
+    let given = fixed(kind);
+    for parameter in family.shapes.iter().chain(domain) {
+        let var = parameter.var;
+        if matters(var) || given.iter().any(|(v, value)| *v == var || value.depends_on(var)) {
+            continue;
+        }
+        let name = &parameter.name;
+        let value = Coordinate::Rational(idle_value(kind, &parameter.range));
+        if witness.at.iter().any(|(n, c)| n == name && *c != value) {
+            return Err(format!("`{name}` does not matter: {} is written there", value.describe(name)));
+        }
+    }
+    Ok(())
 }
 
 /// Checks that a claim of a theorem fails at a witness as it says.
@@ -347,9 +385,20 @@ fn several(value: &Poly, point: &[Coordinate]) -> bool {
 const ALGEBRAIC: u64 = 50_000_000;
 
 /// Checks a witness against independence: a combination that vanishes, or a listed exception that is none.
-fn dependence(family: &Family, except: &[Values], witness: &Witness, point: &Point) -> Result<(), String> {
+fn dependence(
+    family: &Family,
+    (kind, except): (&ClaimKind, &[Values]),
+    witness: &Witness,
+    point: &Point,
+) -> Result<(), String> {
     let table = super::coefficient_table(family);
-    let shapes = &point.0[..family.shapes.len()];
+    let (shapes, domain) = point.0.split_at(family.shapes.len());
+    let at: Vec<(Var, Coordinate)> = shapes.iter().cloned().enumerate().map(|(k, c)| (Var(k), c)).collect();
+    if super::named_point(family, &at, &[]).iter().skip(shapes.len()).zip(domain).any(|((_, a), b)| a != b) {
+        return Err(String::from("the domain variables do not matter and have other values than usual"));
+    }
+    let in_domain = |var: Var| family.domain.iter().any(|p| p.var == var);
+    idle(family, kind, witness, &|var| in_domain(var) || independent::depends_on(&table, var))?;
     let listed = |values: &Values| {
         values.iter().all(|(v, x)| matches!(shapes.get(v.0), Some(Coordinate::Rational(y)) if x == y))
     };

@@ -142,8 +142,13 @@ fn exchanges(family: &Family, columns: &[Vec<u16>]) -> Symmetries {
 
 /// The refutation when the functions are not dependent at a listed exception; `None` when the budget is spent.
 fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) -> Option<Witness> {
-    let point: Vec<(Var, Coordinate)> =
-        point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).collect();
+    let idle = |v: Var| values.iter().all(|(w, _)| *w != v) && !depends_on(table, v);
+    let mut exact: Vec<(Var, Coordinate)> = Vec::new();
+    for (v, x) in point {
+        let shape = family.shapes.iter().find(|p| p.var == v && idle(v));
+        exact.push((v, Coordinate::Rational(shape.map_or(x, |p| decide::simple(&p.range)))));
+    }
+    let point = exact;
     let coordinates = point::coordinates(&point, family.names.len());
     let rows: Vec<Vec<Rational>> = table.rows.mapped(|row| row.mapped(|p| p.eval(&coordinates)));
     // The sum of the squares of the minors is the determinant of the table times its transpose (Cauchy–Binet).
@@ -160,6 +165,11 @@ fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) 
         value,
         notes: vec![format!("at {} the functions are independent: it is no exception", described.join(", "))],
     })
+}
+
+/// Whether a parameter occurs in a table.
+pub(super) fn depends_on(table: &Table, var: Var) -> bool {
+    table.rows.iter().flatten().any(|p| p.depends_on(var))
 }
 
 /// What is evaluated where there is no combination to show.

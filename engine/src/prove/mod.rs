@@ -21,7 +21,7 @@ pub use theorem::theorem_statements;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::Region;
+use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
 use crate::decide::{Coordinate, Proof, Relation, Table, Values};
@@ -76,6 +76,8 @@ pub struct Statement {
     pub of: String,
     /// What has to be shown of it.
     pub assertion: Assertion,
+    /// How many times the usual work the spec allows for the proof.
+    pub budget: u32,
 }
 
 /// The kinds of statements, each about polynomials alone.
@@ -204,7 +206,11 @@ pub fn statements(family: &Family, claim: &Claim) -> Vec<Statement> {
         let table = coefficient_table(family);
         let assertion =
             Assertion::Independent { table, except: except.clone(), region: family.shape_region() };
-        return vec![Statement { of: String::from(independent::COEFFICIENTS), assertion }];
+        return vec![Statement {
+            of: String::from(independent::COEFFICIENTS),
+            assertion,
+            budget: family.budget,
+        }];
     }
     let inequality = Inequality::of(family, &claim.kind);
     let assertion = |value: Fraction| match &inequality {
@@ -216,7 +222,7 @@ pub fn statements(family: &Family, claim: &Claim) -> Vec<Statement> {
         },
     };
     let all = expressions(family, claim).into_iter();
-    all.map(|(of, value)| Statement { of, assertion: assertion(value) }).collect()
+    all.map(|(of, value)| Statement { of, assertion: assertion(value), budget: family.budget }).collect()
 }
 
 /// The variables that an `at` block fixes.
@@ -252,7 +258,7 @@ fn named_point(
             *slot = value.clone();
         }
     }
-    let mut all: Vec<(String, Coordinate)> = family
+    let known: Vec<(String, Option<Coordinate>, &Range)> = family
         .shapes
         .iter()
         .chain(&family.domain)
@@ -262,13 +268,23 @@ fn named_point(
             let is_irrational = matches!(given, Some(Coordinate::Algebraic(_)));
             let fixed_value = fixed.iter().find(|(v, _)| *v == p.var && !is_irrational);
             let fixed_value = fixed_value.and_then(|(_, f)| f.eval(&rational));
-            let value = fixed_value
-                .map(Coordinate::Rational)
-                .or(given)
-                .unwrap_or_else(|| Coordinate::Rational(point::simple(&p.range)));
-            (p.name.clone(), value)
+            (p.name.clone(), fixed_value.map(Coordinate::Rational).or(given), &p.range)
         })
         .collect();
+    // On a simplex no more than what is left.
+    let mut left = Rational::ONE;
+    let mut all: Vec<(String, Coordinate)> = Vec::new();
+    for (k, (name, given, range)) in known.into_iter().enumerate() {
+        let on_simplex = family.is_simplex() && k >= family.shapes.len();
+        let value = given.unwrap_or_else(|| {
+            let simple = point::simple(range);
+            Coordinate::Rational(if on_simplex { simple.min(left.clone()) } else { simple })
+        });
+        if let (true, Coordinate::Rational(x)) = (on_simplex, &value) {
+            left -= x;
+        }
+        all.push((name, value));
+    }
     if let Some(last) = &family.dependent {
         let mut rest = Some(Rational::ONE);
         for (_, c) in &all[family.shapes.len()..] {

@@ -139,8 +139,12 @@ fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
 /// What has to be shown for two vectors to have the same direction.
 #[cfg(any(test, feature = "tools"))]
 pub(super) fn statements(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Vec<Statement> {
-    let zero =
-        |value: Fraction| Statement { of: claim.difference.clone(), assertion: Assertion::Zero(value) };
+    let budget = theorem.budget;
+    let zero = |value: Fraction| Statement {
+        of: claim.difference.clone(),
+        assertion: Assertion::Zero(value),
+        budget,
+    };
     if a.is_zero() && b.is_zero() {
         return vec![zero(Fraction::zero())];
     }
@@ -151,6 +155,7 @@ pub(super) fn statements(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &
     let statement = |(of, polynomial, relation): (String, Poly, Relation)| Statement {
         of,
         assertion: sign_assertion(theorem, polynomial, relation),
+        budget,
     };
     found.statements(theorem).into_iter().map(statement).collect()
 }

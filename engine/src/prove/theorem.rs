@@ -68,7 +68,7 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
             (claim.difference.clone(), sign_assertion(theorem, polynomial, relation))
         }
     };
-    vec![Statement { of, assertion }]
+    vec![Statement { of, assertion, budget: theorem.budget }]
 }
 
 /// The sign of a polynomial, of dot products or in the ranges of the scalars.

@@ -28,6 +28,42 @@ fn quartic_family_is_nonnegative_exactly_on_its_range() {
     refuted(&b3, "0<=t<=1, -3<=λ<=11/10", "t = 1/12, λ = 11/10: -1/207360");
 }
 
+#[test]
+fn quadratic_family_is_nonnegative_exactly_on_its_range() {
+    let family = ["(1 - λ*t)*(1 - t)^2", "(2 + λ)*(1 - t)*t", "(1 - λ + λ*t)*t^2"];
+    for b in family {
+        proved(&format!("{b} >= 0"), "0<=t<=1, -2<=λ<=1", "Bernstein coefficients");
+    }
+    let [b0, b1, b2] = family.map(|b| format!("{b} >= 0"));
+    refuted(&b1, "0<=t<=1, -21/10<=λ<=1", "t = 1/2, λ = -21/10: -1/40");
+    refuted(&b0, "0<=t<=1, -2<=λ<=11/10", "t = 11/12, λ = 11/10: -1/17280");
+    refuted(&b2, "0<=t<=1, -2<=λ<=11/10", "t = 1/12, λ = 11/10: -1/17280");
+}
+
+/// Zeros on faces, edges and corners of the box, and polynomials that vanish identically on a face.
+#[test]
+fn zeros_on_the_boundary() {
+    let closed = "0<=t<=1, 0<=λ<=1, 0<=μ<=1";
+    // On a face, which may belong to the box or not.
+    proved("t*(1 - λ)*(1 + μ) >= 0", closed, "Bernstein coefficients");
+    refuted("t*(1 - λ)*(1 + μ) > 0", closed, "t = 0, λ = 0, μ = 0: 0");
+    proved("t*(1 - λ)*(1 + μ) > 0", "0<t<=1, 0<=λ<1, 0<=μ<=1", "Bernstein coefficients");
+    refuted("t*(1 - λ)*(1 + μ) > 0", "0<t<=1, 0<=λ<=1, 0<=μ<=1", "t = 1, λ = 1, μ = 0: 0");
+    // On an edge, with another zero inside of a face.
+    proved("t*(μ - 1/3)^2 + λ >= 0", closed, "factors");
+    refuted("t*(μ - 1/3)^2 + λ > 0", closed, "t = 0, λ = 0, μ = 0: 0");
+    proved("t*(μ - 1/3)^2 + λ > 0", "0<=t<=1, 0<λ<=1, 0<=μ<=1", "factors");
+    refuted("t*(μ - 1/3)^2 + λ > 1/1000000", closed, "t = 0, λ = 0, μ = 0: -1/1000000");
+    // In a corner; of degree 1 in each variable.
+    proved("1 - t*λ*μ >= 0", closed, "Bernstein coefficients");
+    refuted("1 - t*λ*μ > 0", closed, "t = 1, λ = 1, μ = 1: 0");
+    proved("1 - t*λ*μ > 0", "0<=t<=1, 0<=λ<=1, 0<=μ<1", "Bernstein coefficients");
+    // Identically zero on two faces, and on a surface inside.
+    proved("t*(1 - μ)*(λ - t)^2 >= 0", closed, "factors");
+    refuted("t*(1 - μ)*((λ - t)^2 - 1/1000000) >= 0", closed, "t = 1, λ = 1, μ = 0: -1/1000000");
+    refuted("t*(1 - μ)*(λ - t)^2 > 0", "0<t<=1, 0<=λ<=1, 0<=μ<1", "t = 1, λ = 1, μ = 0: 0");
+}
+
 /// Where subdivision alone never ends.
 #[test]
 fn interior_zeros() {

@@ -22,7 +22,7 @@ fn check(table: &Table, except: &[Values], ranges: &str) -> String {
     let region = region(ranges);
     match independent(table, except, &region, &mut Budget::default()) {
         Independence::Proved(pieces) => {
-            assert!(verify_independence(&table.rows, except, &region, &pieces).is_ok());
+            assert!(verify_independence(&table.rows, except, &region, &pieces, 1).is_ok());
             let minors = |p: &Piece| {
                 p.blocks.iter().map(|b| b.columns.len().to_string()).collect::<Vec<_>>().join("+")
             };

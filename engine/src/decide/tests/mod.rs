@@ -15,7 +15,7 @@ fn verdict(p: &Poly, relation: Relation, region: &Region) -> String {
     match decision {
         Decision::Proved(proof) => {
             assert_eq!(
-                verify(p, relation, region, &proof.certificate).err(),
+                verify(p, relation, region, &proof.certificate, 1).err(),
                 None,
                 "{:?}",
                 proof.certificate

@@ -97,7 +97,7 @@ fn checked(p: &Poly, relation: Relation, region: &Region, budget: &mut Budget) -
     match decide(p, relation, region, budget) {
         Decision::Proved(proof) => {
             assert_eq!(
-                verify(p, relation, region, &proof.certificate).err(),
+                verify(p, relation, region, &proof.certificate, 1).err(),
                 None,
                 "{p:?} {region:?} {proof:?}"
             );
@@ -159,4 +159,101 @@ fn run(seed: u64, rounds: usize) -> [usize; 3] {
         }
     }
     counts
+}
+
+/// Up to three rows of small polynomials; often they are dependent somewhere, sometimes everywhere.
+fn table(random: &mut Random, parameters: usize) -> Table {
+    let height = 1 + random.next(3) as usize;
+    let width = height + random.next(2) as usize;
+    let entry = |random: &mut Random| match random.next(3) {
+        0 => Poly::constant(random.rational()),
+        _ => random.poly(parameters, 1, 2),
+    };
+    let mut rows: Vec<Vec<Poly>> = (0..height).map(|_| (0..width).map(|_| entry(random)).collect()).collect();
+    if random.next(2) == 0 && height > 1 {
+        // The last row is a multiple of the first wherever a polynomial vanishes.
+        let (zero, factor) = (random.poly(parameters, 2, 2), random.rational());
+        rows[height - 1] =
+            (0..width).map(|k| &rows[0][k].scale(&factor) + &(&zero * &rows[height - 1][k])).collect();
+    }
+    Table::new(rows)
+}
+
+/// The rank by elimination.
+fn rank(mut rows: Vec<Vec<Rational>>) -> usize {
+    let mut rank = 0;
+    for column in 0..rows.first().map_or(0, Vec::len) {
+        let Some(pivot) = (rank..rows.len()).find(|r| !rows[*r][column].is_zero()) else { continue };
+        rows.swap(rank, pivot);
+        let (done, rest) = rows.split_at_mut(rank + 1);
+        for row in rest {
+            let factor = &row[column] / &done[rank][column];
+            for (x, p) in row.iter_mut().zip(&done[rank]) {
+                *x -= &(p * &factor);
+            }
+        }
+        rank += 1;
+    }
+    rank
+}
+
+/// Points of a region: random ones and corners that belong to it.
+fn points(random: &mut Random, region: &Region) -> Vec<Vec<Rational>> {
+    let mut all = Vec::new();
+    for k in 0..20 {
+        let number = |(_, r): &(Var, Range), random: &mut Random| {
+            let end = [&r.low, &r.high][random.next(2) as usize].value().filter(|x| r.contains(x));
+            end.filter(|_| k % 2 == 0).cloned().unwrap_or_else(|| random.number(r))
+        };
+        all.push(region.ranges.iter().map(|r| number(r, random)).collect());
+    }
+    all.retain(|p: &Vec<Rational>| region.ranges.iter().zip(p).all(|((_, r), x)| r.contains(x)));
+    all
+}
+
+#[test]
+fn independence_agrees_with_ranks_at_points() {
+    let mut random = Random(7);
+    let mut counts = [0; 3];
+    for round in 0..150 {
+        let parameters = 1 + random.next(2) as usize;
+        let region = random.region(parameters);
+        let table = table(&mut random, parameters);
+        let at = |point: &[Rational]| -> Vec<Vec<Rational>> {
+            table.rows.iter().map(|row| row.iter().map(|p| p.eval(point)).collect()).collect()
+        };
+        match independent(&table, &[], &region, &mut Budget::default().take(500_000)) {
+            Independence::Proved(pieces) => {
+                counts[0] += 1;
+                let checked = verify_independence(&table.rows, &[], &region, &pieces, 1);
+                assert_eq!(checked.err(), None, "round {round}: {table:?} {region:?}");
+                for point in points(&mut random, &region) {
+                    assert_eq!(rank(at(&point)), table.rows.len(), "round {round}: {table:?} at {point:?}");
+                }
+            }
+            Independence::Refuted(dependence) => {
+                counts[1] += 1;
+                let exact = |(_, c): &(Var, Coordinate)| match c {
+                    Coordinate::Rational(x) => Some(x.clone()),
+                    Coordinate::Algebraic(_) => None,
+                };
+                let Some(point) = dependence.point.iter().map(exact).collect::<Option<Vec<_>>>() else {
+                    let found = dependent_at(&table, &dependence.point, &mut Budget::default());
+                    assert_eq!(found, Some(true), "round {round}: {table:?} at {dependence:?}");
+                    continue;
+                };
+                assert!(region.ranges.iter().zip(&point).all(|((_, r), x)| r.contains(x)));
+                let rows = at(&point);
+                assert!(rank(rows.clone()) < rows.len(), "round {round}: {table:?} at {point:?}");
+                let combination = dependence.combination.expect("a rational point has a combination");
+                assert!(combination.iter().any(|c| !c.is_zero()));
+                for column in 0..rows[0].len() {
+                    let terms = combination.iter().zip(&rows).map(|(c, row)| c * &row[column]);
+                    assert!(terms.fold(Rational::ZERO, |sum, x| &sum + &x).is_zero());
+                }
+            }
+            Independence::Undecided(_) => counts[2] += 1,
+        }
+    }
+    assert!(counts[0] > 40 && counts[1] > 40 && counts[2] < 8, "{counts:?}");
 }

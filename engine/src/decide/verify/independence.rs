@@ -16,7 +16,7 @@ const MAX_CELLS: usize = 100_000;
 const MAX_MINORS: usize = 50;
 
 /// Checks that the rows of a matrix are independent at every point of a region that has not all values of one of the
-/// exceptions.
+/// exceptions, with `budget` times the usual work for each certificate.
 ///
 /// # Errors
 /// What is wrong with the proof, in a sentence.
@@ -25,6 +25,7 @@ pub fn verify_independence(
     except: &[Values],
     region: &Region,
     pieces: &[Piece],
+    budget: u32,
 ) -> Result<Computed, String> {
     let width = rows.first().map_or(0, Vec::len);
     check(rows.iter().all(|r| r.len() == width), || "the rows have different lengths".into())?;
@@ -35,7 +36,7 @@ pub fn verify_independence(
             None => None,
             Some(change) => Some(changed(rows, change)?),
         };
-        blocks(changed.as_deref().unwrap_or(rows), piece, &mut computed)?;
+        blocks(changed.as_deref().unwrap_or(rows), piece, budget, &mut computed)?;
     }
     Ok(computed)
 }
@@ -90,7 +91,7 @@ fn spans(combinations: &[Combination]) -> bool {
 }
 
 /// Checks the blocks of a part: all rows, zero in the columns of later blocks, and not dependent in their own.
-fn blocks(rows: &[Vec<Poly>], piece: &Piece, computed: &mut Computed) -> Result<(), String> {
+fn blocks(rows: &[Vec<Poly>], piece: &Piece, budget: u32, computed: &mut Computed) -> Result<(), String> {
     let mut all: Vec<usize> = piece.blocks.iter().flat_map(|b| b.rows.iter().copied()).collect();
     all.sort_unstable();
     check(all.iter().copied().eq(0..rows.len()), || "a function is in no block or in several".into())?;
@@ -108,8 +109,8 @@ fn blocks(rows: &[Vec<Poly>], piece: &Piece, computed: &mut Computed) -> Result<
         check(earlier.all(|r| columns().all(|c| rows[*r][*c].is_zero())), || {
             "a function is not zero in the columns of a later block".into()
         })?;
-        let found =
-            minors(&block.rows.iter().map(|r| &rows[*r][..]).collect::<Vec<_>>(), block, &piece.region)?;
+        let part: Vec<&[Poly]> = block.rows.iter().map(|r| &rows[*r][..]).collect();
+        let found = minors(&part, block, &piece.region, budget)?;
         computed.cells.extend(found.cells);
         computed.minors.extend(found.minors);
     }
@@ -117,7 +118,7 @@ fn blocks(rows: &[Vec<Poly>], piece: &Piece, computed: &mut Computed) -> Result<
 }
 
 /// Checks that minors do not vanish together.
-fn minors(rows: &[&[Poly]], block: &Minors, region: &Region) -> Result<Computed, String> {
+fn minors(rows: &[&[Poly]], block: &Minors, region: &Region, budget: u32) -> Result<Computed, String> {
     check(block.columns.len() <= MAX_MINORS, || format!("there are more than {MAX_MINORS} minors"))?;
     let mut minors = Vec::new();
     for columns in &block.columns {
@@ -127,14 +128,14 @@ fn minors(rows: &[&[Poly]], block: &Minors, region: &Region) -> Result<Computed,
         [] => return Err("there is no minor".into()),
         [only] => {
             // With one of the two signs.
-            if let Ok(cells) = verify(only, Relation::Positive, region, &block.certificate) {
+            if let Ok(cells) = verify(only, Relation::Positive, region, &block.certificate, budget) {
                 return Ok(Computed { cells, minors });
             }
             -only
         }
         _ => minors.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
     };
-    let cells = verify(&claim, Relation::Positive, region, &block.certificate)?;
+    let cells = verify(&claim, Relation::Positive, region, &block.certificate, budget)?;
     Ok(Computed { cells, minors })
 }
 

@@ -23,7 +23,8 @@ use crate::algebra::work::Work;
 
 /// Parts of certificates within each other.
 const MAX_DEPTH: usize = 100;
-/// The most operations on numbers of a machine word for one certificate, many times what a search may spend to find one.
+/// The most operations on numbers of a machine word for one certificate, many times what a search with the usual budget may
+/// spend to find one.
 const WORK: u64 = 200_000_000;
 
 /// The Bernstein coefficients on a cell, by the indices of the variables that occur; the index of the last one changes fastest.
@@ -38,7 +39,7 @@ pub struct Computed {
     pub minors: Vec<Poly>,
 }
 
-/// Checks that a certificate proves p ≥ 0 or p > 0 on a box; the coefficients on all cells of its subdivisions, in the order
+/// Checks that a certificate proves p ≥ 0 or p > 0 on a box, with `budget` times the usual work; the coefficients on all cells of its subdivisions, in the order
 /// in which they stand in the certificate, the lower part of a cut first.
 ///
 /// # Errors
@@ -48,6 +49,7 @@ pub fn verify(
     relation: Relation,
     region: &Region,
     certificate: &Certificate,
+    budget: u32,
 ) -> Result<Vec<CellCoefficients>, String> {
     if let Certificate::Empty = certificate {
         let empty = region.ranges.iter().any(|(_, r)| r.is_empty());
@@ -63,14 +65,16 @@ pub fn verify(
     }
     let ranges = poly.variables().into_iter().map(|v| (v, region.range(v))).collect();
     let cells = RefCell::new(Vec::new());
-    let work = RefCell::new(Work::new(WORK));
+    let work = RefCell::new(Work::new(WORK.saturating_mul(u64::from(budget))));
     Claim { poly, relation, ranges, cells: &cells, work: &work }.verify(certificate, 0)?;
     Ok(cells.into_inner())
 }
 
 /// Counts work that is about to be done; an error when it is more than any certificate needs that a search writes.
 fn spend(work: &mut Work, units: u64) -> Result<(), String> {
-    work.spend(units).ok_or_else(|| format!("the certificate takes more than {WORK} operations to check"))
+    work.spend(units).ok_or_else(|| {
+        format!("the certificate takes more than {WORK} operations to check, times the budget of the spec")
+    })
 }
 
 /// An error unless a condition holds.
