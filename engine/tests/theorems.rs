@@ -243,6 +243,54 @@ fn sums_of_dot_products_are_decided_in_every_dimension() {
     assert_eq!(found.len(), 10);
 }
 
+/// Linear in dot products, an inequality says that a matrix is positive semidefinite: it is decided for points of any space.
+#[test]
+fn inequalities_between_dot_products() {
+    let claims = "
+        prove dot(P[0] + P[2], P[0] + P[2]) >= 0;
+        prove dot(D(P)(t), D(P)(t)) >= 0;
+        prove dot(k*P(t) - P[1], k*P(t) - P[1]) > -1;
+        prove dot(P(t), P(t)) + dot(D(P)(1/2), D(P)(1/2)) >= 2*dot(P(t), D(P)(1/2));
+        prove dot(P[0], P[0]) + dot(P[1], P[1]) >= 2*m*dot(P[0], P[1]);
+        prove dot(P[0] - P[1], P[0] - P[1]) <= 2*dot(P[0], P[0]) + 2*dot(P[1], P[1]);
+        prove dot(D(P)(t), D(P)(t)) > 0;
+        prove dot(P[0], P[0]) + dot(P[1], P[1]) >= 2*(m + 1/100)*dot(P[0], P[1]);
+        prove dot(P[0], P[1]) <= dot(P[0], P[0]) + 3;
+        prove dot(P[0], P[1]) >= 0;
+        prove dot(P[0], P[0]) + (k^2 - 2)^2 > 0;";
+    for dimension in ["", "dimension 2;", "dimension 3;"] {
+        let curve = "curve P = Quadratic(λ); scalar k; scalar 0 <= m <= 1;";
+        let found = verdicts(&format!("{dimension} {curve} {claims}"));
+        assert_eq!(found[..6], ["="; 6], "{dimension}");
+        let zero = if dimension == "dimension 3;" { "(0, 0, 0)" } else { "(0, 0)" };
+        assert!(
+            found[6].starts_with("0 at") && found[6].ends_with(&format!("P[2] = {zero}")),
+            "{}",
+            found[6]
+        );
+        // At m = 1 the matrix is [1, -1.01; -1.01, 1].
+        assert!(found[7].starts_with("-201/10000 at m = 1, P[0] = (101/100, 0"), "{}", found[7]);
+        assert!(!found[8].starts_with('-'), "{}", found[8]);
+        assert!(found[9].starts_with('-'), "{}", found[9]);
+        assert!(found[10].starts_with("0 at") && found[10].contains("root of -2 + k^2"), "{}", found[10]);
+    }
+}
+
+/// A factor may vanish where the simplest values of the other scalars make both sides zero.
+#[test]
+fn a_factor_that_vanishes_only_where_other_scalars_are_not_simple() {
+    let found = verdicts(
+        "curve P = Quadratic(λ); scalar k;
+        prove k*P[0] parallel k*t*P[0];
+        prove (t + λ)^2*λ*P[0] parallel λ*P[0];
+        prove (t^2 - 1/2)^2*(k - λ)*P[0] parallel (k - λ)*P[0];",
+    );
+    for verdict in &found {
+        assert!(verdict.starts_with("0 at"), "{verdict}");
+    }
+    assert!(found[0].contains("t = 0") && found[2].contains("root of -1 + 2*t^2"), "{found:?}");
+}
+
 #[test]
 fn assumptions_narrow_the_ranges() {
     let found = verdicts(

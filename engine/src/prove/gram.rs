@@ -37,6 +37,11 @@ pub(super) struct Gram {
 }
 
 impl Gram {
+    /// A constant, points, and the symmetric matrix of their dot products.
+    pub(super) const fn new(constant: Rational, points: Vec<usize>, matrix: Vec<Vec<Rational>>) -> Self {
+        Self { constant, points, matrix }
+    }
+
     /// `None` if the polynomial is not linear in dot products, or contains none.
     pub(super) fn of(polynomial: &Poly, products: &Products) -> Option<Self> {
         let vars = polynomial.variables();

@@ -9,6 +9,7 @@ mod inequality;
 mod net;
 mod parallel;
 mod point;
+mod quadratic;
 mod report;
 mod theorem;
 

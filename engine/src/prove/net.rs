@@ -18,14 +18,14 @@ pub(super) struct Net {
 
 impl Net {
     /// The net with these places for the given points.
-    #[cfg(any(test, feature = "tools"))]
     pub(super) const fn new(points: Vec<Vec<Rational>>) -> Self {
         Self { points }
     }
 
     /// Points on the first axis of the plane, those that are not named at the origin.
     pub(super) fn on_a_line(theorem: &Theorem, places: &[(usize, Rational)]) -> Self {
-        let mut points = theorem.points.mapped(|_| vec![Rational::ZERO; 2]);
+        let dimension = dimension(theorem);
+        let mut points = theorem.points.mapped(|_| vec![Rational::ZERO; dimension]);
         for (point, x) in places {
             points[*point][0] = x.clone();
         }

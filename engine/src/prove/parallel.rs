@@ -7,7 +7,7 @@ use super::theorem::sign_assertion;
 use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation, witness_nets};
 #[cfg(any(test, feature = "tools"))]
 use super::{Assertion, Statement};
-use super::{Evidence, Step, StepProof, Verdict, Witness};
+use super::{Evidence, Step, StepProof, Verdict, Witness, point};
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::factor::factor;
 use crate::algebra::fraction::Fraction;
@@ -29,6 +29,9 @@ const BOTH_ZERO: &str = "where it is not positive, both may be zero";
 const MAX_SHOWN: usize = 160;
 /// The most terms of which squares are summed up.
 const MAX_TERMS: usize = 64;
+/// Values of each scalar, and combinations of them, with which zeros of a factor are looked for.
+const VALUES: usize = 3;
+const ATTEMPTS: usize = 60;
 
 /// Two vectors that are multiples of a third one: a = n·h and b = d·h.
 struct Proportion {
@@ -229,7 +232,9 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
             Decision::Refuted(witness) => Some(witness.point),
             Decision::Proved(_) | Decision::Undecided(_) => None,
         });
-    for point in points.into_iter().chain(found_points) {
+    let factors = factor(&found.rest).1;
+    let elsewhere = factors.into_iter().flat_map(|(factor, _)| zeros(theorem, &factor, &found.common));
+    for point in points.into_iter().chain(found_points).chain(elsewhere) {
         if let Some(mut result) = failing(theorem, [a, b], &point, [left, right]) {
             let note = if result.value.is_zero() {
                 "one side is zero and the other is not:"
@@ -244,6 +249,48 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
     }
     let shown = if shown.len() <= MAX_SHOWN { format!("({shown})") } else { String::from("a long factor") };
     Verdict::Undecided(format!("the left side is {shown} times the right side; {open}"))
+}
+
+/// Zeros of a factor where all scalars but one have simple values, of those on which it or a coordinate depends.
+fn zeros<'a>(
+    theorem: &'a Theorem,
+    factor: &Poly,
+    common: &[Poly],
+) -> impl Iterator<Item = Vec<(Var, Coordinate)>> + use<'a> {
+    let mut scalars = Vec::new();
+    let mut unknowns = Vec::new();
+    for scalar in &theorem.scalars {
+        if factor.depends_on(scalar.var) {
+            unknowns.push(scalar.var);
+        } else if !common.iter().any(|p| p.depends_on(scalar.var)) {
+            continue;
+        }
+        let mut values = point::candidates(&scalar.range, VALUES as u32);
+        values.truncate(VALUES);
+        scalars.push((scalar.var, values));
+    }
+    // The square is not positive at zeros of the factor only.
+    let square = factor.pow(2);
+    let attempts = if unknowns.is_empty() { 0 } else { ATTEMPTS };
+    (0..attempts).filter_map(move |attempt| {
+        let unknown = unknowns[attempt % unknowns.len()];
+        let mut choice = attempt / unknowns.len();
+        let mut rest = square.clone();
+        let mut point = Vec::new();
+        for (var, values) in scalars.iter().filter(|(var, _)| *var != unknown) {
+            let x = &values[choice % values.len()];
+            choice /= values.len();
+            rest = rest.at(*var, x);
+            point.push((*var, Coordinate::Rational(x.clone())));
+        }
+        match decide::decide(&rest, Relation::Positive, &theorem.region(), &mut Budget::default()) {
+            Decision::Refuted(witness) => {
+                point.extend(witness.point.into_iter().filter(|(var, _)| *var == unknown));
+                Some(point)
+            }
+            Decision::Proved(_) | Decision::Undecided(_) => None,
+        }
+    })
 }
 
 /// The witness at a point where the factor is not positive; `None` if both sides are zero there.

@@ -22,8 +22,8 @@ pub fn diagnose_theorem(theorem: &Theorem, claim: &TheoremClaim, verdict: &Verdi
     let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
     Some(match verdict {
         Verdict::Undecided(_) if of_products => diagnostic.help(match theorem.kind {
-            TheoremKind::Theorem => "without coordinates little is known of dot products; say how many there are, such as `dimension 2;`",
-            TheoremKind::Join => "without coordinates little is known of dot products: state this in a `theorem` with `dimension 2;`",
+            TheoremKind::Theorem => "without coordinates little is known of products of dot products; say how many there are, such as `dimension 2;`",
+            TheoremKind::Join => "without coordinates little is known of products of dot products: state this in a `theorem` with `dimension 2;`",
         }),
         _ => diagnostic,
     })

@@ -4,8 +4,9 @@ use core::convert::Infallible;
 
 use super::gram::{self, Gram};
 use super::net::{Net, evaluated, nets, on_net, parts, sparse};
+use super::quadratic::Quadratic;
 #[cfg(any(test, feature = "tools"))]
-use super::{Assertion, Statement};
+use super::{Assertion, Statement, quadratic};
 use super::{Evidence, Step, StepProof, Verdict, Witness, parallel, point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -63,8 +64,15 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
         TheoremClaimKind::Zero(form) => (claim.difference.clone(), Assertion::Zero(first(form))),
         TheoremClaimKind::Scalar(comparison, f) => {
             let (relation, negate) = relation(*comparison);
-            let polynomial = with_sign(theorem, f);
-            let polynomial = if negate { -&polynomial } else { polynomial };
+            let polynomial = with_sign(theorem, f, negate);
+            let numbers = Gram::of(&polynomial, &theorem.products).is_some();
+            if let Some(form) = Quadratic::new(theorem, &polynomial).filter(|_| !numbers) {
+                let statement = |(of, polynomial, relation)| {
+                    let region = quadratic::scalars(theorem);
+                    Statement { of, assertion: Assertion::Sign { polynomial, relation, region } }
+                };
+                return form.statements(&claim.difference, relation).into_iter().map(statement).collect();
+            }
             (claim.difference.clone(), sign_assertion(theorem, polynomial, relation))
         }
     };
@@ -217,14 +225,14 @@ pub(super) fn refutation(
     Witness { of, at: named.collect(), idle: Vec::new(), net, value, notes: Vec::new() }
 }
 
-/// A polynomial with the sign of a quotient: the denominator vanishes nowhere on the ranges, so that its sign at one
-/// point is its sign everywhere.
-fn with_sign(theorem: &Theorem, value: &Fraction) -> Poly {
+/// A polynomial with the sign of a quotient, or of its opposite: the denominator vanishes nowhere on the ranges, so that its
+/// sign at one point is its sign everywhere.
+fn with_sign(theorem: &Theorem, value: &Fraction, negate: bool) -> Poly {
     let mut at = vec![Rational::ONE; theorem.names.len()];
     for scalar in &theorem.scalars {
         at[scalar.var.0] = point::simple(&scalar.range);
     }
-    if value.denom().eval(&at).is_negative() { -value.numer() } else { value.numer().clone() }
+    if value.denom().eval(&at).is_negative() == negate { value.numer().clone() } else { -value.numer() }
 }
 
 /// What a comparison of x with zero says of x, or if the second is true of −x.
@@ -241,10 +249,7 @@ const fn relation(comparison: Comparison) -> (Relation, bool) {
 fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: &Fraction) -> Verdict {
     let of = claim.difference.as_str();
     let (relation, negate) = relation(comparison);
-    let polynomial = |value: &Fraction| {
-        let polynomial = with_sign(theorem, value);
-        if negate { -&polynomial } else { polynomial }
-    };
+    let polynomial = |value: &Fraction| with_sign(theorem, value, negate);
     if let Some(gram) = Gram::of(&polynomial(value), &theorem.products) {
         return match gram.decide(relation) {
             Ok(squares) => {
@@ -260,6 +265,9 @@ fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: 
                 explained(theorem, claim, witness, "the value is")
             }
         };
+    }
+    if let Some(form) = Quadratic::new(theorem, &polynomial(value)) {
+        return form.decide(theorem, claim, relation, value);
     }
     let decide = |value: &Fraction, budget: &mut Budget| {
         decide::decide(&polynomial(value), relation, &theorem.region(), budget)
@@ -302,7 +310,7 @@ fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: 
 }
 
 /// The witness of an inequality; at irrational values of scalars the function is exactly zero.
-fn counterexample(
+pub(super) fn counterexample(
     theorem: &Theorem,
     claim: &TheoremClaim,
     net: &Net,
