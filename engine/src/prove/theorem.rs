@@ -69,7 +69,11 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
             if let Some(form) = Quadratic::new(theorem, &polynomial).filter(|_| !numbers) {
                 let statement = |(of, polynomial, relation)| {
                     let region = quadratic::scalars(theorem);
-                    Statement { of, assertion: Assertion::Sign { polynomial, relation, region } }
+                    Statement {
+                        of,
+                        assertion: Assertion::Sign { polynomial, relation, region },
+                        budget: theorem.budget,
+                    }
                 };
                 return form.statements(&claim.difference, relation).into_iter().map(statement).collect();
             }
