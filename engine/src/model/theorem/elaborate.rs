@@ -48,6 +48,8 @@ pub(super) struct Elaboration<'a> {
     /// Vectors that `let` defined.
     pub(super) vectors: Vec<(String, Option<Value>)>,
     pub(super) patches: Vec<PatchDef>,
+    /// Whether a curve or surface could not be read, so that the names of its shape values are not known.
+    pub(super) incomplete: bool,
     pub(super) points: Vec<GivenPoint>,
     pub(super) dimension: Option<usize>,
     pub(super) products: Vec<(Var, (usize, usize))>,
@@ -71,6 +73,7 @@ pub(in crate::model) fn theorem(
         shape_values: Vec::new(),
         vectors: Vec::new(),
         patches: Vec::new(),
+        incomplete: false,
         points: Vec::new(),
         dimension: None,
         products: Vec::new(),
@@ -186,6 +189,7 @@ impl Elaboration<'_> {
         match &statement.kind {
             TheoremStatementKind::Patch(curve, name, value) => {
                 let done = self.patch(*curve, name, value);
+                self.incomplete |= done.is_none();
                 if done.is_none() && self.taken(&name.text).is_none() {
                     // Known without a value, so that nothing more is said about it.
                     self.vectors.push((name.text.clone(), None));
@@ -408,6 +412,10 @@ impl Elaboration<'_> {
     fn no_patch(&self, base: &Expr, point: &str) -> Option<()> {
         let patches = self.patches.mapped(|p| p.name.as_str());
         let written = Printer { constants: &[], component: None }.print(base);
+        // A curve or surface that could not be read.
+        if self.vectors.iter().any(|(name, value)| *name == written && value.is_none()) {
+            return None;
+        }
         let error = self.scope.error(base.span, format!("there is no curve or surface `{written}`"));
         let otherwise = || {
             format!(

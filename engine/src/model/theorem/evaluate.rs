@@ -174,8 +174,11 @@ impl Elaboration<'_> {
         None
     }
 
-    /// Reports an unknown name, with the known name that it resembles.
+    /// Reports an unknown name, with the known name that it resembles; not while it could be that of a shape value.
     pub(super) fn unknown(&self, name: &str, span: Span) {
+        if self.incomplete {
+            return;
+        }
         let error = self.scope.error(span, format!("the name `{name}` is not declared"));
         if self.scope.library.knows(self.scope.unit, name) {
             self.scope.report(
