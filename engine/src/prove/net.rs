@@ -18,6 +18,7 @@ pub(super) struct Net {
 
 impl Net {
     /// The net with these places for the given points.
+    #[cfg(any(test, feature = "tools"))]
     pub(super) const fn new(points: Vec<Vec<Rational>>) -> Self {
         Self { points }
     }
