@@ -81,7 +81,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
     /// The torsion at `t` of a curve in space: `det(C', C'', C''') / |C' × C''|²`, positive for a right-handed screw.
     ///
-    /// Where the curvature vanishes, as everywhere on a straight line, the quotient has no meaning: NaN, infinite, or rounding errors alone.
+    /// Where the curvature vanishes, as everywhere on a straight line, the quotient has no meaning: NaN, infinite, or
+    /// rounding errors alone.
     pub fn torsion(&self, t: B::Scalar) -> B::Scalar
     where
         P: Point3,
