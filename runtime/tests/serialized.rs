@@ -3,6 +3,8 @@
 //! JSON is read up to the last digit, so the numbers are short.
 #![cfg(all(feature = "serde", feature = "laws", feature = "std"))]
 
+mod sources;
+
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, Continuity,
     Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint, JointMeasure, KnotError,
@@ -244,24 +246,15 @@ fn all_else_is_shared() {
 #[test]
 fn none_is_forgotten() {
     let tests = include_str!("serialized.rs");
-    let mut folders = vec![std::path::PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/src"))];
     let mut found = 0;
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-                continue;
-            }
-            let text = std::fs::read_to_string(&path).unwrap();
-            let heads =
-                text.lines().filter_map(|l| l.strip_prefix("pub struct ").or(l.strip_prefix("pub enum ")));
-            for head in heads {
-                let name = head.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
-                found += 1;
-                let used = tests.split(|c: char| !c.is_alphanumeric()).filter(|word| *word == name);
-                assert!(used.count() >= 2, "{name} of {} is neither read back nor shared", path.display());
-            }
+    for (path, text) in sources::files("") {
+        let heads =
+            text.lines().filter_map(|l| l.strip_prefix("pub struct ").or(l.strip_prefix("pub enum ")));
+        for head in heads {
+            let name = head.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+            found += 1;
+            let used = tests.split(|c: char| !c.is_alphanumeric()).filter(|word| *word == name);
+            assert!(used.count() >= 2, "{name} of {} is neither read back nor shared", path.display());
         }
     }
     assert!(found > 40);

@@ -215,8 +215,9 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
         (&found.product * &square, Relation::NonNegative),
         (with_positive_value(theorem, &found.rest), Relation::Positive),
     ];
-    for (factor, _) in factor(&found.rest).1 {
-        attempts.push((with_positive_value(theorem, &factor), Relation::Positive));
+    let factors = factor(&found.rest).1;
+    for (factor, _) in &factors {
+        attempts.push((with_positive_value(theorem, factor), Relation::Positive));
     }
     let mut points: Vec<Vec<(Var, Coordinate)>> = Vec::new();
     if found.product.is_zero() {
@@ -232,7 +233,6 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
             Decision::Refuted(witness) => Some(witness.point),
             Decision::Proved(_) | Decision::Undecided(_) => None,
         });
-    let factors = factor(&found.rest).1;
     let elsewhere = factors.into_iter().flat_map(|(factor, _)| zeros(theorem, &factor, &found.common));
     for point in points.into_iter().chain(found_points).chain(elsewhere) {
         if let Some(mut result) = failing(theorem, [a, b], &point, [left, right]) {

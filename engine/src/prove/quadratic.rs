@@ -18,6 +18,8 @@ use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
+use crate::collections::map::SortedMap;
+use crate::collections::sort::sort_unique;
 use crate::decide::{self, Budget, Coordinate, Decision, Relation};
 use crate::model::theorem::{Theorem, TheoremClaim};
 
@@ -44,39 +46,27 @@ impl Quadratic {
     pub(super) fn new(theorem: &Theorem, polynomial: &Poly) -> Option<Self> {
         let mut constant = Poly::zero();
         // One form for each axis; without coordinates one in all.
-        let mut forms: Vec<Vec<(Pair, Poly)>> = vec![Vec::new(); theorem.dimension.unwrap_or(1)];
+        let mut forms: Vec<SortedMap<Pair, Poly>> = vec![SortedMap::new(); theorem.dimension.unwrap_or(1)];
         for (monomial, coefficient) in polynomial.terms() {
             let (scalars, factors) = split(theorem, monomial);
             let term = Poly::term(scalars, coefficient.clone());
             match factors[..] {
                 [] => constant = &constant + &term,
                 [(axis, pair)] => {
-                    let form = forms.get_mut(axis)?;
-                    match form.iter_mut().find(|(p, _)| *p == pair) {
-                        Some((_, sum)) => *sum = &*sum + &term,
-                        None => form.push((pair, term)),
-                    }
+                    let sum = forms.get_mut(axis)?.get_or_insert_with(pair, Poly::zero);
+                    *sum = &*sum + &term;
                 }
                 _ => return None,
             }
-        }
-        for form in &mut forms {
-            form.sort_by_key(|(pair, _)| *pair);
         }
         let form = forms.first()?;
         if form.is_empty() || forms.iter().any(|other| other != form) {
             return None;
         }
-        let mut points: Vec<usize> = Vec::new();
-        for ((p, q), _) in form {
-            points.extend([*p, *q]);
-        }
-        points.sort_unstable();
-        points.dedup();
+        let mut points: Vec<usize> = form.keys().flat_map(|(p, q)| [*p, *q]).collect();
+        sort_unique(&mut points);
         let entry = |p: &usize, q: &usize| {
-            let pair = (*p.min(q), *p.max(q));
-            let found = form.iter().find(|(other, _)| *other == pair);
-            let value = found.map_or_else(Poly::zero, |(_, value)| value.clone());
+            let value = form.get(&(*p.min(q), *p.max(q))).cloned().unwrap_or_else(Poly::zero);
             if p == q { value } else { value.scale(&Rational::new(1, 2)) }
         };
         let matrix = points.mapped(|p| points.mapped(|q| entry(p, q)));

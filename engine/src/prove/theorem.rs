@@ -66,7 +66,8 @@ pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statem
             let (relation, negate) = relation(*comparison);
             let polynomial = with_sign(theorem, f, negate);
             let numbers = Gram::of(&polynomial, &theorem.products).is_some();
-            if let Some(form) = Quadratic::new(theorem, &polynomial).filter(|_| !numbers) {
+            let form = if numbers { None } else { Quadratic::new(theorem, &polynomial) };
+            if let Some(form) = form {
                 let statement = |(of, polynomial, relation)| {
                     let region = quadratic::scalars(theorem);
                     Statement {
@@ -254,7 +255,8 @@ fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: 
     let of = claim.difference.as_str();
     let (relation, negate) = relation(comparison);
     let polynomial = |value: &Fraction| with_sign(theorem, value, negate);
-    if let Some(gram) = Gram::of(&polynomial(value), &theorem.products) {
+    let whole = polynomial(value);
+    if let Some(gram) = Gram::of(&whole, &theorem.products) {
         return match gram.decide(relation) {
             Ok(squares) => {
                 let method = gram::method(&squares);
@@ -270,7 +272,7 @@ fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: 
             }
         };
     }
-    if let Some(form) = Quadratic::new(theorem, &polynomial(value)) {
+    if let Some(form) = Quadratic::new(theorem, &whole) {
         return form.decide(theorem, claim, relation, value);
     }
     let decide = |value: &Fraction, budget: &mut Budget| {

@@ -6,6 +6,8 @@
 mod curves;
 mod patches;
 mod slices;
+#[path = "../sources/mod.rs"]
+mod sources;
 mod surfaces;
 
 use core::fmt::Debug;
@@ -108,27 +110,16 @@ fn is_box([low, high]: [P; 2]) -> bool {
 #[test]
 fn none_is_forgotten() {
     let tables = [curves::NAMES, patches::NAMES, slices::NAMES, surfaces::NAMES].concat();
-    let mut folders: Vec<std::path::PathBuf> =
-        ["curve", "surface", "simplex", "boxes", "revolution", "mesh", "bernstein"]
-            .map(|folder| std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(folder))
-            .to_vec();
+    let folders = ["curve", "surface", "simplex", "boxes", "revolution", "mesh", "bernstein"];
     let mut found = 0;
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-                continue;
-            }
-            let text = std::fs::read_to_string(&path).unwrap();
-            for line in text.lines() {
-                let line = line.trim_start();
-                let head = ["pub fn ", "pub const fn "].iter().find_map(|start| line.strip_prefix(start));
-                let Some(head) = head else { continue };
-                let name = head.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
-                found += 1;
-                assert!(tables.contains(&name), "{name} of {} is never called", path.display());
-            }
+    for (path, text) in folders.into_iter().flat_map(sources::files) {
+        for line in text.lines() {
+            let line = line.trim_start();
+            let head = ["pub fn ", "pub const fn "].iter().find_map(|start| line.strip_prefix(start));
+            let Some(head) = head else { continue };
+            let name = head.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+            found += 1;
+            assert!(tables.contains(&name), "{name} of {} is never called", path.display());
         }
     }
     assert!(found > 100);
