@@ -313,7 +313,7 @@ fn a_contact_that_has_no_meaning_is_an_error() {
     assert_eq!(refused(Contact::Tangent { f: 1.0 }, broken), CurveError::NotFinite);
     // Four control points do not determine four derivatives and the point.
     let error = refused(Contact::Parametric { order: 4 }, points);
-    assert!(matches!(error, CurveError::Join { conditions: 5, .. }), "{error}");
+    assert!(matches!(error, CurveError::Contact { most: 3, found: 4, .. }), "{error}");
 }
 
 /// As many derivatives as there are control points: all of them follow from the other curve.
