@@ -13,7 +13,13 @@ pub struct Work {
 }
 
 impl Work {
-    /// So many units.
+    /// The work that checking one proof may take, for a spec that allows `factor` times the usual budget: many times what a
+    /// search may spend to find one.
+    pub fn usual(factor: u32) -> Self {
+        Self::new(200_000_000_u64.saturating_mul(u64::from(factor)))
+    }
+
+    /// This number of units.
     pub const fn new(units: u64) -> Self {
         Self { left: units }
     }

@@ -1,21 +1,32 @@
 //! A box without some flats, as boxes.
+//!
+//! **Theorem.** The points of a box that do not have all of the values x₁ = c₁, …, xₖ = cₖ are those with x₁ < c₁ or x₁ > c₁,
+//! those with x₁ = c₁ and x₂ < c₂ or x₂ > c₂, and so on: at most 2k boxes.
 
-use super::independence::Values;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::collections::sort::sort_by;
+use crate::statement::Values;
 
-/// The parts of a box in which no point has all values of one of the exceptions; none of them empty.
-pub(super) fn pieces(region: &Region, except: &[Values]) -> Vec<Region> {
+/// The parts of a box in which no point has all values of one of the exceptions, none of them empty; `None` when there are more
+/// than `most`.
+pub fn pieces(region: &Region, except: &[Values], most: usize) -> Option<Vec<Region>> {
     let mut parts: Vec<Region> = Vec::new();
     if !region.ranges.iter().any(|(_, r)| r.is_empty()) {
         parts.push(region.clone());
     }
     for values in except {
-        parts = parts.iter().flat_map(|part| without(part, values)).collect();
+        let mut cut = Vec::new();
+        for part in &parts {
+            cut.extend(without(part, values));
+        }
+        parts = cut;
+        if parts.len() > most {
+            return None;
+        }
     }
-    parts
+    Some(parts)
 }
 
 /// A box without the points that have all of the given values.
@@ -23,7 +34,6 @@ fn without(region: &Region, values: &[(Var, Rational)]) -> Vec<Region> {
     if values.iter().any(|(v, x)| !region.range(*v).contains(x)) {
         return vec![region.clone()];
     }
-    // Below and above the first value; and at the first value, below and above the second; and so on.
     let mut rest = region.clone();
     let mut parts = Vec::new();
     for (var, x) in values {
@@ -37,7 +47,7 @@ fn without(region: &Region, values: &[(Var, Rational)]) -> Vec<Region> {
 }
 
 /// The box with another range of one variable.
-pub(super) fn with(region: &Region, var: Var, range: Range) -> Region {
+pub fn with(region: &Region, var: Var, range: Range) -> Region {
     let mut result = region.clone();
     result.ranges.retain(|(v, _)| *v != var);
     result.ranges.push((var, range));

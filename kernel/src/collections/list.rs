@@ -3,7 +3,7 @@
 //! `iter().map(f).collect()` compiles some ten functions for each closure, and every user of the macro builds them all.
 
 /// What a list can be made into.
-pub(crate) trait Mapped<T> {
+pub trait Mapped<T> {
     /// The values of a function for all elements.
     fn mapped<'a, U>(&'a self, f: impl FnMut(&'a T) -> U) -> Vec<U>
     where

@@ -139,6 +139,34 @@ impl Univariate {
         Self::new(self.coefficients.mapped(|c| c * factor))
     }
 
+    /// The sum.
+    pub fn add(&self, other: &Self) -> Self {
+        let mut sum = self.coefficients.clone();
+        sum.resize(sum.len().max(other.coefficients.len()), Rational::ZERO);
+        for (x, c) in sum.iter_mut().zip(&other.coefficients) {
+            *x += c;
+        }
+        Self::new(sum)
+    }
+
+    /// The remainder on division by `divisor`; `None` when the divisor is 0 or the work is spent.
+    pub fn modulo(&self, divisor: &Self, work: &mut Work) -> Option<Self> {
+        let (n, lead) = (divisor.degree(), divisor.leading());
+        let inverse = lead.recip()?;
+        let mut rest = self.coefficients.clone();
+        while rest.len() > n {
+            let top = rest.pop()?;
+            let factor = &top * &inverse;
+            let shift = rest.len() - n;
+            work.spend_fractions(factor.bits() + divisor.max_bits())?;
+            for (k, c) in divisor.coefficients.iter().take(n).enumerate() {
+                work.spend_fractions(factor.bits() + c.bits())?;
+                rest[k + shift] -= &(c * &factor);
+            }
+        }
+        Some(Self::new(rest))
+    }
+
     /// The product.
     pub fn mul(&self, other: &Self) -> Self {
         if self.is_zero() || other.is_zero() {

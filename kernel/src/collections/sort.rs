@@ -6,7 +6,7 @@
 use core::cmp::Ordering;
 
 /// Sorts stably, as [`slice::sort_by`].
-pub(crate) fn sort_by<T>(items: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
+pub fn sort_by<T>(items: &mut [T], compare: impl Fn(&T, &T) -> Ordering) {
     let mut target = positions(items.len(), &|i, j| compare(&items[i], &items[j]));
     // The element at k belongs to target[k]; each swap brings one home.
     for k in 0..items.len() {
@@ -19,7 +19,7 @@ pub(crate) fn sort_by<T>(items: &mut [T], compare: impl Fn(&T, &T) -> Ordering) 
 }
 
 /// Sorts and leaves one of those that are equal.
-pub(crate) fn sort_unique<T: Ord>(items: &mut Vec<T>) {
+pub fn sort_unique<T: Ord>(items: &mut Vec<T>) {
     sort_by(items, T::cmp);
     items.dedup();
 }

@@ -3,6 +3,5 @@
 //! The standard library's compile anew for every closure and every pair of types, and every user of the macro builds all of
 //! that, unoptimised. These are for the few elements that a spec has.
 
-pub(crate) mod list;
-pub(crate) mod map;
-pub(crate) mod sort;
+pub mod list;
+pub mod sort;

@@ -2,6 +2,7 @@
 
 use super::fibre::{self, Step};
 use super::poly::{Poly, Var};
+use super::range::Range;
 use super::rational::{Rational, Words};
 use super::work::Work;
 use crate::collections::list::Mapped;
@@ -18,6 +19,16 @@ pub enum Side {
 }
 
 impl Side {
+    /// The side of a cell with this range; `None` for a range without ends.
+    pub fn of(range: &Range) -> Option<Self> {
+        match (range.low.value(), range.high.value()) {
+            (Some(a), Some(b)) => Some(Self::Finite(a.clone(), b.clone())),
+            (Some(a), None) => Some(Self::Upwards(a.clone())),
+            (None, Some(b)) => Some(Self::Downwards(b.clone())),
+            (None, None) => None,
+        }
+    }
+
     /// The point s = 1/2.
     pub fn middle(&self) -> Rational {
         match self {
@@ -102,7 +113,7 @@ impl Form {
     }
 
     /// How far apart neighbours along an axis are.
-    fn stride(&self, axis: usize) -> usize {
+    pub fn stride(&self, axis: usize) -> usize {
         self.degrees[axis + 1..].iter().map(|d| d + 1).product()
     }
 
@@ -205,25 +216,6 @@ impl Form {
     pub fn is_nonnegative(&self) -> bool {
         !self.coefficients.iter().any(Rational::is_negative)
     }
-
-    /// How many fibres along an axis have coefficients of both signs.
-    pub fn mixed_fibres(&self, axis: usize) -> usize {
-        let (n, stride) = (self.degrees[axis], self.stride(axis));
-        let fibres = self.coefficients.len() / (n + 1);
-        let mixed = |k: &usize| {
-            let start = k / stride * stride * (n + 1) + k % stride;
-            let (mut below, mut above) = (false, false);
-            for i in 0..=n {
-                match self.coefficients[start + i * stride].signum() {
-                    -1 => below = true,
-                    1 => above = true,
-                    _ => {}
-                }
-            }
-            below && above
-        };
-        (0..fibres).filter(mixed).count()
-    }
 }
 
 /// Changes the fibres of a tensor along an axis with n + 1 places that are a stride apart; those of zeros stay.
@@ -319,7 +311,7 @@ mod tests {
             Form::new(&p, &[(Var(0), unit()), (Var(1), unit())], &mut Work::unlimited()).expect("unlimited");
         assert!(!form.has_support(&[Some(false), Some(false)]));
         assert!(form.has_support(&[Some(false), None]));
-        assert!(!form.is_nonnegative() || form.mixed_fibres(0) == 0);
+        assert!(form.is_nonnegative() == form.coefficients().iter().all(|c| c.signum() >= 0));
         assert_eq!(Form::new(&p.pow(5), &[(Var(0), unit()), (Var(1), unit())], &mut Work::new(100)), None);
     }
 }

@@ -1,9 +1,13 @@
-//! Resultants as determinants of Sylvester matrices, at points of a grid and interpolated.
+//! Resultants.
+//!
+//! **Theorem.** The resultant of a and b in x is the determinant of their Sylvester matrix. It is a polynomial in the other
+//! variables whose degree in y is at most deg_y a · deg_x b + deg_y b · deg_x a; so its values on a grid with one more
+//! point for each variable determine it.
 
-use super::{check, spend};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::refusal::{Refusal, fits};
 
 /// The largest matrix.
 const MAX_SIZE: u32 = 120;
@@ -11,20 +15,20 @@ const MAX_SIZE: u32 = 120;
 const MAX_POINTS: u32 = 40_000;
 
 /// The determinant of the Sylvester matrix of two polynomials of positive degree in a variable, up to its sign.
-pub(super) fn resultant(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Result<Poly, String> {
+pub(super) fn resultant(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Result<Poly, Refusal> {
     let size = a.degree(var) + b.degree(var);
-    check(size <= MAX_SIZE, || "a resultant is too large".into())?;
+    fits(size <= MAX_SIZE, "a resultant is too large")?;
     let others: Vec<Var> = a.variables().into_iter().chain(b.variables()).filter(|v| *v != var).collect();
     let bound = |v: Var| a.degree(v) * b.degree(var) + b.degree(v) * a.degree(var);
     let mut grid: Vec<(Var, u32)> = others.into_iter().map(|v| (v, bound(v) + 1)).collect();
     grid.sort();
     grid.dedup();
     let points = grid.iter().try_fold(1_u32, |n, (_, c)| n.checked_mul(*c).filter(|n| *n <= MAX_POINTS));
-    let points = u64::from(points.ok_or("a resultant is too large")?);
+    let points = u64::from(points.ok_or(Refusal::Unfit("a resultant is too large"))?);
     // Elimination, and the interpolation of polynomials with as many terms as there are points.
     let words = 1 + u64::from(size) * (a.max_bits() + b.max_bits()) / 64;
     let steps = u64::from(size).pow(3) / 3 + points;
-    spend(work, points.saturating_mul(steps).saturating_mul(words))?;
+    work.spend(points.saturating_mul(steps).saturating_mul(words)).ok_or(Refusal::Spent)?;
     // A factor of the rows does not matter: whole numbers are fast.
     Ok(on_grid(&a.normalized(), &b.normalized(), var, &grid, (a.degree(var), b.degree(var))))
 }
@@ -85,14 +89,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn agrees_with_the_resultant_of_the_search() {
-        let (x, y, z) = (Poly::var(Var(0)), Poly::var(Var(1)), Poly::var(Var(2)));
-        let a = &(&(&y * &x.pow(3)) - &(&z * &x)) + &Poly::one();
-        let b = &(&x.pow(2) * &z) + &(&y - &Poly::integer(2));
-        let work = &mut crate::algebra::work::Work::unlimited();
-        let expected = crate::algebra::resultant::resultant(&a, &b, Var(0), work).expect("unlimited");
+    fn discriminants_and_common_roots() {
+        let (x, y) = (Poly::var(Var(0)), Poly::var(Var(1)));
+        let work = &mut Work::unlimited();
+        // x² + y x + 3 and its derivative: 12 − y², up to a number.
+        let p = &(&x.pow(2) + &(&x * &y)) + &Poly::integer(3);
+        let found = resultant(&p, &p.derivative(Var(0)), Var(0), work).expect("small");
+        assert_eq!(found.normalized(), (&y.pow(2) - &Poly::integer(12)).normalized());
+        // (x − y)(x + 1) and x + y have a common root where y = 0 and y = 1.
+        let (a, b) = (&(&x - &y) * &(&x + &Poly::one()), &x + &y);
         let found = resultant(&a, &b, Var(0), work).expect("small");
-        assert!(resultant(&a, &b, Var(0), &mut crate::algebra::work::Work::new(10)).is_err());
-        assert_eq!(found.normalized(), expected.normalized());
+        assert_eq!(found.normalized(), (&y * &(&y - &Poly::one())).normalized());
+        assert_eq!(resultant(&a, &b, Var(0), &mut Work::new(3)), Err(Refusal::Spent));
     }
 }

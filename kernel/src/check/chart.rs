@@ -1,0 +1,69 @@
+//! Simplices as images of boxes.
+//!
+//! **Theorem.** The simplex xᵢ ≥ 0, x₁ + … + xₖ ≤ c is the image of the unit box under x₁ = c(1 − s₁), x₂ = c·s₁(1 − s₂),
+//! x₃ = c·s₁s₂(1 − s₃), …; so p ≥ 0 (> 0) holds on the simplex if and only if it does on the box, with these polynomials
+//! in place of the xᵢ.
+//!
+//! *Proof.* c·s₁⋯sᵢ is what x₁, …, xᵢ leave of c. It determines sᵢ unless nothing was left before, and then any number will
+//! do for sᵢ.
+
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{Range, Region};
+use crate::refusal::{Refusal, fits};
+use crate::statement::Domain;
+
+/// The way from a box to a domain with simplices.
+#[derive(Clone, Debug)]
+pub struct Chart {
+    region: Region,
+    /// The variables of the simplices as polynomials in variables of the box.
+    by: Vec<(Var, Poly)>,
+}
+
+impl Chart {
+    /// The chart of a domain on which polynomials are looked at. The variables sᵢ of the box follow those that occur in the
+    /// domain or in the polynomials, simplex by simplex. Premises play no part: what holds without them holds with them.
+    ///
+    /// # Errors
+    /// When a variable belongs to two simplices or has a range beside, or a simplex has no variable.
+    pub fn new(domain: &Domain, values: [&Poly; 2]) -> Result<Self, Refusal> {
+        let mut region = domain.region.clone();
+        let mut by: Vec<(Var, Poly)> = Vec::new();
+        if domain.simplices.is_empty() {
+            return Ok(Self { region, by });
+        }
+        let simplices = domain.simplices.iter().flat_map(|s| s.variables.iter().copied());
+        let occurring = values.into_iter().flat_map(Poly::variables);
+        let ranges = domain.region.ranges.iter().map(|(v, _)| *v);
+        let mut next = occurring.chain(ranges).chain(simplices).map(|v| v.0 + 1).max().unwrap_or(0);
+        for simplex in &domain.simplices {
+            fits(!simplex.variables.is_empty() && !simplex.sum.is_negative(), "a simplex has no points")?;
+            let mut rest = Poly::constant(simplex.sum.clone());
+            for var in &simplex.variables {
+                let free = domain.region.ranges.iter().all(|(v, _)| v != var) && by.iter().all(|(v, _)| v != var);
+                fits(free, "a variable of a simplex has a range beside")?;
+                let s = Var(next);
+                next += 1;
+                region.ranges.push((s, Range::unit()));
+                by.push((*var, &rest * &(&Poly::one() - &Poly::var(s))));
+                rest = &rest * &Poly::var(s);
+            }
+        }
+        Ok(Self { region, by })
+    }
+
+    /// The box.
+    pub const fn region(&self) -> &Region {
+        &self.region
+    }
+
+    /// The polynomial in the variables of the box.
+    pub fn pull_back(&self, polynomial: &Poly) -> Poly {
+        self.by.iter().fold(polynomial.clone(), |p, (var, by)| p.substitute(*var, by))
+    }
+
+    /// The variables of the simplices as polynomials in variables of the box.
+    pub fn variables(&self) -> &[(Var, Poly)] {
+        &self.by
+    }
+}

@@ -1,0 +1,140 @@
+//! Sums of dot products of points, for all points of a space of any dimension.
+//!
+//! **Theorem.** c + Σ aᵢⱼ pᵢ·pⱼ ≥ 0 (> 0) for all points pᵢ if and only if c ≥ 0 (> 0) and the symmetric matrix A = (aᵢⱼ) is
+//! positive semidefinite. That it is can be seen from a decomposition L D Lᵀ with D ≥ 0, or from e₁, …, eₙ ≥ 0, where eₖ is the
+//! sum of its principal minors of size k.
+//!
+//! *Proof.* The sum of the forms in each coordinate is c + Σ xᵀA x; far out c does not matter. det(λ + A) = Σ eₖ λⁿ⁻ᵏ has no
+//! positive root if no eₖ is negative, so that A has no negative eigenvalue; and the eₖ are the elementary symmetric functions
+//! of the eigenvalues.
+
+use crate::algebra::poly::{Monomial, Poly};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::collections::sort::sort_unique;
+use crate::refusal::{Refusal, fits};
+use crate::statement::{Products, Relation};
+
+/// More points are not looked at.
+const MAX_POINTS: usize = 64;
+
+/// c + Σ aᵢⱼ pᵢ·pⱼ.
+pub(super) struct Gram {
+    constant: Poly,
+    matrix: Vec<Vec<Poly>>,
+}
+
+impl Gram {
+    /// The matrix of the points that occur, in increasing order of their numbers.
+    pub(super) fn of(value: &Poly, products: &Products, work: &mut Work) -> Result<Self, Refusal> {
+        let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).collect();
+        sort_unique(&mut points);
+        fits(points.len() <= MAX_POINTS, "there are too many points")?;
+        let place = |p: usize| points.binary_search(&p).unwrap_or(0);
+        let mut matrix = vec![vec![Poly::zero(); points.len()]; points.len()];
+        let mut constant = Poly::zero();
+        let half = Rational::new(1, 2);
+        for (monomial, coefficient) in value.terms() {
+            work.spend(1 + products.len() as u64).ok_or(Refusal::Spent)?;
+            let mut occurring = products.iter().filter(|(v, _)| monomial.exponent(*v) > 0);
+            let term = |m: Monomial| Poly::term(m, coefficient.clone());
+            match (occurring.next(), occurring.next()) {
+                (None, _) => constant = &constant + &term(monomial.clone()),
+                (Some((var, (p, q))), None) if monomial.exponent(*var) == 1 => {
+                    let half = term(monomial.with_exponent(*var, 0)).scale(&half);
+                    for (i, j) in [(place(*p), place(*q)), (place(*q), place(*p))] {
+                        matrix[i][j] = &matrix[i][j] + &half;
+                    }
+                }
+                _ => return Err(Refusal::Unfit("the value is not linear in the dot products")),
+            }
+        }
+        Ok(Self { constant, matrix })
+    }
+
+    /// The constant and the matrix, if no variable is left in them.
+    pub(super) fn numbers(&self) -> Option<(Rational, Vec<Vec<Rational>>)> {
+        let row = |row: &Vec<Poly>| row.iter().map(Poly::as_constant).collect::<Option<Vec<_>>>();
+        Some((self.constant.as_constant()?, self.matrix.iter().map(row).collect::<Option<_>>()?))
+    }
+
+    /// What must be ≥ 0 (> 0): the constant, and the sums of the principal minors of each size.
+    ///
+    /// By Faddeev and LeVerrier: with N₀ = I, eₖ = tr(A Nₖ₋₁)/k and Nₖ = eₖ I − A Nₖ₋₁.
+    pub(super) fn signs(
+        &self,
+        relation: Relation,
+        work: &mut Work,
+    ) -> Result<Vec<(Poly, Relation)>, Refusal> {
+        let a = &self.matrix;
+        let mut all = vec![(self.constant.clone(), relation)];
+        // A Nₖ₋₁
+        let mut product = a.clone();
+        for k in 1..=a.len() {
+            let trace = (0..a.len()).fold(Poly::zero(), |sum, i| &sum + &product[i][i]);
+            let sum = trace.scale(&Rational::new(1, k as i64));
+            let mut next = vec![vec![Poly::zero(); a.len()]; a.len()];
+            for (i, row) in next.iter_mut().enumerate() {
+                for (j, entry) in row.iter_mut().enumerate() {
+                    work.spend_product(&a[i][j], &sum).ok_or(Refusal::Spent)?;
+                    *entry = &a[i][j] * &sum;
+                    for (x, y) in a[i].iter().zip(&product) {
+                        work.spend_product(x, &y[j]).ok_or(Refusal::Spent)?;
+                        *entry = &*entry - &(x * &y[j]);
+                    }
+                }
+            }
+            all.push((sum, Relation::NonNegative));
+            product = next;
+        }
+        Ok(all)
+    }
+}
+
+/// Whether a symmetric matrix is positive semidefinite, by a decomposition L D Lᵀ; `None` when the work is spent.
+///
+/// # Errors
+/// If it is not, a vector x with xᵀA x < 0.
+pub fn semidefinite(matrix: &[Vec<Rational>], work: &mut Work) -> Option<Result<(), Vec<Rational>>> {
+    let count = matrix.len();
+    let mut rest = matrix.to_vec();
+    let mut left: Vec<usize> = (0..count).collect();
+    // The rows of Lᵀ, each with the place at which it is 1 and all later ones are 0.
+    let mut rows: Vec<(usize, Vec<Rational>)> = Vec::new();
+    let negative = loop {
+        let mut direction = vec![Rational::ZERO; count];
+        if let Some(i) = left.iter().find(|i| rest[**i][**i].is_negative()) {
+            direction[*i] = Rational::ONE;
+            break direction;
+        }
+        let Some(at) = left.iter().position(|i| rest[*i][*i].is_positive()) else {
+            // Nothing is left on the diagonal: any other entry makes the form negative somewhere.
+            let mut entries = left.iter().flat_map(|i| left.iter().map(move |j| (*i, *j)));
+            let Some((i, j)) = entries.find(|(i, j)| !rest[*i][*j].is_zero()) else { return Some(Ok(())) };
+            direction[i] = if rest[i][j].is_negative() { Rational::ONE } else { -&Rational::ONE };
+            direction[j] = Rational::ONE;
+            break direction;
+        };
+        let pivot = left.remove(at);
+        let factor = rest[pivot][pivot].clone();
+        let mut row = vec![Rational::ZERO; count];
+        row[pivot] = Rational::ONE;
+        for i in &left {
+            row[*i] = &rest[pivot][*i] / &factor;
+        }
+        for i in &left {
+            for j in &left {
+                work.spend_fractions(row[*i].bits() + row[*j].bits() + factor.bits())?;
+                rest[*i][*j] -= &(&(&row[*i] * &row[*j]) * &factor);
+            }
+        }
+        rows.push((pivot, row));
+    };
+    // On the way back every earlier square is made zero.
+    let mut direction = negative;
+    for (pivot, row) in rows.iter().rev() {
+        let sum = row.iter().zip(&direction).fold(Rational::ZERO, |sum, (a, x)| &sum + &(a * x));
+        direction[*pivot] = -&sum;
+    }
+    Some(Err(direction))
+}

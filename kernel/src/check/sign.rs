@@ -1,0 +1,208 @@
+//! Signs of polynomials on boxes.
+//!
+//! **Theorems.** p of degree 1 in x lies between its values at the ends of the range of x. A product has the product of the
+//! signs of its factors. A box is the union of its relatively open faces.
+
+use super::{bernstein, levels, slices};
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{End, Range, Region};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::certificate::{FactorSign, SignProof, Signed};
+use crate::refusal::{Refusal, fits, shown};
+use crate::statement::Relation;
+
+/// Proofs within each other.
+const MAX_DEPTH: usize = 100;
+
+/// Checks that p ≥ 0 (> 0) on a box; a variable without a range stands for all real numbers.
+pub(super) fn check(
+    p: &Poly,
+    relation: Relation,
+    region: &Region,
+    proof: &SignProof,
+    work: &mut Work,
+) -> Result<(), Refusal> {
+    if region.ranges.iter().any(|(_, r)| r.is_empty()) {
+        return fits(*proof == SignProof::direct(), "nothing has to be proved on an empty box");
+    }
+    let mut poly = p.clone();
+    for (var, range) in &region.ranges {
+        if let (End::Included(a), End::Included(b)) = (&range.low, &range.high)
+            && a == b
+        {
+            poly = poly.at(*var, a);
+        }
+    }
+    let ranges = poly.variables().into_iter().map(|v| (v, region.range(v))).collect();
+    Claim { poly, relation, ranges, depth: 0 }.check(proof, work)
+}
+
+/// A polynomial, what is claimed of it, and the ranges of exactly its variables, none of them empty or a single number.
+pub(super) struct Claim {
+    pub(super) poly: Poly,
+    pub(super) relation: Relation,
+    pub(super) ranges: Vec<(Var, Range)>,
+    depth: usize,
+}
+
+impl Claim {
+    /// A claim about another polynomial, a part of this one, on the same ranges.
+    fn part(&self, poly: Poly, relation: Relation) -> Result<Self, Refusal> {
+        fits(self.depth < MAX_DEPTH, "the proof is nested too deeply")?;
+        let variables = poly.variables();
+        let known = variables.iter().all(|v| self.ranges.iter().any(|(w, _)| w == v));
+        fits(known, "a part has other variables than the whole")?;
+        let ranges = self.ranges.iter().filter(|(v, _)| variables.contains(v)).cloned().collect();
+        Ok(Self { poly, relation, ranges, depth: self.depth + 1 })
+    }
+
+    /// The range of a variable that occurs.
+    pub(super) fn range(&self, var: Var) -> Result<&Range, Refusal> {
+        let found = self.ranges.iter().find(|(v, _)| *v == var);
+        found.map(|(_, r)| r).ok_or(Refusal::Unfit("a variable does not occur"))
+    }
+
+    /// Checks that p > 0 where a variable has a value.
+    pub(super) fn slice(&self, var: Var, x: &Rational, proof: &SignProof, work: &mut Work) -> Result<(), Refusal> {
+        self.part(self.poly.at(var, x), self.relation)?.check(proof, work)
+    }
+
+    fn check(&self, proof: &SignProof, work: &mut Work) -> Result<(), Refusal> {
+        if let Some(value) = self.poly.as_constant() {
+            fits(*proof == SignProof::direct(), "a number needs no proof")?;
+            return shown(self.relation.holds(&value), "a number is not as claimed");
+        }
+        match proof {
+            SignProof::Cuts(cuts) => bernstein::cuts(self, cuts, work),
+            SignProof::Corners { var, low, high, middle } => {
+                let middle = middle.as_ref().map(|(x, proof)| (x, &**proof));
+                self.corners(*var, [low, high], middle, work)
+            }
+            SignProof::Factors { factors, rest } => self.factors(factors, rest, work),
+            SignProof::Faces(faces) => self.faces(faces, work),
+            SignProof::Cells(cells) => levels::cells(self, cells, work),
+            SignProof::Slices(slices) => slices::slices(self, slices, work),
+        }
+    }
+
+    /// p = c + m·x lies between its values at the ends of the range of x.
+    fn corners(
+        &self,
+        var: Var,
+        [low, high]: [&SignProof; 2],
+        middle: Option<(&Rational, &SignProof)>,
+        work: &mut Work,
+    ) -> Result<(), Refusal> {
+        let range = self.range(var)?;
+        fits(self.poly.degree(var) == 1, "the polynomial is not of degree 1 in the variable of the corners")?;
+        let slope = self.poly.derivative(var);
+        let mut strict = false;
+        for (end, sign, proof) in [(&range.low, -1, low), (&range.high, 1, high)] {
+            let (poly, relation) = match end {
+                End::Infinite => (slope.scale(&Rational::from(sign)), Relation::NonNegative),
+                End::Excluded(x) => (self.poly.at(var, x), Relation::NonNegative),
+                End::Included(x) => {
+                    strict = true;
+                    (self.poly.at(var, x), self.relation)
+                }
+            };
+            self.part(poly, relation)?.check(proof, work)?;
+        }
+        let finite = range.low != End::Infinite || range.high != End::Infinite;
+        fits(finite, "a range without ends has no corners")?;
+        if let Some((x, proof)) = middle {
+            fits(inside(range, x), "the middle is not strictly inside its range")?;
+            self.part(self.poly.at(var, x), self.relation)?.check(proof, work)?;
+            strict = true;
+        }
+        shown(strict || self.relation == Relation::NonNegative, "nothing shows that the value is not zero")
+    }
+
+    /// p = ∏ fᵉ·r: a factor is divided out as often as possible; the signs multiply.
+    fn factors(
+        &self,
+        factors: &[(Poly, FactorSign)],
+        rest: &Signed,
+        work: &mut Work,
+    ) -> Result<(), Refusal> {
+        let mut left = self.poly.clone();
+        let mut negative = false;
+        for (base, sign) in factors {
+            fits(base.as_constant().is_none(), "a factor is a number")?;
+            let mut odd = false;
+            let mut exponent = 0;
+            loop {
+                let words = 1 + (left.max_bits() + base.max_bits()) / 64;
+                work.spend((left.len() * base.len()) as u64 * words).ok_or(Refusal::Spent)?;
+                let Some(quotient) = left.div_exact(base) else { break };
+                left = quotient;
+                odd = !odd;
+                exponent += 1;
+            }
+            fits(exponent > 0, "a factor does not divide the polynomial")?;
+            match sign {
+                FactorSign::Any => {
+                    let square = !odd && self.relation == Relation::NonNegative;
+                    shown(square, "the sign of a factor is open")?;
+                }
+                FactorSign::Known(signed) => negative ^= self.signed(base, signed, work)? && odd,
+            }
+        }
+        negative ^= self.signed(&left, rest, work)?;
+        shown(!negative, "the product of the signs is negative")
+    }
+
+    /// Whether f < 0 (≤ 0) is what is proved, and not f > 0 (≥ 0).
+    fn signed(&self, f: &Poly, signed: &Signed, work: &mut Work) -> Result<bool, Refusal> {
+        let (poly, proof, negative) = match signed {
+            Signed::Positive(proof) => (f.clone(), proof, false),
+            Signed::Negative(proof) => (-f, proof, true),
+        };
+        self.part(poly, self.relation)?.check(proof, work).map(|()| negative)
+    }
+
+    /// p > 0 on each of the open faces.
+    fn faces(&self, proofs: &[SignProof], work: &mut Work) -> Result<(), Refusal> {
+        fits(self.relation == Relation::Positive, "faces are for p > 0 only")?;
+        // The choices by variable, the first variable slowest.
+        let choices: Vec<Vec<Option<&Rational>>> = self
+            .ranges
+            .iter()
+            .map(|(_, range)| {
+                let ends = [&range.low, &range.high].into_iter().filter(|e| e.is_included()).map(End::value);
+                [None].into_iter().chain(ends).collect()
+            })
+            .collect();
+        let count = choices.iter().try_fold(1_usize, |n, c| n.checked_mul(c.len()));
+        fits(count == Some(proofs.len()), "the number of faces is another one")?;
+        for (number, proof) in proofs.iter().enumerate() {
+            let mut rest = number;
+            let mut poly = self.poly.clone();
+            let mut open = Vec::new();
+            for ((var, range), choices) in self.ranges.iter().zip(&choices).rev() {
+                match choices[rest % choices.len()] {
+                    Some(x) => poly = poly.at(*var, x),
+                    None => open.insert(0, (*var, without_ends(range))),
+                }
+                rest /= choices.len();
+            }
+            let face = Self { poly: poly.clone(), relation: self.relation, ranges: open, depth: self.depth };
+            face.part(poly, self.relation)?.check(proof, work)?;
+        }
+        Ok(())
+    }
+}
+
+/// Whether a number is in a range and not one of its ends.
+pub(super) fn inside(range: &Range, x: &Rational) -> bool {
+    range.low.value().is_none_or(|a| a < x) && range.high.value().is_none_or(|b| x < b)
+}
+
+fn without_ends(range: &Range) -> Range {
+    let open = |end: &End| match end {
+        End::Included(x) | End::Excluded(x) => End::Excluded(x.clone()),
+        End::Infinite => End::Infinite,
+    };
+    Range { low: open(&range.low), high: open(&range.high) }
+}
