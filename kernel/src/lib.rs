@@ -37,7 +37,7 @@ pub use certificate::{
 };
 pub use check::Chart;
 pub use check::pieces::{pieces, with};
-pub use check::products::semidefinite;
+pub use check::products::{minor_signs, semidefinite};
 pub use check::rank::minor;
 pub use point::{Point, Root};
 pub use proof::{Proof, Refutation, Witness};

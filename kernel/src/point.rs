@@ -94,7 +94,8 @@ impl Point {
         if value.is_constant() {
             return Ok(value.leading().signum());
         }
-        let root = self.root.as_ref().ok_or(Refusal::Unfit("a coordinate contains a root that is not given"))?;
+        let root =
+            self.root.as_ref().ok_or(Refusal::Unfit("a coordinate contains a root that is not given"))?;
         let n = value.degree() as u64 + 1;
         let words = 1 + (value.max_bits() + n * (root.low.bits() + root.high.bits())) / 64;
         work.spend(8 * n * words * words).ok_or(Refusal::Spent)?;
@@ -120,7 +121,11 @@ impl Point {
     }
 
     /// The exact value of a quotient, if it is rational; 0 where it is zero.
-    pub(crate) fn rational_value(&self, value: &Quotient, work: &mut Work) -> Result<Option<Rational>, Refusal> {
+    pub(crate) fn rational_value(
+        &self,
+        value: &Quotient,
+        work: &mut Work,
+    ) -> Result<Option<Rational>, Refusal> {
         let above = self.value(&value.numerator, work)?;
         if above.is_zero() {
             return Ok(Some(Rational::ZERO));

@@ -168,7 +168,8 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
             point.lies_in(&Domain::of(region.clone()), work)?;
             let values = except.get(*number).ok_or(Refusal::Unfit("there is no such exception"))?;
             for (var, x) in values {
-                let own = point.coordinates.iter().any(|(v, c)| v == var && c.is_constant() && c.leading() == *x);
+                let own =
+                    point.coordinates.iter().any(|(v, c)| v == var && c.is_constant() && c.leading() == *x);
                 shown(own, "the point is not one of the exception")?;
             }
             let mut numbers = Vec::new();

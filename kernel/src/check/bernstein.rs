@@ -6,7 +6,7 @@
 //! ones which belong to the box are enough. On a side without an upper end, with x = a + s/(1 − s), the same is true of
 //! (1 − s)ⁿ p.
 
-use super::sign::Claim;
+use super::claim::Claim;
 use crate::algebra::bernstein::{Form, Side};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};

@@ -40,7 +40,8 @@ impl Chart {
             fits(!simplex.variables.is_empty() && !simplex.sum.is_negative(), "a simplex has no points")?;
             let mut rest = Poly::constant(simplex.sum.clone());
             for var in &simplex.variables {
-                let free = domain.region.ranges.iter().all(|(v, _)| v != var) && by.iter().all(|(v, _)| v != var);
+                let free =
+                    domain.region.ranges.iter().all(|(v, _)| v != var) && by.iter().all(|(v, _)| v != var);
                 fits(free, "a variable of a simplex has a range beside")?;
                 let s = Var(next);
                 next += 1;

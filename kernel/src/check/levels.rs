@@ -6,8 +6,8 @@
 //! of the level are continuous and keep apart: p has one sign on each of the open cells between them. The open cells together
 //! are dense in the box; so p ≥ 0 if it is at one point of each.
 
+use super::claim::Claim;
 use super::elimination::resultant;
-use super::sign::Claim;
 use super::sturm::Sturm;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;

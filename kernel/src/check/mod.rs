@@ -2,6 +2,7 @@
 
 mod bernstein;
 mod chart;
+mod claim;
 mod elimination;
 mod levels;
 pub(crate) mod pieces;
@@ -12,7 +13,6 @@ mod slices;
 mod sturm;
 
 use crate::algebra::poly::Poly;
-use crate::algebra::range::Region;
 use crate::algebra::work::Work;
 use crate::certificate::{Certificate, SignProof, Signed};
 use crate::refusal::{Refusal, fits, shown};
@@ -69,36 +69,28 @@ fn sign(
     let number = value.denominator.as_constant();
     let negative = match (number, denominator) {
         (Some(number), None) => number.is_negative(),
-        (Some(_), Some(_)) => return Err(Refusal::Unfit("the denominator is a number, its sign needs no proof")),
-        (None, Some(signed)) => {
-            signed_proof(&chart.pull_back(&value.denominator), Relation::NonNegative, chart.region(), signed, work)?
+        (Some(_), Some(_)) => {
+            return Err(Refusal::Unfit("the denominator is a number, its sign needs no proof"));
         }
+        (None, Some(signed)) => sign::signed(
+            &chart.pull_back(&value.denominator),
+            Relation::NonNegative,
+            chart.region(),
+            signed,
+            work,
+        )?,
         (None, None) if *certificate == Certificate::Direct => {
             let below = chart.pull_back(&value.denominator);
             let positive = Signed::Positive(SignProof::direct());
             let negative = Signed::Negative(SignProof::direct());
-            signed_proof(&below, Relation::NonNegative, chart.region(), &positive, work)
-                .or_else(|_| signed_proof(&below, Relation::NonNegative, chart.region(), &negative, work))?
+            sign::signed(&below, Relation::NonNegative, chart.region(), &positive, work)
+                .or_else(|_| sign::signed(&below, Relation::NonNegative, chart.region(), &negative, work))?
         }
         (None, None) => return Err(Refusal::Unfit("the sign of the denominator is not proved")),
     };
     let above = chart.pull_back(&value.numerator);
     let above = if negative { -&above } else { above };
     sign::check(&above, relation, chart.region(), numerator, work)
-}
-
-/// Checks that f or −f has a sign, as is said; whether it is −f.
-fn signed_proof(
-    f: &Poly,
-    relation: Relation,
-    region: &Region,
-    signed: &Signed,
-    work: &mut Work,
-) -> Result<bool, Refusal> {
-    match signed {
-        Signed::Positive(proof) => sign::check(f, relation, region, proof, work).map(|()| false),
-        Signed::Negative(proof) => sign::check(&-f, relation, region, proof, work).map(|()| true),
-    }
 }
 
 /// A sum of dot products: a matrix of numbers is looked at itself, one of polynomials by the sums of its minors.

@@ -91,6 +91,20 @@ impl Gram {
     }
 }
 
+/// What must be ≥ 0 (> 0) for a polynomial of degree 1 in dot products to be so for all points: its value with all points at the
+/// origin, and the sums of the principal minors of its matrix, those of size 1 first.
+///
+/// # Errors
+/// When it is not of degree 1, there are too many points, or the work is spent.
+pub fn minor_signs(
+    value: &Poly,
+    relation: Relation,
+    products: &Products,
+    work: &mut Work,
+) -> Result<Vec<(Poly, Relation)>, Refusal> {
+    Gram::of(value, products, work)?.signs(relation, work)
+}
+
 /// Whether a symmetric matrix is positive semidefinite, by a decomposition L D Lᵀ; `None` when the work is spent.
 ///
 /// # Errors

@@ -5,7 +5,7 @@
 //! If Σ cᵢ·(row i) = 0 with polynomials cᵢ that are not all zero, all maximal minors vanish, also where the cᵢ do.
 
 use super::pieces::pieces;
-use super::signed_proof;
+use super::sign::signed;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
@@ -141,11 +141,7 @@ fn piece(rows: &[Vec<Poly>], region: &Region, proof: &Piece, work: &mut Work) ->
 }
 
 /// The rows in other bases; the new rows must span the old ones.
-fn changed(
-    rows: &[Vec<Poly>],
-    change: &ChangeOfBasis,
-    work: &mut Work,
-) -> Result<Vec<Vec<Poly>>, Refusal> {
+fn changed(rows: &[Vec<Poly>], change: &ChangeOfBasis, work: &mut Work) -> Result<Vec<Vec<Poly>>, Refusal> {
     let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
     fits(change.rows.len() == height, "the new basis has not as many rows")?;
     fits(change.columns.len() <= width, "the new basis has more columns")?;
@@ -196,7 +192,7 @@ fn minors(rows: &[Vec<Poly>], block: &Minors, region: &Region, work: &mut Work) 
             sum
         }
     };
-    signed_proof(&value, Relation::Positive, region, &block.sign, work).map(|_| ())
+    signed(&value, Relation::Positive, region, &block.sign, work).map(|_| ())
 }
 
 /// The determinant of some columns.

@@ -3,17 +3,15 @@
 //! **Theorems.** p of degree 1 in x lies between its values at the ends of the range of x. A product has the product of the
 //! signs of its factors. A box is the union of its relatively open faces.
 
+use super::claim::{Claim, inside, without_ends};
 use super::{bernstein, levels, slices};
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::{End, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::certificate::{FactorSign, SignProof, Signed};
 use crate::refusal::{Refusal, fits, shown};
 use crate::statement::Relation;
-
-/// Proofs within each other.
-const MAX_DEPTH: usize = 100;
 
 /// Checks that p ≥ 0 (> 0) on a box; a variable without a range stands for all real numbers.
 pub(super) fn check(
@@ -38,36 +36,22 @@ pub(super) fn check(
     Claim { poly, relation, ranges, depth: 0 }.check(proof, work)
 }
 
-/// A polynomial, what is claimed of it, and the ranges of exactly its variables, none of them empty or a single number.
-pub(super) struct Claim {
-    pub(super) poly: Poly,
-    pub(super) relation: Relation,
-    pub(super) ranges: Vec<(Var, Range)>,
-    depth: usize,
+/// Checks that f or −f has a sign, as is said; whether it is −f.
+pub(super) fn signed(
+    f: &Poly,
+    relation: Relation,
+    region: &Region,
+    signed: &Signed,
+    work: &mut Work,
+) -> Result<bool, Refusal> {
+    match signed {
+        Signed::Positive(proof) => check(f, relation, region, proof, work).map(|()| false),
+        Signed::Negative(proof) => check(&-f, relation, region, proof, work).map(|()| true),
+    }
 }
 
 impl Claim {
-    /// A claim about another polynomial, a part of this one, on the same ranges.
-    fn part(&self, poly: Poly, relation: Relation) -> Result<Self, Refusal> {
-        fits(self.depth < MAX_DEPTH, "the proof is nested too deeply")?;
-        let variables = poly.variables();
-        let known = variables.iter().all(|v| self.ranges.iter().any(|(w, _)| w == v));
-        fits(known, "a part has other variables than the whole")?;
-        let ranges = self.ranges.iter().filter(|(v, _)| variables.contains(v)).cloned().collect();
-        Ok(Self { poly, relation, ranges, depth: self.depth + 1 })
-    }
-
-    /// The range of a variable that occurs.
-    pub(super) fn range(&self, var: Var) -> Result<&Range, Refusal> {
-        let found = self.ranges.iter().find(|(v, _)| *v == var);
-        found.map(|(_, r)| r).ok_or(Refusal::Unfit("a variable does not occur"))
-    }
-
-    /// Checks that p > 0 where a variable has a value.
-    pub(super) fn slice(&self, var: Var, x: &Rational, proof: &SignProof, work: &mut Work) -> Result<(), Refusal> {
-        self.part(self.poly.at(var, x), self.relation)?.check(proof, work)
-    }
-
+    /// Checks a proof of the claim.
     fn check(&self, proof: &SignProof, work: &mut Work) -> Result<(), Refusal> {
         if let Some(value) = self.poly.as_constant() {
             fits(*proof == SignProof::direct(), "a number needs no proof")?;
@@ -82,7 +66,7 @@ impl Claim {
             SignProof::Factors { factors, rest } => self.factors(factors, rest, work),
             SignProof::Faces(faces) => self.faces(faces, work),
             SignProof::Cells(cells) => levels::cells(self, cells, work),
-            SignProof::Slices(slices) => slices::slices(self, slices, work),
+            SignProof::Slices(slices) => slices::slices(self, slices, Self::check, work),
         }
     }
 
@@ -120,12 +104,7 @@ impl Claim {
     }
 
     /// p = ∏ fᵉ·r: a factor is divided out as often as possible; the signs multiply.
-    fn factors(
-        &self,
-        factors: &[(Poly, FactorSign)],
-        rest: &Signed,
-        work: &mut Work,
-    ) -> Result<(), Refusal> {
+    fn factors(&self, factors: &[(Poly, FactorSign)], rest: &Signed, work: &mut Work) -> Result<(), Refusal> {
         let mut left = self.poly.clone();
         let mut negative = false;
         for (base, sign) in factors {
@@ -192,17 +171,4 @@ impl Claim {
         }
         Ok(())
     }
-}
-
-/// Whether a number is in a range and not one of its ends.
-pub(super) fn inside(range: &Range, x: &Rational) -> bool {
-    range.low.value().is_none_or(|a| a < x) && range.high.value().is_none_or(|b| x < b)
-}
-
-fn without_ends(range: &Range) -> Range {
-    let open = |end: &End| match end {
-        End::Included(x) | End::Excluded(x) => End::Excluded(x.clone()),
-        End::Infinite => End::Infinite,
-    };
-    Range { low: open(&range.low), high: open(&range.high) }
 }

@@ -9,26 +9,29 @@
 use std::rc::Rc;
 
 use super::bernstein::all_positive;
+use super::claim::{Claim, inside};
 use super::levels::projections;
-use super::sign::{Claim, inside};
 use super::sturm::Sturm;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::certificate::{Base, Section, Slices};
+use crate::certificate::{Base, Section, SignProof, Slices};
 use crate::refusal::{Refusal, fits, shown};
 use crate::statement::Relation;
 
+/// How the claim in a slice is checked.
+pub(super) type Check = fn(&Claim, &SignProof, &mut Work) -> Result<(), Refusal>;
+
 /// Checks that p is positive on an open box.
-pub(super) fn slices(claim: &Claim, slices: &Slices, work: &mut Work) -> Result<(), Refusal> {
+pub(super) fn slices(claim: &Claim, slices: &Slices, check: Check, work: &mut Work) -> Result<(), Refusal> {
     let open = claim.ranges.iter().all(|(_, r)| !r.low.is_included() && !r.high.is_included());
     fits(claim.relation == Relation::Positive && open, "slices are for p > 0 on open boxes only")?;
     fits(claim.ranges.len() > 1, "slices are for two variables or more")?;
     let mut irrational = Vec::new();
     let mut variables = Vec::new();
     for base in &slices.bases {
-        let (var, sections) = self::base(claim, base, work)?;
+        let (var, sections) = self::base(claim, base, check, work)?;
         variables.push(var);
         irrational.push(sections);
     }
@@ -65,6 +68,7 @@ type Irrational<'a> = (&'a Rational, &'a Rational, Rc<Sturm>);
 fn base<'a>(
     claim: &Claim,
     base: &'a Base,
+    check: Check,
     work: &mut Work,
 ) -> Result<(Var, Vec<Irrational<'a>>), Refusal> {
     projections(claim, &base.order, &base.levels, claim.ranges.len() > 2, work)?;
@@ -78,7 +82,7 @@ fn base<'a>(
     sturm.separated(&values, range)?;
     fits(base.sections.len() + 1 == values.len(), "there is not one section between neighbouring slices")?;
     for (x, proof) in &base.sectors {
-        claim.slice(*var, x, proof, work)?;
+        check(&claim.slice(*var, x)?, proof, work)?;
     }
     let mut irrational = Vec::new();
     for (section, between) in base.sections.iter().zip(values.windows(2)) {
@@ -86,7 +90,7 @@ fn base<'a>(
             Section::Exact(x, proof) => {
                 let here = between[0] < x && x < between[1] && inside(range, x) && sturm.is_root(x);
                 shown(here, "a section is not a root")?;
-                claim.slice(*var, x, proof, work)?;
+                check(&claim.slice(*var, x)?, proof, work)?;
             }
             Section::Between(a, b) => {
                 work.spend(sturm.cost(&[a, b])).ok_or(Refusal::Spent)?;

@@ -4,7 +4,7 @@
 //! remainder of the two before, up to positive factors. With V(x) the number of changes of sign in p₀(x), p₁(x), …, there are
 //! V(a) − V(b) roots with a < x ≤ b.
 
-use super::sign::inside;
+use super::claim::inside;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;

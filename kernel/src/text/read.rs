@@ -58,10 +58,7 @@ pub fn witness(text: &str) -> Result<Witness, Refusal> {
     Ok(witness)
 }
 
-fn all<'t, T>(
-    trees: &[Tree<'t>],
-    one: impl Fn(&Tree<'t>) -> Result<T, Refusal>,
-) -> Result<Vec<T>, Refusal> {
+fn all<'t, T>(trees: &[Tree<'t>], one: impl Fn(&Tree<'t>) -> Result<T, Refusal>) -> Result<Vec<T>, Refusal> {
     trees.iter().map(one).collect()
 }
 
@@ -230,11 +227,9 @@ fn piece(tree: &Tree<'_>) -> Result<Piece, Refusal> {
     };
     let places = |tree: &Tree<'_>| all(tree.list()?, place);
     let block = |block: &Tree<'_>| match block.list()? {
-        [rows, columns, sign] => Ok(Minors {
-            rows: places(rows)?,
-            columns: all(columns.list()?, places)?,
-            sign: signed(sign)?,
-        }),
+        [rows, columns, sign] => {
+            Ok(Minors { rows: places(rows)?, columns: all(columns.list()?, places)?, sign: signed(sign)? })
+        }
         _ => Err(Refusal::Unfit("a block is expected")),
     };
     Ok(Piece { change, blocks: all(blocks, block)? })

@@ -55,7 +55,8 @@ fn var(var: Var) -> String {
 }
 
 pub(super) fn poly(p: &Poly) -> String {
-    let names: Vec<String> = (0..p.variables().last().map_or(0, |v| v.0 + 1)).map(|k| format!("x{k}")).collect();
+    let names: Vec<String> =
+        (0..p.variables().last().map_or(0, |v| v.0 + 1)).map(|k| format!("x{k}")).collect();
     p.display(&names).to_string().replace(' ', "")
 }
 
@@ -154,8 +155,7 @@ fn piece(piece: &Piece) -> String {
         let columns = all(block.columns.iter().map(places));
         list(&[&places(&block.rows), &columns, &signed(&block.sign)])
     });
-    let combination =
-        |c: &Combination| all(c.iter().flat_map(|(k, x)| [k.to_string(), x.to_string()]));
+    let combination = |c: &Combination| all(c.iter().flat_map(|(k, x)| [k.to_string(), x.to_string()]));
     match &piece.change {
         None => all(blocks),
         Some(change) => {

@@ -5,14 +5,14 @@ use super::rational::Rational;
 use super::work::{Spent, Work};
 
 /// The prime 2³¹ − 1: products of two residues fit in a machine word.
-pub const PRIME: u64 = 2_147_483_647;
+pub(super) const PRIME: u64 = 2_147_483_647;
 
 /// The degree in `main` of the greatest common divisor of the images of two polynomials modulo [`PRIME`], with
 /// fixed numbers put in place of the other variables.
 ///
 /// The degree in `main` of the true greatest common divisor is at most this. `None` when an image loses its
 /// degree, so that it proves nothing.
-pub fn common_degree(a: &Poly, b: &Poly, main: Var) -> Option<usize> {
+pub(super) fn common_degree(a: &Poly, b: &Poly, main: Var) -> Option<usize> {
     (0..3).find_map(|attempt| {
         let (f, g) = (image(a, main, attempt)?, image(b, main, attempt)?);
         (f.len() == a.degree(main) as usize + 1 && g.len() == b.degree(main) as usize + 1)
@@ -28,7 +28,7 @@ fn number(var: usize, attempt: u64) -> u64 {
 
 /// The coefficients of the image, constant first, without leading zeros; `None` when the prime divides a
 /// denominator.
-pub fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
+pub(super) fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
     let mut result = vec![0; poly.degree(main) as usize + 1];
     for (m, c) in poly.terms() {
         let mut value = u64::from(c.modulo(PRIME as u32)?);
@@ -51,7 +51,7 @@ pub fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
 ///
 /// # Errors
 /// When the work is spent.
-pub fn pivot_columns(rows: &[Vec<Rational>], work: &mut Work) -> Result<Option<Vec<usize>>, Spent> {
+pub(super) fn pivot_columns(rows: &[Vec<Rational>], work: &mut Work) -> Result<Option<Vec<usize>>, Spent> {
     let residue = |x: &Rational| x.modulo(PRIME as u32).map(u64::from);
     let images: Option<Vec<Vec<u64>>> = rows.iter().map(|row| row.iter().map(residue).collect()).collect();
     let Some(mut rows) = images else { return Ok(None) };

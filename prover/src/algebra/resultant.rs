@@ -1,6 +1,6 @@
 //! Resultants and discriminants, by evaluation and interpolation in the other variables.
 
-use crate::SortedMap;
+use crate::map::SortedMap;
 use crate::collections::list::Mapped;
 
 use super::gcd::checked_product;

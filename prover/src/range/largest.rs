@@ -2,12 +2,13 @@
 
 use core::cmp::Ordering;
 
-use super::budget::Budget;
-use super::cascade::{Outcome, prove};
-use super::pieces::with;
-use super::problem::{Problem, inner};
-use super::projection::{all_roots, levels, univariates};
-use super::{Coordinate, Relation, univariate};
+use crate::budget::Budget;
+use crate::sign::{Outcome, prove};
+use basis_kernel::{Relation, with};
+use crate::sign::problem::{Problem, inner};
+use crate::sign::projection::{all_roots, levels, univariates};
+use crate::coordinate::Coordinate;
+use crate::sign::univariate;
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
@@ -22,7 +23,7 @@ pub enum LargestRange {
     Between(Option<Coordinate>, Option<Coordinate>),
     /// One of the polynomials is negative somewhere on the declared ranges.
     Negative,
-    /// The budget is spent; what is left to decide, for people.
+    /// The budget is spent; what is left to decide.
     Undecided(String),
 }
 

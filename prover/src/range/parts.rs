@@ -2,12 +2,13 @@
 
 use core::cmp::Ordering;
 
-use super::budget::Budget;
-use super::cascade::{Outcome, prove};
-use super::pieces::with;
-use super::problem::Problem;
-use super::projection::{all_roots, basis, levels, univariates};
-use super::{Coordinate, Relation, univariate};
+use crate::budget::Budget;
+use crate::sign::{Outcome, prove};
+use basis_kernel::{Relation, with};
+use crate::sign::problem::Problem;
+use crate::sign::projection::{all_roots, basis, levels, univariates};
+use crate::coordinate::Coordinate;
+use crate::sign::univariate;
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -21,7 +22,7 @@ pub type Part = (Option<Coordinate>, Option<Coordinate>);
 /// variables on their ranges, in increasing order; single irrational numbers are left out.
 ///
 /// # Errors
-/// What is left to decide when the budget is spent, for people.
+/// What is left to decide when the budget is spent.
 pub fn nonnegative_parts(
     polys: &[Poly],
     var: Var,

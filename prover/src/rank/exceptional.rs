@@ -1,12 +1,16 @@
 //! The parameter values at which functions become dependent.
 
-use super::budget::Budget;
-use super::independence::{
-    Cut, Exception, Generic, Independence, Irrational, Table, Values, at, complete, dependent, generic,
-    independent, irrational,
-};
-use super::problem::as_rational;
-use super::{Coordinate, univariate};
+use basis_kernel::Values;
+
+use super::cut::Cut;
+use super::exception::{Exception, Generic, dependent, generic};
+use super::irrational::{Irrational, irrational};
+use super::table::{Table, at, complete};
+use super::{Independence, independent};
+use crate::budget::Budget;
+use crate::coordinate::Coordinate;
+use crate::sign::problem::as_rational;
+use crate::sign::univariate;
 use crate::algebra::matrix::{nonzero_minors, vanishing_combination};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -22,7 +26,7 @@ use crate::collections::sort::{sort_by, sort_unique};
 pub struct ExceptionalSet {
     /// Values of parameters at which the functions are dependent, the parameters that are not mentioned being free.
     pub exceptions: Vec<Exceptional>,
-    /// What is left to decide, for people; `None` when the list is complete.
+    /// What is left to decide, in words; `None` when the list is complete.
     pub open: Option<String>,
 }
 
@@ -38,13 +42,14 @@ pub struct Exceptional {
 /// The most exceptions that are looked for.
 const MAX_EXCEPTIONS: usize = 24;
 
-/// Finds the points of a region at which the rows of a matrix are dependent: the real zeros that all maximal minors have
+/// Finds the points of a region, with `factor` times the usual work, at which the rows of a matrix are dependent: the real zeros that all maximal minors have
 /// in common.
 ///
 /// Complete for one parameter; for several as long as the zeros are flats on which some of them have fixed rational
 /// values, else `open` says what is left.
-pub fn exceptional_set(table: &Table, region: &Region, budget: &mut Budget) -> ExceptionalSet {
-    let rows = &table.rows;
+pub fn exceptional_set(table: Table<'_>, region: &Region, factor: u32) -> ExceptionalSet {
+    let budget = &mut Budget::scaled(factor);
+    let rows = table.rows;
     let region = complete(rows, region);
     let mut set = ExceptionalSet::default();
     if region.ranges.iter().any(|(_, r)| r.is_empty()) {
@@ -71,20 +76,20 @@ pub fn exceptional_set(table: &Table, region: &Region, budget: &mut Budget) -> E
                     Some(String::from("the budget is spent on the zeros of a minor of the coefficients"));
             }
         }
-        _ => several_parameters(table, &region, budget, &mut set),
+        _ => several_parameters(table, &region, factor, &mut set),
     }
     set
 }
 
 /// The zeros of one minor are finitely many: each is tested. `None` when the work is spent.
 fn one_parameter(
-    table: &Table,
+    table: Table<'_>,
     var: Var,
     region: &Region,
     budget: &mut Budget,
     found: &mut Vec<Exceptional>,
 ) -> Option<()> {
-    let rows = &table.rows;
+    let rows = table.rows;
     let range = region.range(var);
     for point in candidates(table, var, &range, &mut budget.work)? {
         let combination = match &point {
@@ -110,9 +115,9 @@ fn one_parameter(
 }
 
 /// The values in a range at which a minor vanishes, each once: rows that are dependent are so at one of them.
-fn candidates(table: &Table, var: Var, range: &Range, work: &mut Work) -> Option<Vec<Coordinate>> {
+fn candidates(table: Table<'_>, var: Var, range: &Range, work: &mut Work) -> Option<Vec<Coordinate>> {
     // The product of one minor of each block is a minor of the whole, or a combination of minors.
-    let of_blocks = Cut::new(&table.rows, &table.symmetries).and_then(|cut| {
+    let of_blocks = Cut::new(&table.rows, table.symmetries).and_then(|cut| {
         let first =
             |rows: &[Vec<Poly>], work: &mut Work| Some(nonzero_minors(rows, work)?.into_iter().next()?.value);
         cut.blocks.iter().map(|b| first(&cut.block(b), work)).collect::<Option<Vec<Poly>>>()
@@ -146,7 +151,7 @@ fn candidates(table: &Table, var: Var, range: &Range, work: &mut Work) -> Option
 }
 
 /// Takes a flat out of the region for each dependence that is found, until independence is proved.
-fn several_parameters(table: &Table, region: &Region, budget: &mut Budget, set: &mut ExceptionalSet) {
+fn several_parameters(table: Table<'_>, region: &Region, budget: u32, set: &mut ExceptionalSet) {
     let mut flats: Vec<Values> = Vec::new();
     while flats.len() < MAX_EXCEPTIONS {
         let point = match independent(table, &flats, region, budget) {
@@ -158,7 +163,11 @@ fn several_parameters(table: &Table, region: &Region, budget: &mut Budget, set: 
                 set.open = Some(left);
                 return;
             }
-            Independence::Refuted(dependence) => dependence.point,
+            Independence::Dependent(point) => point,
+            Independence::NoException(..) => {
+                set.open = Some(String::from("there may be other exceptions"));
+                return;
+            }
         };
         let Some(exact) = as_rational(&point) else {
             set.exceptions.push(Exceptional { values: point, combination: None });
@@ -166,7 +175,7 @@ fn several_parameters(table: &Table, region: &Region, budget: &mut Budget, set: 
                 Some(String::from("there is a dependence at irrational values, and there may be others"));
             return;
         };
-        let (flat, combination) = largest_flat(table, &exact, region, budget);
+        let (flat, combination) = largest_flat(table, &exact, region, &mut Budget::scaled(budget));
         let values = flat.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone())));
         set.exceptions.push(Exceptional { values, combination });
         flats.push(flat);
@@ -176,7 +185,7 @@ fn several_parameters(table: &Table, region: &Region, budget: &mut Budget, set: 
 
 /// As few of the coordinates of a point as make the functions dependent.
 fn largest_flat(
-    table: &Table,
+    table: Table<'_>,
     point: &Values,
     region: &Region,
     budget: &mut Budget,

@@ -1,5 +1,7 @@
 //! Symmetric matrices of functions fall apart: bases of rows and columns that are adapted to a group of permutations.
 
+use basis_kernel::{ChangeOfBasis, Combination};
+
 use crate::algebra::matrix::vanishing_combinations;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -24,41 +26,28 @@ pub struct Symmetry {
 /// small (A. Jucys 1974; A. Okounkov and A. Vershik, "A new approach to representation theory of symmetric groups", 1996).
 pub type Symmetries = Vec<Vec<Symmetry>>;
 
-/// A linear combination of rows, or of columns: indices with their factors, none of them zero.
-pub type Combination = Vec<(usize, Rational)>;
-
-/// Other bases for the rows and the columns of a matrix.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ChangeOfBasis {
-    /// The new rows as combinations of the old ones.
-    pub rows: Vec<Combination>,
-    /// The new columns as combinations of the old ones.
-    pub columns: Vec<Combination>,
+/// The bases of common eigenvectors, in which a symmetric matrix is zero wherever eigenvalues differ; `None` when the
+/// permutations are no symmetries of the matrix, or when there are none.
+pub(super) fn adapted(rows: &[Vec<Poly>], symmetries: &Symmetries) -> Option<ChangeOfBasis> {
+    let width = rows.first().map_or(0, Vec::len);
+    let all = symmetries.iter().flatten();
+    if symmetries.is_empty() || !all.clone().all(|s| leaves_unchanged(rows, s)) {
+        return None;
+    }
+    let by_rows: Vec<Vec<&[usize]>> = symmetries.mapped(|sum| sum.mapped(|s| &s.rows[..]));
+    let by_columns: Vec<Vec<&[usize]>> = symmetries.mapped(|sum| sum.mapped(|s| &s.columns[..]));
+    let (rows, columns) = (eigenvectors(rows.len(), &by_rows)?, eigenvectors(width, &by_columns)?);
+    Some(ChangeOfBasis { rows, columns })
 }
 
-impl ChangeOfBasis {
-    /// The bases of common eigenvectors, in which a symmetric matrix is zero wherever eigenvalues differ; `None` when the
-    /// permutations are no symmetries of the matrix, or when there are none.
-    pub(super) fn adapted(rows: &[Vec<Poly>], symmetries: &Symmetries) -> Option<Self> {
-        let width = rows.first().map_or(0, Vec::len);
-        let all = symmetries.iter().flatten();
-        if symmetries.is_empty() || !all.clone().all(|s| leaves_unchanged(rows, s)) {
-            return None;
-        }
-        let by_rows: Vec<Vec<&[usize]>> = symmetries.mapped(|sum| sum.mapped(|s| &s.rows[..]));
-        let by_columns: Vec<Vec<&[usize]>> = symmetries.mapped(|sum| sum.mapped(|s| &s.columns[..]));
-        Some(Self { rows: eigenvectors(rows.len(), &by_rows)?, columns: eigenvectors(width, &by_columns)? })
-    }
-
-    /// The matrix in the new bases.
-    pub(super) fn apply(&self, rows: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
-        let width = rows.first().map_or(0, Vec::len);
-        let combined = self
-            .rows
-            .iter()
-            .map(|combination| (0..width).map(|c| sum(combination, |r| &rows[r][c])).collect::<Vec<Poly>>());
-        combined.map(|row| self.columns.mapped(|combination| sum(combination, |c| &row[c]))).collect()
-    }
+/// The matrix in the new bases.
+pub(super) fn apply(change: &ChangeOfBasis, rows: &[Vec<Poly>]) -> Vec<Vec<Poly>> {
+    let width = rows.first().map_or(0, Vec::len);
+    let combined = change
+        .rows
+        .iter()
+        .map(|combination| (0..width).map(|c| sum(combination, |r| &rows[r][c])).collect::<Vec<Poly>>());
+    combined.map(|row| change.columns.mapped(|combination| sum(combination, |c| &row[c]))).collect()
 }
 
 fn sum<'a>(combination: &[(usize, Rational)], entry: impl Fn(usize) -> &'a Poly) -> Poly {
@@ -162,16 +151,16 @@ mod tests {
         let n = Poly::integer;
         let rows = vec![vec![n(1), x.clone(), n(0)], vec![n(2), n(3), n(2)], vec![n(0), x.clone(), n(1)]];
         let reflection = Symmetry { rows: vec![2, 1, 0], columns: vec![2, 1, 0] };
-        let change = ChangeOfBasis::adapted(&rows, &vec![vec![reflection]]).expect("symmetric");
+        let change = adapted(&rows, &vec![vec![reflection]]).expect("symmetric");
         let one = |k: usize, c: i64| (k, Rational::from(c));
         assert_eq!(change.rows, [vec![one(0, 1), one(2, 1)], vec![one(0, 1), one(2, -1)], vec![one(1, 1)]]);
-        let adapted = change.apply(&rows);
+        let adapted = apply(&change, &rows);
         // Even: (row 0 + row 2, row 1) in (column 0 + column 2, column 1); odd: what is left.
         assert_eq!(adapted[0], [n(2), n(0), x.scale(&2.into())]);
         assert_eq!(adapted[1], [n(0), n(2), n(0)]);
         assert_eq!(adapted[2], [n(4), n(0), n(3)]);
         let wrong = Symmetry { rows: vec![1, 0, 2], columns: vec![2, 1, 0] };
-        assert_eq!(ChangeOfBasis::adapted(&rows, &vec![vec![wrong]]), None);
+        assert_eq!(super::adapted(&rows, &vec![vec![wrong]]), None);
     }
 
     #[test]

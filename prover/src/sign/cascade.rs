@@ -1,59 +1,56 @@
 //! The order in which the methods are tried.
 
-use super::bernstein::{Attempt, search};
-use super::budget::Budget;
-use super::certificate::Certificate;
+use super::outcome::{Outcome, spent};
+use super::subdivision::{self, Attempt};
+use basis_kernel::Relation;
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use crate::algebra::work::Work;
+use crate::budget::Budget;
+use basis_kernel::SignProof;
 use super::problem::{Point, Problem, as_rational, rational, simple};
-use super::{Coordinate, Decision, Method, Proof, Relation, Witness};
 use super::{cells, corners, factors, slices, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
 use crate::collections::sort::sort_by;
 
-/// What is known about a part of a claim.
-pub(super) enum Outcome {
-    Proved(Method, Certificate),
-    /// A point of the ranges of the part; where a coordinate is irrational the value is 0.
-    Refuted(Point),
-    Unknown(String),
+/// What a search finds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// A proof, by this method.
+    Proof(Method, SignProof),
+    /// A point with a coordinate for each variable of the box and of the polynomial, in increasing order, at which the claim
+    /// fails; where a coordinate is irrational, the value is 0.
+    Point(Point),
+    /// The budget is spent; what is left to decide, in words.
+    Nothing(String),
 }
 
-impl Outcome {
-    /// A point, or the message that the work was spent on the way to it.
-    pub(super) fn refuted_or_spent(point: Option<Point>) -> Self {
-        point.map_or_else(
-            || Self::Unknown(String::from("a negative value could not be made explicit")),
-            Self::Refuted,
-        )
-    }
-}
-
-/// Decides a claim and makes its witness complete and simple.
-pub(super) fn decide(p: &Poly, relation: Relation, region: &Region, budget: &mut Budget) -> Decision {
+/// Looks for a proof of p ≥ 0 (> 0) on a box, or for a simple point at which it fails.
+pub fn search(p: &Poly, relation: Relation, region: &Region, budget: &mut Budget) -> Found {
     if region.ranges.iter().any(|(_, r)| r.is_empty()) {
-        return Decision::Proved(Proof { method: Method::Constant, certificate: Certificate::Empty });
+        return Found::Proof(Method::Constant, SignProof::direct());
     }
     let problem = Problem::new(p, region);
     match prove(&problem, relation, budget) {
-        Outcome::Proved(method, certificate) => Decision::Proved(Proof { method, certificate }),
-        Outcome::Refuted(point) => Decision::Refuted(explicit(p, &problem, relation, region, point)),
-        Outcome::Unknown(left) => Decision::Undecided(left),
+        Outcome::Proved(method, proof) => Found::Proof(method, proof),
+        Outcome::Refuted(point) => Found::Point(explicit(p, &problem, relation, region, point)),
+        Outcome::Unknown(left) => Found::Nothing(left),
     }
 }
 
 /// The most work for making a witness simple.
 const SIMPLIFYING: u64 = 2_000_000;
 
-fn explicit(p: &Poly, problem: &Problem, relation: Relation, region: &Region, point: Point) -> Witness {
+fn explicit(p: &Poly, problem: &Problem, relation: Relation, region: &Region, point: Point) -> Point {
     let mut point = problem.complete(point);
     if let Some(exact) = as_rational(&point) {
         point = rational(witness::simplify(
             problem,
             relation,
             exact,
-            &mut crate::algebra::work::Work::new(SIMPLIFYING),
+            &mut Work::new(SIMPLIFYING),
         ));
     }
     for (var, range) in &region.ranges {
@@ -68,8 +65,7 @@ fn explicit(p: &Poly, problem: &Problem, relation: Relation, region: &Region, po
         }
     }
     sort_by(&mut point, |a, b| a.0.cmp(&b.0));
-    let value = as_rational(&point).map_or(Rational::ZERO, |exact| super::problem::value(p, &exact));
-    Witness { point, value }
+    point
 }
 
 /// The number of cuts before the complete methods are tried, by the number of variables.
@@ -82,10 +78,10 @@ const fn first_cuts(variables: usize) -> usize {
 }
 
 /// Decides a part of a claim.
-pub(super) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) -> Outcome {
+pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) -> Outcome {
     if let Some(value) = problem.poly.as_constant() {
         return if relation.holds(&value) {
-            Outcome::Proved(Method::Constant, Certificate::Constant)
+            Outcome::Proved(Method::Constant, SignProof::direct())
         } else {
             Outcome::Refuted(Point::new())
         };
@@ -96,12 +92,12 @@ pub(super) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
         return outcome;
     }
     if budget.allows(Method::Corners)
-        && let Some(outcome) = corners::by_corners(problem, relation, budget)
+        && let Some(outcome) = corners::by_corners(problem, relation, budget, prove)
     {
         return outcome;
     }
     if budget.allows(Method::Factors)
-        && let Some(outcome) = factors::by_factors(problem, relation, budget)
+        && let Some(outcome) = factors::by_factors(problem, relation, budget, prove)
     {
         return outcome;
     }
@@ -125,7 +121,7 @@ pub(super) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
             budget.put_back(&part);
             Some(found)
         }
-        Relation::Positive => slices::by_faces(problem, budget),
+        Relation::Positive => slices::by_faces(problem, budget, prove),
         Relation::NonNegative => None,
     };
     match complete {
@@ -149,22 +145,9 @@ fn by_subdivision(
     method: Method,
     budget: &mut Budget,
 ) -> Option<Outcome> {
-    match search(problem, relation, cuts, &mut budget.work) {
-        Attempt::Proved(tree) => Some(Outcome::Proved(method, Certificate::Bernstein(tree))),
+    match subdivision::search(problem, relation, cuts, &mut budget.work) {
+        Attempt::Proved(tree) => Some(Outcome::Proved(method, SignProof::Cuts(tree))),
         Attempt::Refuted(point) => Some(Outcome::Refuted(point)),
         Attempt::Open => None,
     }
-}
-
-/// What is left when the work is spent.
-pub(super) fn spent(problem: &Problem, on: &str) -> Outcome {
-    let degrees: Vec<String> = problem.ranges.mapped(|(v, _)| problem.poly.degree(*v).to_string());
-    let variables = if degrees.len() == 1 { "a variable" } else { "variables" };
-    let terms = problem.poly.len();
-    let left = format!(
-        "the budget is spent on {on}: the sign of a polynomial with {terms} terms in {} {variables} (of degree {}) is open",
-        degrees.len(),
-        degrees.join(", ")
-    );
-    Outcome::Unknown(left)
 }

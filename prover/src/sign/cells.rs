@@ -5,12 +5,13 @@
 
 use core::slice;
 
-use super::budget::Budget;
-use super::cascade::{Outcome, spent};
-use super::certificate::{Cells, Certificate, Sample};
+use crate::budget::Budget;
+use super::outcome::{Outcome, spent};
+use basis_kernel::{Cells, SignProof, Sample};
 use super::problem::{Problem, rational};
 use super::projection::{Levels, all_roots, levels, univariates};
-use super::{Method, Relation};
+use crate::method::Method;
+use basis_kernel::Relation;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
@@ -27,7 +28,7 @@ pub(super) fn by_cells(problem: &Problem, budget: &mut Budget) -> Outcome {
     match lifting.samples(&levels.sets, &problem.poly) {
         Lifted::Samples(samples) => {
             let cells = Cells { order: levels.order, levels: levels.sets, samples };
-            Outcome::Proved(Method::Cells, Certificate::Cells(cells))
+            Outcome::Proved(Method::Cells, SignProof::Cells(cells))
         }
         Lifted::Negative(point) => Outcome::Refuted(rational(point)),
         Lifted::Spent => spent(problem, "cells"),

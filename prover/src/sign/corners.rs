@@ -1,17 +1,25 @@
 //! Step 2: a polynomial of degree 1 in a variable is decided by its restrictions to the ends of the range.
 
-use super::budget::Budget;
-use super::cascade::{Outcome, prove};
-use super::certificate::Certificate;
+use crate::budget::Budget;
+use super::outcome::{Outcome, Prove};
+use basis_kernel::SignProof;
 use super::problem::{Problem, as_rational, rational};
-use super::{Coordinate, Method, Relation, witness};
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
+use super::witness;
 use crate::algebra::poly::Var;
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 
 /// Decides by the corners of one variable, if there is one of degree 1 among several.
-pub(super) fn by_corners(problem: &Problem, relation: Relation, budget: &mut Budget) -> Option<Outcome> {
+pub(super) fn by_corners(
+    problem: &Problem,
+    relation: Relation,
+    budget: &mut Budget,
+    prove: Prove,
+) -> Option<Outcome> {
     if problem.ranges.len() < 2 {
         return None;
     }
@@ -66,7 +74,7 @@ pub(super) fn by_corners(problem: &Problem, relation: Relation, budget: &mut Bud
     }
     let high = parts.pop()?;
     let low = parts.pop()?;
-    Some(Outcome::Proved(hardest, Certificate::Corners { var: *var, low, high, middle }))
+    Some(Outcome::Proved(hardest, SignProof::Corners { var: *var, low, high, middle }))
 }
 
 /// A polynomial in the other variables, to complete points with.

@@ -1,10 +1,11 @@
 //! Step 3: the factors of a square-free decomposition, each decided for itself.
 
-use super::budget::Budget;
-use super::cascade::{Outcome, prove};
-use super::certificate::{Certificate, Factor};
+use crate::budget::Budget;
+use super::outcome::{Outcome, Prove};
+use basis_kernel::{FactorSign, Relation, SignProof, Signed};
 use super::problem::{Point, Problem, as_rational, rational, value};
-use super::{Method, Relation, univariate, witness};
+use crate::method::Method;
+use super::{univariate, witness};
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
@@ -15,18 +16,23 @@ use crate::algebra::rational::Rational;
 ///
 /// Complete as far as the parts are: on a box, a product with one sign is a product of polynomials that have one
 /// sign each, apart from even powers.
-pub(super) fn by_factors(problem: &Problem, relation: Relation, budget: &mut Budget) -> Option<Outcome> {
+pub(super) fn by_factors(
+    problem: &Problem,
+    relation: Relation,
+    budget: &mut Budget,
+    prove: Prove,
+) -> Option<Outcome> {
     let parts = square_free(&problem.poly, &mut budget.work)?;
     if parts.len() == 1 && parts[0].1 == 1 {
         return None;
     }
     let number = lead_quotient(&problem.poly, &parts)?;
     let mut hardest = Method::Factors;
-    let mut factors = Vec::new();
+    let mut factors: Vec<(Poly, u32, FactorSign)> = Vec::new();
     let mut sign = number.signum();
     for (base, exponent) in parts {
         if relation == Relation::NonNegative && exponent % 2 == 0 {
-            factors.push(Factor { base, exponent, sign: None });
+            factors.push((base, exponent, FactorSign::Any));
             continue;
         }
         let part = problem.with(base.clone());
@@ -37,9 +43,10 @@ pub(super) fn by_factors(problem: &Problem, relation: Relation, budget: &mut Bud
             sign = -sign;
         }
         match prove(&part, relation, budget) {
-            Outcome::Proved(method, certificate) => {
+            Outcome::Proved(method, proof) => {
                 hardest = hardest.max(method);
-                factors.push(Factor { base, exponent, sign: Some((negative, Box::new(certificate))) });
+                let signed = if negative { Signed::Negative(proof) } else { Signed::Positive(proof) };
+                factors.push((base, exponent, FactorSign::Known(Box::new(signed))));
             }
             Outcome::Refuted(point) => return changed_sign(problem, relation, &part, sample, point, budget),
             unknown @ Outcome::Unknown(_) => return Some(unknown),
@@ -50,7 +57,23 @@ pub(super) fn by_factors(problem: &Problem, relation: Relation, budget: &mut Bud
         let point = problem.nonzero_point(&problem.poly)?;
         return Some(Outcome::Refuted(rational(point)));
     }
-    Some(Outcome::Proved(hardest, Certificate::Factors { number, factors }))
+    // The longest factor is what is left after division by the others, and need not be written.
+    let length = |(base, exponent, sign): &(Poly, u32, FactorSign)| match sign {
+        FactorSign::Known(_) if *exponent == 1 => base.len(),
+        _ => 0,
+    };
+    let longest = (0..factors.len()).max_by_key(|k| length(&factors[*k])).filter(|k| length(&factors[*k]) > 0);
+    let rest = match longest.map(|k| factors.remove(k)) {
+        Some((_, _, FactorSign::Known(signed))) if number.is_negative() => match *signed {
+            Signed::Positive(proof) => Signed::Negative(proof),
+            Signed::Negative(proof) => Signed::Positive(proof),
+        },
+        Some((_, _, FactorSign::Known(signed))) => *signed,
+        _ if number.is_negative() => Signed::Negative(SignProof::direct()),
+        _ => Signed::Positive(SignProof::direct()),
+    };
+    let factors = factors.into_iter().map(|(base, _, sign)| (base, sign)).collect();
+    Some(Outcome::Proved(hardest, SignProof::Factors { factors, rest: Box::new(rest) }))
 }
 
 /// The number c with p = c·∏ fᵉ: leading terms multiply.

@@ -1,6 +1,6 @@
 //! A polynomial with the ranges of its variables: what the methods of the cascade work on.
 
-use super::Coordinate;
+use crate::coordinate::Coordinate;
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
@@ -8,18 +8,18 @@ use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 
 /// A point by coordinates.
-pub(super) type Point = Vec<(Var, Coordinate)>;
+pub(crate) type Point = Vec<(Var, Coordinate)>;
 
 /// A polynomial and the ranges of exactly the variables that occur, none of them empty or a single number.
 #[derive(Clone, Debug)]
-pub(super) struct Problem {
-    pub(super) poly: Poly,
-    pub(super) ranges: Vec<(Var, Range)>,
+pub(crate) struct Problem {
+    pub(crate) poly: Poly,
+    pub(crate) ranges: Vec<(Var, Range)>,
 }
 
 impl Problem {
     /// The polynomial on a box without empty ranges; single numbers are put in place of their variables.
-    pub(super) fn new(poly: &Poly, region: &Region) -> Self {
+    pub(crate) fn new(poly: &Poly, region: &Region) -> Self {
         let mut poly = poly.clone();
         for (var, range) in &region.ranges {
             if let Some((a, b)) = range.finite()
@@ -33,33 +33,33 @@ impl Problem {
     }
 
     /// Another polynomial on the same ranges.
-    pub(super) fn with(&self, poly: Poly) -> Self {
+    pub(crate) fn with(&self, poly: Poly) -> Self {
         let ranges = self.ranges.iter().filter(|(v, _)| poly.depends_on(*v)).cloned().collect();
         Self { poly, ranges }
     }
 
     /// With a number in place of a variable.
-    pub(super) fn fix(&self, var: Var, value: &Rational) -> Self {
+    pub(crate) fn fix(&self, var: Var, value: &Rational) -> Self {
         self.with(self.poly.at(var, value))
     }
 
     /// The range of a variable that occurs.
-    pub(super) fn range(&self, var: Var) -> Range {
+    pub(crate) fn range(&self, var: Var) -> Range {
         self.ranges.iter().find(|(v, _)| *v == var).map_or(Range::all(), |(_, r)| r.clone())
     }
 
     /// Whether a rational point lies in the ranges; missing coordinates do.
-    pub(super) fn contains(&self, point: &[(Var, Rational)]) -> bool {
+    pub(crate) fn contains(&self, point: &[(Var, Rational)]) -> bool {
         point.iter().all(|(v, x)| self.range(*v).contains(x))
     }
 
     /// The value at a rational point.
-    pub(super) fn value(&self, point: &[(Var, Rational)]) -> Rational {
+    pub(crate) fn value(&self, point: &[(Var, Rational)]) -> Rational {
         value(&self.poly, point)
     }
 
     /// Adds simple coordinates for the variables that a point lacks.
-    pub(super) fn complete(&self, mut point: Point) -> Point {
+    pub(crate) fn complete(&self, mut point: Point) -> Point {
         for (v, r) in &self.ranges {
             if !point.iter().any(|(w, _)| w == v) {
                 point.push((*v, Coordinate::Rational(simple(r))));
@@ -70,7 +70,7 @@ impl Problem {
 
     /// A point of the interior of the ranges at which a polynomial in the same variables is not zero; `None` for the
     /// zero polynomial.
-    pub(super) fn nonzero_point(&self, poly: &Poly) -> Option<Vec<(Var, Rational)>> {
+    pub(crate) fn nonzero_point(&self, poly: &Poly) -> Option<Vec<(Var, Rational)>> {
         let mut rest = poly.clone();
         let mut point = Vec::new();
         for (var, range) in &self.ranges {
@@ -84,7 +84,7 @@ impl Problem {
 }
 
 /// The value of a polynomial at a rational point; missing coordinates must not occur.
-pub(super) fn value(poly: &Poly, point: &[(Var, Rational)]) -> Rational {
+pub(crate) fn value(poly: &Poly, point: &[(Var, Rational)]) -> Rational {
     let len = point.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
     let mut all = vec![Rational::ZERO; len];
     for (v, x) in point {
@@ -94,12 +94,12 @@ pub(super) fn value(poly: &Poly, point: &[(Var, Rational)]) -> Rational {
 }
 
 /// A rational point as a point.
-pub(super) fn rational(point: Vec<(Var, Rational)>) -> Point {
+pub(crate) fn rational(point: Vec<(Var, Rational)>) -> Point {
     point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).collect()
 }
 
 /// The coordinates of a point, if all are rational.
-pub(super) fn as_rational(point: &Point) -> Option<Vec<(Var, Rational)>> {
+pub(crate) fn as_rational(point: &Point) -> Option<Vec<(Var, Rational)>> {
     point
         .iter()
         .map(|(v, c)| match c {
@@ -115,7 +115,7 @@ pub(crate) fn simple(range: &Range) -> Rational {
 }
 
 /// Different simple numbers strictly inside a range that is not a single number.
-pub(super) fn inner(range: &Range, count: usize) -> Vec<Rational> {
+pub(crate) fn inner(range: &Range, count: usize) -> Vec<Rational> {
     let mut list = vec![simple(range)];
     let parts = count as i64 + 1;
     for k in 1..=parts {
@@ -133,13 +133,13 @@ pub(super) fn inner(range: &Range, count: usize) -> Vec<Rational> {
 }
 
 /// The range without its ends.
-pub(super) fn open(range: &Range) -> Range {
+pub(crate) fn open(range: &Range) -> Range {
     let open = |end: &End| end.value().map_or(End::Infinite, |v| End::Excluded(v.clone()));
     Range { low: open(&range.low), high: open(&range.high) }
 }
 
 /// A range with at least one end as a side of a box.
-pub(super) fn side(range: &Range) -> Option<Side> {
+pub(crate) fn side(range: &Range) -> Option<Side> {
     match (range.low.value(), range.high.value()) {
         (Some(a), Some(b)) => Some(Side::Finite(a.clone(), b.clone())),
         (Some(a), None) => Some(Side::Upwards(a.clone())),

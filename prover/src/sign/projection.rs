@@ -12,18 +12,18 @@ use crate::collections::sort::sort_by;
 
 /// A sequence of projections.
 #[derive(Clone, Debug)]
-pub(super) struct Levels {
+pub(crate) struct Levels {
     /// The variables from the lowest level to the highest.
-    pub(super) order: Vec<Var>,
+    pub(crate) order: Vec<Var>,
     /// By level square-free polynomials without common factors, in the variable of the level and lower ones.
-    pub(super) sets: Vec<Vec<Poly>>,
+    pub(crate) sets: Vec<Vec<Poly>>,
 }
 
 /// Projects polynomials down to one variable, `base` if it is given; `None` when the work is spent.
 ///
 /// With `trailing` the projections contain the trailing coefficients too, so that by Lazard's theorem the polynomials
 /// are invariant not only over open cells.
-pub(super) fn levels(
+pub(crate) fn levels(
     polys: &[Poly],
     ranges: &[(Var, Range)],
     base: Option<Var>,
@@ -100,7 +100,7 @@ fn project(set: &[Poly], var: Var, range: &Range, trailing: bool, work: &mut Wor
 }
 
 /// Square-free polynomials without common factors that have the same zeros.
-pub(super) fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
+pub(crate) fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
     let mut result: Vec<Poly> = Vec::new();
     for p in polys {
         let mut waiting: Vec<Poly> = square_free(p, work)?.into_iter().map(|(f, _)| f).collect();
@@ -133,7 +133,7 @@ pub(super) fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
 
 /// The roots of several polynomials without common roots in an open interval, in increasing order; with each the
 /// index of its polynomial. The intervals of roots of different polynomials do not touch.
-pub(super) fn all_roots(polys: &[Univariate], range: &Range, work: &mut Work) -> Option<Vec<(usize, Root)>> {
+pub(crate) fn all_roots(polys: &[Univariate], range: &Range, work: &mut Work) -> Option<Vec<(usize, Root)>> {
     let mut roots = Vec::new();
     for (k, p) in polys.iter().enumerate() {
         let found = isolate(p, range.low.value(), range.high.value(), work)?;
@@ -158,7 +158,7 @@ pub(super) fn all_roots(polys: &[Univariate], range: &Range, work: &mut Work) ->
 }
 
 /// The polynomials of a level in its variable, constants left out; `None` if another variable is left.
-pub(super) fn univariates(set: &[Poly], var: Var) -> Option<Vec<Univariate>> {
+pub(crate) fn univariates(set: &[Poly], var: Var) -> Option<Vec<Univariate>> {
     let all: Option<Vec<Univariate>> = set.iter().map(|p| Univariate::from_poly(p, var)).collect();
     Some(all?.into_iter().filter(|p| !p.is_constant()).map(|p| p.primitive()).collect())
 }

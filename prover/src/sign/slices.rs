@@ -6,13 +6,15 @@
 
 use core::slice;
 
-use super::budget::Budget;
-use super::cascade::{Outcome, prove, spent};
-use super::certificate::{Base, Certificate, Section, Slices};
+use crate::budget::Budget;
+use super::outcome::{Outcome, Prove, spent};
+use basis_kernel::{Base, SignProof, Section, Slices};
 use super::problem::{Point, Problem, open, rational};
 use super::projection::{all_roots, levels, univariates};
 use super::zeros::{Near, near};
-use super::{Coordinate, Method, Relation};
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
@@ -27,10 +29,10 @@ const MAX_FACES: usize = 1000;
 const MAX_BOXES: usize = 20_000;
 
 /// Decides p > 0 in two variables or more.
-pub(super) fn by_faces(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
+pub(super) fn by_faces(problem: &Problem, budget: &mut Budget, prove: Prove) -> Option<Outcome> {
     let closed = |r: &Range| r.low.is_included() || r.high.is_included();
     if !problem.ranges.iter().any(|(_, r)| closed(r)) {
-        return if budget.allows(Method::Cells) { by_slices(problem, budget) } else { None };
+        return if budget.allows(Method::Cells) { by_slices(problem, budget, prove) } else { None };
     }
     if !budget.allows(Method::Faces) {
         return None;
@@ -58,7 +60,7 @@ pub(super) fn by_faces(problem: &Problem, budget: &mut Budget) -> Option<Outcome
             unknown @ Outcome::Unknown(_) => return Some(unknown),
         }
     }
-    Some(Outcome::Proved(hardest, Certificate::Faces(certificates)))
+    Some(Outcome::Proved(hardest, SignProof::Faces(certificates)))
 }
 
 /// A face: by variable the open range or an end.
@@ -87,7 +89,7 @@ fn faces(ranges: &[(Var, Range)]) -> Option<Vec<Face>> {
 }
 
 /// Decides p > 0 on a box without its faces.
-fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
+fn by_slices(problem: &Problem, budget: &mut Budget, prove: Prove) -> Option<Outcome> {
     let start = problem.nonzero_point(&problem.poly)?;
     if problem.value(&start).is_negative() {
         return Some(Outcome::Refuted(rational(start)));
@@ -98,12 +100,12 @@ fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
     let mut bases = Vec::new();
     let mut unknown = None;
     for var in order {
-        match base(problem, var, budget) {
+        match base(problem, var, budget, prove) {
             Sliced::Zero(point) => return Some(Outcome::Refuted(problem.complete(point))),
             Sliced::Unknown(left) => unknown = unknown.or(Some(left)),
             Sliced::Base(base, irrational) if irrational.is_empty() => {
                 let slices = Slices { bases: vec![base], boxes: Vec::new() };
-                return Some(Outcome::Proved(Method::Cells, Certificate::Slices(slices)));
+                return Some(Outcome::Proved(Method::Cells, SignProof::Slices(slices)));
             }
             Sliced::Base(base, irrational) => bases.push((var, base, irrational)),
         }
@@ -142,7 +144,7 @@ fn by_slices(problem: &Problem, budget: &mut Budget) -> Option<Outcome> {
         }
     }
     let bases = bases.into_iter().map(|(_, base, _)| base).collect();
-    Some(Outcome::Proved(Method::Cells, Certificate::Slices(Slices { bases, boxes })))
+    Some(Outcome::Proved(Method::Cells, SignProof::Slices(Slices { bases, boxes })))
 }
 
 enum Sliced {
@@ -153,7 +155,7 @@ enum Sliced {
 }
 
 /// Looks for zeros in the slices that fix one variable.
-fn base(problem: &Problem, var: Var, budget: &mut Budget) -> Sliced {
+fn base(problem: &Problem, var: Var, budget: &mut Budget, prove: Prove) -> Sliced {
     let out_of_work = || match spent(problem, "projections") {
         Outcome::Unknown(left) => Sliced::Unknown(left),
         _ => Sliced::Unknown(String::new()),

@@ -1,10 +1,12 @@
 //! Step 4: one variable, by Descartes' rule of signs; complete.
 
-use super::bernstein::{Attempt, search};
-use super::cascade::Outcome;
-use super::certificate::Certificate;
+use super::subdivision::{Attempt, search};
+use super::outcome::Outcome;
+use basis_kernel::SignProof;
 use super::problem::{Problem, rational};
-use super::{Coordinate, Method, Relation};
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
 use crate::algebra::algebraic::number;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -16,7 +18,7 @@ use crate::algebra::work::Work;
 ///
 /// A polynomial with multiple roots inside of the range is decided only if it is negative somewhere or p > 0 is claimed:
 /// the others are the business of the factors.
-pub(super) fn decide(problem: &Problem, relation: Relation, work: &mut Work) -> Option<Outcome> {
+pub(crate) fn decide(problem: &Problem, relation: Relation, work: &mut Work) -> Option<Outcome> {
     let [(var, range)] = &problem.ranges[..] else { return None };
     let p = Univariate::from_poly(&problem.poly, *var)?;
     let square_free = p.square_free_part(work)?;
@@ -36,7 +38,7 @@ pub(super) fn decide(problem: &Problem, relation: Relation, work: &mut Work) -> 
     }
     // Without roots inside, the number of changes of sign on short enough intervals is zero.
     match search(problem, relation, usize::MAX, work) {
-        Attempt::Proved(tree) => Some(Outcome::Proved(Method::Descartes, Certificate::Bernstein(tree))),
+        Attempt::Proved(tree) => Some(Outcome::Proved(Method::Descartes, SignProof::Cuts(tree))),
         Attempt::Refuted(point) => Some(Outcome::Refuted(point)),
         Attempt::Open => None,
     }
@@ -54,7 +56,7 @@ fn simplest_root(p: &Univariate, roots: &mut [Root], work: &mut Work) -> Option<
 }
 
 /// A root as a coordinate, with a short interval if it is not rational.
-pub(super) fn coordinate(p: &Univariate, root: &Root, work: &mut Work) -> Option<Coordinate> {
+pub(crate) fn coordinate(p: &Univariate, root: &Root, work: &mut Work) -> Option<Coordinate> {
     Some(match number(p, root)? {
         Ok(x) => Coordinate::Rational(x),
         Err(x) => Coordinate::Algebraic(x.tidy(work)?),
@@ -62,7 +64,7 @@ pub(super) fn coordinate(p: &Univariate, root: &Root, work: &mut Work) -> Option
 }
 
 /// A zero of a polynomial in one variable on its range; `None` when there is none or the work is spent.
-pub(super) fn some_zero(problem: &Problem, work: &mut Work) -> Option<Coordinate> {
+pub(crate) fn some_zero(problem: &Problem, work: &mut Work) -> Option<Coordinate> {
     let [(var, range)] = &problem.ranges[..] else { return None };
     let p = Univariate::from_poly(&problem.poly, *var)?;
     let ends = [&range.low, &range.high].into_iter().filter(|e| e.is_included()).filter_map(|e| e.value());

@@ -1,6 +1,6 @@
 //! Counterexamples: from a corner of a cell into the region, and from any point to a simple one.
 
-use super::Relation;
+use basis_kernel::Relation;
 use super::problem::Problem;
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::Var;

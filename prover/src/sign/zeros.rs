@@ -11,7 +11,7 @@ use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
 
 /// What is found near a point with algebraic coordinates.
-pub(super) enum Near {
+pub(crate) enum Near {
     /// The polynomial is positive on a box around the point: the ends by coordinate.
     Positive(Vec<(Rational, Rational)>),
     /// It is negative at this point.
@@ -24,7 +24,7 @@ pub(super) enum Near {
 const ROUNDS: usize = 6;
 
 /// Shortens the intervals until the sign is clear; `None` when the work is spent.
-pub(super) fn near(poly: &Poly, mut point: Vec<(Var, Algebraic)>, work: &mut Work) -> Option<Near> {
+pub(crate) fn near(poly: &Poly, mut point: Vec<(Var, Algebraic)>, work: &mut Work) -> Option<Near> {
     for round in 0.. {
         let sides: Vec<(Var, Side)> =
             point.mapped(|(v, x)| (*v, Side::Finite(x.low().clone(), x.high().clone())));

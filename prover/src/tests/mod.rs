@@ -1,64 +1,74 @@
 //! What must be decided, and how.
 
 mod examples;
+#[cfg(feature = "ranges")]
 mod independence;
 mod random;
 mod text;
 
-use super::*;
+use std::rc::Rc;
+
+use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement, Values};
+
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{End, Range, Region};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::counterexample::{Counterexample, refute};
+use crate::decide::{Decision, decide};
+use crate::rank::{Independence, Table, independent};
+use crate::sign::{Found, search};
+use crate::{Budget, Coordinate, Method};
 use text::{NAMES, poly, region};
 
-/// The verdict in short: `proved: method`, `refuted: t = 1/2, λ = 0: value`, `undecided: …`.
-fn verdict(p: &Poly, relation: Relation, region: &Region) -> String {
-    let mut budget = Budget::default();
-    let decision = decide(p, relation, region, &mut budget);
-    match decision {
-        Decision::Proved(proof) => {
-            assert_eq!(
-                verify(p, relation, region, &proof.certificate, 1).err(),
-                None,
-                "{:?}",
-                proof.certificate
-            );
-            format!("proved: {}", proof.method)
+/// The statement p ≥ 0 or p > 0.
+fn statement(p: &Poly, relation: Relation, region: &Region) -> Rc<Statement> {
+    let domain = Rc::new(Domain::of(region.clone()));
+    Rc::new(Statement::Sign { value: Quotient::from(p.clone()), relation, domain })
+}
+
+/// What a search finds, as the kernel accepts it: the method of a proof, or a counterexample.
+fn accepted(
+    p: &Poly,
+    relation: Relation,
+    region: &Region,
+    budget: &mut Budget,
+) -> Result<Method, Option<Counterexample>> {
+    let statement = statement(p, relation, region);
+    match search(p, relation, region, budget) {
+        Found::Proof(method, numerator) => {
+            let certificate = Certificate::Sign { denominator: None, numerator };
+            let text = basis_kernel::text::certificate_text(&certificate);
+            assert_eq!(basis_kernel::text::certificate(&text).as_ref(), Ok(&certificate));
+            let proof = Proof::new(statement, certificate, &mut Work::usual(1));
+            assert!(proof.is_ok(), "{p:?} {region:?} {text}: {:?}", proof.err());
+            Ok(method)
         }
-        Decision::Refuted(witness) => {
-            check_witness(p, relation, region, &witness);
-            let point: Vec<String> = witness.point.iter().map(|(v, c)| c.describe(NAMES[v.0])).collect();
-            format!("refuted: {}: {}", point.join(", "), witness.value)
+        Found::Point(mut point) => {
+            let vars = p.variables();
+            point.retain(|(v, _)| vars.contains(v) || region.ranges.iter().any(|(w, _)| w == v));
+            let found = refute(&statement, &point, &mut Work::unlimited());
+            Err(Some(found.unwrap_or_else(|| panic!("{p:?} {region:?} {point:?} is refused"))))
         }
-        Decision::Undecided(left) => format!("undecided: {left}"),
+        Found::Nothing(_) => Err(None),
     }
 }
 
-/// A witness lies in the region and contradicts the claim.
-fn check_witness(p: &Poly, relation: Relation, region: &Region, witness: &Witness) {
-    let mut vars = p.variables();
-    vars.extend(region.ranges.iter().map(|(v, _)| *v));
-    vars.sort();
-    vars.dedup();
-    assert_eq!(witness.point.iter().map(|(v, _)| *v).collect::<Vec<_>>(), vars);
-    assert!(!relation.holds(&witness.value));
-    let mut rest = p.clone();
-    let mut algebraic = Vec::new();
-    for (v, c) in &witness.point {
-        match c {
-            Coordinate::Rational(x) => {
-                assert!(region.range(*v).contains(x), "{x} is in the range");
-                rest = rest.at(*v, x);
-            }
-            Coordinate::Algebraic(x) => {
-                assert!(region.range(*v).contains(x.low()) && region.range(*v).contains(x.high()));
-                algebraic.push((*v, x.clone()));
-            }
+/// The verdict in short: `proved: method`, `refuted: t = 1/2, λ = 0: value`, `undecided`.
+fn verdict(p: &Poly, relation: Relation, region: &Region) -> String {
+    match accepted(p, relation, region, &mut Budget::default()) {
+        Ok(method) => format!("proved: {method}"),
+        Err(Some(found)) => {
+            let mut vars = p.variables();
+            vars.extend(region.ranges.iter().map(|(v, _)| *v));
+            vars.sort();
+            vars.dedup();
+            assert_eq!(found.point.iter().map(|(v, _)| *v).collect::<Vec<_>>(), vars);
+            let point: Vec<String> = found.point.iter().map(|(v, c)| c.describe(NAMES[v.0])).collect();
+            let value = found.refutation.value().expect("a rational value");
+            format!("refuted: {}: {value}", point.join(", "))
         }
-    }
-    if algebraic.is_empty() {
-        assert_eq!(rest.as_constant(), Some(witness.value.clone()));
-    } else {
-        assert!(witness.value.is_zero());
-        let work = &mut crate::algebra::work::Work::unlimited();
-        assert_eq!(zeros::is_zero(&rest, &algebraic, work), Some(true));
+        Err(None) => String::from("undecided"),
     }
 }
 

@@ -1,8 +1,9 @@
 //! Steps 1 and 5: Bernstein coefficients on the box, and on the cells of a subdivision.
 
-use super::certificate::Subdivision;
+use basis_kernel::Cuts;
 use super::problem::{Point, Problem, rational, side, simple};
-use super::{Relation, witness};
+use basis_kernel::Relation;
+use super::witness;
 use crate::algebra::bernstein::{Form, Side};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
@@ -12,7 +13,7 @@ use crate::collections::list::Mapped;
 
 /// What a search came to.
 pub(super) enum Attempt {
-    Proved(Subdivision),
+    Proved(Cuts),
     Refuted(Point),
     /// Neither within the number of cuts and the work.
     Open,
@@ -59,7 +60,7 @@ struct Axis {
 
 impl Search<'_> {
     /// A box whose sides may have no ends at all: those are cut at 0 first.
-    fn whole(&mut self, ranges: &[(Var, Range)]) -> Option<Subdivision> {
+    fn whole(&mut self, ranges: &[(Var, Range)]) -> Option<Cuts> {
         if let Some(k) = ranges.iter().position(|(_, r)| side(r).is_none()) {
             let var = ranges[k].0;
             let zero = || End::Included(Rational::ZERO);
@@ -70,7 +71,7 @@ impl Search<'_> {
             };
             let low = part(Range { low: End::Infinite, high: zero() })?;
             let high = part(Range { low: zero(), high: End::Infinite })?;
-            return Some(Subdivision::Split { var, at: Rational::ZERO, low, high });
+            return Some(Cuts::At { var, low, high });
         }
         let mut axes = Vec::with_capacity(ranges.len());
         for (var, range) in ranges {
@@ -99,7 +100,7 @@ impl Search<'_> {
         self.refuted = Some(rational(point.collect()));
     }
 
-    fn visit(&mut self, axes: &[Axis], form: &Form, depth: usize) -> Option<Subdivision> {
+    fn visit(&mut self, axes: &[Axis], form: &Form, depth: usize) -> Option<Cuts> {
         self.work.spend((form.coefficients().len() << axes.len()) as u64 / 4 + 20)?;
         if form.is_nonnegative() {
             if self.relation == Relation::Positive
@@ -112,7 +113,7 @@ impl Search<'_> {
                 }));
                 return None;
             }
-            return Some(Subdivision::Leaf);
+            return Some(Cuts::None);
         }
         for corner in 0..1_usize << axes.len() {
             let high = |axis: usize| corner >> axis & 1 == 1;
@@ -131,7 +132,6 @@ impl Search<'_> {
         }
         let k = best_axis(axes, form)?;
         let (low, high) = form.halves(k, &axes[k].side, self.work)?;
-        let at = axes[k].side.middle();
         let (lower, upper) = axes[k].side.halves();
         let mut axes = axes.to_vec();
         let whole = axes[k].clone();
@@ -144,7 +144,7 @@ impl Search<'_> {
         axes[k].included = [true, whole.included[1]];
         axes[k].removed = [false, whole.removed[1]];
         let high = self.visit(&axes, &high, depth + 1).map(Box::new)?;
-        Some(Subdivision::Split { var: whole.var, at, low, high })
+        Some(Cuts::At { var: whole.var, low, high })
     }
 }
 
@@ -179,7 +179,26 @@ fn unsupported_face(axes: &[Axis], form: &Form) -> Option<Vec<Option<bool>>> {
 
 /// The axis along which the signs change most often, those that were cut less often first.
 fn best_axis(axes: &[Axis], form: &Form) -> Option<usize> {
-    let score = |k: usize| (form.mixed_fibres(k) * 64) >> axes[k].cuts.min(16);
+    let score = |k: usize| (mixed_fibres(form, k) * 64) >> axes[k].cuts.min(16);
     let cuttable = (0..axes.len()).filter(|k| form.degrees()[*k] > 0);
     cuttable.max_by_key(|k| (score(*k), core::cmp::Reverse(axes[*k].cuts)))
+}
+
+/// How many fibres along an axis have coefficients of both signs.
+fn mixed_fibres(form: &Form, axis: usize) -> usize {
+    let (n, stride) = (form.degrees()[axis], form.stride(axis));
+    let fibres = form.coefficients().len() / (n + 1);
+    let mixed = |k: &usize| {
+        let start = k / stride * stride * (n + 1) + k % stride;
+        let (mut below, mut above) = (false, false);
+        for i in 0..=n {
+            match form.coefficients()[start + i * stride].signum() {
+                -1 => below = true,
+                1 => above = true,
+                _ => {}
+            }
+        }
+        below && above
+    };
+    (0..fibres).filter(mixed).count()
 }

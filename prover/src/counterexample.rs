@@ -1,0 +1,187 @@
+//! From a point that a search has found to a refutation that the kernel accepts.
+
+use std::rc::Rc;
+
+use basis_kernel::{Point, Refusal, Refutation, Root, Statement, Witness};
+
+use crate::algebra::field::{Element, Field, field_of};
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
+use crate::coordinate::Coordinate;
+
+/// A point at which a statement fails.
+#[derive(Clone, Debug)]
+pub struct Counterexample {
+    /// The statement and where it fails, as the kernel has accepted it.
+    pub refutation: Refutation,
+    /// The coordinates of the point, each as a number of its own.
+    pub point: Vec<(Var, Coordinate)>,
+}
+
+/// How often the interval of an irrational number is shortened to a sixteenth until the kernel sees all signs.
+const ROUNDS: usize = 40;
+
+/// A point with coordinates in one field.
+pub(crate) struct Exact {
+    /// The field; `None` when all coordinates are rational.
+    pub(crate) field: Option<Field>,
+    pub(crate) coordinates: Vec<(Var, Element)>,
+}
+
+impl Exact {
+    /// The point with these coordinates; `None` when the work is spent.
+    pub(crate) fn new(point: &[(Var, Coordinate)], work: &mut Work) -> Option<Self> {
+        let mut numbers = Vec::new();
+        for (_, c) in point {
+            if let Coordinate::Algebraic(x) = c
+                && !numbers.contains(x)
+            {
+                numbers.push(x.clone());
+            }
+        }
+        let (field, elements) = match field_of(&numbers, work) {
+            Some((field, elements)) => (Some(field), elements),
+            None if numbers.is_empty() => (None, Vec::new()),
+            None => return None,
+        };
+        let mut coordinates = Vec::new();
+        for (var, c) in point {
+            let element = match c {
+                Coordinate::Rational(x) => Univariate::new(vec![x.clone()]),
+                Coordinate::Algebraic(x) => {
+                    elements.get(numbers.iter().position(|n| n == x)?).cloned()?
+                }
+            };
+            coordinates.push((*var, element));
+        }
+        Some(Self { field, coordinates })
+    }
+
+    /// The value of a polynomial at the point.
+    pub(crate) fn value(&self, poly: &Poly, work: &mut Work) -> Option<Element> {
+        match &self.field {
+            Some(field) => field.eval(poly, &self.coordinates, work),
+            None => {
+                let mut rest = poly.clone();
+                for (var, x) in &self.coordinates {
+                    rest = rest.at(*var, &x.leading());
+                }
+                Some(Univariate::new(vec![rest.as_constant()?]))
+            }
+        }
+    }
+
+    /// Whether a value is zero.
+    pub(crate) fn is_zero(&mut self, value: &Element, work: &mut Work) -> Option<bool> {
+        match &mut self.field {
+            Some(field) => field.is_zero(value, work),
+            None => Some(value.is_zero()),
+        }
+    }
+
+    /// Adds coordinates that are polynomials in others, and takes away all that are not wanted.
+    pub(crate) fn image(&mut self, by: &[(Var, Poly)], keep: &dyn Fn(Var) -> bool, work: &mut Work) -> Option<()> {
+        let mut moved = Vec::new();
+        for (var, poly) in by {
+            moved.push((*var, self.value(poly, work)?));
+        }
+        self.coordinates.retain(|(var, _)| keep(*var));
+        self.coordinates.extend(moved);
+        self.coordinates.sort_by_key(|(var, _)| *var);
+        Some(())
+    }
+
+    /// The point as the kernel has it.
+    fn point(&self, work: &mut Work) -> Option<Point> {
+        let Some(field) = &self.field else {
+            return Some(Point { root: None, coordinates: self.coordinates.clone() });
+        };
+        let mut coordinates = Vec::new();
+        for (var, x) in &self.coordinates {
+            coordinates.push((*var, field.reduce(x, work)?));
+        }
+        let root = field.root();
+        let root = Root {
+            polynomial: root.polynomial().clone(),
+            low: root.low().clone(),
+            high: root.high().clone(),
+        };
+        let irrational = coordinates.iter().any(|(_, x)| !x.is_constant());
+        Some(Point { root: irrational.then_some(root), coordinates })
+    }
+
+    /// The coordinates as numbers.
+    fn numbers(&self, work: &mut Work) -> Option<Vec<(Var, Coordinate)>> {
+        let mut numbers = Vec::new();
+        for (var, x) in &self.coordinates {
+            let number = match &self.field {
+                Some(field) => match field.number(&field.reduce(x, work)?, work)? {
+                    Ok(x) => Coordinate::Rational(x),
+                    Err(x) => Coordinate::Algebraic(x),
+                },
+                None => Coordinate::Rational(x.leading()),
+            };
+            numbers.push((*var, number));
+        }
+        Some(numbers)
+    }
+
+    /// The refutation at this point, with an interval of the root that is short enough for all signs to be seen; `None` when the
+    /// kernel does not accept it.
+    pub(crate) fn refute(
+        &mut self,
+        statement: &Rc<Statement>,
+        witness: &dyn Fn(Point) -> Witness,
+        work: &mut Work,
+    ) -> Option<Refutation> {
+        for _ in 0..ROUNDS {
+            let witness = witness(self.point(work)?);
+            match Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)) {
+                Ok(refutation) => return Some(refutation),
+                Err(Refusal::Unproved(_)) if self.field.is_some() => {}
+                Err(_) => return None,
+            }
+            let mut root = self.field.as_ref()?.root().clone();
+            let width = &(root.high() - root.low()) * &Rational::new(1, 16);
+            root.refine_below(&width, work)?;
+            self.field = Some(Field::new(root));
+        }
+        None
+    }
+}
+
+/// The refutation of a statement about a value at a point that has a coordinate for each of its variables; `None` when it does
+/// not fail there, or the work is spent.
+pub fn refute(
+    statement: &Rc<Statement>,
+    point: &[(Var, Coordinate)],
+    work: &mut Work,
+) -> Option<Counterexample> {
+    let mut exact = Exact::new(point, work)?;
+    at(statement, &mut exact, work)
+}
+
+/// As [`refute`], at a point in its field.
+pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) -> Option<Counterexample> {
+    if let Statement::Zero { value, .. } | Statement::Sign { value, .. } = &**statement {
+        // Where the value is zero, the polynomial of the root has to divide it.
+        let above = exact.value(&value.numerator, work)?;
+        exact.is_zero(&above, work)?;
+    }
+    if let Statement::Sign { domain, .. } = &**statement {
+        for simplex in &domain.simplices {
+            let mut rest = Poly::constant(simplex.sum.clone());
+            for var in &simplex.variables {
+                rest = &rest - &Poly::var(*var);
+                let own = exact.value(&Poly::var(*var), work)?;
+                exact.is_zero(&own, work)?;
+            }
+            let left = exact.value(&rest, work)?;
+            exact.is_zero(&left, work)?;
+        }
+    }
+    let refutation = exact.refute(statement, &Witness::At, work)?;
+    Some(Counterexample { refutation, point: exact.numbers(work)? })
+}

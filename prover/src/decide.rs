@@ -1,0 +1,247 @@
+//! Decides statements: the empty certificate first, then what the search finds.
+
+use std::rc::Rc;
+
+use basis_kernel::{
+    Certificate, Chart, Proof, Quotient, Refutation, Relation, SignProof, Signed, Statement, Witness,
+};
+
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
+use crate::budget::Budget;
+use crate::coordinate::Coordinate;
+use crate::counterexample::{Counterexample, Exact, at};
+use crate::method::Method;
+use crate::nonzero::nonzero;
+use crate::rank::{self, Independence, Table};
+use crate::rank::symmetry::Symmetries;
+use crate::sign::{Found, problem, search};
+
+/// A statement that is proved.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// The proof.
+    pub proof: Proof,
+    /// The most elaborate method that it needed.
+    pub method: Method,
+}
+
+/// What is known about a statement.
+#[derive(Clone, Debug)]
+pub enum Decision {
+    /// It is true.
+    Proved(Shown),
+    /// It is false.
+    Refuted(Box<Counterexample>),
+    /// The budget is spent; what is left to decide, in words.
+    Undecided(String),
+}
+
+/// The work for making an irrational counterexample explicit.
+const EXPLICIT: u64 = 20_000_000;
+
+/// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it unchanged.
+pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Decision {
+    let statement = Rc::new(statement);
+    if let Ok(proof) = Proof::new(Rc::clone(&statement), Certificate::Direct, &mut Work::usual(budget)) {
+        let method = direct(&statement);
+        return Decision::Proved(Shown { proof, method });
+    }
+    match &*statement {
+        Statement::Zero { value, domain } => {
+            let found = nonzero(value, domain);
+            let found = found.and_then(|point| crate::refute(&statement, &point, &mut Work::new(EXPLICIT)));
+            found.map_or_else(
+                || Decision::Undecided(String::from("no point was found at which the two sides differ")),
+                |c| Decision::Refuted(Box::new(c)),
+            )
+        }
+        Statement::Sign { value, relation, .. } => sign(&statement, value, *relation, budget),
+        Statement::Products { .. } => products(&statement, budget),
+        Statement::Independent { .. } => rank(&statement, symmetries, budget),
+    }
+}
+
+/// The method by which the empty certificate proves a statement.
+fn direct(statement: &Statement) -> Method {
+    match statement {
+        Statement::Zero { .. } => Method::Constant,
+        Statement::Sign { value, domain, .. } => {
+            let single = |v: &Var| {
+                domain.region.range(*v).finite().is_some_and(|(a, b)| a == b)
+            };
+            let empty = domain.region.ranges.iter().any(|(_, r)| r.is_empty());
+            if empty || value.numerator.variables().iter().all(single) {
+                Method::Constant
+            } else {
+                Method::Coefficients
+            }
+        }
+        Statement::Products { .. } => Method::Squares,
+        Statement::Independent { .. } => Method::Minors,
+    }
+}
+
+/// Proposes a certificate to the kernel.
+fn propose(statement: &Rc<Statement>, certificate: Certificate, method: Method, budget: u32) -> Decision {
+    match Proof::new(Rc::clone(statement), certificate, &mut Work::usual(budget)) {
+        Ok(proof) => Decision::Proved(Shown { proof, method }),
+        Err(refusal) => Decision::Undecided(format!("a proof was found, but not accepted: {refusal}")),
+    }
+}
+
+/// A quotient: the sign of the denominator, which vanishes nowhere, and then that of the numerator.
+fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget: u32) -> Decision {
+    let Statement::Sign { domain, .. } = &**statement else { return unfit() };
+    let Ok(chart) = Chart::new(domain, [&value.numerator, &value.denominator]) else { return unfit() };
+    let region = chart.region();
+    let search = |p: &Poly, relation: Relation| search(p, relation, region, &mut Budget::scaled(budget));
+    let mut hardest = Method::Constant;
+    let (denominator, negative) = match value.denominator.as_constant() {
+        Some(number) => (None, number.is_negative()),
+        None => {
+            let below = chart.pull_back(&value.denominator);
+            let start: Vec<(Var, Rational)> =
+                below.variables().iter().map(|v| (*v, simple(&region.range(*v)))).collect();
+            let negative = problem::value(&below, &start).is_negative();
+            match search(&if negative { -&below } else { below }, Relation::NonNegative) {
+                Found::Proof(method, proof) => {
+                    hardest = method;
+                    let signed = if negative { Signed::Negative(proof) } else { Signed::Positive(proof) };
+                    (Some(signed), negative)
+                }
+                Found::Point(_) => {
+                    return Decision::Undecided(String::from("the denominator changes its sign"));
+                }
+                Found::Nothing(left) => return Decision::Undecided(format!("the denominator: {left}")),
+            }
+        }
+    };
+    let above = chart.pull_back(&value.numerator);
+    match search(&if negative { -&above } else { above }, relation) {
+        Found::Proof(method, numerator) => {
+            let certificate = Certificate::Sign { denominator, numerator };
+            propose(statement, certificate, method.max(hardest), budget)
+        }
+        Found::Point(mut point) => {
+            for (var, range) in &region.ranges {
+                if !point.iter().any(|(v, _)| v == var) {
+                    point.push((*var, Coordinate::Rational(simple(range))));
+                }
+            }
+            let work = &mut Work::new(EXPLICIT);
+            let found = Exact::new(&point, work).and_then(|mut exact| {
+                // Only what is no variable of the box alone.
+                let inner = |var: Var| chart.variables().iter().all(|(_, by)| !by.depends_on(var));
+                let simplices: Vec<Var> = region.ranges.iter().map(|(v, _)| *v).collect();
+                let declared = |var: Var| domain.region.ranges.iter().any(|(v, _)| *v == var);
+                exact.image(chart.variables(), &|v| inner(v) && (declared(v) || !simplices.contains(&v)), work)?;
+                at(statement, &mut exact, work)
+            });
+            found.map_or_else(
+                || Decision::Undecided(String::from("it fails, but at a point that could not be made explicit")),
+                |c| Decision::Refuted(Box::new(c)),
+            )
+        }
+        Found::Nothing(left) => Decision::Undecided(left),
+    }
+}
+
+fn unfit() -> Decision {
+    Decision::Undecided(String::from("the statement is not one that the search knows"))
+}
+
+/// Sums of dot products: the signs of sums of minors.
+fn products(statement: &Rc<Statement>, budget: u32) -> Decision {
+    let Statement::Products { value, relation, products, domain } = &**statement else { return unfit() };
+    let signs = match basis_kernel::minor_signs(value, *relation, products, &mut Work::usual(budget)) {
+        Ok(signs) => signs,
+        Err(refusal) => return Decision::Undecided(refusal.to_string()),
+    };
+    let mut hardest = Method::Constant;
+    let mut proofs: Vec<SignProof> = Vec::new();
+    for (sum, relation) in signs {
+        match search(&sum, relation, &domain.region, &mut Budget::scaled(budget)) {
+            Found::Proof(method, proof) => {
+                hardest = hardest.max(method);
+                proofs.push(proof);
+            }
+            Found::Point(_) => return Decision::Undecided(String::from("it fails for some points")),
+            Found::Nothing(left) => return Decision::Undecided(left),
+        }
+    }
+    propose(statement, Certificate::Minors(proofs), hardest, budget)
+}
+
+/// Independence: combinations at the exceptions, and minors elsewhere.
+fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Decision {
+    let Statement::Independent { rows, except, region } = &**statement else { return unfit() };
+    match rank::independent(Table { rows, symmetries }, except, region, budget) {
+        Independence::Proved(proof) => {
+            propose(statement, Certificate::Rank(proof), Method::Minors, budget)
+        }
+        Independence::NoException(number, point) => {
+            let coordinates = point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
+            let witness =
+                Witness::Independent(basis_kernel::Point::rational(point), number);
+            match Refutation::new(Rc::clone(statement), witness, &mut Work::usual(budget)) {
+                Ok(refutation) => {
+                    Decision::Refuted(Box::new(Counterexample { refutation, point: coordinates }))
+                }
+                Err(refusal) => Decision::Undecided(refusal.to_string()),
+            }
+        }
+        Independence::Dependent(point) => dependent(statement, rows, region, &point),
+        Independence::Undecided(left) => Decision::Undecided(left),
+    }
+}
+
+/// The refutation by a combination of the rows that vanishes at a point.
+fn dependent(
+    statement: &Rc<Statement>,
+    rows: &[Vec<Poly>],
+    region: &Region,
+    point: &[(Var, Coordinate)],
+) -> Decision {
+    let work = &mut Work::new(EXPLICIT);
+    let _ = region;
+    let found = Exact::new(point, work).and_then(|mut exact| {
+        let combination = combination(&mut exact, rows, work)?;
+        let witness = |point| Witness::Dependent(point, combination.clone());
+        let refutation = exact.refute(statement, &witness, work)?;
+        Some(Counterexample { refutation, point: point.to_vec() })
+    });
+    found.map_or_else(
+        || Decision::Undecided(String::from("the budget is spent on a combination that vanishes")),
+        |c| Decision::Refuted(Box::new(c)),
+    )
+}
+
+/// Factors of the rows with which their sum is zero at a point: whole numbers without common factor at a rational one.
+fn combination(exact: &mut Exact, rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Univariate>> {
+    let mut values = Vec::new();
+    for row in rows {
+        let mut own = Vec::new();
+        for p in row {
+            own.push(exact.value(p, work)?);
+        }
+        values.push(own);
+    }
+    match &mut exact.field {
+        Some(field) => field.vanishing_combination(&values, work)?,
+        None => {
+            let numbers: Vec<Vec<Rational>> =
+                values.iter().map(|row| row.iter().map(Univariate::leading).collect()).collect();
+            let found = crate::algebra::matrix::vanishing_combination(&numbers, work).ok()??;
+            Some(found.into_iter().map(|c| Univariate::new(vec![c])).collect())
+        }
+    }
+}
+
+/// A simple number of a range that is not empty, an inner one if there is any.
+pub fn simple(range: &Range) -> Rational {
+    problem::simple(range)
+}

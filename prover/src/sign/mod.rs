@@ -1,0 +1,28 @@
+//! Signs of polynomials on boxes: the search for proofs and counterexamples.
+//!
+//! A cascade, from the cheap methods that decide nearly everything to the complete ones:
+//!
+//! 1. Bernstein coefficients on the box, factors that vanish on faces taken out;
+//! 2. corners: a polynomial of degree 1 in a variable is decided by its restrictions to the ends of the range;
+//! 3. factors: of a square-free decomposition every factor is decided for itself, squares not at all;
+//! 4. one variable: Descartes' rule of signs (complete);
+//! 5. subdivision of the box, with values at the corners of the cells as counterexamples;
+//! 6. open cylindrical decomposition (complete for p ≥ 0); for p > 0 the faces of the box one by one, and on each
+//!    open face the slices in which p can have a zero (complete for one and two variables).
+
+mod cascade;
+mod cells;
+mod corners;
+mod factors;
+pub(crate) mod outcome;
+pub(crate) mod problem;
+pub(crate) mod projection;
+mod slices;
+mod subdivision;
+pub(crate) mod univariate;
+mod witness;
+pub(crate) mod zeros;
+
+pub use cascade::{Found, search};
+pub(crate) use cascade::prove;
+pub(crate) use outcome::Outcome;
