@@ -45,11 +45,13 @@ impl Budget {
 
     /// Takes out a part for a method that may fail.
     pub(super) fn take(&mut self, units: u64) -> Self {
-        Self { work: self.work.take(units), disabled: self.disabled.clone() }
+        let part = self.left().min(units);
+        let _ = self.work.spend(part);
+        Self { work: Work::new(part), disabled: self.disabled.clone() }
     }
 
     /// Puts back what a part has left over.
     pub(super) fn put_back(&mut self, part: &Self) {
-        self.work.put_back(&part.work);
+        self.work = Work::new(self.left().saturating_add(part.left()));
     }
 }

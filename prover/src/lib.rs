@@ -15,6 +15,7 @@ mod nonzero;
 #[cfg(feature = "ranges")]
 pub mod range;
 pub mod rank;
+mod semidefinite;
 pub mod sign;
 #[cfg(test)]
 mod tests;
@@ -28,3 +29,4 @@ pub use decide::{Decision, Shown, decide, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};
+pub use semidefinite::semidefinite;

@@ -16,7 +16,7 @@ use crate::signs::{CASES, Case, IRRATIONAL};
 use crate::text::sign;
 
 /// How many certificates are offered.
-const TRIES: usize = 120_000;
+const TRIES: usize = 100_000;
 const SEED: u64 = 20_261_122;
 
 struct Random(u64);
@@ -31,7 +31,7 @@ impl Random {
     }
     fn poly(&mut self, variables: usize) -> Poly {
         let mut p = Poly::constant(self.number());
-        for _ in 0..1 + self.below(4) {
+        for _ in 0..=self.below(4) {
             let exponents = (0..variables).map(|_| self.below(3) as u16).collect();
             p.add_term(Monomial::new(exponents), &self.number());
         }
@@ -105,12 +105,12 @@ impl Forger<'_> {
                 };
                 SignProof::Factors { factors: vec![(self.poly(), sign)], rest: Box::new(self.signed(depth)) }
             }
-            4 | 5 => SignProof::Faces((0..1 + self.random.below(9)).map(|_| self.fresh(depth + 1)).collect()),
+            4 | 5 => SignProof::Faces((0..=self.random.below(9)).map(|_| self.fresh(depth + 1)).collect()),
             _ => {
                 let level = |f: &mut Self| (0..f.random.below(4)).map(|_| f.poly()).collect();
                 let levels = vec![level(self), level(self)];
                 let above = |f: &mut Self| Sample { value: f.random.number(), above: Vec::new() };
-                let samples = (0..1 + self.random.below(3))
+                let samples = (0..=self.random.below(3))
                     .map(|_| Sample { value: self.random.number(), above: vec![above(self)] })
                     .collect();
                 SignProof::Cells(Cells { order: vec![Var(0), Var(1)], levels, samples })
@@ -224,7 +224,9 @@ impl Forger<'_> {
             }
             SignProof::Faces(faces) => {
                 self.list(faces);
-                faces.iter_mut().for_each(|f| self.change(f));
+                for face in faces {
+                    self.change(face);
+                }
             }
             SignProof::Cells(cells) => {
                 self.levels(&mut cells.levels, &mut cells.order);

@@ -14,21 +14,21 @@ use crate::text::sign;
 
 /// A true claim with a certificate of it, statements that are false or that this certificate does not prove, and
 /// certificates that do not prove the claim.
-pub struct Case {
-    pub claim: &'static str,
-    pub on: &'static str,
-    pub certificate: &'static str,
+pub(crate) struct Case {
+    pub(crate) claim: &'static str,
+    pub(crate) on: &'static str,
+    pub(crate) certificate: &'static str,
     /// A point of the domain, for statements that are made false there.
-    pub point: &'static [(i64, i64)],
-    pub statements: &'static [(&'static str, &'static str)],
-    pub certificates: &'static [&'static str],
+    pub(crate) point: &'static [(i64, i64)],
+    pub(crate) statements: &'static [(&'static str, &'static str)],
+    pub(crate) certificates: &'static [&'static str],
 }
 
 /// A number by which true claims become false at a zero.
 const TINY: &str = "1/1000000000000000000000000000000";
 
 /// A positive polynomial, with the irrational number √2 among the roots of both projections.
-pub const IRRATIONAL: Case = Case {
+pub(crate) const IRRATIONAL: Case = Case {
     claim: "1 + x0^2 - x0*x1 + x1^2 > 0",
     on: "0 < x0 < 2, 0 < x1 < 2",
     certificate: "(sign _ (slices (\
@@ -45,7 +45,7 @@ pub const IRRATIONAL: Case = Case {
     certificates: &["(sign _ (slices () ()))", "(sign _ (cells (x0 x1) ((x0) (x1)) ()))"],
 };
 
-pub const CASES: &[Case] = &[
+pub(crate) const CASES: &[Case] = &[
     Case {
         claim: "x0*(1 - x0) >= 0",
         on: "0 <= x0 <= 1",
@@ -247,7 +247,7 @@ pub const CASES: &[Case] = &[
     },
 ];
 
-pub fn offer(statement: &Rc<Statement>, certificate: &Certificate) -> Result<Proof, Refusal> {
+pub(crate) fn offer(statement: &Rc<Statement>, certificate: &Certificate) -> Result<Proof, Refusal> {
     Proof::new(Rc::clone(statement), certificate.clone(), &mut Work::usual(1))
 }
 

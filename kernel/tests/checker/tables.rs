@@ -10,7 +10,7 @@ use crate::signs::offer;
 use crate::text::{domain, poly, region};
 
 /// Rows such as `x0 1, 0 x0 - 1`, with exceptions such as `x0 = 1 x1 = 2, x0 = 3`.
-pub fn independent(rows: &str, except: &str, on: &str) -> Rc<Statement> {
+pub(crate) fn independent(rows: &str, except: &str, on: &str) -> Rc<Statement> {
     let rows = rows.split(';').map(|row| row.split(',').map(poly).collect()).collect();
     let value = |text: &str| -> (Var, Rational) {
         let (var, x) = text.split_once('=').expect("a value");
@@ -148,7 +148,7 @@ fn joint_exceptions() {
 }
 
 /// Dot products p₀·p₀ = x0, p₀·p₁ = x1, p₁·p₁ = x2.
-pub fn products(value: &str, relation: Relation, on: &str) -> Rc<Statement> {
+pub(crate) fn products(value: &str, relation: Relation, on: &str) -> Rc<Statement> {
     let products = vec![(Var(0), (0, 0)), (Var(1), (0, 1)), (Var(2), (1, 1))];
     Rc::new(Statement::Products { value: poly(value), relation, products, domain: Rc::new(domain(on)) })
 }

@@ -8,7 +8,7 @@ use basis_kernel::algebra::rational::Rational;
 use basis_kernel::{Domain, Quotient, Relation, Simplex, Statement};
 
 /// A polynomial such as `(3*x0 - 1)^2/4 + x1`.
-pub fn poly(text: &str) -> Poly {
+pub(crate) fn poly(text: &str) -> Poly {
     let mut parser = Parser { rest: text };
     let result = parser.sum();
     assert_eq!(parser.peek(), None, "all of {text} is read");
@@ -16,7 +16,7 @@ pub fn poly(text: &str) -> Poly {
 }
 
 /// A box such as `0 <= x0 <= 1, 0 < x1`.
-pub fn region(text: &str) -> Region {
+pub(crate) fn region(text: &str) -> Region {
     let parts = text.split(',').map(str::trim).filter(|s| !s.is_empty());
     Region { ranges: parts.map(range).collect() }
 }
@@ -34,7 +34,7 @@ fn range(text: &str) -> (Var, Range) {
 }
 
 /// A domain: ranges, and simplices such as `simplex x0 x1`.
-pub fn domain(text: &str) -> Domain {
+pub(crate) fn domain(text: &str) -> Domain {
     let (simplices, ranges): (Vec<&str>, Vec<&str>) =
         text.split(',').map(str::trim).partition(|s| s.starts_with("simplex"));
     let simplices = simplices.into_iter().map(|s| {
@@ -45,7 +45,7 @@ pub fn domain(text: &str) -> Domain {
 }
 
 /// A claim such as `x0^2/(1 + x0) >= 0` on a domain.
-pub fn sign(claim: &str, on: &str) -> Rc<Statement> {
+pub(crate) fn sign(claim: &str, on: &str) -> Rc<Statement> {
     let (text, relation) = match claim.split_once(">=") {
         Some((text, _)) => (text, Relation::NonNegative),
         None => (claim.split_once('>').expect("a relation").0, Relation::Positive),

@@ -5,7 +5,7 @@ use core::fmt;
 
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::roots::{Root, isolate, rational_roots};
+use super::roots::{Root, isolate, linear, rational_roots};
 use super::univariate::Univariate;
 use super::work::Work;
 
@@ -75,7 +75,7 @@ impl Algebraic {
         let mut polynomial = self.polynomial.clone();
         for root in rational_roots(&polynomial, work)? {
             if self.compare(&root) != Ordering::Equal {
-                polynomial = polynomial.div_exact(&Univariate::linear(&root))?.normalized();
+                polynomial = polynomial.div_exact(&linear(&root))?.normalized();
             }
         }
         Self { polynomial, low: self.low.clone(), high: self.high.clone() }.shortened(work)

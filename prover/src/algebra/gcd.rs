@@ -23,7 +23,7 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
     }
     let (m, a) = split_monomial(a);
     let (n, b) = split_monomial(b);
-    let common = Poly::term(m.meet(&n), super::rational::Rational::ONE);
+    let common = Poly::term(meet(&m, &n), super::rational::Rational::ONE);
     Some(&common * &gcd_without_monomials(&a.normalized(), &b.normalized(), work)?)
 }
 
@@ -54,7 +54,7 @@ pub fn split_monomial(poly: &Poly) -> (Monomial, Poly) {
     while !common.is_one()
         && let Some((m, _)) = terms.next()
     {
-        common = common.meet(m);
+        common = meet(&common, m);
     }
     if common == Monomial::one() {
         return (common, poly.clone());
@@ -232,7 +232,7 @@ fn square_root(poly: &Poly) -> Option<Poly> {
     };
     let (m, c) = poly.leading_term()?;
     half(poly.terms().next()?.0)?;
-    let lead = (half(m)?, c.square_root()?);
+    let lead = (half(m)?, super::number::square_root(c)?);
     let mut root = Poly::term(lead.0.clone(), lead.1.clone());
     let mut rest = poly - &(&root * &root);
     // The root of a square has no more terms than the square.
@@ -267,6 +267,14 @@ fn yun(poly: &Poly, var: Var, factors: &mut Vec<(Poly, u32)>, work: &mut Work) -
         exponent += 1;
     }
     Some(())
+}
+
+/// The greatest common divisor of two monomials.
+fn meet(a: &Monomial, b: &Monomial) -> Monomial {
+    if a.is_one() || b.is_one() {
+        return Monomial::one();
+    }
+    Monomial::new(a.exponents().iter().zip(&b.exponents()).map(|(x, y)| *x.min(y)).collect())
 }
 
 #[cfg(test)]

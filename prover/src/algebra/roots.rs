@@ -1,6 +1,7 @@
 //! Real roots of polynomials in one variable: isolation by Descartes' rule of signs in Bernstein form.
 
 use super::fibre;
+use super::number::modulo;
 use super::rational::Rational;
 use super::simplest::{simplest_between, simplest_within};
 use super::univariate::Univariate;
@@ -94,7 +95,7 @@ fn spend_value(p: &Univariate, x: &Rational, work: &mut Work) -> Option<()> {
 fn has_no_rational_root(p: &Univariate, work: &mut Work) -> Option<bool> {
     for prime in [5_u32, 7, 11, 13, 17, 19, 23, 29, 31, 37] {
         work.spend(u64::from(prime) * p.coefficients().len() as u64 / 2)?;
-        let residues: Option<Vec<u32>> = p.coefficients().iter().map(|c| c.modulo(prime)).collect();
+        let residues: Option<Vec<u32>> = p.coefficients().iter().map(|c| modulo(c, prime)).collect();
         let Some(residues) = residues else { continue };
         if residues.last() == Some(&0) {
             continue; // the prime may divide the denominator of the root
@@ -234,6 +235,11 @@ pub fn between_roots(roots: &[Root], low: Option<&Rational>, high: Option<&Ratio
         samples.push(sample);
     }
     samples
+}
+
+/// x − root, times the denominator of the root.
+pub fn linear(root: &Rational) -> Univariate {
+    Univariate::new(vec![-root.numer(), root.denom()])
 }
 
 /// The rational roots of a polynomial without multiple roots, in increasing order; `None` when the work is spent.

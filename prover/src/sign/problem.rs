@@ -138,6 +138,15 @@ pub(crate) fn open(range: &Range) -> Range {
     Range { low: open(&range.low), high: open(&range.high) }
 }
 
+/// The end s = 0 or s = 1 of a side, if it is finite.
+pub(crate) const fn end(side: &Side, high: bool) -> Option<&Rational> {
+    match (side, high) {
+        (Side::Finite(a, _) | Side::Upwards(a), false) => Some(a),
+        (Side::Finite(_, b) | Side::Downwards(b), true) => Some(b),
+        _ => None,
+    }
+}
+
 /// A range with at least one end as a side of a box.
 pub(crate) fn side(range: &Range) -> Option<Side> {
     match (range.low.value(), range.high.value()) {

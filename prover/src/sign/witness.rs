@@ -1,6 +1,6 @@
 //! Counterexamples: from a corner of a cell into the region, and from any point to a simple one.
 
-use super::problem::Problem;
+use super::problem::{Problem, end};
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
@@ -28,7 +28,7 @@ pub(super) fn inside(
     work: &mut Work,
 ) -> Option<Rationals> {
     let exact: Option<Rationals> =
-        corner.iter().map(|(v, s, high)| Some((*v, s.end(*high)?.clone()))).collect();
+        corner.iter().map(|(v, s, high)| Some((*v, end(s, *high)?.clone()))).collect();
     if let Some(point) = exact
         && violates(problem, relation, &point)
     {
@@ -76,7 +76,7 @@ pub(super) fn near_end(
         point.push((var, x));
         point
     };
-    let end = side.end(high).map(|x| with(x.clone())).filter(|p| violates(problem, relation, p));
+    let end = end(&side, high).map(|x| with(x.clone())).filter(|p| violates(problem, relation, p));
     if end.is_some() {
         return end;
     }
