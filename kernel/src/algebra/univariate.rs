@@ -251,7 +251,12 @@ impl Univariate {
     pub fn square_free_part(&self, work: &mut Work) -> Option<Self> {
         let p = self.normalized();
         let common = p.gcd(&p.derivative(), work)?;
-        if common.is_constant() { Some(p) } else { Some(p.div_exact(&common)?.normalized()) }
+        if common.is_constant() {
+            return Some(p);
+        }
+        let words = 1 + (p.max_bits() + common.max_bits()) / 64;
+        work.spend((p.degree() * common.degree()) as u64 * words * words)?;
+        Some(p.div_exact(&common)?.normalized())
     }
 }
 

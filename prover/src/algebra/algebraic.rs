@@ -62,8 +62,10 @@ impl Algebraic {
     /// Shortens the interval to less than a positive width; `None` when the work is spent.
     pub fn refine_below(&mut self, width: &Rational, work: &mut Work) -> Option<()> {
         while &(&self.high - &self.low) >= width {
-            let n = self.polynomial.degree() as u64 + 1;
-            work.spend(4 * n * (1 + (self.polynomial.max_bits() + n * self.low.bits()) / 64))?;
+            for x in [&self.low, &self.high] {
+                work.spend_fractions(x.bits())?;
+                work.spend_value(&self.polynomial, x)?;
+            }
             self.refine();
         }
         Some(())

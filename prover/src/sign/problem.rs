@@ -5,6 +5,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
+use crate::algebra::work::Work;
 use crate::coordinate::Coordinate;
 
 /// A point by coordinates.
@@ -56,6 +57,12 @@ impl Problem {
     /// The value at a rational point.
     pub(crate) fn value(&self, point: &[(Var, Rational)]) -> Rational {
         value(&self.poly, point)
+    }
+
+    /// Counts the work of the value at a point with coordinates of so many bits.
+    pub(crate) fn spend_value(&self, bits: u64, work: &mut Work) -> Option<()> {
+        let words = 1 + (self.poly.max_bits() + u64::from(self.poly.total_degree()) * bits) / 64;
+        work.spend(self.poly.len() as u64 * (1 + self.ranges.len() as u64) * 2 * words)
     }
 
     /// Adds simple coordinates for the variables that a point lacks.
