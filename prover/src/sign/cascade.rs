@@ -1,9 +1,10 @@
 //! The order in which the methods are tried.
 
+use super::decomposition::{cells, slices};
 use super::outcome::{Outcome, spent};
 use super::problem::{Point, Problem, as_rational, rational, simple};
 use super::subdivision::{self, Attempt};
-use super::{cells, corners, factors, slices, univariate, witness};
+use super::{corners, diagonal, factors, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
@@ -108,6 +109,12 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
         if let Some(outcome) = found {
             return outcome;
         }
+    }
+    let mut part = budget.take(budget.left() / 8);
+    let found = diagonal::on_diagonals(problem, relation, &mut part, prove);
+    budget.put_back(&part);
+    if let Some(point) = found {
+        return Outcome::Refuted(point);
     }
     let complete = match relation {
         Relation::NonNegative if budget.allows(Method::Cells) => {

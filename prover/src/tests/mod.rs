@@ -1,6 +1,7 @@
 //! What must be decided, and how.
 
 mod examples;
+mod hard;
 #[cfg(feature = "ranges")]
 mod independence;
 mod random;
