@@ -51,7 +51,7 @@ impl Point {
             None => 1,
             Some(Root { polynomial, low, high }) => {
                 for x in [low, high] {
-                    work.spend_value(polynomial, x).ok_or(Refusal::Spent)?;
+                    polynomial.spend_sign(x, work).ok_or(Refusal::Spent)?;
                 }
                 let opposite = low < high && polynomial.sign_at(low) * polynomial.sign_at(high) == -1;
                 shown(opposite, "a polynomial is not seen to have a root in its interval")?;

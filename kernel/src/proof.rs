@@ -11,7 +11,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::certificate::Certificate;
-use crate::check::{check, rank_of_numbers};
+use crate::check::{are_independent, check};
 use crate::point::Point;
 use crate::refusal::{Refusal, fits, shown};
 use crate::statement::{Domain, Quotient, Statement};
@@ -185,8 +185,8 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
                 }
                 numbers.push(all);
             }
-            let rank = rank_of_numbers(numbers, work).ok_or(Refusal::Spent)?;
-            shown(rank == rows.len(), "the rows are dependent at the point")?;
+            let full = are_independent(&numbers, work).ok_or(Refusal::Spent)?;
+            shown(full, "the rows are dependent at the point")?;
             Ok(None)
         }
         (Statement::Products { value, relation, products, domain }, Witness::OnLine(point, numbers)) => {

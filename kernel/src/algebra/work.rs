@@ -2,7 +2,6 @@
 
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::univariate::Univariate;
 
 /// No work is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,12 +51,6 @@ impl Work {
     pub fn spend_at(&mut self, p: &Poly, var: Var, x: &Rational) -> Option<()> {
         let words = 1 + (p.max_bits() + u64::from(p.degree(var)) * x.bits()) / 64;
         self.spend(p.len() as u64 * words * (1 + words / 8))
-    }
-
-    /// Counts the work of the value of a polynomial at a number.
-    pub fn spend_value(&mut self, p: &Univariate, x: &Rational) -> Option<()> {
-        let n = p.degree() as u64 + 1;
-        self.spend(2 * n * (1 + (p.max_bits() + n * x.bits()) / 64) * (1 + x.bits() / 64))
     }
 
     /// Counts the work of a product and a difference of fractions with so many bits.
