@@ -243,10 +243,10 @@ fn on_line(
         matrix[place(*p)][place(*q)] += &half;
         matrix[place(*q)][place(*p)] += &half;
     }
-    let mut direction = match relation.holds(&constant) {
-        true => semidefinite(&matrix, work)?.err()?,
-        false => vec![Rational::ZERO; points.len()],
-    };
+    let mut direction = vec![Rational::ZERO; points.len()];
+    if relation.holds(&constant) {
+        direction = semidefinite(&matrix, work)?.err()?;
+    }
     let form = |x: &[Rational]| {
         let row = |r: &Vec<Rational>| r.iter().zip(x).fold(Rational::ZERO, |sum, (a, x)| &sum + &(a * x));
         matrix.iter().zip(x).fold(constant.clone(), |sum, (r, x)| &sum + &(&row(r) * x))

@@ -4,7 +4,7 @@ use super::decomposition::{cells, slices};
 use super::outcome::{Outcome, spent};
 use super::problem::{Point, Problem, as_rational, rational, simple};
 use super::subdivision::{self, Attempt};
-use super::{corners, diagonal, factors, univariate, witness};
+use super::{corners, descent, diagonal, factors, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
@@ -115,6 +115,14 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
     budget.put_back(&part);
     if let Some(point) = found {
         return Outcome::Refuted(point);
+    }
+    if problem.ranges.len() > 2 {
+        let mut part = budget.take(budget.left() / 4);
+        let found = descent::downhill(problem, relation, &mut part);
+        budget.put_back(&part);
+        if let Some(point) = found {
+            return Outcome::Refuted(rational(point));
+        }
     }
     let complete = match relation {
         Relation::NonNegative if budget.allows(Method::Cells) => {

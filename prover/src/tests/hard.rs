@@ -37,6 +37,20 @@ fn zeros_on_diagonals() {
     assert_eq!(verdict_of("(t^2 - 2)^2 + (λ^2 - 2)^2 + 1/100 > 0", ""), "proved");
 }
 
+/// Negative only within 10⁻⁸ of an irrational point, and nowhere.
+#[test]
+fn minima_of_three_variables() {
+    let sum = "(t^2 - λ)^4 + (λ^2 - μ)^4 + (μ*t - 1/2)^4";
+    let tiny = "1/1000000000000000000000000000000";
+    let unit = "0<=t<=1, 0<=λ<=1, 0<=μ<=1";
+    for relation in [">=", ">"] {
+        let found = verdict_of(&format!("{sum} - {tiny} {relation} 0"), unit);
+        assert!(found.starts_with("(at (x0 "), "{found}");
+    }
+    let far = verdict_of("(t - 1/3)^2*(λ - 7)^2 + (t*μ - 2)^2 + (λ - t)^2 - 1/100000000 >= 0", "");
+    assert!(far.starts_with("(at (x0 "), "{far}");
+}
+
 /// Sums of dot products that are negative somewhere, by points on a line.
 #[test]
 fn dot_products_are_refuted_on_a_line() {
