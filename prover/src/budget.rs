@@ -22,7 +22,7 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// So many times the usual work.
+    /// The usual work times a factor.
     pub fn scaled(factor: u32) -> Self {
         Self { work: Work::new(UNITS.saturating_mul(u64::from(factor))), disabled: Vec::new() }
     }

@@ -53,7 +53,7 @@ impl Work {
         self.spend(p.len() as u64 * words * (1 + words / 8))
     }
 
-    /// Counts the work of a product and a difference of fractions with so many bits.
+    /// Counts the work of a product and a difference of fractions of `bits` bits together.
     pub fn spend_fractions(&mut self, bits: u64) -> Option<()> {
         // Beyond machine words most of it are common divisors.
         let common_divisors = if bits <= 128 { 0 } else { bits / 2 + bits * bits / 1024 };

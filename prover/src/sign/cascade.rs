@@ -147,7 +147,7 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
     spent(problem, "the complete methods")
 }
 
-/// By Bernstein coefficients with at most so many cuts.
+/// By Bernstein coefficients with at most `cuts` cuts.
 fn by_subdivision(
     problem: &Problem,
     relation: Relation,

@@ -96,7 +96,7 @@ impl<'p> Walk<'p> {
         Some(valued.into_iter().map(|(_, point)| point).collect())
     }
 
-    /// A lower point with coordinates of so many bits and its value; `None` when there is none in Newton's direction, or the
+    /// A lower point whose coordinates are multiples of 2^−bits, and its value; `None` when there is none in Newton's direction, or the
     /// work is spent.
     fn step(
         &self,

@@ -23,6 +23,8 @@ mod subdivision;
 pub(crate) mod univariate;
 mod witness;
 
+#[cfg(feature = "ranges")]
 pub(crate) use cascade::prove;
 pub use cascade::{Found, search};
+#[cfg(feature = "ranges")]
 pub(crate) use outcome::Outcome;
