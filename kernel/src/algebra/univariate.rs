@@ -90,7 +90,8 @@ impl Univariate {
     /// Counts the work of the sign of the value at a number.
     pub fn spend_sign(&self, x: &Rational, work: &mut Work) -> Option<()> {
         let n = self.degree() as u64 + 1;
-        work.spend(2 * n * (1 + (self.max_bits() + n * x.bits()) / 64) * (1 + x.bits() / 64))
+        let words = 1 + (self.max_bits() + n * x.bits()) / 64;
+        work.spend((2 * n * words).saturating_mul(1 + x.bits() / 64))
     }
 
     /// The sign as x goes to +∞ (`up`) or −∞.

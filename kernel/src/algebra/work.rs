@@ -50,7 +50,7 @@ impl Work {
     /// Counts the work of putting a number in place of a variable.
     pub fn spend_at(&mut self, p: &Poly, var: Var, x: &Rational) -> Option<()> {
         let words = 1 + (p.max_bits() + u64::from(p.degree(var)) * x.bits()) / 64;
-        self.spend(p.len() as u64 * words * (1 + words / 8))
+        self.spend((p.len() as u64).saturating_mul(words).saturating_mul(1 + words / 8))
     }
 
     /// Counts the work of a product and a difference of fractions of `bits` bits together.
