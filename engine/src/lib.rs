@@ -38,7 +38,7 @@ use collections::list::Mapped;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use collections::map::SortedMap;
-pub use diagnostic::{Diagnostic, Severity};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
 pub use model::{Claim, Family, Item, Library, Selected};
 pub use prove::{Verdict, Witness};
@@ -70,7 +70,7 @@ pub struct Report {
     pub items: Vec<Checked>,
     /// The theorems and joins without errors.
     pub theorems: Vec<CheckedTheorem>,
-    /// Errors and warnings, also for claims whose verdict is not the declared one.
+    /// Errors and warnings, also for claims whose verdict is not the declared one; of very many errors the first.
     pub diagnostics: Vec<Diagnostic>,
     /// The specs that were read, for showing places.
     pub sources: Sources,
@@ -81,10 +81,10 @@ pub fn check(source: Source) -> Report {
     let library = Library::from_source(&Disk, source);
     let items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide_claims).collect();
     let theorems: Vec<CheckedTheorem> = library.theorems().into_iter().map(decide_theorem).collect();
-    let mut diagnostics = library.diagnostics();
+    let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
     diagnostics.extend(items.iter().flat_map(contradictions));
     diagnostics.extend(theorems.iter().flat_map(theorem_contradictions));
-    Report { items, theorems, diagnostics, sources: library.sources().clone() }
+    Report { items, theorems, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
 }
 
 /// Decides all claims of a theorem.
@@ -195,9 +195,9 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
     }
     code.extend(joins);
-    let mut all = library.diagnostics();
+    let mut all: Diagnostics = library.diagnostics().into_iter().collect();
     all.extend(diagnostics);
-    (code, all)
+    (code, all.into_list())
 }
 
 /// The functions of the joins: of all, or of those in the list. A list is about what it names only; without one every

@@ -1,12 +1,14 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
 use crate::collections::list::Mapped;
+use core::cell::OnceCell;
 use core::fmt;
+use core::ops::Range;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// A spec as the engine reads it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Source {
     /// The name to show in messages: a path as the user wrote it.
     pub name: String,
@@ -15,26 +17,55 @@ pub struct Source {
     /// The text, with `\n` line ends and no byte order mark; `None` for tokens of a macro call, which the
     /// compiler shows itself.
     pub text: Option<String>,
+    /// Where the lines of the text begin, found when a line is asked for.
+    lines: OnceCell<Vec<usize>>,
 }
 
 impl Source {
     /// A text in memory.
     pub fn text(name: impl Into<String>, text: &str) -> Self {
-        Self { name: name.into(), path: None, text: Some(normalize(text)) }
+        Self { name: name.into(), text: Some(normalize(text)), ..Self::default() }
     }
 
     /// The tokens of a macro call; `path` is the file with the call, for `use` relative to it.
     pub fn tokens(path: Option<PathBuf>) -> Self {
-        Self { name: String::from("<basis!>"), path, text: None }
+        Self { name: String::from("<basis!>"), path, ..Self::default() }
     }
 
     /// Line and column of a byte offset, both counted from one, the column in characters.
     pub fn line_column(&self, offset: usize) -> (usize, usize) {
         let text = self.text.as_deref().unwrap_or_default();
         let inside = (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at));
-        let before = &text[..inside.unwrap_or_default()];
-        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+        let inside = inside.unwrap_or_default();
+        let line = self.line(inside);
+        let start = self.starts()[line - 1];
+        (line, text[start..inside].chars().count() + 1)
+    }
+
+    /// The line of a byte offset, counted from one.
+    pub fn line(&self, offset: usize) -> usize {
+        self.starts().partition_point(|start| *start <= offset).max(1)
+    }
+
+    /// The bytes of a line, which is counted from one, without its end; empty after the last line.
+    pub fn line_range(&self, line: usize) -> Range<usize> {
+        let end = self.text.as_deref().unwrap_or_default().len();
+        let starts = self.starts();
+        let start = line.checked_sub(1).and_then(|k| starts.get(k)).copied().unwrap_or(end);
+        start..starts.get(line).map_or(end, |next| next - 1).max(start)
+    }
+
+    /// Where the lines begin; there is always a first one.
+    fn starts(&self) -> &[usize] {
+        self.lines.get_or_init(|| {
+            let mut starts = vec![0];
+            for (at, byte) in self.text.as_deref().unwrap_or_default().bytes().enumerate() {
+                if byte == b'\n' {
+                    starts.push(at + 1);
+                }
+            }
+            starts
+        })
     }
 }
 
@@ -99,7 +130,7 @@ pub trait Files {
     /// The bytes of a file; of a very large one only the first, as many as are needed to refuse it.
     ///
     /// # Errors
-    /// As for [`std::fs::read`].
+    /// As for [`std::fs::read`], and for what is not a regular file: a pipe may never end, or never begin.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
     /// One name for one file, so that a file reached by two paths is read once.
@@ -119,7 +150,11 @@ pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        // A device may have no end.
+        // Before it is opened: opening a pipe waits for somebody who writes into it.
+        if !std::fs::metadata(path)?.is_file() {
+            let message = "it is not a regular file, but a pipe or a device";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        }
         let mut bytes = Vec::new();
         std::fs::File::open(path)?.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
         Ok(bytes)
@@ -134,8 +169,8 @@ impl Files for Disk {
     }
 }
 
-/// Specs larger than this are refused.
-const MAX_BYTES: usize = 4 << 20;
+/// The longest text of a spec, in bytes.
+pub(crate) const MAX_BYTES: usize = 1 << 20;
 
 /// Reads the spec that `name` denotes, trying the folders in order; an absolute `name` is taken as it is.
 ///
@@ -187,5 +222,5 @@ fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError
             notes: vec![String::from("save the file with the encoding UTF-8")],
         }
     })?;
-    Ok(Source { name: name.to_string(), path: Some(path), text: Some(normalize(&text)) })
+    Ok(Source { path: Some(path), ..Source::text(name, &text) })
 }

@@ -9,13 +9,30 @@ pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     if exact.is_some() || limit == 0 {
         return exact.copied();
     }
-    candidates
-        .iter()
-        .map(|c| (distance(&word.to_lowercase(), &c.to_lowercase()), *c))
-        .filter(|(d, _)| *d <= limit)
-        .min_by_key(|(d, _)| *d)
-        .map(|(_, c)| c)
+    let word = word.to_lowercase();
+    let mut best: Option<(usize, &str)> = None;
+    // In a spec with thousands of names the last ones are not looked at.
+    let mut left = MAX_COMPARED;
+    for candidate in candidates {
+        let other = candidate.to_lowercase().chars().count();
+        if other.abs_diff(length) > limit {
+            continue;
+        }
+        left = left.saturating_sub(other.min(64) * length.min(64));
+        if left == 0 {
+            break;
+        }
+        let distance = distance(&word, &candidate.to_lowercase());
+        if distance <= limit && best.is_none_or(|(least, _)| distance < least) {
+            best = Some((distance, candidate));
+        }
+    }
+    best.map(|(_, candidate)| candidate)
 }
+
+/// The most pairs of letters that are compared to find what was meant.
+const MAX_COMPARED: usize = 500_000;
+
 
 /// The advice for an unknown word: the candidate that was probably meant, else what can be written.
 pub(crate) fn did_you_mean(word: &str, candidates: &[&str], otherwise: &dyn Fn() -> String) -> String {
@@ -66,12 +83,14 @@ pub(crate) fn along_edges(function: &str, independent: &[&str], last: &str) -> S
     )
 }
 
-/// `a`, `b` and `c`.
+/// `a`, `b` and `c`; of very many words the first.
 pub(crate) fn list(words: &[String]) -> String {
+    const MOST: usize = 40;
     match words {
         [] => String::new(),
         [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+        [first @ .., last] if words.len() <= MOST => format!("{} and {last}", first.join(", ")),
+        _ => format!("{} and {} others", words[..MOST].join(", "), words.len() - MOST),
     }
 }
 

@@ -7,7 +7,7 @@ use basis_engine::diagnostic::Place;
 use basis_engine::model::Expected;
 use basis_engine::prove::{Statement, check};
 use basis_engine::{
-    Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem, TheoremClaim,
+    Claim, Diagnostic, Diagnostics, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem, TheoremClaim,
     Verdict, Witness, prove,
 };
 
@@ -192,7 +192,8 @@ impl Outcome {
     /// Everything that is wrong, claims that are not as declared included.
     pub(crate) fn all_diagnostics(&self) -> Vec<Diagnostic> {
         let claims = self.items.iter().flat_map(|item| &item.claims).filter_map(|c| c.error.clone());
-        self.diagnostics.iter().cloned().chain(claims).collect()
+        let all: Diagnostics = self.diagnostics.iter().cloned().chain(claims).collect();
+        all.into_list()
     }
 
     /// The name of the file of a place, if it is another one than the file that was asked for.
@@ -207,7 +208,7 @@ impl Outcome {
     /// The line of a place, counted from one; `None` where a place is not in a text.
     pub(crate) fn line(&self, place: &Place) -> Option<usize> {
         match place {
-            Place::Text(id, range) => Some(self.sources.get(*id).line_column(range.start).0),
+            Place::Text(id, range) => Some(self.sources.get(*id).line(range.start)),
             Place::Token(_) => None,
         }
     }

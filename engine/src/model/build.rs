@@ -7,7 +7,7 @@ use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::collections::list::Mapped;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Diagnostics;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
 
@@ -18,7 +18,7 @@ pub(super) fn family(
     source: SourceId,
     written: &syntax::Family,
     order: &[i64],
-) -> (Option<Family>, Vec<Diagnostic>) {
+) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).collect();
     let result = build(&mut scope, written);
@@ -49,6 +49,9 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         .iter()
         .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
         .collect();
+    for f in &functions {
+        scope.fits(scope.budget.run().keep(&f.value), written.name.span)?;
+    }
     let whole = functions.len() == scope.functions.len() && !scope.cut_short;
     let family = Family {
         name: written.name.text.clone(),
@@ -189,8 +192,20 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
     Some((all, Some(last)))
 }
 
+/// The most shape parameters and domain variables of a family.
+const MAX_VARIABLES: usize = 64;
+
 /// A new variable, unless the name is taken.
 fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
+    if scope.names.len() >= MAX_VARIABLES {
+        if scope.names.len() == MAX_VARIABLES {
+            // A name that nothing can have: said once.
+            scope.names.push(String::new());
+            let message = format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
+            scope.report(scope.error(name.span, message));
+        }
+        return None;
+    }
     if !scope.check_free(name) {
         return None;
     }

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::budget::{Run, TooLarge};
 use super::obligations::Inside;
 use super::print::{Component, Printer};
 use super::scope::{Scope, Value};
@@ -10,7 +11,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Diagnostics;
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
@@ -19,17 +20,22 @@ pub(super) fn claims(
     unit: usize,
     written: &syntax::Family,
     family: &Family,
-) -> (Vec<Claim>, Vec<Diagnostic>) {
+) -> (Vec<Claim>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
     let region = family.region();
     let mut all = Vec::new();
+    for f in &family.functions {
+        // What the scope has copied.
+        let _ = scope.budget.copy(&f.value);
+    }
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Let(name, value) => {
                 // The same values as before; their errors are reported already.
                 let value = scope.scalar(value);
-                scope.lets.push((name.text.clone(), value));
+                scope.lets.insert(name.text.clone(), value);
             }
+            StatementKind::Claim(_) if library.run().is_stopped() => {}
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
@@ -59,7 +65,12 @@ pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family,
 /// Appends the claims that one statement makes.
 fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
     let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
-        all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place: scope.place(span), kind });
+        let fine = scope.fits(counted(scope.budget.run(), &text, &kind), span).is_some();
+        if fine {
+            let place = scope.place(span);
+            all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place, kind });
+        }
+        fine
     };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
@@ -73,7 +84,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let at = parts.join(", ");
             for relation in relations {
                 self::relation(scope, relation, &fixed, &mut |scope, text, kind| {
-                    push(scope, format!("at {at}: {text}"), relation.span, kind);
+                    push(scope, format!("at {at}: {text}"), relation.span, kind)
                 });
             }
         }
@@ -81,11 +92,8 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let mut any = false;
             let fine = scope.each(&claim.loops, &mut |scope| {
                 any = true;
-                match self::property(scope, family, property, span) {
-                    Some((text, kind)) => push(scope, text, span, kind),
-                    None => return false,
-                }
-                true
+                let made = self::property(scope, family, property, span);
+                made.is_some_and(|(text, kind)| push(scope, text, span, kind))
             });
             // A condition may well hold for other orders.
             if fine && !any && scope.constants.is_empty() {
@@ -301,7 +309,20 @@ fn independent(
     Some(fixed)
 }
 
-type Push<'p> = dyn FnMut(&Scope<'_>, String, ClaimKind) + 'p;
+/// Takes a claim; whether there is room for it.
+type Push<'p> = dyn FnMut(&Scope<'_>, String, ClaimKind) -> bool + 'p;
+
+/// Counts a claim and what it keeps.
+fn counted(run: &Run, text: &str, kind: &ClaimKind) -> Result<(), TooLarge> {
+    run.claim(text.len())?;
+    if let ClaimKind::Relation { differences, .. } = kind {
+        for difference in differences {
+            run.text(difference.left.len() + difference.right.len() + difference.text.len())?;
+            run.keep(&difference.value)?;
+        }
+    }
+    Ok(())
+}
 
 /// One equation or inequality, for each value of its index variables.
 fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)], push: &mut Push<'_>) {
@@ -331,8 +352,7 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
                     differences,
                     fixed: fixed.to_vec(),
                 };
-                push(scope, text, kind);
-                true
+                push(scope, text, kind)
             }
             None => {
                 scope.obligations.truncate(before);
@@ -409,13 +429,7 @@ fn differences(
     let (library, unit) = (scope.library, scope.unit);
     let mut all = Vec::new();
     for (position, ((index, l), (other, r))) in left.into_iter().zip(right).enumerate() {
-        let difference = match scope.budget.sub(&l, &r) {
-            Ok(difference) => difference,
-            Err(reason) => {
-                scope.report(scope.error(relation.span, format!("the difference of the sides {reason}")));
-                return None;
-            }
-        };
+        let difference = scope.fits(scope.budget.sub(&l, &r), relation.span)?;
         let value = if vars.is_empty() {
             difference
         } else {

@@ -31,6 +31,7 @@ impl Scope<'_> {
 
     /// What an expression denotes; `None` when that is reported as an error.
     pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
+        self.fits(self.budget.step(1), expr.span)?;
         match &expr.kind {
             ExprKind::Number(n) => Some(Value::Scalar(Fraction::constant(n.clone()))),
             ExprKind::Name(name) => self.named(name, expr.span),
@@ -85,12 +86,7 @@ impl Scope<'_> {
 
     /// Passes on a result, or reports that a formula is too large.
     pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
-        result
-            .map_err(|reason| {
-                let error = self.error(span, format!("the formula {reason}"));
-                self.report(error.help("lower the degree or the number of parameters"));
-            })
-            .ok()
+        self.within(result, span, "lower the degree or the number of parameters")
     }
 
     /// The values of an expression for all values of index variables.
@@ -110,8 +106,10 @@ impl Scope<'_> {
         if let Some(value) = self.constant(name) {
             return Some(Value::Scalar(Fraction::constant(Rational::from(value))));
         }
-        if let Some((_, value)) = self.lets.iter().find(|(n, _)| n == name) {
-            return value.clone().map(Value::Scalar);
+        if let Some(value) = self.lets.named(name) {
+            let value = value.as_ref()?;
+            self.fits(self.budget.copy(value), span)?;
+            return Some(Value::Scalar(value.clone()));
         }
         if let Some(var) = self.variable(name) {
             let dependent = self.dependent == Some(var);
@@ -129,7 +127,9 @@ impl Scope<'_> {
             }
             let mut list = Vec::new();
             for (index, value) in &self.functions {
-                list.push((index.clone(), value.clone()?));
+                let value = value.as_ref()?;
+                self.fits(self.budget.copy(value), span)?;
+                list.push((index.clone(), value.clone()));
             }
             return Some(Value::List(list));
         }
@@ -282,7 +282,9 @@ impl Scope<'_> {
             && *name == self.function_name
         {
             if let Some(value) = self.functions.get(&index) {
-                return value.clone().map(Value::Scalar);
+                let value = value.as_ref()?;
+                self.fits(self.budget.copy(value), span)?;
+                return Some(Value::Scalar(value.clone()));
             }
             if self.missing_is_zero {
                 let Some((message, help)) = super::functions::gap(self, &index) else {

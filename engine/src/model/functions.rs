@@ -29,7 +29,7 @@ pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
                 let free = scope.check_free(name);
                 let value = scope.scalar(value);
                 if free {
-                    scope.lets.push((name.text.clone(), value));
+                    scope.lets.insert(name.text.clone(), value);
                 }
             }
             StatementKind::Function(def) => function(scope, def),

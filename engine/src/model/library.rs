@@ -7,13 +7,15 @@ use std::rc::Rc;
 
 use proc_macro2::{Span, TokenStream};
 
+use super::budget::{Run, TooLarge};
 use super::theorem::{self, Theorem};
 use super::{Claim, Family, build, claims};
 use crate::SortedMap;
 use crate::collections::list::Mapped;
-use crate::diagnostic::{Diagnostic, Place};
+use crate::collections::sort::sort_by;
+use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{self, Files, Source, SourceId, Sources};
-use crate::syntax::{self, Spec, SyntaxError};
+use crate::syntax::{self, Name, Spec, SyntaxErrors};
 use crate::words::did_you_mean;
 
 /// Families that refer to one another through more levels than this are refused.
@@ -40,12 +42,32 @@ pub enum Selected {
     WithoutOrder,
 }
 
+/// The most bytes of all specs of a run.
+const MAX_TOTAL_BYTES: usize = 4 << 20;
+
 /// One parsed spec.
 struct Unit {
     source: SourceId,
     spec: Spec,
+    /// The families by name, each with its place among the items: sorted, of one name the first.
+    families: Vec<(String, usize)>,
     /// The units whose families it may name, apart from its own and the prelude's.
     uses: Vec<usize>,
+}
+
+impl Unit {
+    /// The place of a family among the items.
+    fn position(&self, name: &str) -> Option<usize> {
+        let k = self.families.binary_search_by(|(known, _)| known.as_str().cmp(name)).ok()?;
+        Some(self.families[k].1)
+    }
+
+    fn family(&self, position: usize) -> Option<&syntax::Family> {
+        match self.spec.items.get(position)? {
+            syntax::Item::Family(family) => Some(family),
+            syntax::Item::Use(_) | syntax::Item::Theorem(_) => None,
+        }
+    }
 }
 
 /// Family by unit, item and order; `None` while it is being expanded and when it has errors.
@@ -59,7 +81,8 @@ pub struct Library<'f> {
     expanded: RefCell<Expanded>,
     /// The families that are being expanded, the outermost first.
     active: RefCell<Vec<(usize, usize, Vec<i64>)>>,
-    diagnostics: RefCell<Vec<Diagnostic>>,
+    diagnostics: RefCell<Diagnostics>,
+    run: Rc<Run>,
 }
 
 /// The unit that was asked for.
@@ -90,6 +113,7 @@ impl<'f> Library<'f> {
             expanded: RefCell::default(),
             active: RefCell::default(),
             diagnostics: RefCell::default(),
+            run: Rc::new(Run::new()),
         }
     }
 
@@ -111,10 +135,11 @@ impl<'f> Library<'f> {
         &mut self,
         source: SourceId,
         spec: Spec,
-        errors: Vec<SyntaxError>,
+        errors: SyntaxErrors,
         stack: &mut Vec<SourceId>,
     ) -> usize {
-        for error in errors {
+        self.diagnostics.borrow_mut().leave_out(errors.unread());
+        for error in errors.into_list() {
             let place = match error.place {
                 syntax::SyntaxPlace::Bytes(range) => Place::Text(source, range),
                 syntax::SyntaxPlace::Token(span) => self.place(source, span),
@@ -132,11 +157,22 @@ impl<'f> Library<'f> {
                 syntax::Item::Family(_) | syntax::Item::Theorem(_) => None,
             })
             .collect();
-        self.units.push(Unit { source, spec, uses: Vec::new() });
+        let mut families: Vec<(String, usize)> = Vec::new();
+        for (position, item) in spec.items.iter().enumerate() {
+            if let syntax::Item::Family(family) = item {
+                families.push((family.name.text.clone(), position));
+            }
+        }
+        // Stable: of families of one name, which is an error, the first one stays.
+        sort_by(&mut families, |a, b| a.0.cmp(&b.0));
+        families.dedup_by(|later, first| later.0 == first.0);
+        self.units.push(Unit { source, spec, families, uses: Vec::new() });
         self.check_doubled(index);
         stack.push(source);
         for (path, span) in requests {
-            if let Some(unit) = self.load(source, &path, span, stack) {
+            if let Some(unit) = self.load(source, &path, span, stack)
+                && !self.units[index].uses.contains(&unit)
+            {
                 self.units[index].uses.push(unit);
             }
         }
@@ -147,18 +183,23 @@ impl<'f> Library<'f> {
     /// Reads a spec that another one uses, unless it is read already.
     fn load(&mut self, from: SourceId, path: &str, span: Span, stack: &mut Vec<SourceId>) -> Option<usize> {
         let folder = self.sources.get(from).path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-        let folders: Vec<PathBuf> = folder.into_iter().collect();
-        let mut source = match source::read(self.files, path, &folders) {
-            Ok(source) => source,
-            Err(e) => {
-                let mut diagnostic = Diagnostic::error(self.place(from, span), e.message);
-                diagnostic.notes = e.notes;
-                self.report(diagnostic);
-                return None;
+        let folders: Vec<PathBuf> = folder.iter().cloned().collect();
+        // What is read already is not read again.
+        let known = self.files.canonical(&folder.unwrap_or_default().join(path));
+        let mut source = None;
+        if self.sources.find(&known).is_none() {
+            match source::read(self.files, path, &folders) {
+                Ok(read) => source = Some(read),
+                Err(e) => {
+                    let mut diagnostic = Diagnostic::error(self.place(from, span), e.message);
+                    diagnostic.notes = e.notes;
+                    self.report(diagnostic);
+                    return None;
+                }
             }
-        };
-        let found = source.path.as_deref().and_then(|p| self.sources.find(p));
-        if let Some(id) = found {
+        }
+        let known = source.as_ref().and_then(|s| s.path.as_deref()).unwrap_or(&known);
+        if let Some(id) = self.sources.find(known) {
             if let Some(start) = stack.iter().position(|s| *s == id) {
                 let mut names: Vec<&str> = stack[start..].mapped(|s| self.sources.get(*s).name.as_str());
                 names.push(self.sources.get(id).name.as_str());
@@ -172,6 +213,14 @@ impl<'f> Library<'f> {
             }
             return self.units.iter().position(|u| u.source == id);
         }
+        let mut source = source?;
+        let read: usize = self.sources.iter().map(|(_, s)| s.text.as_deref().map_or(0, str::len)).sum();
+        if read + source.text.as_deref().map_or(0, str::len) > MAX_TOTAL_BYTES {
+            let message = format!("the spec and those that it uses are longer than {} MiB", MAX_TOTAL_BYTES >> 20);
+            let error = Diagnostic::error(self.place(from, span), message);
+            self.report(error.help("use fewer files"));
+            return None;
+        }
         // Shown relative to the file that uses it, as a reader would look for it.
         if let Some(parent) =
             Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
@@ -182,34 +231,29 @@ impl<'f> Library<'f> {
     }
 
     fn check_doubled(&self, unit: usize) {
-        let mut seen: SortedMap<&str, Span> = SortedMap::new();
         let source = self.units[unit].source;
-        for theorem in self.theorems_of(unit) {
-            if let Some(first) = seen.insert(&theorem.name.text, theorem.name.span) {
-                let place = self.place(source, theorem.name.span);
-                let message = format!("`{}` is stated twice", theorem.name.text);
-                self.report(
-                    Diagnostic::error(place, message)
-                        .label("stated again here")
-                        .also(self.place(source, first), "first stated here"),
-                );
-            }
+        for (again, first) in repeated_names(self.theorems_of(unit).map(|t| &t.name)) {
+            let message = format!("`{}` is stated twice", again.text);
+            self.report(
+                Diagnostic::error(self.place(source, again.span), message)
+                    .label("stated again here")
+                    .also(self.place(source, first.span), "first stated here"),
+            );
         }
-        let mut seen: SortedMap<&str, Span> = SortedMap::new();
         for family in self.families_of(unit) {
             if super::scope::BUILTINS.contains(&family.name.text.as_str()) {
                 let place = self.place(source, family.name.span);
                 let message = format!("`{}` is a function of the language", family.name.text);
                 self.report(Diagnostic::error(place, message).help("choose another name for the family"));
             }
-            if let Some(first) = seen.insert(&family.name.text, family.name.span) {
-                let place = self.place(source, family.name.span);
-                self.report(
-                    Diagnostic::error(place, format!("the family `{}` is defined twice", family.name.text))
-                        .label("defined again here")
-                        .also(self.place(source, first), "first defined here"),
-                );
-            }
+        }
+        for (again, first) in repeated_names(self.families_of(unit).map(|f| &f.name)) {
+            let message = format!("the family `{}` is defined twice", again.text);
+            self.report(
+                Diagnostic::error(self.place(source, again.span), message)
+                    .label("defined again here")
+                    .also(self.place(source, first.span), "first defined here"),
+            );
         }
     }
 
@@ -231,6 +275,9 @@ impl<'f> Library<'f> {
     pub fn theorems(&self) -> Vec<Theorem> {
         let mut theorems = Vec::new();
         for written in self.theorems_of(MAIN) {
+            if self.counts_as_family(MAIN, written.name.span).is_none() {
+                break;
+            }
             let (theorem, diagnostics) = theorem::theorem(self, MAIN, self.units[MAIN].source, written);
             let clean = diagnostics.is_empty();
             self.report_all(diagnostics);
@@ -250,7 +297,7 @@ impl<'f> Library<'f> {
 
     /// The two specs that both define a family, where a third one uses both and defines it not itself.
     fn ambiguous(&self, unit: usize, name: &str) -> Option<[&str; 2]> {
-        let defines = |u: usize| self.families_of(u).any(|f| f.name.text == name);
+        let defines = |u: usize| self.units[u].position(name).is_some();
         if defines(unit) {
             return None;
         }
@@ -265,10 +312,7 @@ impl<'f> Library<'f> {
     }
 
     fn find(&self, unit: usize, name: &str) -> Option<(usize, usize)> {
-        self.search(unit).into_iter().find_map(|u| {
-            let position = self.families_of(u).position(|f| f.name.text == name)?;
-            Some((u, position))
-        })
+        self.search(unit).into_iter().find_map(|u| Some((u, self.units[u].position(name)?)))
     }
 
     /// The names of all families that a spec can name.
@@ -284,7 +328,7 @@ impl<'f> Library<'f> {
     /// How many index parameters a family has; 0 for an unknown name.
     pub(super) fn order_count(&self, unit: usize, name: &str) -> usize {
         self.find(unit, name)
-            .and_then(|(u, k)| self.families_of(u).nth(k))
+            .and_then(|(u, k)| self.units[u].family(k))
             .map_or(0, |family| family.orders.len())
     }
 
@@ -299,6 +343,9 @@ impl<'f> Library<'f> {
         order: &[i64],
     ) -> Result<Rc<Family>, Option<(String, String)>> {
         let Some((home, position)) = self.find(unit, name) else {
+            if self.is_full() {
+                return Err(Some((String::new(), String::new()))); // only counted
+            }
             let visible = self.visible(unit);
             let known: Vec<&str> = visible.mapped(String::as_str);
             let help =
@@ -312,7 +359,7 @@ impl<'f> Library<'f> {
                 String::from("use one of the two files, or rename one of the families"),
             )));
         }
-        let family = self.families_of(home).nth(position).ok_or(None)?;
+        let family = self.units[home].family(position).ok_or(None)?;
         if family.orders.len() != order.len() {
             let wanted: Vec<String> = family.orders.mapped(|g| g.name.text.clone());
             let help = if wanted.is_empty() {
@@ -344,6 +391,7 @@ impl<'f> Library<'f> {
             )));
         }
         self.check_order(home, family, order)?;
+        self.counts_as_family(home, family.name.span).ok_or(None)?;
         self.active.borrow_mut().push(key.clone());
         let (result, diagnostics) = build::family(self, home, self.units[home].source, family, order);
         self.active.borrow_mut().pop();
@@ -443,6 +491,9 @@ impl<'f> Library<'f> {
             }
             let Some(orders) = self.orders(MAIN, family) else { continue };
             for order in &orders {
+                if self.run.is_stopped() {
+                    return items;
+                }
                 if let Ok(item) = self.item(&family.name.text, order) {
                     items.push(item);
                 }
@@ -481,7 +532,7 @@ impl<'f> Library<'f> {
     /// The names of the index parameters of a family that the spec can name; `None` for an unknown family.
     pub fn index_names(&self, family: &str) -> Option<Vec<String>> {
         let (home, position) = self.find(MAIN, family)?;
-        let family = self.families_of(home).nth(position)?;
+        let family = self.units[home].family(position)?;
         Some(family.orders.mapped(|order| order.name.text.clone()))
     }
 
@@ -492,7 +543,7 @@ impl<'f> Library<'f> {
     pub fn item(&self, name: &str, order: &[i64]) -> Result<Item, Option<(String, String)>> {
         let family = self.family(MAIN, name, order)?;
         let (home, position) = self.find(MAIN, name).ok_or(None)?;
-        let written = self.families_of(home).nth(position).ok_or(None)?;
+        let written = self.units[home].family(position).ok_or(None)?;
         let (claims, diagnostics) = claims::claims(self, home, written, &family);
         self.report_all(at_order(diagnostics, written, order));
         Ok(Item { family, claims })
@@ -517,7 +568,7 @@ impl<'f> Library<'f> {
             _ => false,
         };
         let mut all = self.diagnostics.borrow_mut();
-        if !all.iter().any(|d| {
+        if !all.shown().iter().any(|d| {
             same_place(d, &new)
                 && (d.message == new.message
                     || d.severity == new.severity && repeated(&d.message, &new.message))
@@ -526,15 +577,38 @@ impl<'f> Library<'f> {
         }
     }
 
-    fn report_all(&self, diagnostics: Vec<Diagnostic>) {
-        for diagnostic in diagnostics {
+    /// Whether further errors are only counted.
+    pub(super) fn is_full(&self) -> bool {
+        self.diagnostics.borrow().is_full()
+    }
+
+    /// What the run may still take.
+    pub(super) const fn run(&self) -> &Rc<Run> {
+        &self.run
+    }
+
+    /// Counts a family of one order, or a theorem; `None` when there are too many.
+    fn counts_as_family(&self, unit: usize, span: Span) -> Option<()> {
+        match self.run.family() {
+            Ok(()) => return Some(()),
+            Err(TooLarge::Run(message)) => {
+                let error = Diagnostic::error(self.place(self.units[unit].source, span), message);
+                self.report(error.help(super::budget::SPLIT));
+            }
+            Err(TooLarge::Formula(_) | TooLarge::Said) => {}
+        }
+        None
+    }
+
+    fn report_all(&self, diagnostics: Diagnostics) {
+        for diagnostic in diagnostics.into_list() {
             self.report(diagnostic);
         }
     }
 
     /// All messages so far.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
-        self.diagnostics.borrow().clone()
+        self.diagnostics.borrow().clone().into_list()
     }
 
     /// The specs that were read.
@@ -544,15 +618,34 @@ impl<'f> Library<'f> {
 }
 
 /// Errors in a family with index parameters say at which values they were met.
-fn at_order(mut diagnostics: Vec<Diagnostic>, family: &syntax::Family, order: &[i64]) -> Vec<Diagnostic> {
-    if !order.is_empty() {
+fn at_order(mut diagnostics: Diagnostics, family: &syntax::Family, order: &[i64]) -> Diagnostics {
+    if !order.is_empty() && !diagnostics.is_empty() {
         let values: Vec<String> =
             family.orders.iter().zip(order).map(|(g, v)| format!("{} = {v}", g.name.text)).collect();
-        for diagnostic in &mut diagnostics {
+        for diagnostic in diagnostics.shown_mut() {
             diagnostic.notes.push(format!("for {}", values.join(", ")));
         }
     }
     diagnostics
+}
+
+/// The names that stand a second time in a list, each with the first one, in the order of the list.
+fn repeated_names<'n>(names: impl Iterator<Item = &'n Name>) -> Vec<(&'n Name, &'n Name)> {
+    let mut sorted: Vec<(usize, &Name)> = names.enumerate().collect();
+    sort_by(&mut sorted, |a, b| a.1.text.cmp(&b.1.text));
+    let mut repeated = Vec::new();
+    let mut first = 0;
+    for k in 0..sorted.len() {
+        if sorted[k].1.text == sorted[first].1.text {
+            if k > first {
+                repeated.push((sorted[k].0, sorted[k].1, sorted[first].1));
+            }
+        } else {
+            first = k;
+        }
+    }
+    sort_by(&mut repeated, |a, b| a.0.cmp(&b.0));
+    repeated.into_iter().map(|(_, again, first)| (again, first)).collect()
 }
 
 /// Whether two messages differ in numbers only.

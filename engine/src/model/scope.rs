@@ -4,14 +4,14 @@ use core::cell::RefCell;
 
 use proc_macro2::Span;
 
-use super::budget::Budget;
+use super::budget::{Budget, SPLIT, TooLarge};
 use super::obligations::{Duty, Obligation};
 use super::{Family, Function, Library};
 use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::collections::list::Mapped;
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
 use crate::words::did_you_mean;
@@ -59,7 +59,7 @@ pub(super) struct Scope<'a> {
     /// Index parameters and index variables of loops, the innermost last.
     pub(super) constants: Vec<(String, i64)>,
     /// What `let` defined; `None` when that went wrong.
-    pub(super) lets: Vec<(String, Option<Fraction>)>,
+    pub(super) lets: SortedMap<String, Option<Fraction>>,
     /// The names of the variables: shape parameters, then domain variables.
     pub(super) names: Vec<String>,
     /// The independent domain variables.
@@ -84,7 +84,7 @@ pub(super) struct Scope<'a> {
     pub(super) obligations: Vec<Obligation>,
     /// What of that is proved.
     pub(super) settled: Vec<Duty>,
-    pub(super) diagnostics: RefCell<Vec<Diagnostic>>,
+    pub(super) diagnostics: RefCell<Diagnostics>,
 }
 
 impl Scope<'_> {
@@ -99,6 +99,24 @@ impl Scope<'_> {
     /// Reports an error once.
     pub(super) fn report(&self, diagnostic: Diagnostic) {
         self.diagnostics.borrow_mut().push(diagnostic);
+    }
+
+    /// Whether further errors are only counted, so that the words about them need not be found.
+    pub(super) fn is_full(&self) -> bool {
+        self.library.is_full() || self.diagnostics.borrow().is_full()
+    }
+
+    /// Passes on a result, or reports that something is too large.
+    pub(super) fn within<T>(&self, result: Result<T, TooLarge>, span: Span, help: &str) -> Option<T> {
+        match result {
+            Ok(value) => return Some(value),
+            Err(TooLarge::Formula(reason)) => {
+                self.report(self.error(span, format!("the formula {reason}")).help(help));
+            }
+            Err(TooLarge::Run(message)) => self.report(self.error(span, message).help(SPLIT)),
+            Err(TooLarge::Said) => {}
+        }
+        None
     }
 
     /// The variable with a name.
@@ -122,7 +140,7 @@ impl Scope<'_> {
             Some("a function of the language")
         } else if self.constant(name).is_some() {
             Some("an index")
-        } else if self.lets.iter().any(|(n, _)| n == name) {
+        } else if self.lets.named(name).is_some() {
             Some("a name given by `let`")
         } else if let Some(var) = self.variable(name) {
             Some(if self.subject == Subject::Theorem {
@@ -154,14 +172,17 @@ impl Scope<'_> {
         if self.cut_short && self.domain.is_empty() {
             return;
         }
+        let error = self.error(span, format!("the name `{name}` is not declared"));
+        if self.is_full() {
+            return self.report(error);
+        }
         let mut known: Vec<&str> = BUILTINS.to_vec();
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
-        known.extend(self.lets.iter().map(|(n, _)| n.as_str()));
+        known.extend(self.lets.keys().map(String::as_str));
         known.push(&self.function_name);
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
-        let error = self.error(span, format!("the name `{name}` is not declared"));
         let help = match name {
             "sin" | "cos" | "tan" | "exp" | "log" | "ln" | "sqrt" | "abs" | "sinh" | "cosh" => {
                 String::from("formulas are polynomials: sums, products and whole powers")
@@ -286,6 +307,9 @@ impl Scope<'_> {
             }
         };
         for index in values {
+            if self.within(self.budget.step(1), names[0].span, SPLIT).is_none() {
+                return false;
+            }
             *left -= 1;
             if *left < 0 {
                 self.report(
@@ -320,7 +344,7 @@ impl Scope<'_> {
             source,
             subject: Subject::Family,
             constants: Vec::new(),
-            lets: Vec::new(),
+            lets: SortedMap::new(),
             names: Vec::new(),
             domain: Vec::new(),
             dependent: None,
@@ -331,10 +355,10 @@ impl Scope<'_> {
             missing_is_zero: false,
             cut_short: false,
             complete: false,
-            budget: Budget::new(),
+            budget: Budget::new(library.run()),
             obligations: Vec::new(),
             settled: Vec::new(),
-            diagnostics: RefCell::new(Vec::new()),
+            diagnostics: RefCell::default(),
         }
     }
 

@@ -15,6 +15,12 @@ use crate::algebra::rational::Rational;
 /// Numbers with more digits than this are refused.
 const MAX_DIGITS: usize = 1000;
 
+/// The most index variables of one `for`, and the most indices of a function.
+pub(super) const MAX_INDICES: usize = 16;
+
+/// Names with more letters than this are refused.
+const MAX_LETTERS: usize = 200;
+
 /// The span from one token to another; on compilers that cannot join spans the first one.
 pub(super) fn join(a: Span, b: Span) -> Span {
     a.join(b).unwrap_or(a)
@@ -25,14 +31,17 @@ pub(super) fn expr(input: ParseStream<'_>) -> Result<Expr> {
     sum(input, 0)
 }
 
-fn sum(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
-    if depth > MAX_NESTING {
-        return Err(error(
-            input.span(),
-            "the expression is nested too deeply",
-            "name parts of the formula with `let`",
-        ));
+/// The error for an expression whose tree is too high: what walks over it calls itself.
+fn check_depth(input: ParseStream<'_>, depth: usize) -> Result<()> {
+    if depth <= MAX_NESTING {
+        return Ok(());
     }
+    let help = "name parts of the formula with `let`";
+    Err(error(input.span(), "the expression is nested too deeply", help))
+}
+
+fn sum(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    check_depth(input, depth)?;
     let first = product(input, depth)?;
     let mut terms = vec![(false, first)];
     while input.peek(Token![+]) || input.peek(Token![-]) {
@@ -136,13 +145,7 @@ fn factor(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 }
 
 fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
-    if depth > MAX_NESTING {
-        return Err(error(
-            input.span(),
-            "the expression is nested too deeply",
-            "name parts of the formula with `let`",
-        ));
-    }
+    check_depth(input, depth)?;
     let base = postfix(input, depth)?;
     if !input.peek(Token![^]) {
         return Ok(base);
@@ -161,6 +164,9 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 }
 
 fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    // Each pair of brackets behind the first part is a level of the tree above it.
+    let depth = depth + links(input);
+    check_depth(input, depth)?;
     let mut value = atom(input, depth)?;
     loop {
         let Some((TokenTree::Group(group), _)) = input.cursor().token_tree() else { return Ok(value) };
@@ -195,6 +201,20 @@ fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             _ => return Ok(value),
         };
     }
+}
+
+/// The number of brackets that follow the next token, `(…)` or `[…]`; no more than matter.
+fn links(input: ParseStream<'_>) -> usize {
+    let Some((_, mut rest)) = input.cursor().token_tree() else { return 0 };
+    let mut links = 0;
+    while let Some((TokenTree::Group(group), next)) = rest.token_tree()
+        && matches!(group.delimiter(), Delimiter::Bracket | Delimiter::Parenthesis)
+        && links <= MAX_NESTING
+    {
+        links += 1;
+        rest = next;
+    }
+    links
 }
 
 fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
@@ -287,6 +307,10 @@ pub(super) fn name(input: ParseStream<'_>) -> Result<Name> {
             format!("`{text}` is a word of the language, not a name"),
             "choose another name",
         ));
+    }
+    if text.len() > MAX_LETTERS && text.chars().count() > MAX_LETTERS {
+        let help = format!("at most {MAX_LETTERS} letters are read");
+        return Err(error(ident.span(), "the name is too long", help));
     }
     Ok(Name { text: text.replace('\u{b5}', "μ").replace('\u{2126}', "Ω"), span: ident.span() })
 }
@@ -390,8 +414,19 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
     let mut result = Loops::default();
     if input.peek(Token![for]) {
         input.parse::<Token![for]>()?;
+        let start = input.span();
+        let mut names = 0;
         loop {
-            result.generators.push(generator(input)?);
+            let generator = generator(input)?;
+            names += match &generator {
+                Generator::Range(_) => 1,
+                Generator::Simplex(names, _) => names.len(),
+            };
+            if names > MAX_INDICES {
+                let message = format!("a `for` has at most {MAX_INDICES} index variables");
+                return Err(error(start, message, "write several statements"));
+            }
+            result.generators.push(generator);
             if !input.peek(Token![,]) {
                 break;
             }

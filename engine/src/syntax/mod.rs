@@ -10,7 +10,7 @@ mod parse;
 mod statements;
 mod theorems;
 
-pub use error::{SyntaxError, SyntaxPlace};
+pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
 pub use parse::{parse_text, parse_tokens};
 pub(crate) use theorems::ASSUME_HELP;
 

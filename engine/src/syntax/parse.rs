@@ -4,9 +4,10 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::Token;
 use syn::parse::{ParseStream, Parser};
 
-use super::error::{SyntaxError, SyntaxPlace, error};
+use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
 use super::{Family, Item, Spec, StatementKind, Theorem, Use, glyphs};
+use crate::source::MAX_BYTES;
 use crate::words::did_you_mean;
 
 /// The words that begin an item.
@@ -14,9 +15,6 @@ const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];
 
 const ITEM_HELP: &str =
     "an item is `family Name { … }`, `theorem Name { … }`, `join Name { … }` or `use \"file.basis\";`";
-
-/// More tokens than this are refused.
-const MAX_TOKENS_BYTES: usize = 1 << 20;
 
 /// Makes proc-macro2 lex and join spans by itself, so that a text has lines and columns inside of a
 /// compiler too; back to the compiler's own tokens when it goes.
@@ -37,29 +35,28 @@ impl Drop for OwnLexer {
 
 /// Reads a spec from a text. The spans of the tree are byte ranges of the text; they stay valid on this
 /// thread only.
-pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
-    if text.len() > MAX_TOKENS_BYTES {
-        let message = format!("the spec is longer than {} KiB", MAX_TOKENS_BYTES >> 10);
+pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
+    if text.len() > MAX_BYTES {
+        let message = format!("the spec is longer than {} MiB", MAX_BYTES >> 20);
         let help = Some(String::from("split it into several files"));
-        return (Spec::default(), vec![SyntaxError { place: SyntaxPlace::Bytes(0..0), message, help }]);
+        return alone(vec![SyntaxError { place: SyntaxPlace::Bytes(0..0), message, help }]);
     }
     let _own = OwnLexer::start();
     let (mut errors, readable) = glyphs::check(text);
-    let Some(readable) = readable else { return (Spec::default(), errors) };
+    let Some(readable) = readable else { return alone(errors) };
     match readable.text.parse::<TokenStream>() {
         Ok(tokens) => {
-            let (mut spec, more) = parse(tokens, errors.is_empty());
+            let (mut spec, mut more) = parse(tokens, errors.is_empty());
             leave_out(&mut spec, &readable.gaps);
             let at_end = text.trim_end().len();
-            let more = more.into_iter().map(|mut e| {
+            for e in more.iter_mut() {
                 if let SyntaxPlace::Token(span) = e.place {
                     let range = span.byte_range();
                     // The end of the input has no token; show the end of the text.
                     let range = if range.is_empty() { at_end..at_end } else { range };
                     e.place = SyntaxPlace::Bytes(range);
                 }
-                e
-            });
+            }
             // What follows from a gap in the same statement is not another error.
             let follows = |e: &SyntaxError| match &e.place {
                 SyntaxPlace::Bytes(range) => readable.gaps.iter().any(|gap| {
@@ -67,8 +64,8 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
                 }),
                 SyntaxPlace::Token(_) => false,
             };
-            errors.extend(more.filter(|e| !follows(e)));
-            (spec, errors)
+            more.retain(|e| !follows(e));
+            (spec, more.after(errors))
         }
         Err(e) => {
             let range = e.span().byte_range();
@@ -78,9 +75,14 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
             let help =
                 Some(String::from("a spec is made of names, numbers, operators, brackets and `//` comments"));
             errors.push(SyntaxError { place: SyntaxPlace::Bytes(range), message, help });
-            (Spec::default(), errors)
+            alone(errors)
         }
     }
+}
+
+/// A text of which nothing is read but its mistakes.
+fn alone(errors: Vec<SyntaxError>) -> (Spec, SyntaxErrors) {
+    (Spec::default(), SyntaxErrors::default().after(errors))
 }
 
 /// Leaves out the statements in which something is missing; every one goes from its first token to the next statement.
@@ -118,12 +120,12 @@ fn leave_out(spec: &mut Spec, gaps: &[usize]) {
 }
 
 /// Reads a spec from the tokens of a macro call.
-pub fn parse_tokens(tokens: TokenStream) -> (Spec, Vec<SyntaxError>) {
+pub fn parse_tokens(tokens: TokenStream) -> (Spec, SyntaxErrors) {
     parse(tokens, true)
 }
 
-fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError>) {
-    let mut errors = Vec::new();
+fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, SyntaxErrors) {
+    let mut errors = SyntaxErrors::default();
     let mut spec = Spec::default();
     let read = |input: ParseStream<'_>| -> syn::Result<()> {
         spec.doc = doc(input, true)?;
@@ -134,7 +136,7 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError
             match item(input, &mut errors) {
                 Ok(item) => spec.items.push(item),
                 Err(e) => {
-                    errors.push(e.into());
+                    errors.push(e);
                     skip_item(input);
                 }
             }
@@ -145,12 +147,12 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError
     if let Err(e) = Parser::parse2(read, tokens)
         && errors.is_empty()
     {
-        errors.push(e.into());
+        errors.push(e);
     }
     (spec, errors)
 }
 
-fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<Item> {
+fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> {
     let doc = doc(input, false)?;
     if at_word(input, "family") {
         return Ok(Item::Family(family(input, doc, errors)?));

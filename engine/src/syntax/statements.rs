@@ -6,10 +6,10 @@ use syn::{Result, Token};
 
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
-use super::expr::{comparison, expr, index_range, join, loops, name, unexpected};
+use super::expr::{MAX_INDICES, comparison, expr, index_range, join, loops, name, unexpected};
 use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
-    StatementKind, SyntaxError,
+    StatementKind, SyntaxErrors,
 };
 use crate::words::did_you_mean;
 
@@ -38,7 +38,7 @@ pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
 pub(super) fn family(
     input: ParseStream<'_>,
     doc: Vec<String>,
-    errors: &mut Vec<SyntaxError>,
+    errors: &mut SyntaxErrors,
 ) -> Result<Family> {
     take_word(input)?;
     let name = name(input)?;
@@ -71,7 +71,7 @@ pub(super) fn family(
                 incomplete |= about_functions;
                 let goes_on =
                     is_missing_semicolon(&e) || STATEMENTS.iter().any(|word| at_word(&content, word));
-                errors.push(e.into());
+                errors.push(e);
                 if !goes_on {
                     skip_statement(&content);
                 }
@@ -244,6 +244,10 @@ fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
     }
     if indices.is_empty() {
         return Err(error(name.span, "the index is missing", format!("write `{}[0] = …;`", name.text)));
+    }
+    if indices.len() > MAX_INDICES {
+        let message = format!("a function has at most {MAX_INDICES} indices");
+        return Err(error(name.span, message, "number the functions with fewer indices"));
     }
     equals(input, &name)?;
     let value = expr(input)?;

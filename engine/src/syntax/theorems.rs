@@ -8,7 +8,7 @@ use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{SHAPE_HELP, at_word, bounds, doc, skip_statement, take_word};
 use super::{
-    Assertion, Comparison, Expected, Expr, ExprKind, SyntaxError, Theorem, TheoremKind, TheoremRelation,
+    Assertion, Comparison, Expected, Expr, ExprKind, SyntaxErrors, Theorem, TheoremKind, TheoremRelation,
     TheoremStatement, TheoremStatementKind,
 };
 use crate::words::did_you_mean;
@@ -24,7 +24,7 @@ pub(crate) const ASSUME_HELP: &str = "`assume` narrows the range of one scalar b
 pub(super) fn theorem(
     input: ParseStream<'_>,
     doc: Vec<String>,
-    errors: &mut Vec<SyntaxError>,
+    errors: &mut SyntaxErrors,
 ) -> Result<Theorem> {
     let kind = if at_word(input, "join") { TheoremKind::Join } else { TheoremKind::Theorem };
     take_word(input)?;
@@ -55,7 +55,7 @@ pub(super) fn theorem(
             Err(e) => {
                 incomplete = true;
                 let goes_on = is_missing_semicolon(&e);
-                errors.push(e.into());
+                errors.push(e);
                 if !goes_on {
                     skip_statement(&content);
                 }

@@ -9,7 +9,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::collections::list::Mapped;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Diagnostics;
+use crate::model::budget::TooLarge;
 use crate::model::print::Printer;
 use crate::model::scope::{Scope, Subject};
 use crate::model::{Comparison, Library, Parameter, build, label};
@@ -24,6 +25,9 @@ pub(super) const OWN: usize = 3;
 
 /// Points have at most so many coordinates.
 const MAX_DIMENSION: i64 = 8;
+
+/// The most variables of a theorem.
+const MAX_VARIABLES: usize = 1024;
 
 /// What an expression of a theorem is.
 #[derive(Clone, Debug)]
@@ -61,7 +65,7 @@ pub(in crate::model) fn theorem(
     unit: usize,
     source: SourceId,
     written: &syntax::Theorem,
-) -> (Option<Theorem>, Vec<Diagnostic>) {
+) -> (Option<Theorem>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
     scope.subject = Subject::Theorem;
     scope.names = vec![String::new(); OWN];
@@ -92,6 +96,13 @@ impl Elaboration<'_> {
         for statement in &written.statements {
             self.scope.budget.refill();
             fine &= self.statement(statement, &mut budget).is_some();
+            if self.scope.names.len() > MAX_VARIABLES {
+                let message =
+                    format!("a theorem has at most {MAX_VARIABLES} scalars, coordinates and dot products");
+                let error = self.scope.error(statement.span, message);
+                self.scope.report(error.help("state it for fewer control points, or without coordinates"));
+                return None;
+            }
         }
         // Without a statement that could not be read, claims would complain about names that it declares.
         if written.incomplete {
@@ -398,7 +409,9 @@ impl Elaboration<'_> {
             return self.no_patch(base, &name);
         }
         match value_of {
-            Some(Value::Scalar(f)) => self.scope.lets.push((name, Some(f))),
+            Some(Value::Scalar(f)) => {
+                self.scope.lets.insert(name, Some(f));
+            }
             other => {
                 let fine = other.is_some();
                 self.vectors.push((name, other));
@@ -441,6 +454,9 @@ impl Elaboration<'_> {
             let kind = all.claim(written)?;
             let printer = Printer { constants: &all.scope.constants, component: None };
             let (left, right, difference) = printer.difference(&written.left, &written.right);
+            let run = all.scope.budget.run();
+            let counted = run.claim(left.len() + right.len() + difference.len()).and_then(|()| kind.kept(run));
+            all.fits(counted, statement.span)?;
             claims.push(TheoremClaim {
                 text: format!("{left} {} {right}", written.relation.symbol()),
                 doc: statement.doc.clone(),
@@ -516,13 +532,8 @@ impl Elaboration<'_> {
     }
 
     /// Passes on a result, or reports that a formula is too large.
-    pub(super) fn fits<T>(&self, result: Result<T, String>, span: Span) -> Option<T> {
-        result
-            .map_err(|reason| {
-                let error = self.scope.error(span, format!("the formula {reason}"));
-                self.scope.report(error.help("lower the degree, or state the theorem in several steps"));
-            })
-            .ok()
+    pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
+        self.scope.within(result, span, "lower the degree, or state the theorem in several steps")
     }
 }
 

@@ -51,6 +51,9 @@ fn elsewhere(name: &str) -> Option<&'static str> {
 impl Elaboration<'_> {
     /// What an expression denotes; `None` when that is reported as an error.
     pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
+        // Names are looked for one after the other.
+        let names = self.scope.names.len() + self.vectors.len() + self.patches.len();
+        self.fits(self.scope.budget.step(1 + names as u64 / 32), expr.span)?;
         match &expr.kind {
             ExprKind::Number(n) => Some(Value::Scalar(Fraction::constant(n.clone()))),
             ExprKind::Name(name) => self.named(name, expr.span),
@@ -154,8 +157,10 @@ impl Elaboration<'_> {
         if let Some((_, value)) = self.vectors.iter().find(|(n, _)| n == name) {
             return value.clone();
         }
-        if let Some((_, value)) = self.scope.lets.iter().find(|(n, _)| n == name) {
-            let value = value.clone()?;
+        if let Some(value) = self.scope.lets.named(name) {
+            let value = value.as_ref()?;
+            self.fits(self.scope.budget.copy(value), span)?;
+            let value = value.clone();
             for var in value.numer().variables() {
                 self.mention(var);
             }
@@ -180,6 +185,9 @@ impl Elaboration<'_> {
             return;
         }
         let error = self.scope.error(span, format!("the name `{name}` is not declared"));
+        if self.scope.is_full() {
+            return self.scope.report(error);
+        }
         if self.scope.library.knows(self.scope.unit, name) {
             self.scope.report(
                 error
@@ -194,13 +202,10 @@ impl Elaboration<'_> {
         }
         // A name with an index, of which there are others, or the name alone.
         let (base, indexed) = name.split_once('[').map_or((name, false), |(base, _)| (base, true));
-        let mut others = self
-            .scope
-            .names
-            .iter()
-            .map(String::as_str)
-            .chain(self.scope.lets.iter().map(|(n, _)| n.as_str()));
-        let last = others.rfind(|other| other.split_once('[').is_some_and(|(b, _)| b == base));
+        let names = self.scope.names.iter().chain(self.scope.lets.keys()).map(String::as_str);
+        let others = names.filter(|other| other.split_once('[').is_some_and(|(b, _)| b == base));
+        // `c[10]` comes after `c[9]`.
+        let last = others.max_by_key(|other| (other.len(), *other));
         if let Some(last) = last {
             let help = if indexed {
                 format!("the last one is `{last}`")
@@ -213,7 +218,7 @@ impl Elaboration<'_> {
         let mut known: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().collect();
         known.extend(self.scope.names.iter().map(String::as_str));
         known.extend(self.scope.constants.iter().map(|(n, _)| n.as_str()));
-        known.extend(self.scope.lets.iter().map(|(n, _)| n.as_str()));
+        known.extend(self.scope.lets.keys().map(String::as_str));
         known.extend(self.vectors.iter().map(|(n, _)| n.as_str()));
         known.extend(self.patches.iter().map(|p| p.name.as_str()));
         let declare = || match name.split_once('[') {

@@ -10,6 +10,7 @@ mod patch;
 pub(super) use elaborate::theorem;
 pub use form::{Form, Unit};
 
+use super::budget::{Run, TooLarge};
 use super::{Comparison, Expected, Parameter};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -130,6 +131,16 @@ pub enum TheoremClaimKind {
 }
 
 impl TheoremClaimKind {
+    /// Counts the functions that the claim keeps.
+    fn kept(&self, run: &Run) -> Result<(), TooLarge> {
+        let form = |form: &Form| form.terms.values().try_for_each(|f| run.keep(f));
+        match self {
+            Self::Scalar(_, f) => run.keep(f),
+            Self::Zero(a) => form(a),
+            Self::Parallel(a, b) => form(a).and_then(|()| form(b)),
+        }
+    }
+
     /// Whether a variable occurs in what is claimed.
     pub fn depends_on(&self, var: Var) -> bool {
         let form = |form: &Form| form.terms.values().any(|f| f.depends_on(var));

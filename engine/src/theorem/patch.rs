@@ -374,7 +374,7 @@ impl Elaboration<'_> {
             let Some(var) = self.scope.variable(&parameter.name) else { return };
             rest = &rest - &Fraction::var(var);
         }
-        self.scope.lets.push((name.to_string(), Some(rest)));
+        self.scope.lets.insert(name.to_string(), Some(rest));
     }
 
     /// The control points: those that are listed, or given ones.

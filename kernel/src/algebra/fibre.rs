@@ -3,7 +3,12 @@
 //! βₖ is the Bernstein coefficient times the binomial coefficient n over k: the same signs, but whole numbers stay
 //! whole, and a factor s or r shows as a zero at an end. Forms are determined up to a positive factor.
 
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_rational::BigRational;
+
 use super::rational::{Rational, Words};
+use crate::collections::list::Mapped;
 
 /// A step from one basis to another; changes of basis are short lists of them.
 #[derive(Clone, Debug)]
@@ -128,7 +133,7 @@ fn powers_of(c: &mut [Rational], factor: &Rational) {
 
 fn shift_rationals(c: &mut [Rational], h: &Rational) {
     let n = c.len();
-    if h.is_zero() || n == 0 {
+    if h.is_zero() || n == 0 || shift_whole(c, h) {
         return;
     }
     for i in 0..n - 1 {
@@ -139,6 +144,35 @@ fn shift_rationals(c: &mut [Rational], h: &Rational) {
             }
         }
     }
+}
+
+/// As [`shift_rationals`] by way of whole numbers: without common divisors after every sum. Whether the shift is whole
+/// and a common denominator is not much longer than the numbers; else nothing is done.
+fn shift_whole(c: &mut [Rational], h: &Rational) -> bool {
+    let Some(h) = h.to_whole() else { return false };
+    let longest = c.iter().map(Rational::bits).max().unwrap_or(0);
+    let mut denom = BigInt::from(1);
+    for c in &*c {
+        denom = denom.lcm(c.to_big().denom());
+        if denom.bits() > 2 * longest {
+            return false;
+        }
+    }
+    let mut whole = c.mapped(|c| {
+        let c = c.to_big();
+        c.numer() * (&denom / c.denom())
+    });
+    let n = whole.len();
+    for i in 0..n - 1 {
+        for j in (i..n - 1).rev() {
+            let (low, high) = whole.split_at_mut(j + 1);
+            low[j] += &high[0] * &h;
+        }
+    }
+    for (c, whole) in c.iter_mut().zip(whole) {
+        *c = Rational::from_big(BigRational::new(whole, denom.clone()));
+    }
+    true
 }
 
 /// A [`Step`] in machine words.

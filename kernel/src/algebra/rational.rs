@@ -251,7 +251,7 @@ impl Rational {
     }
 
     /// The big integer that the number is, if it is whole.
-    fn to_whole(&self) -> Option<BigInt> {
+    pub(super) fn to_whole(&self) -> Option<BigInt> {
         match &self.0 {
             Small(n, 1) => Some(BigInt::from(*n)),
             Small(..) => None,
