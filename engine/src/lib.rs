@@ -20,56 +20,44 @@
 //! ```
 
 pub mod algebra;
-mod collections;
-pub mod decide;
+pub mod claim;
 pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
 pub mod explain;
 pub mod generate;
 pub mod model;
-pub mod prove;
 pub mod source;
+pub mod state;
+pub mod subject;
 pub mod syntax;
+pub mod theorem;
 mod words;
 
-use std::rc::Rc;
-
-use collections::list::Mapped;
 use proc_macro2::{Ident, Span, TokenStream};
 
-pub use collections::map::SortedMap;
+pub use claim::{Claim, ClaimKind};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
-pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
-pub use model::{Claim, Family, Item, Library, Selected};
-pub use prove::{Verdict, Witness};
+pub use model::{Family, Library, Selected};
 pub use source::{Disk, Files, Source, Sources};
+pub use state::{Evidence, Prover, Verdict, Witness};
+pub use subject::{Item, Subject};
+pub use theorem::{Theorem, TheoremKind};
 pub use words::closest;
 
-/// A family with the verdicts of its claims.
+/// A family, a theorem or a join with the verdicts of its claims.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The family.
-    pub family: Rc<Family>,
-    /// Its claims, in the order in which they are written.
+    /// What the claims are about.
+    pub subject: Subject,
+    /// The claims, in the order in which they are written.
     pub claims: Vec<(Claim, Verdict)>,
-}
-
-/// A theorem or a join with the verdicts of its claims.
-#[derive(Clone, Debug)]
-pub struct CheckedTheorem {
-    /// The theorem.
-    pub theorem: Theorem,
-    /// A verdict for each of its claims.
-    pub verdicts: Vec<Verdict>,
 }
 
 /// Everything that checking a spec gives.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The families without errors, in every order of their declared ranges.
+    /// The families without errors in every order of their declared ranges, then the theorems and joins.
     pub items: Vec<Checked>,
-    /// The theorems and joins without errors.
-    pub theorems: Vec<CheckedTheorem>,
     /// Errors and warnings, also for claims whose verdict is not the declared one; of very many errors the first.
     pub diagnostics: Vec<Diagnostic>,
     /// The specs that were read, for showing places.
@@ -78,48 +66,31 @@ pub struct Report {
 
 /// Checks a spec and everything that it uses from the disk.
 pub fn check(source: Source) -> Report {
-    let library = Library::from_source(&Disk, source);
-    let items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide_claims).collect();
-    let theorems: Vec<CheckedTheorem> = library.theorems().into_iter().map(decide_theorem).collect();
+    let library = Library::from_source(&Disk, &Prover, source);
+    let mut items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide).collect();
+    items.extend(theorem::theorems(&library).into_iter().map(decide));
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
     diagnostics.extend(items.iter().flat_map(contradictions));
-    diagnostics.extend(theorems.iter().flat_map(theorem_contradictions));
-    Report { items, theorems, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
+    Report { items, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
 }
 
-/// Decides all claims of a theorem.
-pub fn decide_theorem(theorem: Theorem) -> CheckedTheorem {
-    let verdicts = theorem.claims.mapped(|claim| prove::theorem_claim(&theorem, claim));
-    CheckedTheorem { theorem, verdicts }
-}
-
-/// The errors for the claims of a theorem whose verdict is not the declared one.
-pub fn theorem_contradictions(checked: &CheckedTheorem) -> Vec<Diagnostic> {
-    let CheckedTheorem { theorem, verdicts } = checked;
-    let claims = theorem.claims.iter().zip(verdicts);
-    claims.filter_map(|(claim, verdict)| prove::diagnose_theorem(theorem, claim, verdict)).collect()
-}
-
-/// Decides all claims of a family.
-pub fn decide_claims(item: Item) -> Checked {
-    let Item { family, claims } = item;
+/// Decides all claims of an item.
+pub fn decide(item: Item) -> Checked {
+    let Item { subject, claims, .. } = item;
     let claims = claims
         .into_iter()
         .map(|claim| {
-            let verdict = prove::claim(&family, &claim);
+            let verdict = state::decide(&subject, &claim);
             (claim, verdict)
         })
         .collect();
-    Checked { family, claims }
+    Checked { subject, claims }
 }
 
 /// The errors for the claims whose verdict is not the declared one.
 pub fn contradictions(checked: &Checked) -> Vec<Diagnostic> {
-    checked
-        .claims
-        .iter()
-        .filter_map(|(claim, verdict)| prove::diagnose(&checked.family, claim, verdict))
-        .collect()
+    let claims = checked.claims.iter();
+    claims.filter_map(|(claim, verdict)| state::diagnose(&checked.subject, claim, verdict)).collect()
 }
 
 /// What is to be generated from a spec.
@@ -186,10 +157,11 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
     }
     let joins = joins(library, request, &wanted, &mut diagnostics);
     for (item, name) in items {
-        let checked = decide_claims(item);
+        let checked = decide(item);
         diagnostics.extend(contradictions(&checked));
+        let Subject::Family(family) = &checked.subject else { continue };
         let options = generate::Options { runtime: request.runtime.clone(), name };
-        match generate::family(&checked.family, &checked.claims, &options) {
+        match generate::family(family, &checked.claims, &options) {
             Ok(tokens) => code.extend(tokens),
             Err(errors) => diagnostics.extend(errors),
         }
@@ -212,18 +184,19 @@ fn joins(
     if !request.families.is_empty() && wanted.is_empty() {
         return functions;
     }
-    for theorem in library.theorems() {
-        let requested = wanted.iter().find(|(_, name)| *name == theorem.name).map(|(requested, _)| requested);
+    for item in theorem::theorems(library) {
+        let requested = wanted.iter().find(|(_, name)| *name == item.subject.name()).map(|(r, _)| r);
         if requested.is_none() && !request.families.is_empty() {
             continue;
         }
-        let checked = decide_theorem(theorem);
-        diagnostics.extend(theorem_contradictions(&checked));
-        if checked.theorem.kind != TheoremKind::Join {
+        let checked = decide(item);
+        diagnostics.extend(contradictions(&checked));
+        let Subject::Theorem(theorem) = &checked.subject else { continue };
+        if theorem.kind != TheoremKind::Join {
             continue;
         }
         let rename = requested.and_then(|r| r.rename.as_ref());
-        match generate::join::join(&checked.theorem, &checked.verdicts, &request.runtime, rename) {
+        match generate::join::join(theorem, &checked.claims, &request.runtime, rename) {
             Ok(function) => functions.extend(function),
             Err(error) => diagnostics.push(error),
         }

@@ -1,6 +1,6 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use core::cell::OnceCell;
 use core::fmt;
 use core::ops::Range;

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Point, Refusal, Refutation, Root, Statement, Witness};
+use basis_kernel::{Point, Quotient, Refusal, Refutation, Root, Statement, Witness};
 
 use crate::algebra::field::{Element, Field, field_of};
 use crate::algebra::poly::{Poly, Var};
@@ -18,12 +18,36 @@ pub struct Counterexample {
     pub refutation: Refutation,
     /// The coordinates of the point, each as a number of its own.
     pub point: Vec<(Var, Coordinate)>,
+    /// The same in one field.
+    pub(crate) exact: Exact,
 }
+
+impl Counterexample {
+    /// The value of a quotient at the point; `None` where it has none, or the work is spent.
+    pub fn evaluate(&self, value: &Quotient) -> Option<Coordinate> {
+        let work = &mut Work::new(EVALUATING);
+        let mut exact = self.exact.clone();
+        let below = exact.value(&value.denominator, work)?;
+        if exact.is_zero(&below, work)? {
+            return None;
+        }
+        let above = exact.value(&value.numerator, work)?;
+        let Some(field) = &exact.field else {
+            return Some(Coordinate::Rational(above.leading().checked_div(&below.leading())?));
+        };
+        let quotient = field.mul(&above, &field.inverse(&below, work)?, work)?;
+        number(Some(field), &quotient, work)
+    }
+}
+
+/// The work for a value at a point.
+const EVALUATING: u64 = 5_000_000;
 
 /// How often the interval of an irrational number is shortened to a sixteenth until the kernel sees all signs.
 const ROUNDS: usize = 40;
 
 /// A point with coordinates in one field.
+#[derive(Clone, Debug)]
 pub(crate) struct Exact {
     /// The field; `None` when all coordinates are rational.
     pub(crate) field: Option<Field>,
@@ -116,14 +140,7 @@ impl Exact {
     fn numbers(&self, work: &mut Work) -> Option<Vec<(Var, Coordinate)>> {
         let mut numbers = Vec::new();
         for (var, x) in &self.coordinates {
-            let number = match &self.field {
-                Some(field) => match field.number(&field.reduce(x, work)?, work)? {
-                    Ok(x) => Coordinate::Rational(x),
-                    Err(x) => Coordinate::Algebraic(x),
-                },
-                None => Coordinate::Rational(x.leading()),
-            };
-            numbers.push((*var, number));
+            numbers.push((*var, number(self.field.as_ref(), x, work)?));
         }
         Some(numbers)
     }
@@ -150,6 +167,17 @@ impl Exact {
         }
         None
     }
+}
+
+/// An element of a field as a number.
+fn number(field: Option<&Field>, x: &Element, work: &mut Work) -> Option<Coordinate> {
+    Some(match field {
+        Some(field) => match field.number(&field.reduce(x, work)?, work)? {
+            Ok(x) => Coordinate::Rational(x),
+            Err(x) => Coordinate::Algebraic(x),
+        },
+        None => Coordinate::Rational(x.leading()),
+    })
 }
 
 /// The refutation of a statement about a value at a point that has a coordinate for each of its variables; `None` when it does
@@ -183,5 +211,6 @@ pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) 
         }
     }
     let refutation = exact.refute(statement, &Witness::At, work)?;
-    Some(Counterexample { refutation, point: exact.numbers(work)? })
+    let point = exact.numbers(work)?;
+    Some(Counterexample { refutation, point, exact: exact.clone() })
 }

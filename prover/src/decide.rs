@@ -3,11 +3,11 @@
 use std::rc::Rc;
 
 use basis_kernel::{
-    Certificate, Chart, Proof, Quotient, Refutation, Relation, SignProof, Signed, Statement, Witness,
+    Certificate, Chart, Proof, Quotient, Relation, SignProof, Signed, Statement, Witness,
 };
 
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
@@ -184,17 +184,19 @@ fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Deci
             propose(statement, Certificate::Rank(proof), Method::Minors, budget)
         }
         Independence::NoException(number, point) => {
-            let coordinates = point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
-            let witness =
-                Witness::Independent(basis_kernel::Point::rational(point), number);
-            match Refutation::new(Rc::clone(statement), witness, &mut Work::usual(budget)) {
-                Ok(refutation) => {
-                    Decision::Refuted(Box::new(Counterexample { refutation, point: coordinates }))
-                }
-                Err(refusal) => Decision::Undecided(refusal.to_string()),
-            }
+            let coordinates: Vec<(Var, Coordinate)> =
+                point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
+            let work = &mut Work::new(EXPLICIT);
+            let found = Exact::new(&coordinates, work).and_then(|mut exact| {
+                let refutation = exact.refute(statement, &|p| Witness::Independent(p, number), work)?;
+                Some(Counterexample { refutation, point: coordinates, exact })
+            });
+            found.map_or_else(
+                || Decision::Undecided(String::from("the budget is spent on the rank at an exception")),
+                |c| Decision::Refuted(Box::new(c)),
+            )
         }
-        Independence::Dependent(point) => dependent(statement, rows, region, &point),
+        Independence::Dependent(point) => dependent(statement, rows, &point),
         Independence::Undecided(left) => Decision::Undecided(left),
     }
 }
@@ -203,16 +205,14 @@ fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Deci
 fn dependent(
     statement: &Rc<Statement>,
     rows: &[Vec<Poly>],
-    region: &Region,
     point: &[(Var, Coordinate)],
 ) -> Decision {
     let work = &mut Work::new(EXPLICIT);
-    let _ = region;
     let found = Exact::new(point, work).and_then(|mut exact| {
         let combination = combination(&mut exact, rows, work)?;
         let witness = |point| Witness::Dependent(point, combination.clone());
         let refutation = exact.refute(statement, &witness, work)?;
-        Some(Counterexample { refutation, point: point.to_vec() })
+        Some(Counterexample { refutation, point: point.to_vec(), exact })
     });
     found.map_or_else(
         || Decision::Undecided(String::from("the budget is spent on a combination that vanishes")),

@@ -18,6 +18,7 @@ pub mod rank;
 pub mod sign;
 #[cfg(test)]
 mod tests;
+mod zero_free;
 
 pub(crate) use basis_kernel::collections;
 pub use basis_kernel::{Proof, Refutation};
@@ -28,3 +29,4 @@ pub use decide::{Decision, Shown, decide, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};
+pub use zero_free::{ZeroFree, zero_free};

@@ -10,7 +10,7 @@ use super::{doc, site};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::model::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
 

@@ -5,12 +5,13 @@ use quote::quote_spanned;
 
 use super::scalar::{ScalarCode, Variable};
 use super::{doc, docs, names, shell, site, weights};
-use crate::SortedMap;
-use crate::collections::list::Mapped;
+use basis_prover::map::SortedMap;
+use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
-use crate::model::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
+use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use crate::model::{Parameter, label};
-use crate::prove::Verdict;
+use crate::claim::Claim;
+use crate::state::Verdict;
 
 /// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …
 struct ScalarArgument<'a> {
@@ -35,7 +36,7 @@ type Determined<'a> = (&'a Patch, Vec<(&'a [i64], &'a Form)>);
 /// When names of the spec cannot become names of Rust, two of them are the same, or the points depend on dot products.
 pub(crate) fn join(
     theorem: &Theorem,
-    verdicts: &[Verdict],
+    verdicts: &[(Claim, Verdict)],
     runtime: &TokenStream,
     rename: Option<&Ident>,
 ) -> Result<TokenStream, Diagnostic> {
@@ -312,7 +313,7 @@ pub(super) fn combination(
 
 fn documentation(
     theorem: &Theorem,
-    verdicts: &[Verdict],
+    verdicts: &[(Claim, Verdict)],
     points: &[PointArgument<'_>],
     scalars: &[ScalarArgument<'_>],
     determined: &[Determined<'_>],
@@ -359,6 +360,6 @@ fn documentation(
     lines.extend(["", "# Errors", "", errors, ""].map(String::from));
     lines.extend(["# Claims", "", "Decided exactly, while this crate was compiled.", ""].map(String::from));
     lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
-    lines.extend(theorem.claims.iter().zip(verdicts).map(|(claim, verdict)| docs::row(&claim.text, verdict)));
+    lines.extend(verdicts.iter().map(|(claim, verdict)| docs::row(&claim.text, verdict)));
     lines
 }

@@ -24,8 +24,9 @@ use quote::quote_spanned;
 
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Claim, Family};
-use crate::prove::Verdict;
+use crate::claim::Claim;
+use crate::model::Family;
+use crate::state::Verdict;
 use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use formula::factored;

@@ -4,10 +4,10 @@
 //! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with the
 //! powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
 
-use crate::SortedMap;
+use basis_prover::map::SortedMap;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::{Rational, binomial};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::model::{Family, Function};
 
 /// More Bernstein coefficients, for all functions together, are not emitted.

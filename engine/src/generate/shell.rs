@@ -7,7 +7,7 @@ use super::scalar::ScalarCode;
 use super::{doc, site};
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::model::Family;
 
 /// A family as a type.

@@ -35,13 +35,13 @@ const RUN_CLAIMS: u64 = 20_000;
 const RUN_WORDS: u64 = 20_000_000;
 
 /// What to do about a run that takes too much.
-pub(super) const SPLIT: &str = "split the spec into several files, narrow the ranges of its index parameters and variables, or lower the degrees";
+pub(crate) const SPLIT: &str = "split the spec into several files, narrow the ranges of its index parameters and variables, or lower the degrees";
 
 /// What a run may still take: all families in all their orders, with all claims.
 ///
 /// Each of them has a budget of its own, but a spec may have any number of them.
 #[derive(Debug)]
-pub(super) struct Run {
+pub(crate) struct Run {
     work: Cell<u64>,
     reduction: Cell<u64>,
     steps: Cell<u64>,
@@ -52,7 +52,7 @@ pub(super) struct Run {
 }
 
 impl Run {
-    pub(super) const fn new() -> Self {
+    pub(crate) const fn new() -> Self {
         Self {
             work: Cell::new(RUN_WORK),
             reduction: Cell::new(RUN_REDUCTION),
@@ -65,7 +65,7 @@ impl Run {
     }
 
     /// Whether something was used up: nothing more is expanded.
-    pub(super) const fn is_stopped(&self) -> bool {
+    pub(crate) const fn is_stopped(&self) -> bool {
         self.stopped.get()
     }
 
@@ -83,24 +83,24 @@ impl Run {
     }
 
     /// Counts a family of one order.
-    pub(super) fn family(&self) -> Result<(), TooLarge> {
+    pub(crate) fn family(&self) -> Result<(), TooLarge> {
         self.take(&self.families, 1, RUN_FAMILIES, "families, each order counted")
     }
 
     /// Counts a claim with a text of so many bytes.
-    pub(super) fn claim(&self, text: usize) -> Result<(), TooLarge> {
+    pub(crate) fn claim(&self, text: usize) -> Result<(), TooLarge> {
         self.take(&self.claims, 1, RUN_CLAIMS, "claims, each value of an index variable and each order counted")?;
         self.words(32)?;
         self.text(text)
     }
 
     /// Counts a text of so many bytes that is kept.
-    pub(super) fn text(&self, bytes: usize) -> Result<(), TooLarge> {
+    pub(crate) fn text(&self, bytes: usize) -> Result<(), TooLarge> {
         self.words(bytes as u64 / 8)
     }
 
     /// Counts a function that is kept.
-    pub(super) fn keep(&self, value: &Fraction) -> Result<(), TooLarge> {
+    pub(crate) fn keep(&self, value: &Fraction) -> Result<(), TooLarge> {
         self.words(words(value))
     }
 
@@ -117,7 +117,7 @@ fn words(value: &Fraction) -> u64 {
 
 /// The work that is left for the expansion of the functions of a family, or of a claim.
 #[derive(Debug)]
-pub(super) struct Budget {
+pub(crate) struct Budget {
     run: Rc<Run>,
     work: Cell<u64>,
     reduction: RefCell<Work>,
@@ -134,7 +134,7 @@ const fn weight(bits: u64) -> u64 {
 
 /// Why an expansion was stopped.
 #[derive(Debug)]
-pub(super) enum TooLarge {
+pub(crate) enum TooLarge {
     /// This formula is too large, in words that follow "the formula …".
     Formula(String),
     /// The formulas of the whole run are, in a sentence.
@@ -144,7 +144,7 @@ pub(super) enum TooLarge {
 }
 
 impl Budget {
-    pub(super) fn new(run: &Rc<Run>) -> Self {
+    pub(crate) fn new(run: &Rc<Run>) -> Self {
         Self {
             run: Rc::clone(run),
             work: Cell::new(MAX_WORK),
@@ -153,13 +153,13 @@ impl Budget {
     }
 
     /// Starts to count anew.
-    pub(super) fn refill(&self) {
+    pub(crate) fn refill(&self) {
         self.work.set(MAX_WORK);
         *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION);
     }
 
     /// What the whole run may take.
-    pub(super) fn run(&self) -> &Run {
+    pub(crate) fn run(&self) -> &Run {
         &self.run
     }
 
@@ -176,7 +176,7 @@ impl Budget {
     }
 
     /// Counts work; an error when none is left.
-    pub(super) fn spend(&self, amount: u64) -> Result<(), TooLarge> {
+    pub(crate) fn spend(&self, amount: u64) -> Result<(), TooLarge> {
         match self.work.get().checked_sub(amount) {
             Some(left) => {
                 self.work.set(left);
@@ -191,12 +191,12 @@ impl Budget {
     }
 
     /// Counts parts of formulas that are evaluated, or passes of a loop.
-    pub(super) fn step(&self, parts: u64) -> Result<(), TooLarge> {
+    pub(crate) fn step(&self, parts: u64) -> Result<(), TooLarge> {
         self.run.take(&self.run.steps, parts, RUN_STEPS, "parts of formulas to evaluate, in all passes of its loops")
     }
 
     /// Counts the work of a copy.
-    pub(super) fn copy(&self, value: &Fraction) -> Result<(), TooLarge> {
+    pub(crate) fn copy(&self, value: &Fraction) -> Result<(), TooLarge> {
         // A copy of a term costs a tenth of a product or so.
         self.step(1 + words(value) / 32)
     }
@@ -225,12 +225,12 @@ impl Budget {
         Ok(value)
     }
 
-    pub(super) fn add(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
+    pub(crate) fn add(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_sum(a, b)?;
         Self::checked(self.reduce(|work| a.add_within(b, work).ok_or(Spent))?)
     }
 
-    pub(super) fn sub(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
+    pub(crate) fn sub(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_sum(a, b)?;
         Self::checked(self.reduce(|work| a.sub_within(b, work).ok_or(Spent))?)
     }
@@ -246,21 +246,21 @@ impl Budget {
         Ok(())
     }
 
-    pub(super) fn mul(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
+    pub(crate) fn mul(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_product(a.numer(), b.numer())?;
         self.before_product(a.denom(), b.denom())?;
         Self::checked(self.reduce(|work| a.mul_within(b, work).ok_or(Spent))?)
     }
 
     /// a / b, where b is not zero.
-    pub(super) fn div(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
+    pub(crate) fn div(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_product(a.numer(), b.denom())?;
         self.before_product(a.denom(), b.numer())?;
         let quotient = self.reduce(|work| a.div_within(b, work))?;
         quotient.ok_or_else(|| formula("divides by zero")).and_then(Self::checked)
     }
 
-    pub(super) fn pow(&self, base: &Fraction, exponent: u32) -> Result<Fraction, TooLarge> {
+    pub(crate) fn pow(&self, base: &Fraction, exponent: u32) -> Result<Fraction, TooLarge> {
         let degree =
             u64::from(base.numer().total_degree().max(base.denom().total_degree())) * u64::from(exponent);
         if degree > u64::from(MAX_DEGREE) {
@@ -288,13 +288,13 @@ impl Budget {
     }
 
     /// The partial derivative in a variable.
-    pub(super) fn derivative(&self, value: &Fraction, var: Var) -> Result<Fraction, TooLarge> {
+    pub(crate) fn derivative(&self, value: &Fraction, var: Var) -> Result<Fraction, TooLarge> {
         self.spend((value.numer().len() + value.denom().len()) as u64)?;
         self.reduce(|work| value.derivative_within(var, work).ok_or(Spent)).and_then(Self::checked)
     }
 
     /// The function with another put in place of a variable; `None` when its denominator becomes zero.
-    pub(super) fn substitute(
+    pub(crate) fn substitute(
         &self,
         value: &Fraction,
         var: Var,

@@ -6,13 +6,13 @@ use super::scope::Scope;
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Diagnostics;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
-pub(super) fn family(
+pub(crate) fn family(
     library: &Library<'_>,
     unit: usize,
     source: SourceId,
@@ -53,7 +53,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         scope.fits(scope.budget.run().keep(&f.value), written.name.span)?;
     }
     let whole = functions.len() == scope.functions.len() && !scope.cut_short;
-    let family = Family {
+    let mut family = Family {
         name: written.name.text.clone(),
         doc: written.doc.clone(),
         order: scope.constants.clone(),
@@ -66,9 +66,11 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         function_name: scope.function_name.clone(),
         functions,
         base: core::mem::take(&mut scope.base),
+        obligations: Vec::new(),
         budget,
     };
     scope.settle(&family.shape_region(), family.budget);
+    family.obligations = core::mem::take(&mut scope.obligations);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
     }
@@ -224,7 +226,7 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
 }
 
 /// How many times the usual work `budget …;` allows.
-pub(super) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
+pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
     if let n @ 1..=10_000 = scope.whole(value, "the budget")? {
         return Some(n as u32);
     }
@@ -239,7 +241,7 @@ fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
 }
 
 /// A range from its ends as they are written; the name is for messages.
-pub(super) fn range_of(
+pub(crate) fn range_of(
     scope: &mut Scope<'_>,
     span: Span,
     low: Option<&(Expr, bool)>,

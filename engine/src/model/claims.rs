@@ -2,26 +2,28 @@
 
 use proc_macro2::Span;
 
-use super::budget::{Run, TooLarge};
 use super::obligations::Inside;
 use super::print::{Component, Printer};
 use super::scope::{Scope, Value};
-use super::{Claim, ClaimKind, Difference, Family, Library};
+use super::{Family, Library};
+use crate::claim::{Claim, ClaimKind, Difference};
+use super::obligation::Obligation;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Diagnostics;
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
-pub(super) fn claims(
+pub(crate) fn claims(
     library: &Library<'_>,
     unit: usize,
     written: &syntax::Family,
     family: &Family,
-) -> (Vec<Claim>, Diagnostics) {
+) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    scope.inherit(&family.obligations);
     let region = family.region();
     let mut all = Vec::new();
     for f in &family.functions {
@@ -50,11 +52,11 @@ pub(super) fn claims(
             _ => {}
         }
     }
-    (all, scope.diagnostics.into_inner())
+    (all, scope.obligations, scope.diagnostics.into_inner())
 }
 
 /// Reports what is wrong with the claims of a family that has errors already.
-pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
+pub(crate) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
     for statement in &written.statements {
         if let StatementKind::Claim(claim) = &statement.kind {
             one(scope, family, claim, statement.span, &mut Vec::new());
@@ -65,7 +67,9 @@ pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family,
 /// Appends the claims that one statement makes.
 fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
     let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
-        let fine = scope.fits(counted(scope.budget.run(), &text, &kind), span).is_some();
+        let run = scope.budget.run();
+        let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
+        let fine = scope.fits(counted, span).is_some();
         if fine {
             let place = scope.place(span);
             all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place, kind });
@@ -74,7 +78,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
     };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
-            self::relation(scope, relation, &[], &mut |scope, text, kind| push(scope, text, span, kind));
+            self::relation(scope, relation, &[], None, &mut |scope, text, kind| push(scope, text, span, kind));
         }
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };
@@ -83,7 +87,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
                 bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
             let at = parts.join(", ");
             for relation in relations {
-                self::relation(scope, relation, &fixed, &mut |scope, text, kind| {
+                self::relation(scope, relation, &fixed, Some(&at), &mut |scope, text, kind| {
                     push(scope, format!("at {at}: {text}"), relation.span, kind)
                 });
             }
@@ -312,20 +316,14 @@ fn independent(
 /// Takes a claim; whether there is room for it.
 type Push<'p> = dyn FnMut(&Scope<'_>, String, ClaimKind) -> bool + 'p;
 
-/// Counts a claim and what it keeps.
-fn counted(run: &Run, text: &str, kind: &ClaimKind) -> Result<(), TooLarge> {
-    run.claim(text.len())?;
-    if let ClaimKind::Relation { differences, .. } = kind {
-        for difference in differences {
-            run.text(difference.left.len() + difference.right.len() + difference.text.len())?;
-            run.keep(&difference.value)?;
-        }
-    }
-    Ok(())
-}
-
 /// One equation or inequality, for each value of its index variables.
-fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)], push: &mut Push<'_>) {
+fn relation(
+    scope: &mut Scope<'_>,
+    relation: &Relation,
+    fixed: &[(Var, Fraction)],
+    at: Option<&str>,
+    push: &mut Push<'_>,
+) {
     if relation.comparison == Comparison::NotEqual {
         let error = scope.error(relation.span, "a claim is an equation or an inequality");
         scope.report(error.help("write `refute … = …;` to say that two things differ, or claim `<` or `>`"));
@@ -339,7 +337,7 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
     let mut any = false;
     let fine = scope.each(&relation.loops, &mut |scope| {
         any = true;
-        let before = scope.obligations.len();
+        let before = scope.pending.len();
         match differences(scope, relation, fixed) {
             Some(differences) => {
                 let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
@@ -351,11 +349,12 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
                     comparison: relation.comparison,
                     differences,
                     fixed: fixed.to_vec(),
+                    at: at.map(String::from),
                 };
                 push(scope, text, kind)
             }
             None => {
-                scope.obligations.truncate(before);
+                scope.pending.truncate(before);
                 false
             }
         }

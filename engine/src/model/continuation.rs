@@ -1,14 +1,14 @@
 //! Curves that continue one another: the control points that an order of contact determines, for any family on an interval, from
 //! the exact derivatives at the ends.
 
-use super::theorem::{Form, GivenPoint, Unit};
+use crate::theorem::{Form, GivenPoint, Unit};
 use super::{Family, label};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::model::Parameter;
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
@@ -281,7 +281,7 @@ fn inverse(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<(Vec<Vec<Fra
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::theorem::Theorem;
+    use crate::theorem::Theorem;
     use crate::model::{Library, Selected};
     use crate::{Disk, Source};
 

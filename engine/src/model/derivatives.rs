@@ -4,13 +4,13 @@ use proc_macro2::Span;
 
 use super::scope::{Scope, Value};
 use crate::algebra::poly::Var;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind};
 use crate::words::along_edges;
 
 impl Scope<'_> {
     /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
-    pub(super) fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+    pub(crate) fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
         let Some((f, rest)) = arguments.split_first() else {
             self.report(self.error(span, "`D` needs a function").help("write `D(b)` or `D(b[0], 2)`"));
             return None;

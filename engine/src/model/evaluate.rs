@@ -3,12 +3,12 @@
 use proc_macro2::Span;
 
 use super::budget::TooLarge;
-use super::obligations::{Duty, Obligation};
+use super::obligations::{Duty, Pending};
 use super::scope::{BUILTINS, Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind, Loops};
 use crate::words::{count, here};
 
@@ -17,7 +17,7 @@ const MAX_FACTORIAL: i64 = 500;
 
 impl Scope<'_> {
     /// The one function that an expression is; reports a list.
-    pub(super) fn scalar(&mut self, expr: &Expr) -> Option<Fraction> {
+    pub(crate) fn scalar(&mut self, expr: &Expr) -> Option<Fraction> {
         match self.value(expr)? {
             Value::Scalar(value) => Some(value),
             Value::List(list) => {
@@ -30,7 +30,7 @@ impl Scope<'_> {
     }
 
     /// What an expression denotes; `None` when that is reported as an error.
-    pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
+    pub(crate) fn value(&mut self, expr: &Expr) -> Option<Value> {
         self.fits(self.budget.step(1), expr.span)?;
         match &expr.kind {
             ExprKind::Number(n) => Some(Value::Scalar(Fraction::constant(n.clone()))),
@@ -85,7 +85,7 @@ impl Scope<'_> {
     }
 
     /// Passes on a result, or reports that a formula is too large.
-    pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
+    pub(crate) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
         self.within(result, span, "lower the degree or the number of parameters")
     }
 
@@ -220,7 +220,7 @@ impl Scope<'_> {
     }
 
     /// Only numbers and shape parameters may divide; that they do not vanish on their ranges is proved later.
-    pub(super) fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
+    pub(crate) fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
         if divisor.is_zero() {
             self.report(self.error(span, "division by zero"));
             return None;
@@ -236,7 +236,7 @@ impl Scope<'_> {
         }
         if divisor.as_constant().is_none() {
             let place = self.place(span);
-            self.obligations.push(Obligation { duty: Duty::Nonzero(divisor.numer().clone()), place });
+            self.pending.push(Pending { duty: Duty::Nonzero(divisor.numer().clone()), place });
         }
         Some(())
     }
@@ -423,7 +423,7 @@ impl Scope<'_> {
     }
 
     /// A function with others put in place of variables, all at once.
-    pub(super) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
+    pub(crate) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
         let mut result = f.clone();
         let later = |k: usize| vars.iter().skip(k + 1).any(|var| by[k].depends_on(*var));
         if !(0..by.len()).any(later) {
@@ -444,7 +444,7 @@ impl Scope<'_> {
         Some(result)
     }
 
-    pub(super) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
+    pub(crate) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
         if !f.depends_on(var) {
             return Some(f.clone());
         }

@@ -6,13 +6,13 @@ use super::obligations::Inside;
 use super::scope::{Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::syntax::Expr;
 use crate::words::{count, here};
 
 impl Scope<'_> {
     /// The functions of another family, in this family's domain variables.
-    pub(super) fn family(
+    pub(crate) fn family(
         &mut self,
         name: &str,
         orders: &[Expr],
@@ -33,6 +33,7 @@ impl Scope<'_> {
                 return None;
             }
         };
+        self.inherit(&family.obligations);
         if shapes.len() != family.shapes.len() {
             let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
             let error = self.error(

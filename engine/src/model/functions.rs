@@ -7,19 +7,19 @@ use proc_macro2::Span;
 use super::indices::{check_indices, grid, sizes};
 use super::scope::{Definition, Scope, multi_indices};
 use super::{Family, Function, label};
-use crate::SortedMap;
+use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use crate::words::{count, indices};
 
 /// More functions than this are refused.
-pub(super) const MAX_FUNCTIONS: usize = 512;
+pub(crate) const MAX_FUNCTIONS: usize = 512;
 
 /// Defines what the statements define, in the order in which they are written.
-pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
+pub(crate) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
     name_functions(scope, written);
     let mut base: Option<(String, i64)> = None;
     let (mut bases, mut raises) = (None, None);
@@ -387,7 +387,7 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
 
 /// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the order
 /// before, which has no gap and whose functions are 0 elsewhere.
-pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
+pub(crate) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
     let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
     if !corners || index.iter().any(|i| *i < 0) {
         return None;
@@ -405,7 +405,7 @@ pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static 
 
 impl Scope<'_> {
     /// A barycentric coordinate by its place; the last one is 1 minus the others.
-    pub(super) fn barycentric(&self, place: usize) -> Fraction {
+    pub(crate) fn barycentric(&self, place: usize) -> Fraction {
         match self.domain.get(place) {
             Some(var) => Fraction::var(*var),
             None => {

@@ -8,11 +8,12 @@ use std::rc::Rc;
 use proc_macro2::{Span, TokenStream};
 
 use super::budget::{Run, TooLarge};
-use super::theorem::{self, Theorem};
-use super::{Claim, Family, build, claims};
-use crate::SortedMap;
-use crate::collections::list::Mapped;
-use crate::collections::sort::sort_by;
+use super::obligation::Judge;
+use super::{Family, build, claims};
+use crate::subject::{Item, Subject};
+use basis_prover::map::SortedMap;
+use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::sort::sort_by;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{self, Files, Source, SourceId, Sources};
 use crate::syntax::{self, Name, Spec, SyntaxErrors};
@@ -23,15 +24,6 @@ const MAX_DEPTH: usize = 48;
 
 /// More orders of one family than this are refused.
 const MAX_ORDERS: i64 = 1000;
-
-/// A family of one order with its claims.
-#[derive(Clone, Debug)]
-pub struct Item {
-    /// The family.
-    pub family: Rc<Family>,
-    /// Its claims, in the order in which they are written.
-    pub claims: Vec<Claim>,
-}
 
 /// Which families of a spec are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +68,7 @@ type Expanded = SortedMap<(usize, usize, Vec<i64>), Option<Rc<Family>>>;
 /// The specs of one run.
 pub struct Library<'f> {
     files: &'f dyn Files,
+    judge: &'f dyn Judge,
     sources: Sources,
     units: Vec<Unit>,
     expanded: RefCell<Expanded>,
@@ -90,24 +83,30 @@ const MAIN: usize = 0;
 
 impl<'f> Library<'f> {
     /// Reads a spec from a text, with everything that it uses.
-    pub fn from_source(files: &'f dyn Files, source: Source) -> Self {
-        let mut library = Self::empty(files);
+    pub fn from_source(files: &'f dyn Files, judge: &'f dyn Judge, source: Source) -> Self {
+        let mut library = Self::empty(files, judge);
         library.add_text(source, &mut Vec::new());
         library.finish()
     }
 
     /// Reads a spec from the tokens of a macro call in the file `path`, with everything that it uses.
-    pub fn from_tokens(files: &'f dyn Files, tokens: TokenStream, path: Option<PathBuf>) -> Self {
-        let mut library = Self::empty(files);
+    pub fn from_tokens(
+        files: &'f dyn Files,
+        judge: &'f dyn Judge,
+        tokens: TokenStream,
+        path: Option<PathBuf>,
+    ) -> Self {
+        let mut library = Self::empty(files, judge);
         let id = library.sources.add(Source::tokens(path));
         let (spec, errors) = syntax::parse_tokens(tokens);
         library.add_unit(id, spec, errors, &mut Vec::new());
         library.finish()
     }
 
-    fn empty(files: &'f dyn Files) -> Self {
+    fn empty(files: &'f dyn Files, judge: &'f dyn Judge) -> Self {
         Self {
             files,
+            judge,
             sources: Sources::default(),
             units: Vec::new(),
             expanded: RefCell::default(),
@@ -271,19 +270,23 @@ impl<'f> Library<'f> {
         })
     }
 
-    /// The theorems and joins of the spec that was asked for; those with errors are left out.
-    pub fn theorems(&self) -> Vec<Theorem> {
-        let mut theorems = Vec::new();
+    /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins, and keeps
+    /// the errors that it returns.
+    pub(crate) fn each_theorem(
+        &self,
+        read: &mut dyn FnMut(usize, SourceId, &syntax::Theorem) -> Diagnostics,
+    ) {
         for written in self.theorems_of(MAIN) {
             if self.counts_as_family(MAIN, written.name.span).is_none() {
                 break;
             }
-            let (theorem, diagnostics) = theorem::theorem(self, MAIN, self.units[MAIN].source, written);
-            let clean = diagnostics.is_empty();
-            self.report_all(diagnostics);
-            theorems.extend(theorem.filter(|_| clean));
+            self.report_all(read(MAIN, self.units[MAIN].source, written));
         }
-        theorems
+    }
+
+    /// Who decides what has to hold while formulas are read.
+    pub(crate) const fn judge(&self) -> &'f dyn Judge {
+        self.judge
     }
 
     /// The units in which a spec looks for a family: itself, what it uses, the prelude.
@@ -316,17 +319,17 @@ impl<'f> Library<'f> {
     }
 
     /// The names of all families that a spec can name.
-    pub(super) fn visible(&self, unit: usize) -> Vec<String> {
+    pub(crate) fn visible(&self, unit: usize) -> Vec<String> {
         self.search(unit).into_iter().flat_map(|u| self.families_of(u)).map(|f| f.name.text.clone()).collect()
     }
 
     /// Whether a spec can name this family.
-    pub(super) fn knows(&self, unit: usize, name: &str) -> bool {
+    pub(crate) fn knows(&self, unit: usize, name: &str) -> bool {
         self.find(unit, name).is_some()
     }
 
     /// How many index parameters a family has; 0 for an unknown name.
-    pub(super) fn order_count(&self, unit: usize, name: &str) -> usize {
+    pub(crate) fn order_count(&self, unit: usize, name: &str) -> usize {
         self.find(unit, name)
             .and_then(|(u, k)| self.units[u].family(k))
             .map_or(0, |family| family.orders.len())
@@ -336,7 +339,7 @@ impl<'f> Library<'f> {
     ///
     /// # Errors
     /// What is wrong and what to write instead; `None` when its own errors are reported already.
-    pub(super) fn family(
+    pub(crate) fn family(
         &self,
         unit: usize,
         name: &str,
@@ -544,13 +547,13 @@ impl<'f> Library<'f> {
         let family = self.family(MAIN, name, order)?;
         let (home, position) = self.find(MAIN, name).ok_or(None)?;
         let written = self.units[home].family(position).ok_or(None)?;
-        let (claims, diagnostics) = claims::claims(self, home, written, &family);
+        let (claims, obligations, diagnostics) = claims::claims(self, home, written, &family);
         self.report_all(at_order(diagnostics, written, order));
-        Ok(Item { family, claims })
+        Ok(Item { subject: Subject::Family(family), obligations, claims })
     }
 
     /// The place of a span in a source.
-    pub(super) fn place(&self, source: SourceId, span: Span) -> Place {
+    pub(crate) fn place(&self, source: SourceId, span: Span) -> Place {
         if self.sources.get(source).text.is_some() {
             Place::Text(source, span.byte_range())
         } else {
@@ -578,12 +581,12 @@ impl<'f> Library<'f> {
     }
 
     /// Whether further errors are only counted.
-    pub(super) fn is_full(&self) -> bool {
+    pub(crate) fn is_full(&self) -> bool {
         self.diagnostics.borrow().is_full()
     }
 
     /// What the run may still take.
-    pub(super) const fn run(&self) -> &Rc<Run> {
+    pub(crate) const fn run(&self) -> &Rc<Run> {
         &self.run
     }
 

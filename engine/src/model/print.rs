@@ -1,26 +1,26 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind, Generator, TheoremRelation};
 
 /// How to print.
-pub(super) struct Printer<'a> {
+pub(crate) struct Printer<'a> {
     /// Index parameters and index variables with their values.
-    pub(super) constants: &'a [(String, i64)],
+    pub(crate) constants: &'a [(String, i64)],
     /// The component of lists to print instead of the list.
-    pub(super) component: Option<Component<'a>>,
+    pub(crate) component: Option<Component<'a>>,
 }
 
 /// One component of lists.
-pub(super) struct Component<'a> {
+pub(crate) struct Component<'a> {
     /// The name that stands for the list of all functions.
-    pub(super) function_name: &'a str,
+    pub(crate) function_name: &'a str,
     /// Whether a name is a family, whose call is a list too.
-    pub(super) is_family: &'a dyn Fn(&str) -> bool,
+    pub(crate) is_family: &'a dyn Fn(&str) -> bool,
     /// The place in the list.
-    pub(super) position: usize,
+    pub(crate) position: usize,
     /// The index of the function at that place.
-    pub(super) index: &'a [i64],
+    pub(crate) index: &'a [i64],
 }
 
 /// How tight an expression binds: a looser part inside a tighter one needs brackets.
@@ -34,12 +34,12 @@ enum Binding {
 
 impl Printer<'_> {
     /// The expression as text.
-    pub(super) fn print(&self, expr: &Expr) -> String {
+    pub(crate) fn print(&self, expr: &Expr) -> String {
         self.at_least(expr, Binding::Sum)
     }
 
     /// `left`, `right` and `left - right` as text, without what need not be said.
-    pub(super) fn difference(&self, left: &Expr, right: &Expr) -> (String, String, String) {
+    pub(crate) fn difference(&self, left: &Expr, right: &Expr) -> (String, String, String) {
         let left = self.print(left);
         let (right, binding) = self.parts(right);
         let difference = match (right.as_str(), binding) {

@@ -5,12 +5,13 @@ use core::cell::RefCell;
 use proc_macro2::Span;
 
 use super::budget::{Budget, SPLIT, TooLarge};
-use super::obligations::{Duty, Obligation};
+use super::obligation::Obligation;
+use super::obligations::{Duty, Pending};
 use super::{Family, Function, Library};
-use crate::SortedMap;
+use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
@@ -20,12 +21,12 @@ use crate::words::did_you_mean;
 const MAX_ITERATIONS: i64 = 20_000;
 
 /// Names that the language itself defines.
-pub(super) const BUILTINS: [&str; 9] =
+pub(crate) const BUILTINS: [&str; 9] =
     ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
 
 /// What an expression is.
 #[derive(Clone, Debug)]
-pub(super) enum Value {
+pub(crate) enum Value {
     /// One function or number.
     Scalar(Fraction),
     /// Several, each with its index.
@@ -34,7 +35,7 @@ pub(super) enum Value {
 
 /// What the names belong to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Subject {
+pub(crate) enum Subject {
     /// Variables are shape parameters and domain variables.
     Family,
     /// Variables are scalars.
@@ -42,72 +43,74 @@ pub(super) enum Subject {
 }
 
 /// Where a function is defined.
-pub(super) struct Definition {
+pub(crate) struct Definition {
     /// Its place in the order of the definitions.
-    pub(super) place: usize,
-    pub(super) span: Span,
+    pub(crate) place: usize,
+    pub(crate) span: Span,
     /// Whether `permute` defines it, perhaps from another index.
-    pub(super) permuted: bool,
+    pub(crate) permuted: bool,
 }
 
 /// The names of one family while it is being expanded.
-pub(super) struct Scope<'a> {
-    pub(super) library: &'a Library<'a>,
-    pub(super) unit: usize,
-    pub(super) source: SourceId,
-    pub(super) subject: Subject,
+pub(crate) struct Scope<'a> {
+    pub(crate) library: &'a Library<'a>,
+    pub(crate) unit: usize,
+    pub(crate) source: SourceId,
+    pub(crate) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
-    pub(super) constants: Vec<(String, i64)>,
+    pub(crate) constants: Vec<(String, i64)>,
     /// What `let` defined; `None` when that went wrong.
-    pub(super) lets: SortedMap<String, Option<Fraction>>,
+    pub(crate) lets: SortedMap<String, Option<Fraction>>,
     /// The names of the variables: shape parameters, then domain variables.
-    pub(super) names: Vec<String>,
+    pub(crate) names: Vec<String>,
     /// The independent domain variables.
-    pub(super) domain: Vec<Var>,
+    pub(crate) domain: Vec<Var>,
     /// The last barycentric coordinate of a simplex.
-    pub(super) dependent: Option<Var>,
-    pub(super) function_name: String,
+    pub(crate) dependent: Option<Var>,
+    pub(crate) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
-    pub(super) functions: SortedMap<Vec<i64>, Option<Fraction>>,
+    pub(crate) functions: SortedMap<Vec<i64>, Option<Fraction>>,
     /// Where each of them is defined; the functions of the lowest order also after others are raised from them.
-    pub(super) defined: SortedMap<Vec<i64>, Definition>,
+    pub(crate) defined: SortedMap<Vec<i64>, Definition>,
     /// The functions of the lowest order, once others are raised from them.
-    pub(super) base: Vec<Function>,
+    pub(crate) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
-    pub(super) missing_is_zero: bool,
+    pub(crate) missing_is_zero: bool,
     /// Whether an error has ended a loop over functions early.
-    pub(super) cut_short: bool,
+    pub(crate) cut_short: bool,
     /// Whether all functions are defined, so that the name alone means all of them.
-    pub(super) complete: bool,
-    pub(super) budget: Budget,
+    pub(crate) complete: bool,
+    pub(crate) budget: Budget,
     /// What is still to be proved for the formulas to mean something.
-    pub(super) obligations: Vec<Obligation>,
+    pub(crate) pending: Vec<Pending>,
     /// What of that is proved.
-    pub(super) settled: Vec<Duty>,
-    pub(super) diagnostics: RefCell<Diagnostics>,
+    pub(crate) settled: Vec<Duty>,
+    /// All that holds, and why.
+    pub(crate) obligations: Vec<Obligation>,
+    pub(crate) diagnostics: RefCell<Diagnostics>,
 }
 
 impl Scope<'_> {
-    pub(super) fn place(&self, span: Span) -> Place {
+    pub(crate) fn place(&self, span: Span) -> Place {
         self.library.place(self.source, span)
     }
 
-    pub(super) fn error(&self, span: Span, message: impl Into<String>) -> Diagnostic {
+    pub(crate) fn error(&self, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic::error(self.place(span), message)
     }
 
     /// Reports an error once.
-    pub(super) fn report(&self, diagnostic: Diagnostic) {
+    pub(crate) fn report(&self, diagnostic: Diagnostic) {
         self.diagnostics.borrow_mut().push(diagnostic);
     }
 
     /// Whether further errors are only counted, so that the words about them need not be found.
-    pub(super) fn is_full(&self) -> bool {
+    pub(crate) fn is_full(&self) -> bool {
         self.library.is_full() || self.diagnostics.borrow().is_full()
     }
 
     /// Passes on a result, or reports that something is too large.
-    pub(super) fn within<T>(&self, result: Result<T, TooLarge>, span: Span, help: &str) -> Option<T> {
+    pub(crate) fn within<T>(&self, result: Result<T, TooLarge>, span: Span, help: &str) -> Option<T> {
         match result {
             Ok(value) => return Some(value),
             Err(TooLarge::Formula(reason)) => {
@@ -120,22 +123,22 @@ impl Scope<'_> {
     }
 
     /// The variable with a name.
-    pub(super) fn variable(&self, name: &str) -> Option<Var> {
+    pub(crate) fn variable(&self, name: &str) -> Option<Var> {
         self.names.iter().position(|n| n == name).map(Var)
     }
 
     /// Whether a variable belongs to the domain.
-    pub(super) fn is_domain_variable(&self, var: Var) -> bool {
+    pub(crate) fn is_domain_variable(&self, var: Var) -> bool {
         self.domain.contains(&var) || self.dependent == Some(var)
     }
 
     /// The value of an index parameter or index variable.
-    pub(super) fn constant(&self, name: &str) -> Option<i64> {
+    pub(crate) fn constant(&self, name: &str) -> Option<i64> {
         self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v)
     }
 
     /// What already has this name, for an error when it is declared again.
-    pub(super) fn taken(&self, name: &str) -> Option<&'static str> {
+    pub(crate) fn taken(&self, name: &str) -> Option<&'static str> {
         if BUILTINS.contains(&name) {
             Some("a function of the language")
         } else if self.constant(name).is_some() {
@@ -158,7 +161,7 @@ impl Scope<'_> {
     }
 
     /// Reports a name that is declared although it already means something; whether it is free.
-    pub(super) fn check_free(&self, name: &Name) -> bool {
+    pub(crate) fn check_free(&self, name: &Name) -> bool {
         let Some(what) = self.taken(&name.text) else { return true };
         let error =
             self.error(name.span, format!("`{}` is already {what}", name.text)).label("declared again here");
@@ -167,7 +170,7 @@ impl Scope<'_> {
     }
 
     /// Reports an unknown name, with the known name that it resembles.
-    pub(super) fn unknown(&self, name: &str, span: Span) {
+    pub(crate) fn unknown(&self, name: &str, span: Span) {
         // A declaration that could not be read may have been that of this name.
         if self.cut_short && self.domain.is_empty() {
             return;
@@ -208,7 +211,7 @@ impl Scope<'_> {
     }
 
     /// The number that an expression is; reports anything else.
-    pub(super) fn number(&mut self, expr: &Expr, what: &str) -> Option<crate::algebra::rational::Rational> {
+    pub(crate) fn number(&mut self, expr: &Expr, what: &str) -> Option<crate::algebra::rational::Rational> {
         match self.scalar(expr)?.as_constant() {
             Some(value) => Some(value),
             None => {
@@ -222,7 +225,7 @@ impl Scope<'_> {
     }
 
     /// The whole number that an expression is; reports anything else.
-    pub(super) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
+    pub(crate) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
         let value = self.number(expr, what)?;
         match value.to_i64() {
             Some(n) => Some(n),
@@ -235,7 +238,7 @@ impl Scope<'_> {
 
     /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
     /// body said so.
-    pub(super) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
+    pub(crate) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
         let depth = self.constants.len();
         for generator in &loops.generators {
             let names = match generator {
@@ -329,7 +332,7 @@ impl Scope<'_> {
     }
 
     /// The first and last value that a generator runs over.
-    pub(super) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
+    pub(crate) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
         let low = self.whole(&generator.low, "the first value of an index")?;
         let high = self.whole(&generator.high, "the last value of an index")?;
         let last = if generator.inclusive { high } else { high.checked_sub(1)? };
@@ -337,7 +340,7 @@ impl Scope<'_> {
     }
 
     /// A new scope for a family, without any variables yet.
-    pub(super) fn new<'a>(library: &'a Library<'a>, unit: usize, source: SourceId) -> Scope<'a> {
+    pub(crate) fn new<'a>(library: &'a Library<'a>, unit: usize, source: SourceId) -> Scope<'a> {
         Scope {
             library,
             unit,
@@ -356,6 +359,7 @@ impl Scope<'_> {
             cut_short: false,
             complete: false,
             budget: Budget::new(library.run()),
+            pending: Vec::new(),
             obligations: Vec::new(),
             settled: Vec::new(),
             diagnostics: RefCell::default(),
@@ -363,7 +367,7 @@ impl Scope<'_> {
     }
 
     /// The scope of the claims of a family that is expanded.
-    pub(super) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
+    pub(crate) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
         let mut scope = Self::new(library, unit, family.source);
         scope.constants.clone_from(&family.order);
         scope.names.clone_from(&family.names);
@@ -378,7 +382,7 @@ impl Scope<'_> {
     }
 
     /// Whether an expression mentions a function, a variable, or another family: anything that can vary.
-    pub(super) fn mentions_variable(&self, expr: &Expr) -> bool {
+    pub(crate) fn mentions_variable(&self, expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Number(_) => false,
             ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
@@ -398,7 +402,7 @@ impl Scope<'_> {
 }
 
 /// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
-pub(super) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
+pub(crate) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
     let mut all = Vec::new();
     if sum < 0 || len == 0 {
         return all;

@@ -1,11 +1,14 @@
 //! Equations: expand, subtract, and nothing or something is left.
 
-use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_point, point};
+use basis_kernel::Statement;
+use basis_kernel::collections::list::Mapped;
+
+use super::verdict::Witness;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
-use crate::model::{ClaimKind, Family};
+use crate::claim::ClaimKind;
+use crate::model::Family;
 use crate::words::abbreviated;
 
 /// Σ bᵢ = 1.
@@ -178,52 +181,30 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
     differences
 }
 
-/// Expands, subtracts, and looks whether something is left of one of the differences.
-pub(super) fn decide(family: &Family, kind: &ClaimKind, differences: Vec<(String, Fraction)>) -> Verdict {
-    let fixed = super::fixed(kind);
-    let method = match kind {
-        ClaimKind::PartitionOfUnity => "expansion of the sum",
-        ClaimKind::Symmetric => "expansion of the moved functions",
-        ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
-        _ => "expansion of both sides",
-    };
-    let mut steps = Vec::new();
-    for (k, (of, difference)) in differences.into_iter().enumerate() {
-        if let Some(mut witness) = witness(family, of.clone(), &difference, fixed) {
-            if matches!(kind, ClaimKind::Continuity(_)) {
-                witness.idle = domain_names(family);
-            }
-            witness.notes = notes(family, kind, k, &difference, &witness);
-            return Verdict::Refuted(witness);
-        }
-        steps.push(Step { of, proof: StepProof::Identity });
-    }
-    Verdict::Proved(Evidence { method: method.to_string(), steps })
-}
-
-/// What it means that the difference at position k is not zero.
-fn notes(
-    family: &Family,
-    kind: &ClaimKind,
-    k: usize,
-    difference: &Fraction,
-    witness: &Witness,
-) -> Vec<String> {
+/// What it means that an expression is not as claimed.
+pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec<String> {
     let of = &witness.of;
-    let shown = abbreviated(&difference.display(&family.names));
     let here = witness.point();
+    let value = match witness.refutation().statement() {
+        Statement::Zero { value, .. } => Fraction::new(value.numerator.clone(), value.denominator.clone()),
+        _ => return vec![format!("`{of}` is {} at {here}", witness.value)],
+    };
+    let difference = value.unwrap_or_else(Fraction::zero);
+    let shown = abbreviated(&difference.display(&family.names));
     match kind {
         ClaimKind::PartitionOfUnity => {
             let one = Fraction::constant(Rational::ONE);
             vec![
                 format!(
                     "the sum of the functions is `{}`",
-                    abbreviated(&(difference + &one).display(&family.names))
+                    abbreviated(&(&difference + &one).display(&family.names))
                 ),
                 format!("at {here} it is {}", &witness.value + &Rational::ONE),
             ]
         }
-        ClaimKind::Continuity(_) => {
+        ClaimKind::Continuity(order) => {
+            let all = continuity(family, *order);
+            let k = all.iter().position(|(label, _)| label == of).unwrap_or(0);
             let order = k / (family.functions.len() + 1);
             vec![
                 format!("the derivatives of order {order} of neighbouring segments differ where they meet"),
@@ -236,8 +217,8 @@ fn notes(
             } else {
                 format!(" at {}", describe_fixed(family, fixed))
             };
-            let sides = differences.get(k).map(|d| (d.left.as_str(), d.right.as_str()));
-            let (left, right) = sides.unwrap_or_default();
+            let sides = differences.iter().find(|d| d.text == *of && d.value == difference);
+            let (left, right) = sides.map(|d| (d.left.as_str(), d.right.as_str())).unwrap_or_default();
             vec![
                 format!("`{left}`{at} differs from `{right}` by `{shown}`"),
                 format!("at {here} the difference is {}", witness.value),
@@ -251,16 +232,4 @@ fn describe_fixed(family: &Family, fixed: &[(Var, Fraction)]) -> String {
     let parts: Vec<String> =
         fixed.mapped(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names)));
     parts.join(", ")
-}
-
-/// A point at which the difference is not zero, if there is one.
-fn witness(family: &Family, of: String, difference: &Fraction, fixed: &[(Var, Fraction)]) -> Option<Witness> {
-    if difference.is_zero() {
-        return None;
-    }
-    // The denominator vanishes nowhere on the declared ranges.
-    let point = point::nonzero(family, difference.numer(), fixed)?;
-    let value = difference.eval(&point::coordinates(&point, family.names.len()))?;
-    let at = named_point(family, &point, fixed);
-    Some(Witness { of, at, idle: Vec::new(), value, net: Vec::new(), notes: Vec::new() })
 }

@@ -1,69 +1,48 @@
 //! Linear independence: the rank of the coefficient table and the shape values at which it drops.
 
-use super::{Evidence, Step, StepProof, Verdict, Witness, domain_names, named_point, point};
-use crate::SortedMap;
-use crate::algebra::matrix::determinant;
+use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::sort::sort_unique;
+use basis_kernel::{Statement, Values};
+use basis_prover::map::SortedMap;
+use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
+
+use super::family::{domain_names, named_point};
+use super::verdict::{Stated, Witness};
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
-use crate::collections::sort::sort_unique;
-use crate::decide::{
-    self, Budget, Coordinate, Exception, Independence, Piece, Symmetries, Symmetry, Table, Values,
-};
 use crate::model::Family;
-
-/// Why functions are independent for all shape values in their ranges except some.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct RankProof {
-    /// The parts of the ranges with their minors.
-    pub pieces: Vec<Piece>,
-    /// For each exception polynomials cᵢ in the shape parameters, not all zero, such that Σ cᵢ·(row i of the table) = 0 there.
-    pub exceptions: Vec<Vec<Poly>>,
-}
+use crate::model::bernstein::{bernstein_table, graded_table};
 
 /// What the claim is about, in place of an expression.
-pub(super) const COEFFICIENTS: &str = "table of coefficients";
+const COEFFICIENTS: &str = "table of coefficients";
+
+/// What is evaluated where there is no combination to show.
+const SQUARES: &str = "sum of the squares of the maximal minors";
+
+/// Functions as the rows of a matrix of their coefficients.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// One row for each function, all of one length.
+    pub rows: Vec<Vec<Poly>>,
+    /// Permutations that leave the matrix unchanged, as far as they are known.
+    pub symmetries: Symmetries,
+}
 
 /// Independence on the declared ranges except for the listed shape values; at each of these the functions must be
 /// dependent.
-pub(super) fn independent(family: &Family, except: &[Values]) -> Verdict {
-    let table = coefficient_table(family);
-    let region = family.shape_region();
-    let budget = || Budget::scaled(family.budget);
-    let mut exceptions = Vec::new();
-    for values in except {
-        match decide::dependent(&table, values, &region, &mut budget()) {
-            Exception::Dependent(combination) => exceptions.push(combination),
-            Exception::Independent(point) => {
-                return no_exception(family, &table, values, point).map_or_else(
-                    || {
-                        Verdict::Undecided(String::from(
-                            "the budget is spent on the determinant of the coefficients",
-                        ))
-                    },
-                    Verdict::Refuted,
-                );
-            }
-            // The range contains every exception, or else the claim is an error.
-            Exception::Outside => exceptions.push(Vec::new()),
-            Exception::Undecided(left) => return Verdict::Undecided(left),
-        }
-    }
-    match decide::independent(&table, except, &region, &mut budget()) {
-        Independence::Proved(pieces) => {
-            let proof = StepProof::Independence(RankProof { pieces, exceptions });
-            let steps = vec![Step { of: String::from(COEFFICIENTS), proof }];
-            Verdict::Proved(Evidence { method: String::from("minors"), steps })
-        }
-        Independence::Refuted(dependence) => Verdict::Refuted(dependent_at(family, &dependence)),
-        Independence::Undecided(left) => Verdict::Undecided(left),
-    }
+pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
+    let Table { rows, symmetries } = coefficient_table(family);
+    let statement = Statement::Independent { rows, except: except.to_vec(), region: family.shape_region() };
+    Stated { of: String::from(COEFFICIENTS), statement, symmetries }
 }
 
 /// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an interval
-/// in the Bernstein basis, on a simplex in homogeneous monomials, in which more of them are numbers.
+/// in the Bernstein basis, or in powers if that makes the table triangular; on a simplex in homogeneous monomials, in which more of them are numbers.
 pub fn coefficient_table(family: &Family) -> Table {
-    if let Some(rows) = crate::generate::form::bernstein_table(family) {
+    if let Some(rows) = graded_table(family) {
+        return Table { rows, symmetries: Symmetries::new() };
+    }
+    if let Some(rows) = bernstein_table(family) {
         let reversed = |len: usize| (0..len).rev().collect();
         let width = rows.first().map_or(0, Vec::len);
         let symmetries = vec![vec![Symmetry { rows: reversed(rows.len()), columns: reversed(width) }]];
@@ -140,68 +119,91 @@ fn exchanges(family: &Family, columns: &[Vec<u16>]) -> Symmetries {
     sums.collect::<Option<Symmetries>>().unwrap_or_default()
 }
 
-/// The refutation when the functions are not dependent at a listed exception; `None` when the budget is spent.
-fn no_exception(family: &Family, table: &Table, values: &Values, point: Values) -> Option<Witness> {
-    let idle = |v: Var| values.iter().all(|(w, _)| *w != v) && !depends_on(table, v);
-    let mut exact: Vec<(Var, Coordinate)> = Vec::new();
-    for (v, x) in point {
-        let shape = family.shapes.iter().find(|p| p.var == v && idle(v));
-        exact.push((v, Coordinate::Rational(shape.map_or(x, |p| decide::simple(&p.range)))));
-    }
-    let point = exact;
-    let coordinates = point::coordinates(&point, family.names.len());
-    let rows: Vec<Vec<Rational>> = table.rows.mapped(|row| row.mapped(|p| p.eval(&coordinates)));
-    // The sum of the squares of the minors is the determinant of the table times its transpose (Cauchy–Binet).
-    let product =
-        |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
-    let squares = rows.mapped(|a| rows.mapped(|b| product(a, b)));
-    let value = determinant(squares, &mut Budget::scaled(family.budget).work)?;
-    let described: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
-    Some(Witness {
-        of: String::from(SQUARES),
-        at: named_point(family, &point, &[]),
-        idle: domain_names(family),
-        net: Vec::new(),
-        value,
-        notes: vec![format!("at {} the functions are independent: it is no exception", described.join(", "))],
-    })
-}
-
-/// Whether a parameter occurs in a table.
-pub(super) fn depends_on(table: &Table, var: Var) -> bool {
-    table.rows.iter().flatten().any(|p| p.depends_on(var))
-}
-
-/// What is evaluated where there is no combination to show.
-pub(super) const SQUARES: &str = "sum of the squares of the maximal minors";
-
-/// The combination of the functions that vanishes at a point of the shape parameters.
-pub(super) fn dependent_at(family: &Family, dependence: &decide::Dependence) -> Witness {
-    let point = &dependence.point;
-    let coordinates = point::coordinates(point, family.names.len());
-    let described: Vec<String> = point
+/// The combination of the functions that vanishes at a point, or the exception that is none.
+pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample) -> Witness {
+    let at = named_point(family, found, &[]);
+    let refutation = found.refutation.clone();
+    let described: Vec<String> = found
+        .point
         .iter()
         .filter(|(v, _)| family.shapes.iter().any(|s| s.var == *v))
         .map(|(v, c)| c.describe(&family.names[v.0]))
         .collect();
-    let at = if described.is_empty() { String::new() } else { format!(" at {}", described.join(", ")) };
-    let (of, note) = match &dependence.combination {
-        Some(factors) => {
+    let rational: Option<Vec<Rational>> = found
+        .point
+        .iter()
+        .map(|(_, c)| match c {
+            Coordinate::Rational(x) => Some(x.clone()),
+            Coordinate::Algebraic(_) => None,
+        })
+        .collect();
+    let here = if described.is_empty() { String::new() } else { format!(" at {}", described.join(", ")) };
+    let (of, value, note) = match (found.refutation.witness(), rational) {
+        (basis_kernel::Witness::Independent(_, number), _) => {
+            let values = except.get(*number).map(Vec::as_slice).unwrap_or_default();
+            let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
+            let exception = match &parts[..] {
+                [only] => only.clone(),
+                several => format!("({})", several.join(", ")),
+            };
+            let note = format!("the functions are independent{here}, so {exception} is no exception");
+            (String::from(SQUARES), squares(found), note)
+        }
+        (basis_kernel::Witness::Dependent(_, factors), Some(point)) => {
             // The rows are numerators; a function is its numerator over its denominator.
+            let mut coordinates = vec![Rational::ZERO; family.names.len()];
+            for ((var, _), x) in found.point.iter().zip(point) {
+                if let Some(slot) = coordinates.get_mut(var.0) {
+                    *slot = x;
+                }
+            }
             let scaled: Vec<Poly> = factors
                 .iter()
                 .zip(&family.functions)
-                .map(|(c, f)| Poly::constant(c * &f.value.denom().eval(&coordinates)))
+                .map(|(c, f)| Poly::constant(&c.leading() * &f.value.denom().eval(&coordinates)))
                 .collect();
             let of = combination_text(family, &scaled);
-            let note = format!("`{of}` vanishes identically{at}");
-            (of, note)
+            let note = format!("`{of}` vanishes identically{here}");
+            (of, Rational::ZERO, note)
         }
-        None => (String::from(SQUARES), format!("the functions are linearly dependent{at}")),
+        _ => {
+            let note = format!("the functions are linearly dependent{here}");
+            (String::from(SQUARES), Rational::ZERO, note)
+        }
     };
-    let at = named_point(family, point, &[]);
-    let idle = domain_names(family);
-    Witness { of, at, idle, net: Vec::new(), value: Rational::ZERO, notes: vec![note] }
+    let mut witness = Witness::new(of, at, value, refutation);
+    witness.idle = domain_names(family);
+    witness.notes = vec![note];
+    witness
+}
+
+/// The determinant of the matrix of the rows at a rational point times its transpose, by elimination.
+fn squares(found: &Counterexample) -> Rational {
+    let Statement::Independent { rows, .. } = found.refutation.statement() else { return Rational::ZERO };
+    let at = |p: &Poly| {
+        found.point.iter().fold(p.clone(), |p, (v, c)| match c {
+            Coordinate::Rational(x) => p.at(*v, x),
+            Coordinate::Algebraic(_) => p,
+        })
+    };
+    let numbers: Vec<Vec<Rational>> =
+        rows.mapped(|row| row.mapped(|p| at(p).as_constant().unwrap_or(Rational::ZERO)));
+    let product =
+        |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
+    let mut rows: Vec<Vec<Rational>> = numbers.mapped(|a| numbers.mapped(|b| product(a, b)));
+    // A matrix of this kind is positive definite: its pivots stand on the diagonal.
+    let mut determinant = Rational::ONE;
+    for k in 0..rows.len() {
+        let pivot = rows[k].clone();
+        determinant *= &pivot[k];
+        for row in &mut rows[k + 1..] {
+            let Some(factor) = row[k].checked_div(&pivot[k]) else { return Rational::ZERO };
+            for (x, p) in row.iter_mut().zip(&pivot) {
+                *x -= &(p * &factor);
+            }
+        }
+    }
+    determinant
 }
 
 /// `b[1] - 2*b[2]`, numbers made whole; factors of several terms in brackets.

@@ -3,9 +3,9 @@
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
-use crate::collections::sort::sort_unique;
-use crate::model::theorem::{Form, Theorem, Unit};
+use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::sort::sort_unique;
+use crate::theorem::{Form, Theorem, Unit};
 
 /// Nets with pseudo-random points that are tried after the regular one.
 const ATTEMPTS: u64 = 12;
@@ -18,9 +18,25 @@ pub(super) struct Net {
 
 impl Net {
     /// The net with these places for the given points.
-    #[cfg(any(test, feature = "tools"))]
-    pub(super) const fn new(points: Vec<Vec<Rational>>) -> Self {
-        Self { points }
+    ///
+    /// # Errors
+    /// When there is not one for each, or they have different dimensions.
+    pub(super) fn given(theorem: &Theorem, places: &[Vec<Rational>]) -> Result<Self, &'static str> {
+        if places.len() != theorem.points.len() {
+            return Err("there is not one place for each given point");
+        }
+        let least = if places.is_empty() { 0 } else { 2 };
+        let dimension = theorem.dimension.or(places.first().map(Vec::len)).unwrap_or(0);
+        let wrong = theorem.dimension.is_none() && dimension < least;
+        if wrong || places.iter().any(|p| p.len() != dimension) {
+            return Err("the control points have another dimension");
+        }
+        Ok(Self { points: places.to_vec() })
+    }
+
+    /// The places of the given points.
+    pub(super) fn places(&self) -> &[Vec<Rational>] {
+        &self.points
     }
 
     /// Points on the first axis of the plane, those that are not named at the origin.

@@ -1,26 +1,29 @@
-//! Directions of vectors: `a parallel b` is true at a point if a = f·b there for some f > 0, or both are zero.
+//! Directions: of two vectors one is a positive multiple of the other, or both are zero.
+//!
+//! With a = n·h and b = d·h, n and d without a common factor, that is so exactly if n·d > 0 wherever h is not zero. A factor of
+//! n·d that divides all coordinates of h, or the sum of their squares, can only be zero where h is: so it is enough that
+//! n·d ≥ 0, and that the other factors have no zeros.
 
-use super::gram::{self, Gram};
-use super::net::{Net, evaluated, nets, parts, parts_of_both};
-#[cfg(any(test, feature = "tools"))]
-use super::theorem::sign_assertion;
-use super::theorem::{coordinates, explained, identity, no_witness, nonzero, refutation, witness_nets};
-#[cfg(any(test, feature = "tools"))]
-use super::{Assertion, Statement};
-use super::{Evidence, Step, StepProof, Verdict, Witness, point};
-use crate::algebra::algebraic::Algebraic;
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Relation};
+use basis_prover::{Coordinate, Decision, Symmetries, candidates, decide as decide_statement, refute};
+
+use super::net::{Net, nets, parts_of_both};
+use super::theorem::{explained, sign, witness, witness_nets};
+use super::verdict::{Evidence, Stated, Verdict, Witness};
+use super::{family, products, steps};
 use crate::algebra::factor::factor;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::checked_gcd;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
-use crate::decide::{self, Budget, Coordinate, Decision, Relation, is_zero};
-use crate::model::theorem::{Form, Theorem, TheoremClaim, Unit};
+use crate::claim::{Claim, Comparison, Side};
+use crate::theorem::{Form, Theorem, Unit};
 
 /// The work for common factors, and for values at algebraic points.
-pub(super) const WORK: u64 = 1_000_000;
+const WORK: u64 = 1_000_000;
 
 /// What is left of a claim if the factor is not positive everywhere.
 const BOTH_ZERO: &str = "where it is not positive, both may be zero";
@@ -89,7 +92,7 @@ impl Proportion {
 
     /// What has to be shown: n·d > 0; if factors of it matter only where both sides are zero, n·d ≥ 0, and that the other factors
     /// have no zeros.
-    fn statements(&self, theorem: &Theorem) -> Vec<(String, Poly, Relation)> {
+    fn signs(&self, theorem: &Theorem) -> Vec<(String, Poly, Relation)> {
         if self.rest == self.product {
             return vec![(self.shown(theorem), self.product.clone(), Relation::Positive)];
         }
@@ -135,80 +138,145 @@ fn without(mut poly: Poly, other: &Poly, work: &mut Work) -> Poly {
 
 /// ± p, positive at some point of the ranges.
 fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
-    let at = nonzero(theorem, &Fraction::from(p.clone()));
+    let at = nonzero(theorem, p);
     if at.is_some_and(|at| p.eval(&at).is_negative()) { -p } else { p.clone() }
 }
 
-/// What has to be shown for two vectors to have the same direction.
-#[cfg(any(test, feature = "tools"))]
-pub(super) fn statements(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Vec<Statement> {
-    let budget = theorem.budget;
-    let zero = |value: Fraction| Statement {
-        of: claim.difference.clone(),
-        assertion: Assertion::Zero(value),
-        budget,
-    };
+/// Values of the scalars at which a polynomial in them is not zero.
+fn nonzero(theorem: &Theorem, p: &Poly) -> Option<Vec<Rational>> {
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let zero = family::compared(&Fraction::from(p.clone()), Comparison::Equal, &domain);
+    let Decision::Refuted(found) = decide_statement(zero, &Symmetries::new(), 1) else { return None };
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    for (var, c) in &found.point {
+        if let (Some(slot), Coordinate::Rational(x)) = (at.get_mut(var.0), c) {
+            *slot = x.clone();
+        }
+    }
+    Some(at)
+}
+
+/// What has to be shown for two vectors to have the same direction: that they are proportional, and the signs of the factors.
+pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<Stated> {
+    let (a, b) = (&left.value, &right.value);
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let zero = |of: String, f: &Fraction| Stated::new(of, family::compared(f, Comparison::Equal, &domain));
+    let of = format!("{} - {}", left.text, right.text);
     if a.is_zero() && b.is_zero() {
-        return vec![zero(Fraction::zero())];
+        return vec![zero(of, &Fraction::zero())];
     }
     let Some(found) = Proportion::new(theorem, a, b) else {
         // No factor at all: nothing can be proved.
-        return vec![zero(Fraction::constant(Rational::ONE))];
+        return vec![zero(of, &Fraction::constant(Rational::ONE))];
     };
-    let statement = |(of, polynomial, relation): (String, Poly, Relation)| Statement {
-        of,
-        assertion: sign_assertion(theorem, polynomial, relation),
-        budget,
-    };
-    found.statements(theorem).into_iter().map(statement).collect()
+    let [n, d] = found.factors.clone().map(Fraction::from);
+    let mut all = Vec::new();
+    let mut units: Vec<Unit> = a.terms.keys().copied().collect();
+    units.extend(b.terms.keys().filter(|unit| !a.terms.contains_key(unit)));
+    for unit in units {
+        let difference = &(&d * &a.coefficient(unit)) - &(&n * &b.coefficient(unit));
+        all.push(zero(format!("{} - ({})*({})", left.text, found.shown(theorem), right.text), &difference));
+    }
+    let domain = Rc::new(Domain::of(theorem.region()));
+    for (of, polynomial, relation) in found.signs(theorem) {
+        let as_products = products::statement(theorem, &polynomial, relation);
+        all.push(Stated::new(of, as_products.unwrap_or_else(|| sign(&polynomial, relation, &domain))));
+    }
+    all
+}
+
+/// What is said of the points of a net: all minors of the two vectors are zero, and wherever one of them is not zero, their dot
+/// product is positive.
+pub(super) fn on_points(
+    theorem: &Theorem,
+    [left, right]: [&Side; 2],
+    net: &Net,
+    domain: &Rc<Domain>,
+) -> Vec<Stated> {
+    let [x, y] = parts_of_both(theorem, [&left.value, &right.value], net);
+    let (left, right) = (&left.text, &right.text);
+    let mut dot = Fraction::zero();
+    let mut squares = Poly::zero();
+    for ((_, p), (_, q)) in x.iter().zip(&y) {
+        dot = &dot + &(p * q);
+        squares = &(&squares + &p.numer().pow(2)) + &q.numer().pow(2);
+    }
+    let mut where_not_zero = (**domain).clone();
+    where_not_zero.premises.push((squares, Relation::Positive));
+    let positive = family::compared(&dot, Comparison::Greater, &Rc::new(where_not_zero));
+    let mut all = vec![Stated::new(format!("dot({left}, {right})"), positive)];
+    for i in 0..x.len() {
+        for j in i + 1..x.len().min(y.len()) {
+            let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
+            let (p, q) = (&x[i].0, &x[j].0);
+            let of = if x.len() == 2 {
+                format!("cross({left}, {right})")
+            } else {
+                format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
+            };
+            all.push(Stated::new(of, family::compared(&minor, Comparison::Equal, domain)));
+        }
+    }
+    all
 }
 
 /// Decides whether two vectors have the same direction.
-pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Form) -> Verdict {
-    if a.is_zero() && b.is_zero() {
-        return identity(&claim.difference);
+pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side) -> Verdict {
+    let (a, b) = (&left.value, &right.value);
+    let both_zero = a.is_zero() && b.is_zero();
+    let found = if both_zero { None } else { Proportion::new(theorem, a, b) };
+    if !both_zero && found.is_none() {
+        return not_proportional(theorem, claim, [left, right]);
     }
-    let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
-    let Some(found) = Proportion::new(theorem, a, b) else {
-        return not_proportional(theorem, claim, [a, b], [left, right]);
-    };
-    let decide = |p: &Poly, relation: Relation| {
-        decide::decide(p, relation, &theorem.region(), &mut Budget::scaled(theorem.budget))
-    };
-    let shown = found.shown(theorem);
-    let mut steps = Vec::new();
-    let mut methods = Vec::new();
+    let mut shown = Vec::new();
     let mut open = None;
-    for (of, polynomial, relation) in found.statements(theorem) {
-        if let Some(gram) = Gram::of(&polynomial, &theorem.products) {
-            match gram.decide(relation) {
-                Ok(squares) => {
-                    methods.push(gram::method(&squares));
-                    steps.push(Step { of, proof: StepProof::Squares(squares) });
-                }
-                Err(_) => {
-                    open.get_or_insert_with(|| String::from(BOTH_ZERO));
-                }
-            }
-            continue;
-        }
-        match decide(&polynomial, relation) {
-            Decision::Proved(proof) => {
-                methods.push(proof.method.to_string());
-                steps.push(Step { of, proof: StepProof::Sign(proof) });
-            }
+    for Stated { of, statement, .. } in statements(theorem, left, right) {
+        match decide_statement(statement, &Symmetries::new(), theorem.budget) {
+            Decision::Proved(proved) => shown.push((of, proved)),
             Decision::Refuted(_) => {
                 open.get_or_insert_with(|| String::from(BOTH_ZERO));
             }
             Decision::Undecided(left) => open = Some(left),
         }
     }
+    let Some(found) = found else {
+        return match open {
+            None => Verdict::Proved(Evidence::new(String::from("expansion of both sides"), steps(shown))),
+            Some(left) => Verdict::Undecided(left),
+        };
+    };
+    let factor_shown = found.shown(theorem);
     let Some(open) = open else {
         let sign = if found.rest == found.product { "> 0" } else { "> 0 where the sides are not zero" };
-        let method = format!("expansion with the factor {shown} {sign} ({})", methods.join(", "));
-        return Verdict::Proved(Evidence { method, steps });
+        let count = found.signs(theorem).len();
+        let methods: Vec<String> =
+            shown[shown.len() - count..].iter().map(|(_, shown)| shown.method.to_string()).collect();
+        let method = format!("expansion with the factor {factor_shown} {sign} ({})", methods.join(", "));
+        return Verdict::Proved(Evidence::new(method, steps(shown)));
     };
-    // Where the factor is negative, and a coordinate is not zero; then, where it is zero.
+    for point in points(theorem, &found) {
+        if let Some(mut result) = failing(theorem, [left, right], &point) {
+            let note = if result.value.is_zero() {
+                "one side is zero and the other is not:"
+            } else {
+                "the two sides have opposite directions:"
+            };
+            if !found.factors[1].is_zero() && factor_shown.len() <= MAX_SHOWN {
+                result.notes.push(format!("the left side is ({factor_shown}) times the right side"));
+            }
+            return explained(theorem, claim, result, note);
+        }
+    }
+    let shown =
+        if factor_shown.len() <= MAX_SHOWN { format!("({factor_shown})") } else { String::from("a long factor") };
+    Verdict::Undecided(format!("the left side is {shown} times the right side; {open}"))
+}
+
+/// Points at which the factor may not be positive: where it is negative, and a coordinate is not zero; then, where it is zero.
+fn points<'a>(
+    theorem: &'a Theorem,
+    found: &Proportion,
+) -> impl Iterator<Item = Vec<(Var, Coordinate)>> + use<'a> {
     let square = found.common.first().map_or_else(Poly::one, |p| p.pow(2));
     let mut attempts = vec![
         (found.product.clone(), Relation::NonNegative),
@@ -219,36 +287,25 @@ pub(super) fn parallel(theorem: &Theorem, claim: &TheoremClaim, a: &Form, b: &Fo
     for (factor, _) in &factors {
         attempts.push((with_positive_value(theorem, factor), Relation::Positive));
     }
-    let mut points: Vec<Vec<(Var, Coordinate)>> = Vec::new();
+    let mut first: Vec<Vec<(Var, Coordinate)>> = Vec::new();
     if found.product.is_zero() {
         // One side is zero everywhere.
-        let at = found.common.iter().find_map(|p| nonzero(theorem, &Fraction::from(p.clone())));
-        points.extend(at.map(|at| {
+        let at = found.common.iter().find_map(|p| nonzero(theorem, p));
+        first.extend(at.map(|at| {
             theorem.scalars.iter().map(|p| (p.var, Coordinate::Rational(at[p.var.0].clone()))).collect()
         }));
         attempts.clear();
     }
-    let found_points =
-        attempts.into_iter().filter_map(|(polynomial, relation)| match decide(&polynomial, relation) {
-            Decision::Refuted(witness) => Some(witness.point),
+    let domain = Rc::new(Domain::of(theorem.region()));
+    let decided = attempts.into_iter().filter_map(move |(polynomial, relation)| {
+        match decide_statement(sign(&polynomial, relation, &domain), &Symmetries::new(), theorem.budget) {
+            Decision::Refuted(found) => Some(found.point),
             Decision::Proved(_) | Decision::Undecided(_) => None,
-        });
-    let elsewhere = factors.into_iter().flat_map(|(factor, _)| zeros(theorem, &factor, &found.common));
-    for point in points.into_iter().chain(found_points).chain(elsewhere) {
-        if let Some(mut result) = failing(theorem, [a, b], &point, [left, right]) {
-            let note = if result.value.is_zero() {
-                "one side is zero and the other is not:"
-            } else {
-                "the two sides have opposite directions:"
-            };
-            if !found.factors[1].is_zero() && shown.len() <= MAX_SHOWN {
-                result.notes.push(format!("the left side is ({shown}) times the right side"));
-            }
-            return explained(theorem, claim, result, note);
         }
-    }
-    let shown = if shown.len() <= MAX_SHOWN { format!("({shown})") } else { String::from("a long factor") };
-    Verdict::Undecided(format!("the left side is {shown} times the right side; {open}"))
+    });
+    let common = found.common.clone();
+    let elsewhere = factors.into_iter().flat_map(move |(factor, _)| zeros(theorem, &factor, &common));
+    first.into_iter().chain(decided).chain(elsewhere)
 }
 
 /// Zeros of a factor where all scalars but one have simple values, of those on which it or a coordinate depends.
@@ -265,7 +322,7 @@ fn zeros<'a>(
         } else if !common.iter().any(|p| p.depends_on(scalar.var)) {
             continue;
         }
-        let mut values = point::candidates(&scalar.range, VALUES as u32);
+        let mut values = candidates(&scalar.range, VALUES as u32);
         values.truncate(VALUES);
         scalars.push((scalar.var, values));
     }
@@ -283,9 +340,10 @@ fn zeros<'a>(
             rest = rest.at(*var, x);
             point.push((*var, Coordinate::Rational(x.clone())));
         }
-        match decide::decide(&rest, Relation::Positive, &theorem.region(), &mut Budget::default()) {
-            Decision::Refuted(witness) => {
-                point.extend(witness.point.into_iter().filter(|(var, _)| *var == unknown));
+        let domain = Rc::new(Domain::of(theorem.region()));
+        match decide_statement(sign(&rest, Relation::Positive, &domain), &Symmetries::new(), 1) {
+            Decision::Refuted(found) => {
+                point.extend(found.point.into_iter().filter(|(var, _)| *var == unknown));
                 Some(point)
             }
             Decision::Proved(_) | Decision::Undecided(_) => None,
@@ -294,79 +352,40 @@ fn zeros<'a>(
 }
 
 /// The witness at a point where the factor is not positive; `None` if both sides are zero there.
-fn failing(
-    theorem: &Theorem,
-    [a, b]: [&Form; 2],
-    point: &[(Var, Coordinate)],
-    [left, right]: [&str; 2],
-) -> Option<Witness> {
-    let at = coordinates(theorem, point);
-    let of = format!("dot({left}, {right})");
-    let algebraic: Vec<_> = point
+fn failing(theorem: &Theorem, sides: [&Side; 2], point: &[(Var, Coordinate)]) -> Option<Witness> {
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let scalars: Vec<(Var, Coordinate)> = theorem
+        .scalars
         .iter()
-        .filter_map(|(var, c)| match c {
-            Coordinate::Algebraic(x) => Some((*var, x.clone())),
-            Coordinate::Rational(_) => None,
+        .map(|p| {
+            let given = point.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
+            (p.var, given.unwrap_or_else(|| Coordinate::Rational(basis_prover::typical(&p.range))))
         })
         .collect();
-    if algebraic.is_empty() {
-        let given = theorem.dimension.map(|_| Net::from_coordinates(theorem, &at));
-        for net in given.into_iter().chain(nets(theorem)) {
-            let values = |parts: &[(String, Fraction)]| -> Option<Vec<Rational>> {
-                parts.iter().map(|(_, f)| f.eval(&at)).collect()
-            };
-            let [x, y] = parts_of_both(theorem, [a, b], &net);
-            let (Some(x), Some(y)) = (values(&x), values(&y)) else { continue };
-            let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, (p, q)| &sum + &(p * q));
-            if !dot.is_positive() && !x.iter().chain(&y).all(Rational::is_zero) {
-                return Some(refutation(theorem, &net, of, &Fraction::constant(dot), &at));
-            }
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    for (var, c) in point {
+        match c {
+            Coordinate::Rational(x) => at[var.0] = x.clone(),
+            // Control points can be chosen, irrational coordinates of theirs are not looked for.
+            Coordinate::Algebraic(_) if theorem.scalars.iter().any(|p| p.var == *var) => {}
+            Coordinate::Algebraic(_) => return None,
         }
-        return None;
     }
-    // Control points can be chosen, irrational coordinates of theirs are not looked for.
-    let scalars = algebraic.iter().all(|(var, _)| theorem.scalars.iter().any(|p| p.var == *var));
-    if !scalars {
-        return None;
+    let given = theorem.dimension.map(|_| Net::from_coordinates(theorem, &at));
+    for net in given.into_iter().chain(nets(theorem)) {
+        let Some(Stated { of, statement, .. }) = on_points(theorem, sides, &net, &domain).into_iter().next()
+        else {
+            continue;
+        };
+        if let Some(found) = refute(&Rc::new(statement), &scalars, &mut Work::new(EXPLICIT)) {
+            return Some(witness(theorem, of, Some(&net), &found, false));
+        }
     }
-    let work = &mut Work::new(WORK);
-    let net = nets(theorem).find(|net| one_vanishes(theorem, net, [a, b], &at, &algebraic, work))?;
-    let irrational: Vec<Var> = algebraic.mapped(|(var, _)| *var);
-    let net = evaluated(theorem, &net, &at, &irrational);
-    let named = theorem.scalars.iter().map(|p| {
-        let value = algebraic.iter().find(|(var, _)| *var == p.var);
-        let value = value.map_or_else(
-            || Coordinate::Rational(at[p.var.0].clone()),
-            |(_, x)| Coordinate::Algebraic(x.clone()),
-        );
-        (p.name.clone(), value)
-    });
-    let at = named.collect();
-    Some(Witness { of, at, idle: Vec::new(), net, value: Rational::ZERO, notes: Vec::new() })
+    None
 }
 
-/// Whether on a net one of two vectors is zero and the other is not, where some scalars are irrational.
-pub(super) fn one_vanishes(
-    theorem: &Theorem,
-    net: &Net,
-    [a, b]: [&Form; 2],
-    at: &[Rational],
-    algebraic: &[(Var, Algebraic)],
-    work: &mut Work,
-) -> bool {
-    let mut zeros = |form: &Form| -> Vec<Option<bool>> {
-        let mut zero = |f: &Fraction| {
-            let p = f.numer();
-            let rational = p.variables().into_iter().filter(|v| !algebraic.iter().any(|(var, _)| var == v));
-            is_zero(&rational.fold(p.clone(), |p, v| p.at(v, &at[v.0])), algebraic, work)
-        };
-        parts(theorem, form, net).iter().map(|(_, f)| zero(f)).collect()
-    };
-    let (a, b) = (zeros(a), zeros(b));
-    let vanishes = |values: &[Option<bool>]| values.iter().all(|zero| *zero == Some(true));
-    let differs = |values: &[Option<bool>]| values.contains(&Some(false));
-    (vanishes(&a) && differs(&b)) || (vanishes(&b) && differs(&a))
-}
+/// The work for making a counterexample explicit.
+const EXPLICIT: u64 = 5_000_000;
 
 /// The factor f with a = f·b as functions; `None` when there is none.
 fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
@@ -377,28 +396,17 @@ fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
 }
 
 /// A point at which the coordinates of two vectors are not proportional.
-fn not_proportional(
-    theorem: &Theorem,
-    claim: &TheoremClaim,
-    [a, b]: [&Form; 2],
-    [left, right]: [&str; 2],
-) -> Verdict {
+fn not_proportional(theorem: &Theorem, claim: &Claim, sides: [&Side; 2]) -> Verdict {
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
     for net in witness_nets(theorem, claim) {
-        let [x, y] = parts_of_both(theorem, [a, b], &net);
-        for i in 0..x.len() {
-            for j in i + 1..x.len().min(y.len()) {
-                let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
-                let Some(at) = nonzero(theorem, &minor) else { continue };
-                let (p, q) = (&x[i].0, &x[j].0);
-                let of = if x.len() == 2 {
-                    format!("cross({left}, {right})")
-                } else {
-                    format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
-                };
-                let witness = refutation(theorem, &net, of, &minor, &at);
+        for Stated { of, statement, .. } in on_points(theorem, sides, &net, &domain).into_iter().skip(1) {
+            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget) {
+                let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the directions differ:");
             }
         }
     }
-    no_witness()
+    Verdict::Undecided(String::from(
+        "the two sides are different expressions, but no point was found at which they differ",
+    ))
 }

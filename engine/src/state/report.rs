@@ -1,24 +1,22 @@
 //! Verdicts that contradict what a spec declares, as errors.
 
-use super::{Verdict, as_declared};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
+
+use super::verdict::{Verdict, as_declared};
+use crate::claim::{Claim, Expected};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::model::theorem::{Theorem, TheoremClaim, TheoremKind};
-use crate::model::{Claim, Expected, Family};
+use crate::subject::Subject;
+use crate::theorem::TheoremKind;
 
 /// The error for a claim whose verdict is not the declared one; `None` when all is as declared.
-pub fn diagnose(family: &Family, claim: &Claim, verdict: &Verdict) -> Option<Diagnostic> {
-    let mut diagnostic = contradiction(&family.title(), &claim.text, claim.expected, &claim.place, verdict)?;
-    if !family.order.is_empty() {
-        let values: Vec<String> = family.order.mapped(|(name, value)| format!("{name} = {value}"));
+pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<Diagnostic> {
+    let mut diagnostic =
+        contradiction(&subject.title(), &claim.text, claim.expected, &claim.place, verdict)?;
+    if !subject.order().is_empty() {
+        let values: Vec<String> = subject.order().mapped(|(name, value)| format!("{name} = {value}"));
         diagnostic.notes.push(format!("for {}", values.join(", ")));
     }
-    Some(diagnostic)
-}
-
-/// As [`diagnose`], for a claim of a theorem.
-pub fn diagnose_theorem(theorem: &Theorem, claim: &TheoremClaim, verdict: &Verdict) -> Option<Diagnostic> {
-    let diagnostic = contradiction(&theorem.title(), &claim.text, claim.expected, &claim.place, verdict)?;
+    let Subject::Theorem(theorem) = subject else { return Some(diagnostic) };
     let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
     Some(match verdict {
         Verdict::Undecided(_) if of_products => diagnostic.help(match theorem.kind {
@@ -50,7 +48,7 @@ fn contradiction(
             let message = format!("{title}: the claim `{text}` is declared false, but it is true");
             Diagnostic::error(place.clone(), message)
                 .label("proved")
-                .note(format!("proved by {}", evidence.method))
+                .note(format!("proved by {}", evidence.method()))
                 .help("write `prove`")
         }
         Verdict::Undecided(left) => {

@@ -1,102 +1,323 @@
-//! Claims of theorems: identities between linear forms, signs of scalars, directions of vectors.
+//! Claims about theorems: identities between linear forms, signs of scalars, directions of vectors.
 
 use core::convert::Infallible;
+use std::rc::Rc;
 
-use super::gram::{self, Gram};
+use basis_kernel::{Domain, Relation, Statement};
+use basis_prover::{Coordinate, Counterexample, Decision, Shown, Symmetries, decide as decide_statement, typical};
+
 use super::net::{Net, evaluated, nets, on_net, parts, sparse};
-use super::quadratic::Quadratic;
-#[cfg(any(test, feature = "tools"))]
-use super::{Assertion, Statement, quadratic};
-use super::{Evidence, Step, StepProof, Verdict, Witness, parallel, point};
+use super::verdict::{Evidence, Stated, Verdict, Witness};
+use super::{all, family, inequality, parallel, products, steps};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::decide::{self, Budget, Coordinate, Decision, Relation};
-use crate::model::theorem::{Form, Theorem, TheoremClaim, TheoremClaimKind, Unit};
-use crate::model::{Comparison, Parameter};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
+use crate::theorem::{Form, Theorem, Unit};
 
-/// Regular nets have at most so many points that matter.
+/// Regular nets have at most this number of points that matter.
 const MAX_REGULAR: usize = 8;
 
-/// So many nets are tried where an inequality between coordinates stays undecided.
+/// Nets that are tried where an inequality between coordinates stays undecided.
 const ATTEMPTS: usize = 16;
 
-/// Decides a claim of a theorem.
-pub fn theorem_claim(theorem: &Theorem, claim: &TheoremClaim) -> Verdict {
-    let of = &claim.difference;
+/// What is not shown, but for want of a point.
+const NO_WITNESS: &str = "the two sides are different expressions, but no point was found at which they differ";
+
+/// What a claim says.
+pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
     match &settled(theorem, &claim.kind) {
-        TheoremClaimKind::Scalar(Comparison::Equal, f) if f.is_zero() => identity(of),
-        TheoremClaimKind::Zero(form) if form.is_zero() => identity(of),
-        TheoremClaimKind::Scalar(Comparison::Equal, f) => {
-            let found = witness_nets(theorem, claim).find_map(|net| {
-                let value = on_net(theorem, f, &net);
-                let at = nonzero(theorem, &value)?;
-                Some(refutation(theorem, &net, of.clone(), &value, &at))
-            });
-            found.map_or_else(no_witness, |w| explained(theorem, claim, w, "the two sides differ by"))
-        }
-        TheoremClaimKind::Zero(form) => {
-            let found = witness_nets(theorem, claim).find_map(|net| {
-                parts(theorem, form, &net).into_iter().find_map(|(label, value)| {
-                    let at = nonzero(theorem, &value)?;
-                    let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
-                    Some(refutation(theorem, &net, of, &value, &at))
-                })
-            });
-            found.map_or_else(no_witness, |w| explained(theorem, claim, w, "the two sides differ by"))
-        }
-        TheoremClaimKind::Scalar(comparison, f) => sign(theorem, claim, *comparison, f),
-        TheoremClaimKind::Parallel(a, b) => parallel::parallel(theorem, claim, a, b),
-    }
-}
-
-/// What has to be shown for a claim of a theorem to be true; one statement for each step of a proof.
-#[cfg(any(test, feature = "tools"))]
-pub fn theorem_statements(theorem: &Theorem, claim: &TheoremClaim) -> Vec<Statement> {
-    let first = |form: &Form| form.terms.values().next().cloned().unwrap_or_else(Fraction::zero);
-    let (of, assertion) = match &settled(theorem, &claim.kind) {
-        TheoremClaimKind::Parallel(a, b) => return parallel::statements(theorem, claim, a, b),
-        TheoremClaimKind::Scalar(Comparison::Equal, f) => {
-            (claim.difference.clone(), Assertion::Zero(f.clone()))
-        }
-        // A form is zero if it has no terms.
-        TheoremClaimKind::Zero(form) => (claim.difference.clone(), Assertion::Zero(first(form))),
-        TheoremClaimKind::Scalar(comparison, f) => {
-            let (relation, negate) = relation(*comparison);
-            let polynomial = with_sign(theorem, f, negate);
-            let numbers = Gram::of(&polynomial, &theorem.products).is_some();
-            let form = if numbers { None } else { Quadratic::new(theorem, &polynomial) };
-            if let Some(form) = form {
-                let statement = |(of, polynomial, relation)| {
-                    let region = quadratic::scalars(theorem);
-                    Statement {
-                        of,
-                        assertion: Assertion::Sign { polynomial, relation, region },
-                        budget: theorem.budget,
-                    }
-                };
-                return form.statements(&claim.difference, relation).into_iter().map(statement).collect();
+        ClaimKind::Scalar { comparison, difference } => scalar(theorem, *comparison, difference),
+        ClaimKind::Vector { text, value } => {
+            let domain = Rc::new(Domain::of(theorem.scalar_region()));
+            let zero = |f: &Fraction| family::compared(f, Comparison::Equal, &domain);
+            let mut all = Vec::new();
+            for (unit, coefficient) in value.terms.iter() {
+                all.push(Stated::new(coefficient_of(theorem, text, *unit), zero(coefficient)));
             }
-            (claim.difference.clone(), sign_assertion(theorem, polynomial, relation))
+            if all.is_empty() {
+                // Without terms it is zero.
+                all.push(Stated::new(text.clone(), zero(&Fraction::zero())));
+            }
+            all
         }
-    };
-    vec![Statement { of, assertion, budget: theorem.budget }]
-}
-
-/// The sign of a polynomial, of dot products or in the ranges of the scalars.
-#[cfg(any(test, feature = "tools"))]
-pub(super) fn sign_assertion(theorem: &Theorem, polynomial: Poly, relation: Relation) -> Assertion {
-    if Gram::of(&polynomial, &theorem.products).is_none() {
-        return Assertion::Sign { polynomial, relation, region: theorem.region() };
+        ClaimKind::Parallel { left, right } => parallel::statements(theorem, left, right),
+        _ => Vec::new(),
     }
-    let own = theorem.products.iter().filter(|(var, _)| polynomial.depends_on(*var));
-    let products = own.copied().collect();
-    Assertion::Squares { polynomial, relation, products }
 }
 
-/// The claim with a number in place of every scalar whose range is a single number.
-fn settled(theorem: &Theorem, kind: &TheoremClaimKind) -> TheoremClaimKind {
+/// What a coefficient of a vector is the coefficient of, as text.
+fn coefficient_of(theorem: &Theorem, text: &str, unit: Unit) -> String {
+    let name = |p: usize| theorem.points.get(p).map_or_else(|| p.to_string(), |point| point.name.clone());
+    match unit {
+        _ if theorem.dimension.is_some() => format!("coordinates of {text}"),
+        Unit::Point(p) => format!("coefficient of {} in {text}", name(p)),
+        Unit::Pair(p, q) => format!("coefficient of cross({}, {}) in {text}", name(p), name(q)),
+    }
+}
+
+/// What a comparison of a scalar says: as a sum of dot products if it is one, and of its denominator then.
+fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) -> Vec<Stated> {
+    let Difference { text, value, .. } = difference;
+    if let Some((relation, negate)) = inequality::relation(comparison) {
+        let mut at = vec![Rational::ONE; theorem.names.len()];
+        for scalar in &theorem.scalars {
+            at[scalar.var.0] = typical(&scalar.range);
+        }
+        let below = value.denom().eval(&at).is_negative();
+        let above = if below == negate { value.numer().clone() } else { -value.numer() };
+        let plain = value.denom().variables().iter().all(|v| theorem.scalars.iter().any(|p| p.var == *v));
+        if let (true, Some(statement)) = (plain, products::statement(theorem, &above, relation)) {
+            let mut all = vec![Stated::new(text.clone(), statement)];
+            if value.denom().as_constant().is_none() {
+                let denominator = if below { -value.denom() } else { value.denom().clone() };
+                let domain = Rc::new(Domain::of(theorem.scalar_region()));
+                let of = denominator.display(&theorem.names).to_string();
+                all.push(Stated::new(of, sign(&denominator, Relation::NonNegative, &domain)));
+            }
+            return all;
+        }
+    }
+    let domain = Rc::new(Domain::of(theorem.region()));
+    vec![Stated::new(text.clone(), family::compared(value, comparison, &domain))]
+}
+
+/// The statement that a polynomial is ≥ 0 (> 0).
+pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Statement {
+    Statement::Sign { value: Fraction::from(p.clone()).quotient(), relation, domain: Rc::clone(domain) }
+}
+
+/// What a claim says of definite points.
+pub(super) fn instances(theorem: &Theorem, claim: &Claim, net: &Net) -> Result<Vec<Stated>, &'static str> {
+    let kind = settled(theorem, &claim.kind);
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let vague = theorem.products.iter().any(|(var, _)| kind.depends_on(*var));
+    if net.places().is_empty() {
+        // Without points, or with coordinates as variables; but dot products are not any numbers.
+        return match &kind {
+            ClaimKind::Scalar { .. } if vague => Err("the claim is about points, and none are given"),
+            ClaimKind::Scalar { comparison, difference } => {
+                let domain = Rc::new(Domain::of(theorem.region()));
+                let statement = family::compared(&difference.value, *comparison, &domain);
+                Ok(vec![Stated::new(difference.text.clone(), statement)])
+            }
+            _ => Ok(on_points(theorem, &kind, net, &domain)),
+        };
+    }
+    Ok(on_points(theorem, &kind, net, &domain))
+}
+
+/// What a claim says of the points of a net.
+fn on_points(theorem: &Theorem, kind: &ClaimKind, net: &Net, domain: &Rc<Domain>) -> Vec<Stated> {
+    match kind {
+        ClaimKind::Scalar { comparison, difference } => {
+            let value = on_net(theorem, &difference.value, net);
+            vec![Stated::new(difference.text.clone(), family::compared(&value, *comparison, domain))]
+        }
+        ClaimKind::Vector { text, value } => {
+            let zero = |(label, value): (String, Fraction)| {
+                let of = if label.is_empty() { text.clone() } else { format!("({text}){label}") };
+                Stated::new(of, family::compared(&value, Comparison::Equal, domain))
+            };
+            parts(theorem, value, net).into_iter().map(zero).collect()
+        }
+        ClaimKind::Parallel { left, right } => parallel::on_points(theorem, [left, right], net, domain),
+        _ => Vec::new(),
+    }
+}
+
+/// Decides a claim.
+pub(super) fn decide(theorem: &Theorem, claim: &Claim) -> Verdict {
+    if let ClaimKind::Parallel { left, right } = &settled(theorem, &claim.kind) {
+        return parallel::decide(theorem, claim, left, right);
+    }
+    match all(statements(theorem, claim), theorem.budget) {
+        Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
+        Err((of, decision)) => match &claim.kind {
+            ClaimKind::Scalar { comparison, difference } if *comparison != Comparison::Equal => {
+                inequality(theorem, claim, difference, of, decision)
+            }
+            _ => equation(theorem, claim),
+        },
+    }
+}
+
+/// How a claim was proved, in a few words.
+fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
+    if matches!(kind, ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. }) {
+        return String::from("expansion of both sides");
+    }
+    let Some((_, hardest)) = shown.iter().max_by_key(|(_, shown)| shown.method) else { return String::new() };
+    match hardest.proof.statement() {
+        Statement::Products { .. } if hardest.method != basis_prover::Method::Squares => {
+            format!("a positive semidefinite matrix ({})", hardest.method)
+        }
+        _ => hardest.method.to_string(),
+    }
+}
+
+/// An equation that does not hold: a net on which a part of it fails.
+fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let kind = settled(theorem, &claim.kind);
+    for net in witness_nets(theorem, claim) {
+        for Stated { of, statement, .. } in on_points(theorem, &kind, &net, &domain) {
+            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget) {
+                let witness = witness(theorem, of, Some(&net), &found, false);
+                return explained(theorem, claim, witness, "the two sides differ by");
+            }
+        }
+    }
+    Verdict::Undecided(String::from(NO_WITNESS))
+}
+
+/// An inequality that is not proved.
+fn inequality(
+    theorem: &Theorem,
+    claim: &Claim,
+    difference: &Difference,
+    of: String,
+    decision: Decision,
+) -> Verdict {
+    let ClaimKind::Scalar { comparison, .. } = &claim.kind else { return Verdict::Undecided(of) };
+    let negate = inequality::relation(*comparison).is_some_and(|(_, negate)| negate);
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let kind = settled(theorem, &claim.kind);
+    let on_net = |net: &Net, at: Option<&[(Var, Coordinate)]>| -> Option<Verdict> {
+        for Stated { of, statement, .. } in on_points(theorem, &kind, net, &domain) {
+            let found = match at {
+                Some(at) => {
+                    let scalars = theorem.scalars.iter().map(|p| {
+                        let given = at.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
+                        (p.var, given.unwrap_or_else(|| Coordinate::Rational(typical(&p.range))))
+                    });
+                    let scalars: Vec<(Var, Coordinate)> = scalars.collect();
+                    let work = &mut crate::algebra::work::Work::new(EXPLICIT);
+                    Box::new(basis_prover::refute(&Rc::new(statement), &scalars, work)?)
+                }
+                None => match decide_statement(statement, &Symmetries::new(), theorem.budget) {
+                    Decision::Refuted(found) => found,
+                    _ => continue,
+                },
+            };
+            let witness = witness(theorem, of, Some(net), &found, negate);
+            return Some(explained(theorem, claim, witness, "the value is"));
+        }
+        None
+    };
+    let stated = scalar(theorem, *comparison, difference);
+    if let Some(Stated { statement: statement @ Statement::Products { .. }, .. }) = stated.first() {
+        if let Some((at, net)) = products::counterexample(theorem, statement, theorem.budget)
+            && let Some(verdict) = on_net(&net, Some(&at))
+        {
+            return verdict;
+        }
+        return Verdict::Undecided(match decision {
+            Decision::Undecided(left) => format!("`{of}`: {left}"),
+            _ => format!("`{of}` fails for some points, but at irrational values only"),
+        });
+    }
+    let vague = theorem.products.iter().any(|(var, _)| difference.value.depends_on(*var));
+    match decision {
+        Decision::Undecided(left) => {
+            // With definite points in place of coordinates the question is a smaller one.
+            let attempts = if theorem.dimension.is_some() { ATTEMPTS } else { 0 };
+            let found = nets(theorem).take(attempts).find_map(|net| on_net(&net, None));
+            found.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {left}")))
+        }
+        Decision::Refuted(_) if vague => {
+            // Dot products are not any numbers: the claim must fail for a net.
+            let found = nets(theorem).find_map(|net| on_net(&net, None));
+            found.unwrap_or_else(|| {
+                Verdict::Undecided(format!(
+                    "`{of}`: it fails for some numbers in place of the dot products, but for no points that were tried"
+                ))
+            })
+        }
+        Decision::Refuted(found) => {
+            explained(theorem, claim, witness(theorem, of, None, &found, negate), "the value is")
+        }
+        Decision::Proved(_) => Verdict::Undecided(of),
+    }
+}
+
+/// The work for making a counterexample explicit.
+const EXPLICIT: u64 = 20_000_000;
+
+/// A witness from a counterexample to what the claim says of the points of a net; without one, of any points.
+pub(super) fn witness(
+    theorem: &Theorem,
+    of: String,
+    net: Option<&Net>,
+    found: &Counterexample,
+    negate: bool,
+) -> Witness {
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    let mut named = Vec::new();
+    let mut irrational = Vec::new();
+    let given = |var: Var| found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
+    for scalar in &theorem.scalars {
+        let value = given(scalar.var).unwrap_or_else(|| Coordinate::Rational(typical(&scalar.range)));
+        match &value {
+            Coordinate::Rational(x) => at[scalar.var.0] = x.clone(),
+            Coordinate::Algebraic(_) => irrational.push(scalar.var),
+        }
+        named.push((scalar.name.clone(), value));
+    }
+    let mut notes = Vec::new();
+    for var in theorem.points.iter().flat_map(|point| &point.coordinates) {
+        match given(*var) {
+            Some(Coordinate::Rational(x)) => at[var.0] = x,
+            Some(c @ Coordinate::Algebraic(_)) => {
+                irrational.push(*var);
+                notes.push(c.describe(&theorem.names[var.0]));
+            }
+            None => {}
+        }
+    }
+    let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
+    let value = if negate { -value } else { value };
+    let mut witness = Witness::new(of, named, value, found.refutation.clone());
+    witness.notes = notes;
+    witness.given = net.map_or_else(Vec::new, |net| net.places().to_vec());
+    let own = Net::from_coordinates(theorem, &at);
+    witness.net = evaluated(theorem, net.unwrap_or(&own), &at, &irrational);
+    witness
+}
+
+/// The verdict with a witness; texts leave out the scalars and points that do not matter to the claim.
+pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, what: &str) -> Verdict {
+    witness.idle = idle(theorem, &claim.kind);
+    let at = witness.point();
+    let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
+    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
+    let equation =
+        matches!(claim.kind, ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. });
+    if !equation {
+        // The sign of a scalar without a range is easily forgotten.
+        let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
+            scalar.range == Range::all()
+                && claim.kind.depends_on(scalar.var)
+                && matches!(value, Coordinate::Rational(x) if !x.is_positive())
+        });
+        let notes: Vec<String> = any
+            .map(|(scalar, _)| {
+                let name = &scalar.name;
+                format!("`{name}` can be any number; `scalar 0 < {name};` declares it positive")
+            })
+            .collect();
+        witness.notes.extend(notes);
+    }
+    Verdict::Refuted(Box::new(witness))
+}
+
+/// What is claimed, with a number in place of every scalar whose range is a single number.
+fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
+    let single = theorem.scalars.iter().any(|p| p.range.finite().is_some_and(|(low, high)| low == high));
+    if !single {
+        return kind.clone();
+    }
     let put = |f: &Fraction| {
         theorem.scalars.iter().fold(f.clone(), |f, scalar| match scalar.range.finite() {
             // No denominator vanishes on the ranges.
@@ -110,52 +331,22 @@ fn settled(theorem: &Theorem, kind: &TheoremClaimKind) -> TheoremClaimKind {
         let Ok(form) = form.map::<Infallible>(&mut |f| Ok(put(f)));
         form
     };
+    let side = |side: &Side| Side { text: side.text.clone(), value: form(&side.value) };
     match kind {
-        TheoremClaimKind::Scalar(comparison, f) => TheoremClaimKind::Scalar(*comparison, put(f)),
-        TheoremClaimKind::Zero(a) => TheoremClaimKind::Zero(form(a)),
-        TheoremClaimKind::Parallel(a, b) => TheoremClaimKind::Parallel(form(a), form(b)),
+        ClaimKind::Scalar { comparison, difference } => ClaimKind::Scalar {
+            comparison: *comparison,
+            difference: Difference { value: put(&difference.value), ..difference.clone() },
+        },
+        ClaimKind::Vector { text, value } => ClaimKind::Vector { text: text.clone(), value: form(value) },
+        ClaimKind::Parallel { left, right } => {
+            ClaimKind::Parallel { left: side(left), right: side(right) }
+        }
+        other => other.clone(),
     }
-}
-
-pub(super) fn identity(of: &str) -> Verdict {
-    let steps = vec![Step { of: of.to_string(), proof: StepProof::Identity }];
-    Verdict::Proved(Evidence { method: String::from("expansion of both sides"), steps })
-}
-
-pub(super) fn no_witness() -> Verdict {
-    Verdict::Undecided(String::from(
-        "the two sides are different expressions, but no point was found at which they differ",
-    ))
-}
-
-/// The verdict with a witness; texts leave out the scalars and points that do not matter to the claim.
-pub(super) fn explained(
-    theorem: &Theorem,
-    claim: &TheoremClaim,
-    mut witness: Witness,
-    what: &str,
-) -> Verdict {
-    witness.idle = idle(theorem, &claim.kind);
-    let at = witness.point();
-    let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
-    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
-    if !matches!(claim.kind, TheoremClaimKind::Zero(_) | TheoremClaimKind::Scalar(Comparison::Equal, _)) {
-        // The sign of a scalar without a range is easily forgotten.
-        let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
-            scalar.range == Range::all()
-                && claim.kind.depends_on(scalar.var)
-                && matches!(value, Coordinate::Rational(x) if !x.is_positive())
-        });
-        witness.notes.extend(any.map(|(scalar, _)| {
-            let name = &scalar.name;
-            format!("`{name}` can be any number; `scalar 0 < {name};` declares it positive")
-        }));
-    }
-    Verdict::Refuted(witness)
 }
 
 /// Nets that show two things to be different, such as a person can read: with most points in one place if there are many.
-pub(super) fn witness_nets(theorem: &Theorem, claim: &TheoremClaim) -> impl Iterator<Item = Net> {
+pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<Item = Net> {
     let idle = idle(theorem, &claim.kind);
     let used = theorem.points.iter().filter(|point| !idle.contains(&point.name)).count();
     let first = if used > MAX_REGULAR { Some(sparse(theorem)) } else { None };
@@ -164,11 +355,11 @@ pub(super) fn witness_nets(theorem: &Theorem, claim: &TheoremClaim) -> impl Iter
 
 /// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points are
 /// expressed by given ones.
-fn idle(theorem: &Theorem, kind: &TheoremClaimKind) -> Vec<String> {
+fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
     let forms: &[&Form] = match kind {
-        TheoremClaimKind::Scalar(..) => &[],
-        TheoremClaimKind::Zero(form) => &[form],
-        TheoremClaimKind::Parallel(a, b) => &[a, b],
+        ClaimKind::Vector { value, .. } => &[value],
+        ClaimKind::Parallel { left, right } => &[&left.value, &right.value],
+        _ => &[],
     };
     let mut used = Vec::new();
     if theorem.dimension.is_none() {
@@ -191,218 +382,4 @@ fn idle(theorem: &Theorem, kind: &TheoremClaimKind) -> Vec<String> {
         .iter()
         .flat_map(|patch| patch.points.iter().map(|point| crate::model::label(&patch.name, &point.index)));
     scalars.chain(labels.filter(|label| !matters(label))).collect()
-}
-
-/// The values of the scalars at which a function has a value, and one that is not zero.
-pub(super) fn nonzero(theorem: &Theorem, value: &Fraction) -> Option<Vec<Rational>> {
-    if value.is_zero() {
-        return None;
-    }
-    // Where the denominator were zero, there would be no value.
-    let mut rest = [value.numer().clone(), value.denom().clone()];
-    let mut at = vec![Rational::ZERO; theorem.names.len()];
-    let settled = |scalar: &Parameter| scalar.range.finite().is_some_and(|(low, high)| low == high);
-    // A scalar with a single value leaves no choice, so that its value is put in before others are chosen.
-    let (single, others): (Vec<_>, Vec<_>) = theorem.scalars.iter().partition(|scalar| settled(scalar));
-    for scalar in single.into_iter().chain(others) {
-        // Of more numbers than the two have zeros in this variable together, one is none of them.
-        let count = rest.iter().map(|p| p.degree(scalar.var)).sum::<u32>() + 1;
-        let found = point::candidates(&scalar.range, count)
-            .into_iter()
-            .find(|x| rest.iter().all(|p| !p.at(scalar.var, x).is_zero()))?;
-        rest = rest.map(|p| p.at(scalar.var, &found));
-        at[scalar.var.0] = found;
-    }
-    Some(at)
-}
-
-/// A witness from values of the scalars and a net.
-pub(super) fn refutation(
-    theorem: &Theorem,
-    net: &Net,
-    of: String,
-    value: &Fraction,
-    at: &[Rational],
-) -> Witness {
-    let value = value.eval(at).unwrap_or(Rational::ZERO);
-    let net = evaluated(theorem, net, at, &[]);
-    let named = theorem.scalars.iter().map(|p| (p.name.clone(), Coordinate::Rational(at[p.var.0].clone())));
-    Witness { of, at: named.collect(), idle: Vec::new(), net, value, notes: Vec::new() }
-}
-
-/// A polynomial with the sign of a quotient, or of its opposite: the denominator vanishes nowhere on the ranges, so that its
-/// sign at one point is its sign everywhere.
-fn with_sign(theorem: &Theorem, value: &Fraction, negate: bool) -> Poly {
-    let mut at = vec![Rational::ONE; theorem.names.len()];
-    for scalar in &theorem.scalars {
-        at[scalar.var.0] = point::simple(&scalar.range);
-    }
-    if value.denom().eval(&at).is_negative() == negate { value.numer().clone() } else { -value.numer() }
-}
-
-/// What a comparison of x with zero says of x, or if the second is true of −x.
-const fn relation(comparison: Comparison) -> (Relation, bool) {
-    match comparison {
-        Comparison::Greater => (Relation::Positive, false),
-        Comparison::Less => (Relation::Positive, true),
-        Comparison::LessEqual => (Relation::NonNegative, true),
-        _ => (Relation::NonNegative, false),
-    }
-}
-
-/// An inequality between a scalar and zero.
-fn sign(theorem: &Theorem, claim: &TheoremClaim, comparison: Comparison, value: &Fraction) -> Verdict {
-    let of = claim.difference.as_str();
-    let (relation, negate) = relation(comparison);
-    let polynomial = |value: &Fraction| with_sign(theorem, value, negate);
-    let whole = polynomial(value);
-    if let Some(gram) = Gram::of(&whole, &theorem.products) {
-        return match gram.decide(relation) {
-            Ok(squares) => {
-                let method = gram::method(&squares);
-                let proof = StepProof::Squares(squares);
-                Verdict::Proved(Evidence { method, steps: vec![Step { of: of.to_string(), proof }] })
-            }
-            Err(line) => {
-                let net = Net::on_a_line(theorem, &line);
-                let value = on_net(theorem, value, &net);
-                let at = coordinates(theorem, &[]);
-                let witness = refutation(theorem, &net, of.to_string(), &value, &at);
-                explained(theorem, claim, witness, "the value is")
-            }
-        };
-    }
-    if let Some(form) = Quadratic::new(theorem, &whole) {
-        return form.decide(theorem, claim, relation, value);
-    }
-    let decide = |value: &Fraction, budget: &mut Budget| {
-        decide::decide(&polynomial(value), relation, &theorem.region(), budget)
-    };
-    let fresh = || Budget::scaled(theorem.budget);
-    let witness = match decide(value, &mut fresh()) {
-        Decision::Proved(proof) => {
-            let method = proof.method.to_string();
-            let proof = StepProof::Sign(proof);
-            return Verdict::Proved(Evidence { method, steps: vec![Step { of: of.to_string(), proof }] });
-        }
-        Decision::Undecided(left) => {
-            // With definite points in place of coordinates the question is a smaller one.
-            let budget = &mut fresh();
-            for net in nets(theorem).take(if theorem.dimension.is_some() { ATTEMPTS } else { 0 }) {
-                let value = on_net(theorem, value, &net);
-                if let Decision::Refuted(witness) = decide(&value, budget) {
-                    return counterexample(theorem, claim, &net, &value, &witness);
-                }
-            }
-            return Verdict::Undecided(format!("`{of}`: {left}"));
-        }
-        Decision::Refuted(witness) => witness,
-    };
-    if theorem.products.iter().any(|(var, _)| value.depends_on(*var)) {
-        // Dot products are not any numbers: the claim must fail for a net.
-        for net in nets(theorem) {
-            let value = on_net(theorem, value, &net);
-            if let Decision::Refuted(witness) = decide(&value, &mut fresh()) {
-                return counterexample(theorem, claim, &net, &value, &witness);
-            }
-        }
-        return Verdict::Undecided(format!(
-            "`{of}`: it fails for some numbers in place of the dot products, but for no points that were tried"
-        ));
-    }
-    let at = coordinates(theorem, &witness.point);
-    let net = Net::from_coordinates(theorem, &at);
-    counterexample(theorem, claim, &net, value, &witness)
-}
-
-/// The witness of an inequality; at irrational values of scalars the function is exactly zero.
-pub(super) fn counterexample(
-    theorem: &Theorem,
-    claim: &TheoremClaim,
-    net: &Net,
-    value: &Fraction,
-    witness: &decide::Witness,
-) -> Verdict {
-    let at = coordinates(theorem, &witness.point);
-    let mut result = refutation(theorem, net, claim.difference.clone(), value, &at);
-    let irrational = witness.point.iter().filter(|(_, c)| matches!(c, Coordinate::Algebraic(_)));
-    let vars: Vec<Var> = irrational.clone().map(|(var, _)| *var).collect();
-    for (var, c) in irrational {
-        let name = &theorem.names[var.0];
-        match result.at.iter_mut().find(|(n, _)| n == name) {
-            Some(slot) => slot.1 = c.clone(),
-            // A coordinate of a control point.
-            None => result.notes.push(c.describe(name)),
-        }
-        result.value = witness.value.clone();
-        result.net = evaluated(theorem, net, &at, &vars);
-    }
-    explained(theorem, claim, result, "the value is")
-}
-
-/// The rational values by variable, simple ones for what is left open.
-pub(super) fn coordinates(theorem: &Theorem, point: &[(Var, Coordinate)]) -> Vec<Rational> {
-    let mut at = vec![Rational::ZERO; theorem.names.len()];
-    for scalar in &theorem.scalars {
-        at[scalar.var.0] = point::simple(&scalar.range);
-    }
-    for (var, c) in point {
-        if let (Coordinate::Rational(x), Some(slot)) = (c, at.get_mut(var.0)) {
-            *slot = x.clone();
-        }
-    }
-    at
-}
-
-/// The expressions whose values can contradict a claim on a net, with their values where they do.
-#[cfg(any(test, feature = "tools"))]
-pub(super) fn contradictions(
-    theorem: &Theorem,
-    claim: &TheoremClaim,
-    net: &Net,
-    at: &[Rational],
-) -> Vec<(String, Option<Rational>)> {
-    let of = &claim.difference;
-    let value = |f: &Fraction| on_net(theorem, f, net).eval(at);
-    let values = |parts: Vec<(String, Fraction)>| -> Vec<(String, Rational)> {
-        parts.into_iter().map(|(label, f)| (label, f.eval(at).unwrap_or(Rational::ZERO))).collect()
-    };
-    match &claim.kind {
-        TheoremClaimKind::Scalar(Comparison::Equal, f) => {
-            vec![(of.clone(), value(f).filter(|x| !x.is_zero()))]
-        }
-        TheoremClaimKind::Scalar(comparison, f) => {
-            let (relation, negate) = relation(*comparison);
-            let fails = |x: &Rational| !relation.holds(&if negate { -x } else { x.clone() });
-            vec![(of.clone(), value(f).filter(fails))]
-        }
-        TheoremClaimKind::Zero(form) => values(parts(theorem, form, net))
-            .into_iter()
-            .map(|(label, x)| {
-                let of = if label.is_empty() { of.clone() } else { format!("({of}){label}") };
-                (of, Some(x).filter(|x| !x.is_zero()))
-            })
-            .collect(),
-        TheoremClaimKind::Parallel(a, b) => {
-            let (left, right) = claim.text.split_once(" parallel ").unwrap_or((&claim.text, ""));
-            let [x, y] = super::net::parts_of_both(theorem, [a, b], net).map(values);
-            let zero = x.iter().chain(&y).all(|(_, v)| v.is_zero());
-            let dot = x.iter().zip(&y).fold(Rational::ZERO, |sum, ((_, p), (_, q))| &sum + &(p * q));
-            let mut all =
-                vec![(format!("dot({left}, {right})"), Some(dot).filter(|d| !zero && !d.is_positive()))];
-            for i in 0..x.len() {
-                for j in i + 1..x.len().min(y.len()) {
-                    let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
-                    let (p, q) = (&x[i].0, &x[j].0);
-                    let of = if x.len() == 2 {
-                        format!("cross({left}, {right})")
-                    } else {
-                        format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
-                    };
-                    all.push((of, Some(minor).filter(|m| !m.is_zero())));
-                }
-            }
-            all
-        }
-    }
 }

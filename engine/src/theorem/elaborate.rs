@@ -1,19 +1,23 @@
 //! Goes through the statements of a theorem in the order in which they are written.
 
+use std::rc::Rc;
+
 use proc_macro2::Span;
 
 use super::form::Form;
 use super::patch::PatchDef;
-use super::{GivenPoint, Origin, Theorem, TheoremClaim, TheoremClaimKind, TheoremKind, TheoremRelation};
+use super::{GivenPoint, Origin, Theorem, TheoremKind, TheoremRelation};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
+use crate::subject::{Item, Subject as About};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Diagnostics;
 use crate::model::budget::TooLarge;
 use crate::model::print::Printer;
 use crate::model::scope::{Scope, Subject};
-use crate::model::{Comparison, Library, Parameter, build, label};
+use crate::model::{Library, Parameter, build, label};
 use crate::source::SourceId;
 use crate::syntax::{
     self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind,
@@ -59,13 +63,24 @@ pub(super) struct Elaboration<'a> {
     pub(super) products: Vec<(Var, (usize, usize))>,
 }
 
+/// The theorems and joins of the spec that a library was asked for; those with errors are left out.
+pub fn theorems(library: &Library<'_>) -> Vec<Item> {
+    let mut items = Vec::new();
+    library.each_theorem(&mut |unit, source, written| {
+        let (item, diagnostics) = theorem(library, unit, source, written);
+        items.extend(item.filter(|_| diagnostics.is_empty()));
+        diagnostics
+    });
+    items
+}
+
 /// Reads a theorem; `None`, or anything with messages, cannot be used.
-pub(in crate::model) fn theorem(
+fn theorem(
     library: &Library<'_>,
     unit: usize,
     source: SourceId,
     written: &syntax::Theorem,
-) -> (Option<Theorem>, Diagnostics) {
+) -> (Option<Item>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
     scope.subject = Subject::Theorem;
     scope.names = vec![String::new(); OWN];
@@ -87,7 +102,7 @@ pub(in crate::model) fn theorem(
 }
 
 impl Elaboration<'_> {
-    fn theorem(&mut self, written: &syntax::Theorem) -> Option<Theorem> {
+    fn theorem(&mut self, written: &syntax::Theorem) -> Option<Item> {
         let dimension = self.find_dimension(&written.statements);
         let mut fine = dimension.is_some();
         let mut budget = 1;
@@ -130,7 +145,7 @@ impl Elaboration<'_> {
         }
         let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).collect();
         self.scalars.retain(|p| !silent.contains(&p.var));
-        Some(Theorem {
+        let theorem = Theorem {
             kind: written.kind,
             name: written.name.text.clone(),
             doc: written.doc.clone(),
@@ -142,9 +157,10 @@ impl Elaboration<'_> {
             products: core::mem::take(&mut self.products),
             patches: core::mem::take(&mut self.patches).into_iter().map(PatchDef::finish).collect(),
             points: core::mem::take(&mut self.points),
-            claims,
             budget,
-        })
+        };
+        let obligations = core::mem::take(&mut self.scope.obligations);
+        Some(Item { subject: About::Theorem(Rc::new(theorem)), obligations, claims })
     }
 
     /// A join determines points for any given ones.
@@ -448,28 +464,25 @@ impl Elaboration<'_> {
         &mut self,
         statement: &TheoremStatement,
         written: &Assertion,
-        claims: &mut Vec<TheoremClaim>,
+        claims: &mut Vec<Claim>,
     ) -> Option<()> {
         self.each(&written.loops, &mut |all| {
-            let kind = all.claim(written)?;
             let printer = Printer { constants: &all.scope.constants, component: None };
-            let (left, right, difference) = printer.difference(&written.left, &written.right);
+            let texts = printer.difference(&written.left, &written.right);
+            let text = format!("{} {} {}", texts.0, written.relation.symbol(), texts.1);
+            let kind = all.claim(written, texts)?;
             let run = all.scope.budget.run();
-            let counted = run.claim(left.len() + right.len() + difference.len()).and_then(|()| kind.kept(run));
+            let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
             all.fits(counted, statement.span)?;
-            claims.push(TheoremClaim {
-                text: format!("{left} {} {right}", written.relation.symbol()),
-                doc: statement.doc.clone(),
-                expected: written.expected,
-                place: all.scope.place(statement.span),
-                difference,
-                kind,
-            });
+            let place = all.scope.place(statement.span);
+            claims.push(Claim { text, doc: statement.doc.clone(), expected: written.expected, place, kind });
             Some(())
         })
     }
 
-    fn claim(&mut self, written: &Assertion) -> Option<TheoremClaimKind> {
+    /// What is claimed, with the texts of both sides and of their difference.
+    fn claim(&mut self, written: &Assertion, texts: (String, String, String)) -> Option<ClaimKind> {
+        let (left_text, right_text, text) = texts;
         let left = self.definite(&written.left)?;
         let right = self.definite(&written.right)?;
         let zero = |value: &Value| matches!(value, Value::Scalar(f) if f.is_zero());
@@ -483,7 +496,10 @@ impl Elaboration<'_> {
             TheoremRelation::Parallel => {
                 return match (left, right) {
                     (Value::Vector(a), Value::Vector(b)) | (Value::Outer(a), Value::Outer(b)) => {
-                        Some(TheoremClaimKind::Parallel(a, b))
+                        Some(ClaimKind::Parallel {
+                            left: Side { text: left_text, value: a },
+                            right: Side { text: right_text, value: b },
+                        })
                     }
                     (a, b) => self.mismatch(written.span, "have a direction in common", &a, &b),
                 };
@@ -493,20 +509,22 @@ impl Elaboration<'_> {
         match (left, right) {
             (Value::Scalar(a), Value::Scalar(b)) => {
                 let difference = self.scope.budget.sub(&a, &b);
-                Some(TheoremClaimKind::Scalar(comparison, self.fits(difference, written.span)?))
+                let value = self.fits(difference, written.span)?;
+                let difference = Difference { left: left_text, right: right_text, text, value };
+                Some(ClaimKind::Scalar { comparison, difference })
             }
             (Value::Vector(a), Value::Vector(b)) | (Value::Outer(a), Value::Outer(b)) if equal => {
                 let mut difference = a;
                 let minus = -&Fraction::constant(crate::algebra::rational::Rational::ONE);
                 let done = difference.add_scaled(&b, &minus, &self.scope.budget);
                 self.fits(done, written.span)?;
-                Some(TheoremClaimKind::Zero(difference))
+                Some(ClaimKind::Vector { text, value: difference })
             }
             (Value::Vector(form) | Value::Outer(form), other)
             | (other, Value::Vector(form) | Value::Outer(form))
                 if equal && zero(&other) =>
             {
-                Some(TheoremClaimKind::Zero(form))
+                Some(ClaimKind::Vector { text, value: form })
             }
             (a, b) => {
                 self.mismatch(written.span, &format!("compare by `{}`", written.relation.symbol()), &a, &b)

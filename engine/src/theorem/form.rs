@@ -1,7 +1,7 @@
 //! Vectors and outer products as linear forms: combinations of points, or of pairs of points, whose coefficients are
 //! rational functions of the scalars.
 
-use crate::SortedMap;
+use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::budget::{Budget, TooLarge};

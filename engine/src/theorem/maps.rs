@@ -7,7 +7,7 @@ use super::form::Form;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::model::print::Printer;
 use crate::syntax::{Expr, ExprKind};
 use crate::words::{along_edges, count, here};

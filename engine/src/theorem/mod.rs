@@ -7,12 +7,11 @@ mod form;
 mod maps;
 mod patch;
 
-pub(super) use elaborate::theorem;
+pub use elaborate::theorems;
 pub use form::{Form, Unit};
 
-use super::budget::{Run, TooLarge};
-use super::{Comparison, Expected, Parameter};
-use crate::algebra::fraction::Fraction;
+use crate::model::Parameter;
+use basis_kernel::collections::list::Mapped;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
@@ -46,8 +45,6 @@ pub struct Theorem {
     /// The given points, by the number that stands in [`Unit::Point`]; with coordinates a variable for each
     /// coordinate of each of them.
     pub points: Vec<GivenPoint>,
-    /// The claims in the order in which they are written.
-    pub claims: Vec<TheoremClaim>,
     /// How many times the usual work the provers may spend on a claim.
     pub budget: u32,
 }
@@ -102,56 +99,6 @@ pub enum Origin {
     Determined,
 }
 
-/// A claim of a theorem.
-#[derive(Clone, Debug)]
-pub struct TheoremClaim {
-    /// The claim as text, index variables replaced by their values.
-    pub text: String,
-    /// The doc comment, one string a line.
-    pub doc: Vec<String>,
-    /// Whether it is declared true or false.
-    pub expected: Expected,
-    /// Where it stands.
-    pub place: Place,
-    /// Left side minus right side as text.
-    pub difference: String,
-    /// What is claimed.
-    pub kind: TheoremClaimKind,
-}
-
-/// The kinds of claims of theorems.
-#[derive(Clone, Debug)]
-pub enum TheoremClaimKind {
-    /// A scalar compares with zero as stated.
-    Scalar(Comparison, Fraction),
-    /// A vector, or an outer product, is zero.
-    Zero(Form),
-    /// One is a positive multiple of the other.
-    Parallel(Form, Form),
-}
-
-impl TheoremClaimKind {
-    /// Counts the functions that the claim keeps.
-    fn kept(&self, run: &Run) -> Result<(), TooLarge> {
-        let form = |form: &Form| form.terms.values().try_for_each(|f| run.keep(f));
-        match self {
-            Self::Scalar(_, f) => run.keep(f),
-            Self::Zero(a) => form(a),
-            Self::Parallel(a, b) => form(a).and_then(|()| form(b)),
-        }
-    }
-
-    /// Whether a variable occurs in what is claimed.
-    pub fn depends_on(&self, var: Var) -> bool {
-        let form = |form: &Form| form.terms.values().any(|f| f.depends_on(var));
-        match self {
-            Self::Scalar(_, f) => f.depends_on(var),
-            Self::Zero(a) => form(a),
-            Self::Parallel(a, b) => form(a) || form(b),
-        }
-    }
-}
-
 impl Theorem {
     /// `theorem Name` or `join Name`.
     pub fn title(&self) -> String {
@@ -164,6 +111,11 @@ impl Theorem {
         let squares = self.products.iter().filter(|(_, (p, q))| p == q);
         let nonnegative = Range { low: End::Included(Rational::ZERO), high: End::Infinite };
         Region { ranges: scalars.chain(squares.map(|(var, _)| (*var, nonnegative.clone()))).collect() }
+    }
+
+    /// The ranges of the scalars alone.
+    pub fn scalar_region(&self) -> Region {
+        Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) }
     }
 
     /// The range of a variable.

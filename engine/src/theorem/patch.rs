@@ -10,7 +10,7 @@ use super::{ControlPoint, GivenPoint, Origin, Patch};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 use crate::model::obligations::Inside;
 use crate::model::print::Printer;
 use crate::model::{Family, Parameter, label};
