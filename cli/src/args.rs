@@ -68,12 +68,6 @@ pub(crate) enum Command {
     /// search that found them.
     #[command(after_help = VERIFY_HELP)]
     Verify(VerifyArguments),
-    /// Draw the figures of the papers, with their claims and verdicts
-    ///
-    /// Curves with their control polygons as SVG, shaded surfaces with their nets as PNG, an `index.html` that shows them
-    /// beside the published claims, and `figures.json` with their parameters and what was measured in them.
-    #[command(after_help = GALLERY_HELP)]
-    Gallery(GalleryArguments),
 }
 
 /// What can be typed after `basis check`.
@@ -194,32 +188,12 @@ Examples:
   basis explain quadratic.basis G1
   basis explain papers/quartic.basis | less";
 
-/// What can be typed after `basis gallery`.
-#[derive(Debug, Args)]
-pub(crate) struct GalleryArguments {
-    /// The folder for the pictures and the page; it is made if it does not exist
-    #[arg(value_name = "DIR")]
-    pub(crate) folder: PathBuf,
-    /// Draw only the figures whose identifier contains this text
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) only: Option<String>,
-}
-
-const GALLERY_HELP: &str = "\
-Exit status:
-  0  everything is drawn
-  2  a file cannot be written, or the command is used wrongly
-
-Examples:
-  basis gallery figures
-  basis gallery figures --only quart-fig-join";
-
 /// How to print results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// Tables for people
+    /// Tables
     Text,
-    /// One JSON object for programs
+    /// One JSON object
     Json,
 }
 

@@ -28,6 +28,8 @@ pub mod explain;
 pub mod generate;
 pub mod model;
 pub mod prove;
+#[cfg(any(test, feature = "tools"))]
+pub mod published;
 pub mod source;
 pub mod syntax;
 mod words;

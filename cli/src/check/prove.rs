@@ -7,8 +7,8 @@ use basis_engine::diagnostic::Place;
 use basis_engine::model::Expected;
 use basis_engine::prove::{Statement, check};
 use basis_engine::{
-    Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem, TheoremClaim,
-    Verdict, Witness, prove,
+    Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Sources, Theorem, TheoremClaim, Verdict,
+    Witness, prove,
 };
 
 use super::files::Entry;
@@ -223,15 +223,6 @@ pub(crate) fn file(entry: Entry) -> Outcome {
             return Outcome { path, items, doc, diagnostics: vec![problem], sources, readable: false };
         }
     };
-    decided(path, source)
-}
-
-/// Checks a text in memory.
-pub(crate) fn text(name: &str, text: &str) -> Outcome {
-    decided(name.to_owned(), Source::text(name, text))
-}
-
-fn decided(path: String, source: Source) -> Outcome {
     let library = Library::from_source(&Disk, source);
     let families = library.items(Selected::EveryOrder).into_iter().map(|item| {
         let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim)).collect();

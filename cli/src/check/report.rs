@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::prove::{Decided, DecidedClaim, Outcome};
-use super::published::Published;
+use super::published::Record;
 use crate::output::Status;
 
 /// What `basis check --format json` prints.
@@ -15,7 +15,7 @@ pub(crate) struct Report {
     pub(crate) files: Vec<File>,
     /// What became of published statements that comments name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(crate) published: Vec<Published>,
+    pub(crate) published: Vec<Record>,
     /// Whether every file was read and everything in it is as declared.
     pub(crate) ok: bool,
 }
@@ -76,7 +76,7 @@ struct Message {
 
 impl Report {
     /// The report on several files.
-    pub(crate) fn new(files: Vec<File>, published: Vec<Published>) -> Self {
+    pub(crate) fn new(files: Vec<File>, published: Vec<Record>) -> Self {
         let ok = files.iter().all(|file| file.status == Status::Fine);
         Self { files, published, ok }
     }

@@ -5,14 +5,14 @@ use std::error::Error;
 
 use basis_runtime::{ScalarOf, Surface, TriangleIndex, TriangularBasis, TriangularPatch};
 
-use super::families::{TriangularI, TriangularII};
-use super::figure::{Drawing, Facts, Figure, Picture};
-use super::scene::{Point3d, Scene, View};
+use crate::families::{TriangularI, TriangularII};
+use crate::figure::{Drawing, Facts, Figure, Picture};
+use crate::scene::{Point3d, Scene, View};
 
 const VIEW: View = View { azimuth: -70.0, elevation: 24.0 };
 
 /// All figures of the paper.
-pub(super) fn figures() -> Vec<Figure> {
+pub(crate) fn figures() -> Vec<Figure> {
     let mut figures = Vec::new();
     let first = [
         (1.0, 4.0),

@@ -8,10 +8,10 @@ use std::f64::consts::PI;
 
 use basis_runtime::{Curve, Joint, SurfaceOfRevolution};
 
-use super::families::QuadraticBezier;
-use super::figure::{Drawing, Facts, Figure, Picture, number};
-use super::plot::{Axis, Plot};
-use super::scene::{Scene, View};
+use crate::families::QuadraticBezier;
+use crate::figure::{Drawing, Facts, Figure, Picture, number};
+use crate::plot::{Axis, Plot};
+use crate::scene::{Scene, View};
 
 type Plane = [f64; 2];
 type Segment = Curve<QuadraticBezier, Plane>;
@@ -52,7 +52,7 @@ const HAT_RESTORED: Profile<4> = Profile {
 };
 
 /// All figures of the paper.
-pub(super) fn figures() -> Vec<Figure> {
+pub(crate) fn figures() -> Vec<Figure> {
     let hat_smooth = hat_smooth();
     let hat = Subject {
         id: "quad-ex1",

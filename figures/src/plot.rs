@@ -11,7 +11,7 @@ const COLOURS: [&str; 6] = ["#2f6db3", "#c2571a", "#2c8a4b", "#9b3a86", "#5b52b5
 
 /// Curves in one picture.
 #[derive(Default)]
-pub(super) struct Plot {
+pub(crate) struct Plot {
     curves: Vec<Shown>,
     polygons: Vec<Vec<[f64; 2]>>,
     axis: Option<Axis>,
@@ -24,29 +24,29 @@ struct Shown {
 
 /// An axis of revolution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Axis {
+pub(crate) enum Axis {
     X,
     Y,
 }
 
 impl Plot {
     /// A curve; curves with one label have one colour and one entry in the legend.
-    pub(super) fn curve<B: Basis<Scalar = f64>>(&mut self, curve: &Curve<B, [f64; 2]>, label: &str) {
+    pub(crate) fn curve<B: Basis<Scalar = f64>>(&mut self, curve: &Curve<B, [f64; 2]>, label: &str) {
         self.curves.push(Shown { points: curve.samples(200).collect(), label: label.to_owned() });
     }
 
     /// A control polygon with its points.
-    pub(super) fn polygon(&mut self, points: &[[f64; 2]]) {
+    pub(crate) fn polygon(&mut self, points: &[[f64; 2]]) {
         self.polygons.push(points.to_vec());
     }
 
     /// The axis about which the curves turn, as a dash-dotted line.
-    pub(super) fn axis(&mut self, axis: Axis) {
+    pub(crate) fn axis(&mut self, axis: Axis) {
         self.axis = Some(axis);
     }
 
     /// The picture, with its title and a caption below.
-    pub(super) fn svg(&self, title: &str, caption: &str) -> String {
+    pub(crate) fn svg(&self, title: &str, caption: &str) -> String {
         let frame = Frame::new(self);
         let lines = wrap(caption, 112);
         let mut labels: Vec<&str> = Vec::new();

@@ -2,18 +2,19 @@
 
 use std::fmt::Write as _;
 
-use super::claims::Paper;
-use super::figure::{Facts, shown};
-use crate::check::Published;
+use basis_engine::published::Published;
+
+use crate::claims::Paper;
+use crate::figure::{Facts, shown};
 
 /// A figure as the page shows it.
-pub(super) struct Entry<'a> {
-    pub(super) id: &'a str,
-    pub(super) title: &'a str,
-    pub(super) file: &'a str,
-    pub(super) params: &'a Facts,
-    pub(super) facts: &'a Facts,
-    pub(super) note: &'a str,
+pub(crate) struct Entry<'a> {
+    pub(crate) id: &'a str,
+    pub(crate) title: &'a str,
+    pub(crate) file: &'a str,
+    pub(crate) params: &'a Facts,
+    pub(crate) facts: &'a Facts,
+    pub(crate) note: &'a str,
 }
 
 const STYLE: &str = "
@@ -35,7 +36,7 @@ td:first-child { white-space: nowrap; font-family: ui-monospace, monospace; }
 ";
 
 /// The whole page.
-pub(super) fn html(papers: &[(&Paper, Vec<Published>, Vec<Entry<'_>>)]) -> String {
+pub(crate) fn html(papers: &[(&Paper, Vec<Published>, Vec<Entry<'_>>)]) -> String {
     let mut page = String::from(
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n\
          <title>Figures and claims of five papers</title>\n<style>",
@@ -99,13 +100,13 @@ fn table(statements: &[Published]) -> String {
         "<h3>Published claims</h3>\n<table>\n<tr><th>claim</th><th>as published</th><th>verdict</th><th>corrected</th></tr>\n",
     );
     for statement in statements {
-        let class = statement.verdict().replace(' ', "-");
+        let class = statement.fate.word().replace(' ', "-");
         let _ = writeln!(
             text,
             "<tr id=\"{id}\"><td>{id}</td><td>{published}</td><td class=\"{class}\">{verdict}</td><td>{corrected}</td></tr>",
-            id = statement.id(),
-            published = escaped(statement.statement()),
-            verdict = statement.verdict(),
+            id = statement.id,
+            published = escaped(&statement.statement),
+            verdict = statement.fate.word(),
             corrected = escaped(statement.remark()),
         );
     }

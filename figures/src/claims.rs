@@ -1,11 +1,12 @@
-//! The claims of the papers with their verdicts, decided while the gallery is made.
+//! The claims of the papers with their verdicts, decided while the figures are drawn.
 
-use crate::check::{self, Published};
+use basis_engine::published::{self, Published};
+use basis_engine::{Disk, Library, Source};
 
-/// A paper: how the gallery names it, and the spec with its claims.
-pub(super) struct Paper {
-    pub(super) id: &'static str,
-    pub(super) title: &'static str,
+/// A paper: how the page names it, and the spec with its claims.
+pub(crate) struct Paper {
+    pub(crate) id: &'static str,
+    pub(crate) title: &'static str,
     spec: (&'static str, &'static str),
 }
 
@@ -22,8 +23,8 @@ macro_rules! paper {
     };
 }
 
-/// All papers, in the order of the gallery.
-pub(super) const PAPERS: [Paper; 5] = [
+/// All papers, in the order of the page.
+pub(crate) const PAPERS: [Paper; 5] = [
     paper!("quadratic", "Quadratic Bézier curves with one shape parameter"),
     paper!("quartic", "Quartic generalized Bézier surfaces and their joins"),
     paper!("triangular", "Triangular quasi-Bézier surfaces with two shape parameters"),
@@ -33,8 +34,8 @@ pub(super) const PAPERS: [Paper; 5] = [
 
 impl Paper {
     /// The published statements, with what is known about them.
-    pub(super) fn statements(&self) -> Vec<Published> {
+    pub(crate) fn statements(&self) -> Vec<Published> {
         let (name, text) = self.spec;
-        check::published(name, text)
+        published::statements(&Library::from_source(&Disk, Source::text(name, text)))
     }
 }

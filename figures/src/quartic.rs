@@ -6,9 +6,9 @@ use std::f64::consts::PI;
 
 use basis_runtime::{Edge, EdgeContinuity, ShapeError, Surface, TensorSurface, edge_continuity};
 
-use super::families::QuarticBernstein;
-use super::figure::{Drawing, Facts, Figure, Picture, number};
-use super::scene::{Point3d, Scene, View};
+use crate::families::QuarticBernstein;
+use crate::figure::{Drawing, Facts, Figure, Picture, number};
+use crate::scene::{Point3d, Scene, View};
 
 type Net = [[Point3d; 4]; 4];
 type Patch = TensorSurface<QuarticBernstein, QuarticBernstein, Point3d>;
@@ -16,7 +16,7 @@ type Patch = TensorSurface<QuarticBernstein, QuarticBernstein, Point3d>;
 const SAMPLES: usize = 129;
 
 /// All figures of the paper.
-pub(super) fn figures() -> Vec<Figure> {
+pub(crate) fn figures() -> Vec<Figure> {
     let mut figures = Vec::new();
     for (lambda, gamma) in [(-2.0, -3.0), (-1.0, -3.0), (0.0, -3.0)] {
         let id = format!("quart-fig-three-sided-{}", file(lambda));

@@ -3,14 +3,14 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Red, green, blue; each from 0 to 1.
-pub(super) type Colour = [f32; 3];
+pub(crate) type Colour = [f32; 3];
 
 /// So many pixels are averaged in each direction, against jagged edges.
 const FINE: usize = 2;
 
 /// A picture that is being drawn. Positions are in pixels, `x` to the right, `y` down, with the depth in the same unit;
 /// smaller is nearer.
-pub(super) struct Raster {
+pub(crate) struct Raster {
     width: usize,
     height: usize,
     colour: Vec<Colour>,
@@ -19,14 +19,14 @@ pub(super) struct Raster {
 
 /// A corner of a triangle: a position, and a unit normal in the directions of the picture, `z` towards the viewer.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
-    pub(super) at: [f64; 3],
-    pub(super) normal: [f64; 3],
+pub(crate) struct Corner {
+    pub(crate) at: [f64; 3],
+    pub(crate) normal: [f64; 3],
 }
 
 impl Raster {
     /// A white picture.
-    pub(super) fn new(width: usize, height: usize) -> Self {
+    pub(crate) fn new(width: usize, height: usize) -> Self {
         let (width, height) = (width * FINE, height * FINE);
         Self {
             width,
@@ -37,7 +37,7 @@ impl Raster {
     }
 
     /// A shaded triangle; `front` and `back` colour its two sides.
-    pub(super) fn triangle(&mut self, corners: [Corner; 3], front: Colour, back: Colour) {
+    pub(crate) fn triangle(&mut self, corners: [Corner; 3], front: Colour, back: Colour) {
         let [a, b, c] = corners.map(|corner| corner.at.map(|x| x * FINE as f64));
         let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         if area.abs() < 1e-12 {
@@ -67,7 +67,7 @@ impl Raster {
     }
 
     /// A straight line of that width. `hidden` is how much of it shows where something is in front of it, from 0 to 1.
-    pub(super) fn line(
+    pub(crate) fn line(
         &mut self,
         from: [f64; 3],
         to: [f64; 3],
@@ -96,7 +96,7 @@ impl Raster {
     }
 
     /// A disc of that diameter.
-    pub(super) fn disc(&mut self, at: [f64; 3], diameter: f64, colour: Colour, hidden: f32) {
+    pub(crate) fn disc(&mut self, at: [f64; 3], diameter: f64, colour: Colour, hidden: f32) {
         self.line(at, at, diameter, colour, 1.0, hidden);
     }
 
@@ -130,7 +130,7 @@ impl Raster {
     }
 
     /// The picture as PNG, with a text about it.
-    pub(super) fn png(&self, title: &str, description: &str) -> Result<Vec<u8>, png::EncodingError> {
+    pub(crate) fn png(&self, title: &str, description: &str) -> Result<Vec<u8>, png::EncodingError> {
         let (width, height) = (self.width / FINE, self.height / FINE);
         let mut bytes = Vec::with_capacity(width * height * 3);
         for y in 0..height {

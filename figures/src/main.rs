@@ -1,5 +1,7 @@
-//! `basis gallery`: the figures of the papers, drawn from generated families, with what was measured in them.
+//! The figures of the papers, drawn from generated families, with what was measured in them: a file for each paper, and
+//! `bonnet`, the example of the fifth.
 
+mod bonnet;
 mod bspline;
 mod claims;
 mod families;
@@ -15,14 +17,15 @@ mod triangular;
 
 use std::error::Error;
 use std::fs;
-use std::path::Path;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
+use clap::Parser;
 use serde::Serialize;
 
-use self::claims::PAPERS;
-use self::figure::{Drawing, Facts, Figure, Picture};
-use crate::args::GalleryArguments;
-use crate::output::{self, Status, complain, error};
+use crate::claims::PAPERS;
+use crate::figure::{Drawing, Facts, Figure, Picture};
 
 /// A figure in `figures.json`.
 #[derive(Debug, Serialize)]
@@ -37,19 +40,48 @@ struct Record {
     note: String,
 }
 
-/// Draws all figures into a folder.
-pub(crate) fn run(arguments: &GalleryArguments) -> Status {
+/// Draws the figures of the papers, with their claims and verdicts
+///
+/// Curves with their control polygons as SVG, shaded surfaces with their nets as PNG, an `index.html` that shows them
+/// beside the published claims, and `figures.json` with their parameters and what was measured in them.
+#[derive(Debug, Parser)]
+#[command(name = "basis-figures", version, after_help = HELP, max_term_width = 100)]
+struct Arguments {
+    /// The folder for the pictures and the page; it is made if it does not exist
+    #[arg(value_name = "DIR")]
+    folder: PathBuf,
+    /// Draw only the figures whose identifier contains this text
+    #[arg(long, value_name = "TEXT")]
+    only: Option<String>,
+}
+
+const HELP: &str = "\
+Exit status:
+  0  everything is drawn
+  2  a file cannot be written, or the command is used wrongly
+
+Examples:
+  cargo run --release -p basis-figures -- pictures
+  cargo run --release -p basis-figures -- pictures --only quart-fig-join";
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
     match draw_all(&arguments.folder, arguments.only.as_deref().unwrap_or_default()) {
-        Ok(count) => output::print(&format!(
-            "{count} figures, index.html and figures.json in {}\n",
-            arguments.folder.display()
-        )),
+        Ok(count) => {
+            let folder = arguments.folder.display();
+            progress(&format!("{count} figures, index.html and figures.json in {folder}"));
+            ExitCode::SUCCESS
+        }
         Err(problem) => {
-            let problem = error(problem.to_string());
-            complain(&(problem.render(&basis_engine::Sources::default(), true) + "\n"));
-            Status::Unusable
+            progress(&format!("error: {problem}"));
+            ExitCode::from(2)
         }
     }
+}
+
+/// One line to standard error; that nobody reads it is no reason to stop.
+fn progress(line: &str) {
+    let _ = writeln!(io::stderr(), "{line}");
 }
 
 /// The figures of each paper, in the order of [`PAPERS`].
@@ -73,13 +105,13 @@ fn draw_all(folder: &Path, only: &str) -> Result<usize, Box<dyn Error>> {
     let mut records: Vec<Record> = Vec::with_capacity(total);
     for (paper, figures) in PAPERS.iter().zip(&all) {
         for figure in figures {
-            complain(&format!("[{:>2}/{total}] {}\n", records.len() + 1, figure.title));
+            progress(&format!("[{:>2}/{total}] {}", records.len() + 1, figure.title));
             let drawing =
                 figure.draw().map_err(|e| format!("the figure `{}` cannot be drawn: {e}", figure.id))?;
             records.push(record(folder, paper.id, figure, drawing)?);
         }
     }
-    complain("deciding the published claims\n");
+    progress("deciding the published claims");
     let page = page(&records);
     write(folder, "index.html", page.as_bytes())?;
     let mut json = serde_json::to_string_pretty(&records)?;

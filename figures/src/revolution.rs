@@ -7,10 +7,10 @@ use basis_runtime::{
     Curve, RationalSurface, RevolutionPatch, SurfaceOfRevolution, TensorSurface, half_turn_parameter,
 };
 
-use super::families::QuarticBernstein;
-use super::figure::{Drawing, Facts, Figure, Picture, number};
-use super::plot::{Axis, Plot};
-use super::scene::{Point3d, Scene, View};
+use crate::families::QuarticBernstein;
+use crate::figure::{Drawing, Facts, Figure, Picture, number};
+use crate::plot::{Axis, Plot};
+use crate::scene::{Point3d, Scene, View};
 
 type Plane = [f64; 2];
 type Segment = Curve<QuarticBernstein, Plane>;
@@ -28,7 +28,7 @@ const TWO_SMOOTH: [[Plane; 4]; 2] =
 const VIEW: View = View { azimuth: 48.0, elevation: 28.0 };
 
 /// All figures of the paper.
-pub(super) fn figures() -> Vec<Figure> {
+pub(crate) fn figures() -> Vec<Figure> {
     let mut figures = Vec::new();
     figures.push(Figure::new("rev-eq18-generatrix", "Equation (18): the generatrix", || {
         generatrix_of_one(&[1.0, 0.0, -0.75, -1.5])

@@ -2,7 +2,7 @@
 
 use basis_runtime::{BoundedSurface, Mesh, MeshError, Point, Point3, Surface, Tessellation};
 
-use super::raster::{Colour, Corner, Raster};
+use crate::raster::{Colour, Corner, Raster};
 
 /// The size of a picture in pixels.
 const SIZE: [usize; 2] = [840, 640];
@@ -24,11 +24,11 @@ const INK: Colour = [0.12, 0.13, 0.16];
 const NET: Colour = [0.62, 0.12, 0.12];
 
 /// Three components of a point.
-pub(super) type Point3d = [f64; 3];
+pub(crate) type Point3d = [f64; 3];
 
 /// What is shown.
 #[derive(Default)]
-pub(super) struct Scene {
+pub(crate) struct Scene {
     meshes: Vec<Mesh<f64>>,
     lines: Vec<Line>,
     points: Vec<Point3d>,
@@ -43,11 +43,11 @@ struct Line {
 
 /// From where a scene is seen: angles in degrees.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct View {
+pub(crate) struct View {
     /// Around the vertical, from the x axis towards the y axis.
-    pub(super) azimuth: f64,
+    pub(crate) azimuth: f64,
     /// Above the horizon.
-    pub(super) elevation: f64,
+    pub(crate) elevation: f64,
 }
 
 impl Scene {
@@ -55,7 +55,7 @@ impl Scene {
     ///
     /// # Errors
     /// When they cannot be meshed.
-    pub(super) fn surfaces<T, P>(&mut self, surfaces: &[T]) -> Result<&Mesh<f64>, MeshError>
+    pub(crate) fn surfaces<T, P>(&mut self, surfaces: &[T]) -> Result<&Mesh<f64>, MeshError>
     where
         T: BoundedSurface + Surface<Point = P>,
         P: Point3<Scalar = f64>,
@@ -73,12 +73,12 @@ impl Scene {
     }
 
     /// The colour of each surface of the last mesh, as a number.
-    pub(super) fn colours(&mut self, colours: Vec<usize>) {
+    pub(crate) fn colours(&mut self, colours: Vec<usize>) {
         self.colours = Some(colours);
     }
 
     /// Gives the back of the surfaces their colour, and the front that of backs.
-    pub(super) fn inside_out(&mut self) {
+    pub(crate) fn inside_out(&mut self) {
         self.inside_out = true;
     }
 
@@ -99,7 +99,7 @@ impl Scene {
     }
 
     /// A net of control points: lines along rows and columns, and the points.
-    pub(super) fn net(&mut self, rows: &[Vec<Point3d>]) {
+    pub(crate) fn net(&mut self, rows: &[Vec<Point3d>]) {
         for row in rows {
             self.polygon(row);
         }
@@ -110,18 +110,18 @@ impl Scene {
     }
 
     /// Single points.
-    pub(super) fn points(&mut self, points: &[Point3d]) {
+    pub(crate) fn points(&mut self, points: &[Point3d]) {
         self.points.extend_from_slice(points);
     }
 
     /// A control polygon with its points.
-    pub(super) fn polygon(&mut self, points: &[Point3d]) {
+    pub(crate) fn polygon(&mut self, points: &[Point3d]) {
         self.points.extend_from_slice(points);
         self.lines.push(Line { points: points.to_vec(), is_net: true });
     }
 
     /// The picture as PNG.
-    pub(super) fn png(
+    pub(crate) fn png(
         &self,
         view: View,
         title: &str,

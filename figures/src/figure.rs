@@ -4,19 +4,19 @@ use std::error::Error;
 
 use serde_json::{Map, Value};
 
-use super::plot::Plot;
-use super::scene::{Scene, View};
+use crate::plot::Plot;
+use crate::scene::{Scene, View};
 
 /// A figure that can be drawn.
-pub(super) struct Figure {
+pub(crate) struct Figure {
     /// Names the file.
-    pub(super) id: String,
-    pub(super) title: String,
+    pub(crate) id: String,
+    pub(crate) title: String,
     draw: Box<dyn Fn() -> Result<Drawing, Box<dyn Error>>>,
 }
 
 impl Figure {
-    pub(super) fn new(
+    pub(crate) fn new(
         id: impl Into<String>,
         title: impl Into<String>,
         draw: impl Fn() -> Result<Drawing, Box<dyn Error>> + 'static,
@@ -24,40 +24,40 @@ impl Figure {
         Self { id: id.into(), title: title.into(), draw: Box::new(draw) }
     }
 
-    pub(super) fn draw(&self) -> Result<Drawing, Box<dyn Error>> {
+    pub(crate) fn draw(&self) -> Result<Drawing, Box<dyn Error>> {
         (self.draw)()
     }
 }
 
 /// The picture of a figure and what is known about it.
-pub(super) struct Drawing {
-    pub(super) picture: Picture,
+pub(crate) struct Drawing {
+    pub(crate) picture: Picture,
     /// The shape values, angles and points that make the figure.
-    pub(super) params: Facts,
+    pub(crate) params: Facts,
     /// Numbers that were measured in it.
-    pub(super) facts: Facts,
+    pub(crate) facts: Facts,
     /// What one should see, in a sentence or two.
-    pub(super) note: String,
+    pub(crate) note: String,
 }
 
 /// A picture that is not yet written.
-pub(super) enum Picture {
+pub(crate) enum Picture {
     Curves(Plot),
     Surfaces(Scene, View),
 }
 
 /// Named values in the order in which they were added.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Facts(pub(super) Map<String, Value>);
+pub(crate) struct Facts(pub(crate) Map<String, Value>);
 
 impl Facts {
-    pub(super) fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
+    pub(crate) fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
         self.0.insert(name.to_owned(), value.into());
         self
     }
 
     /// The values as a line of text.
-    pub(super) fn caption(&self) -> String {
+    pub(crate) fn caption(&self) -> String {
         let parts: Vec<String> =
             self.0.iter().map(|(name, value)| format!("{name} = {}", shown(value))).collect();
         parts.join(", ")
@@ -65,7 +65,7 @@ impl Facts {
 }
 
 /// A value as people write it: numbers with few digits, lists in brackets.
-pub(super) fn shown(value: &Value) -> String {
+pub(crate) fn shown(value: &Value) -> String {
     match value {
         Value::Number(n) if n.is_f64() => number(n.as_f64().unwrap_or(f64::NAN)),
         Value::String(text) => text.clone(),
@@ -81,7 +81,7 @@ pub(super) fn shown(value: &Value) -> String {
 }
 
 /// A number with few digits, its sign as in print.
-pub(super) fn number(x: f64) -> String {
+pub(crate) fn number(x: f64) -> String {
     let text = if x == 0.0 {
         String::from("0")
     } else if (1e-3..1e5).contains(&x.abs()) {

@@ -3,12 +3,12 @@
 
 use std::error::Error;
 
-use super::figure::{Drawing, Facts, Figure, Picture};
-use super::scene::{Point3d, Scene, View};
 use crate::bonnet::{Bonnet, bonnet};
+use crate::figure::{Drawing, Facts, Figure, Picture};
+use crate::scene::{Point3d, Scene, View};
 
 /// All figures of the paper, and the state between them.
-pub(super) fn figures() -> Vec<Figure> {
+pub(crate) fn figures() -> Vec<Figure> {
     vec![
         Figure::new("spl-ex-before", "The bonnet before, with the four constraint points", || {
             draw(Stage::Before)
