@@ -148,6 +148,9 @@ impl Specs {
     pub(super) fn items(&mut self, path: &str) -> Result<&mut Vec<Item>, String> {
         let folder = &self.folder;
         let items = self.known.entry(path.to_string()).or_insert_with(|| {
+            if spec::in_library(Path::new(path)).is_some() {
+                return items(Path::new(path));
+            }
             let places = Self::bases(folder).into_iter().map(|base| base.join(path));
             let place = places.into_iter().find(|p| p.is_file());
             let place = place.ok_or(format!("there is no spec `{path}` here or around the certificates"))?;
@@ -158,6 +161,10 @@ impl Specs {
 
     /// The specs that a path of the command line stands for, as `check` names them.
     pub(super) fn under(&self, path: &Path) -> Vec<String> {
+        if spec::in_library(path).is_some() {
+            let entries = files::find(&[path.to_path_buf()]);
+            return entries.iter().map(|entry| entry.path.display().to_string()).collect();
+        }
         for base in Self::bases(&self.folder) {
             let place = base.join(path);
             if !place.exists() {

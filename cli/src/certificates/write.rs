@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use basis_engine::prove::point_text;
+use basis_engine::source::LIBRARY;
 use basis_engine::{Diagnostic, Verdict};
 use serde_json::{Map, Value, json};
 
@@ -38,10 +39,12 @@ pub(super) fn title(subject: &Subject) -> String {
     }
 }
 
-/// `specs/quartic.basis`, `Bernstein(3)` → `specs/quartic/Bernstein-3.json`; always inside of the folder.
+/// `specs/quartic.basis`, `Bernstein(3)` → `specs/quartic/Bernstein-3.json`, `library:quartic` → `library/quartic/…`; always
+/// inside of the folder.
 fn place(spec: &str, subject: &Subject) -> PathBuf {
     let mut place = PathBuf::new();
-    for part in Path::new(spec).with_extension("").components() {
+    let spec = spec.strip_prefix(LIBRARY).map_or_else(|| spec.to_string(), |name| format!("library/{name}"));
+    for part in Path::new(&spec).with_extension("").components() {
         match part {
             Component::Normal(name) => place.push(name),
             Component::ParentDir => place.push("up"),

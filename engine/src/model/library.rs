@@ -12,8 +12,8 @@ use super::{Claim, Family, build, claims};
 use crate::SortedMap;
 use crate::collections::list::Mapped;
 use crate::diagnostic::{Diagnostic, Place};
-use crate::source::{self, Files, Source, SourceId, Sources};
-use crate::syntax::{self, Spec, SyntaxError};
+use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
+use crate::syntax::{self, Home, Spec, SyntaxError};
 use crate::words::did_you_mean;
 
 /// Families that refer to one another through more levels than this are refused.
@@ -124,19 +124,19 @@ impl<'f> Library<'f> {
             self.report(diagnostic);
         }
         let index = self.units.len();
-        let requests: Vec<(String, Span)> = spec
+        let requests: Vec<(Home, String, Span)> = spec
             .items
             .iter()
             .filter_map(|item| match item {
-                syntax::Item::Use(u) => Some((u.path.clone(), u.span)),
+                syntax::Item::Use(u) => Some((u.home, u.path.clone(), u.span)),
                 syntax::Item::Family(_) | syntax::Item::Theorem(_) => None,
             })
             .collect();
         self.units.push(Unit { source, spec, uses: Vec::new() });
         self.check_doubled(index);
         stack.push(source);
-        for (path, span) in requests {
-            if let Some(unit) = self.load(source, &path, span, stack) {
+        for (home, path, span) in requests {
+            if let Some(unit) = self.load(source, home, &path, span, stack) {
                 self.units[index].uses.push(unit);
             }
         }
@@ -145,20 +145,25 @@ impl<'f> Library<'f> {
     }
 
     /// Reads a spec that another one uses, unless it is read already.
-    fn load(&mut self, from: SourceId, path: &str, span: Span, stack: &mut Vec<SourceId>) -> Option<usize> {
-        let folder = self.sources.get(from).path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-        let folders: Vec<PathBuf> = folder.into_iter().collect();
-        let mut source = match source::read(self.files, path, &folders) {
+    fn load(
+        &mut self,
+        from: SourceId,
+        home: Home,
+        path: &str,
+        span: Span,
+        stack: &mut Vec<SourceId>,
+    ) -> Option<usize> {
+        let mut source = match self.read(from, home, path) {
             Ok(source) => source,
             Err(e) => {
                 let mut diagnostic = Diagnostic::error(self.place(from, span), e.message);
                 diagnostic.notes = e.notes;
+                diagnostic.help = e.help;
                 self.report(diagnostic);
                 return None;
             }
         };
-        let found = source.path.as_deref().and_then(|p| self.sources.find(p));
-        if let Some(id) = found {
+        if let Some(id) = self.sources.find(&source) {
             if let Some(start) = stack.iter().position(|s| *s == id) {
                 let mut names: Vec<&str> = stack[start..].mapped(|s| self.sources.get(*s).name.as_str());
                 names.push(self.sources.get(id).name.as_str());
@@ -172,13 +177,28 @@ impl<'f> Library<'f> {
             }
             return self.units.iter().position(|u| u.source == id);
         }
-        // Shown relative to the file that uses it, as a reader would look for it.
-        if let Some(parent) =
-            Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
+        // A file is shown relative to the file that uses it, as a reader would look for it.
+        if source.library.is_none()
+            && let Some(parent) =
+                Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
         {
             source.name = parent.join(path).to_string_lossy().into_owned();
         }
         Some(self.add_text(source, stack))
+    }
+
+    /// A spec that another one uses; in a spec of the library a path stays in the library.
+    fn read(&self, from: SourceId, home: Home, path: &str) -> Result<Source, ReadError> {
+        let from = self.sources.get(from);
+        match (home, &from.library) {
+            (Home::Library, _) => source::library(self.files, path),
+            (Home::Folder, Some(name)) => source::library(self.files, &source::beside(name, path)?),
+            (Home::Folder, None) => {
+                let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+                let folders: Vec<PathBuf> = folder.into_iter().collect();
+                source::read(self.files, path, &folders)
+            }
+        }
     }
 
     fn check_doubled(&self, unit: usize) {
