@@ -3,6 +3,6 @@
 
 use basis_runtime::basis;
 
-basis!("../../specs/quadratic.basis");
-basis!("../../specs/quartic.basis");
-basis!("../../specs/triangular.basis", TriangularI(2), TriangularII(3));
+basis!(library "quadratic");
+basis!(library "quartic");
+basis!(library "triangular", TriangularI(2), TriangularII(3));

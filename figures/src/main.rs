@@ -112,7 +112,7 @@ fn draw_all(folder: &Path, only: &str) -> Result<usize, Box<dyn Error>> {
         }
     }
     progress("deciding the published claims");
-    let page = page(&records);
+    let page = page(&records)?;
     write(folder, "index.html", page.as_bytes())?;
     let mut json = serde_json::to_string_pretty(&records)?;
     json.push('\n');
@@ -147,27 +147,23 @@ fn record(
     })
 }
 
-fn page(records: &[Record]) -> String {
+fn page(records: &[Record]) -> Result<String, Box<dyn Error>> {
     let facts: Vec<(Facts, Facts)> =
         records.iter().map(|r| (Facts(r.params.clone()), Facts(r.facts.clone()))).collect();
-    let papers: Vec<_> = PAPERS
-        .iter()
-        .map(|paper| {
-            let entries =
-                records.iter().zip(&facts).filter(|(r, _)| r.paper == paper.id).map(|(r, facts)| {
-                    page::Entry {
-                        id: &r.id,
-                        title: &r.title,
-                        file: &r.file,
-                        params: &facts.0,
-                        facts: &facts.1,
-                        note: &r.note,
-                    }
-                });
-            (paper, paper.statements(), entries.collect())
-        })
-        .collect();
-    page::html(&papers)
+    let mut papers = Vec::with_capacity(PAPERS.len());
+    for paper in &PAPERS {
+        let of = records.iter().zip(&facts).filter(|(record, _)| record.paper == paper.id);
+        let entries = of.map(|(record, facts)| page::Entry {
+            id: &record.id,
+            title: &record.title,
+            file: &record.file,
+            params: &facts.0,
+            facts: &facts.1,
+            note: &record.note,
+        });
+        papers.push((paper, paper.statements()?, entries.collect()));
+    }
+    Ok(page::html(&papers))
 }
 
 fn write(folder: &Path, name: &str, bytes: &[u8]) -> Result<(), Box<dyn Error>> {

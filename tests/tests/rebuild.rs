@@ -28,7 +28,7 @@ impl Crate {
         let root =
             Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the workspace is there");
         let folder = Self(tempfile::tempdir().expect("a temporary folder can be made"));
-        let runtime = root.join("runtime");
+        let runtime = root.join("runtime").display().to_string();
         let manifest = format!(
             "[package]\nname = {name:?}\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
              basis-runtime = {{ path = {runtime:?}, default-features = false }}\n"

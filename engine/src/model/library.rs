@@ -482,10 +482,14 @@ impl<'f> Library<'f> {
         self.theorems_of(MAIN).next().is_some()
     }
 
-    /// The name of the file that was asked for; empty for the tokens of a macro call.
+    /// The name of the file that was asked for, or of the spec of the library; empty for the tokens of a macro call.
     pub fn file(&self) -> &str {
         let source = self.sources.get(self.units[MAIN].source);
-        if source.text.is_some() { &source.name } else { "" }
+        match (&source.library, &source.text) {
+            (Some(name), _) => name,
+            (None, Some(_)) => &source.name,
+            (None, None) => "",
+        }
     }
 
     /// The doc comment of the spec that was asked for, one string a line.
