@@ -26,6 +26,8 @@ pub mod diagnostic;
 pub mod explain;
 pub mod generate;
 pub mod model;
+#[cfg(any(test, feature = "tools"))]
+pub mod published;
 pub mod source;
 pub mod state;
 pub mod subject;

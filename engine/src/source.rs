@@ -2,6 +2,7 @@
 
 use basis_kernel::collections::list::Mapped;
 use core::cell::OnceCell;
+use crate::words::{closest, list};
 use core::fmt;
 use core::ops::Range;
 use std::io::{self, Read};
@@ -12,8 +13,10 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     /// The name to show in messages: a path as the user wrote it.
     pub name: String,
-    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory.
+    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory and in the library.
     pub path: Option<PathBuf>,
+    /// The name of a spec of the library, such as `papers/quartic`, for `use` relative to it; such a spec has no path.
+    pub library: Option<String>,
     /// The text, with `\n` line ends and no byte order mark; `None` for tokens of a macro call, which the
     /// compiler shows itself.
     pub text: Option<String>,
@@ -101,9 +104,12 @@ impl Sources {
         self.all.iter().enumerate().map(|(i, s)| (SourceId(i), s))
     }
 
-    /// The source that was read from this path.
-    pub fn find(&self, path: &Path) -> Option<SourceId> {
-        self.iter().find(|(_, s)| s.path.as_deref() == Some(path)).map(|(id, _)| id)
+    /// The source that was read from the same file, or is the same spec of the library.
+    pub fn find(&self, new: &Source) -> Option<SourceId> {
+        let is_same = |s: &Source| {
+            (s.path.is_some() && s.path == new.path) || (s.library.is_some() && s.library == new.library)
+        };
+        self.iter().find(|(_, s)| is_same(s)).map(|(id, _)| id)
     }
 }
 
@@ -112,14 +118,17 @@ impl Sources {
 pub struct ReadError {
     /// What is wrong, in one clause.
     pub message: String,
-    /// Every place that was tried, and what to do instead.
+    /// Every place that was tried, or what there is.
     pub notes: Vec<String>,
+    /// What to write instead.
+    pub help: Option<String>,
 }
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.message)?;
-        self.notes.iter().try_for_each(|n| write!(f, "\n{n}"))
+        self.notes.iter().try_for_each(|n| write!(f, "\n{n}"))?;
+        self.help.iter().try_for_each(|help| write!(f, "\n{help}"))
     }
 }
 
@@ -141,6 +150,12 @@ pub trait Files {
     /// Whether there is a folder at the path.
     fn is_dir(&self, _path: &Path) -> bool {
         false
+    }
+
+    /// The specs that `use library "…"` can name, as names with their texts: those of basis-specs, unless the caller keeps
+    /// others.
+    fn library(&self) -> &[(&str, &str)] {
+        basis_specs::SPECS
     }
 }
 
@@ -187,7 +202,8 @@ pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source
         if files.is_dir(path) {
             return Err(ReadError {
                 message: format!("`{name}` is a folder, not a spec file"),
-                notes: vec![String::from("name one file, such as \"specs/quartic.basis\"")],
+                notes: Vec::new(),
+                help: Some(String::from("name one file, such as \"specs/quartic.basis\"")),
             });
         }
         match files.read(path) {
@@ -196,19 +212,73 @@ pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source
                 tried.push(format!("tried {}", path.display()));
             }
             Err(e) => {
-                return Err(ReadError { message: format!("cannot read `{name}`: {e}"), notes: Vec::new() });
+                let message = format!("cannot read `{name}`: {e}");
+                return Err(ReadError { message, notes: Vec::new(), help: None });
             }
         }
     }
     tried.dedup();
-    Err(ReadError { message: format!("there is no spec file `{name}`"), notes: tried })
+    Err(ReadError { message: format!("there is no spec file `{name}`"), notes: tried, help: None })
+}
+
+/// What stands before the name of a spec of the library where paths are typed: `library:quartic`.
+pub const LIBRARY: &str = "library:";
+
+/// The spec of the library with this name, `quartic` or `papers/quartic`.
+///
+/// # Errors
+/// When there is no such spec: which name is meant, and all names.
+pub fn library(files: &dyn Files, name: &str) -> Result<Source, ReadError> {
+    let specs = files.library();
+    if let Some((_, text)) = specs.iter().find(|(known, _)| *known == name) {
+        let mut source = Source::text(format!("{LIBRARY}{name}"), text);
+        source.library = Some(name.to_string());
+        return Ok(source);
+    }
+    let names: Vec<&str> = specs.mapped(|(known, _)| *known);
+    let typed = name.strip_suffix(".basis").unwrap_or(name);
+    let (_, last) = typed.rsplit_once('/').unwrap_or(("", typed));
+    let same = names.iter().copied().find(|known| *known == last);
+    let near = same.or_else(|| closest(typed, &names)).or_else(|| closest(last, &names));
+    Err(ReadError {
+        message: format!("there is no spec `{name}` in the library"),
+        notes: vec![format!("the library has {}", list(&names.mapped(|name| format!("`{name}`"))))],
+        help: near.map(|near| format!("did you mean `{near}`?")),
+    })
+}
+
+/// The name in the library of `path`, which a spec of the library with the name `from` uses: `bspline.basis` is `bspline`
+/// beside `beta_spline`, and `papers/bspline` beside `papers/quartic`.
+///
+/// # Errors
+/// When the path does not name a spec file, or leaves the library.
+pub(crate) fn beside(from: &str, path: &str) -> Result<String, ReadError> {
+    let refuse = |why: &str| ReadError {
+        message: format!("there is no spec file `{path}` in the library"),
+        notes: vec![String::from(why)],
+        help: None,
+    };
+    let file = path.strip_suffix(".basis").ok_or_else(|| refuse("its files are called `*.basis`"))?;
+    let mut parts: Vec<&str> = from.split('/').collect();
+    parts.pop();
+    for part in file.split('/') {
+        match part {
+            "." => {}
+            ".." => {
+                parts.pop().ok_or_else(|| refuse("the path leads out of the library"))?;
+            }
+            _ => parts.push(part),
+        }
+    }
+    Ok(parts.join("/"))
 }
 
 fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(ReadError {
             message: format!("`{name}` is larger than {} MiB", MAX_BYTES >> 20),
-            notes: vec![String::from("split it into several specs")],
+            notes: Vec::new(),
+            help: Some(String::from("split it into several specs")),
         });
     }
     let text = String::from_utf8(bytes).map_err(|e| {
@@ -219,7 +289,8 @@ fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError
                 "`{name}` is not UTF-8: invalid byte 0x{:02x} in line {line}",
                 e.as_bytes()[valid]
             ),
-            notes: vec![String::from("save the file with the encoding UTF-8")],
+            notes: Vec::new(),
+            help: Some(String::from("save the file with the encoding UTF-8")),
         }
     })?;
     Ok(Source { path: Some(path), ..Source::text(name, &text) })

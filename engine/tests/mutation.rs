@@ -118,7 +118,7 @@ fn meaning(library: &Library<'_>) -> String {
 fn fate(text: &str, path: &Path, original: &str) -> Result<Fate, String> {
     let mut source = Source::text("mutant.basis", text);
     source.path = Some(path.to_path_buf());
-    let library = Library::from_source(&Disk, source);
+    let library = Library::from_source(&Disk, &Prover, source);
     let mut fate = Fate::StillTrue;
     let mut note = |expected: Expected, verdict: &Verdict, checked: Result<(), String>| {
         checked?;
@@ -196,7 +196,7 @@ fn run(every: usize) -> (BTreeMap<Fate, usize>, Vec<String>) {
         let text = fs::read_to_string(&path).expect("a spec");
         let mut source = Source::text("original.basis", &text);
         source.path = Some(path.clone());
-        let original = meaning(&Library::from_source(&Disk, source));
+        let original = meaning(&Library::from_source(&Disk, &Prover, source));
         for Mutation { start, end, new } in mutations(&text) {
             number += 1;
             if number % every != 0 {

@@ -47,7 +47,7 @@ impl Reference {
     pub fn new(file: &str, name: &str, order: &[i64]) -> Self {
         let path = crate::spec(file).to_string_lossy().into_owned();
         let source = source::read(&Disk, &path, &[]).unwrap_or_else(|e| panic!("{e}"));
-        let library = Library::from_source(&Disk, source);
+        let library = Library::from_source(&Disk, &Prover, source);
         let item = library.item(name, order).unwrap_or_else(|e| panic!("{name}{order:?}: {e:?}"));
         Self { family: item.family }
     }

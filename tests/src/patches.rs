@@ -7,15 +7,15 @@ use basis_runtime::{BoxBasis, Scalar, ShapeError, SimplexBasis, basis};
 use crate::exact::{Reference, fraction};
 use crate::random::Random;
 
-basis!("../../specs/elements.basis");
-basis!("../../specs/lagrange.basis", Bilinear, Serendipity);
-basis!("../../specs/lagrange.basis", TriangularLagrange(1) as P1, TriangularLagrange(4) as P4);
+basis!(library "elements");
+basis!(library "lagrange", Bilinear, Serendipity);
+basis!(library "lagrange", TriangularLagrange(1) as P1, TriangularLagrange(4) as P4);
 basis!(
     "../../specs/lagrange.basis",
     TetrahedralLagrange(1) as Tetrahedral1,
     TetrahedralLagrange(2) as Tetrahedral2
 );
-basis!("../../specs/triangular.basis", TriangularBernstein(1) as TriangularLinear, TriangularBernstein(3));
+basis!(library "triangular", TriangularBernstein(1) as TriangularLinear, TriangularBernstein(3));
 basis!(
     "../../specs/triangular.basis",
     TriangularI(2),

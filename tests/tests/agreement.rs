@@ -25,7 +25,7 @@ fn every_shipped_family_is_tested() {
             continue;
         }
         let source = source::read(&Disk, &path.to_string_lossy(), &[]).expect("readable");
-        let library = Library::from_source(&Disk, source);
+        let library = Library::from_source(&Disk, &Prover, source);
         // Families on triangles and in several variables are tested in `patches.rs`.
         let items = library.items(Selected::EveryOrder);
         for family in items.iter().map(|item| &item.family).filter(|f| f.interval().is_some()) {

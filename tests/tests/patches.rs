@@ -165,7 +165,7 @@ fn every_shipped_family_is_tested() {
             continue;
         }
         let source = source::read(&Disk, &path.to_string_lossy(), &[]).expect("readable");
-        let library = Library::from_source(&Disk, source);
+        let library = Library::from_source(&Disk, &Prover, source);
         let items = library.items(Selected::EveryOrder);
         for family in items.iter().map(|item| &item.family).filter(|f| f.interval().is_none()) {
             assert!(tested.contains(&family.name), "{} has a family {}", path.display(), family.name);

@@ -1,14 +1,13 @@
 //! Decides every claim of a file, with the time that each takes.
 
-use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use basis_engine::diagnostic::Place;
-use basis_engine::model::Expected;
-use basis_engine::prove::{Statement, check};
+use basis_engine::model::obligation::Obligation;
+use basis_engine::state;
+use basis_engine::theorem::theorems;
 use basis_engine::{
-    Claim, Diagnostic, Diagnostics, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem, TheoremClaim,
-    Verdict, Witness, prove,
+    Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Selected, Severity, Sources, Subject, Verdict,
 };
 
 use super::files::Entry;
@@ -37,129 +36,17 @@ pub(crate) struct Outcome {
 pub(crate) struct Decided {
     /// What the claims are about.
     pub(crate) subject: Subject,
+    /// What holds, so that its formulas and claims mean something.
+    pub(crate) obligations: Vec<Obligation>,
     /// The claims in the order in which they are written.
     pub(crate) claims: Vec<DecidedClaim>,
-}
-
-/// What claims are about.
-#[derive(Debug)]
-pub(crate) enum Subject {
-    /// A family of one order.
-    Family(Rc<Family>),
-    /// A theorem or a join.
-    Theorem(Box<Theorem>),
-}
-
-impl Subject {
-    /// `family`, `theorem` or `join`.
-    pub(crate) const fn kind(&self) -> &'static str {
-        match self {
-            Self::Family(_) => "family",
-            Self::Theorem(theorem) => theorem.kind.keyword(),
-        }
-    }
-
-    /// The doc comment.
-    pub(crate) fn doc(&self) -> &[String] {
-        match self {
-            Self::Family(family) => &family.doc,
-            Self::Theorem(theorem) => &theorem.doc,
-        }
-    }
-
-    /// The name.
-    pub(crate) fn name(&self) -> &str {
-        match self {
-            Self::Family(family) => &family.name,
-            Self::Theorem(theorem) => &theorem.name,
-        }
-    }
-
-    /// The values of the index parameters; theorems have none.
-    pub(crate) fn order(&self) -> &[(String, i64)] {
-        match self {
-            Self::Family(family) => &family.order,
-            Self::Theorem(_) => &[],
-        }
-    }
-
-    /// What has to be shown for a claim about the subject to be true.
-    pub(crate) fn statements(&self, question: &Question) -> Vec<Statement> {
-        match (self, question) {
-            (Self::Family(family), Question::Family(claim)) => prove::statements(family, claim),
-            (Self::Theorem(theorem), Question::Theorem(claim)) => prove::theorem_statements(theorem, claim),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Checks that a claim about the subject fails at a witness as it says.
-    ///
-    /// # Errors
-    /// What is wrong with the witness.
-    pub(crate) fn check_witness(&self, question: &Question, witness: &Witness) -> Result<(), String> {
-        match (self, question) {
-            (Self::Family(family), Question::Family(claim)) => check::witness(family, claim, witness),
-            (Self::Theorem(theorem), Question::Theorem(claim)) => {
-                check::theorem_witness(theorem, claim, witness)
-            }
-            _ => Err(String::from("the claim is about something else")),
-        }
-    }
-
-    /// Whether two subjects are the same family in perhaps different orders.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        self.kind() == other.kind() && self.name() == other.name()
-    }
-}
-
-/// What is claimed.
-#[derive(Debug)]
-pub(crate) enum Question {
-    /// Of a family.
-    Family(Claim),
-    /// Of a theorem or a join.
-    Theorem(TheoremClaim),
-}
-
-impl Question {
-    /// The claim as text.
-    pub(crate) fn text(&self) -> &str {
-        match self {
-            Self::Family(claim) => &claim.text,
-            Self::Theorem(claim) => &claim.text,
-        }
-    }
-
-    /// Its doc comment.
-    pub(crate) fn doc(&self) -> &[String] {
-        match self {
-            Self::Family(claim) => &claim.doc,
-            Self::Theorem(claim) => &claim.doc,
-        }
-    }
-
-    /// Whether it is declared true or false.
-    pub(crate) const fn expected(&self) -> Expected {
-        match self {
-            Self::Family(claim) => claim.expected,
-            Self::Theorem(claim) => claim.expected,
-        }
-    }
-
-    /// Where it stands.
-    pub(crate) const fn place(&self) -> &Place {
-        match self {
-            Self::Family(claim) => &claim.place,
-            Self::Theorem(claim) => &claim.place,
-        }
-    }
 }
 
 /// A claim with its verdict.
 #[derive(Debug)]
 pub(crate) struct DecidedClaim {
     /// The claim.
-    pub(crate) question: Question,
+    pub(crate) claim: Claim,
     /// Whether it is true.
     pub(crate) verdict: Verdict,
     /// The error, if the verdict is not the declared one.
@@ -171,7 +58,7 @@ pub(crate) struct DecidedClaim {
 impl DecidedClaim {
     /// Whether the verdict is the declared one.
     pub(crate) fn as_declared(&self) -> bool {
-        prove::as_declared(self.question.expected(), &self.verdict)
+        state::as_declared(self.claim.expected, &self.verdict)
     }
 }
 
@@ -224,25 +111,9 @@ pub(crate) fn file(entry: Entry) -> Outcome {
             return Outcome { path, items, doc, diagnostics: vec![problem], sources, readable: false };
         }
     };
-    decided(path, source)
-}
-
-/// Checks a text in memory.
-pub(crate) fn text(name: &str, text: &str) -> Outcome {
-    decided(name.to_owned(), Source::text(name, text))
-}
-
-fn decided(path: String, source: Source) -> Outcome {
-    let library = Library::from_source(&Disk, source);
-    let families = library.items(Selected::EveryOrder).into_iter().map(|item| {
-        let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim)).collect();
-        Decided { subject: Subject::Family(item.family), claims }
-    });
-    let mut items: Vec<Decided> = families.collect();
-    items.extend(library.theorems().into_iter().map(|theorem| {
-        let claims = theorem.claims.iter().map(|claim| decide_theorem(&theorem, claim)).collect();
-        Decided { subject: Subject::Theorem(Box::new(theorem)), claims }
-    }));
+    let library = Library::from_source(&Disk, &Prover, source);
+    let families = library.items(Selected::EveryOrder).into_iter();
+    let items: Vec<Decided> = families.chain(theorems(&library)).map(item).collect();
     Outcome {
         path,
         items,
@@ -253,18 +124,15 @@ fn decided(path: String, source: Source) -> Outcome {
     }
 }
 
-fn decide(family: &Family, claim: Claim) -> DecidedClaim {
-    let start = Instant::now();
-    let verdict = prove::claim(family, &claim);
-    let time = start.elapsed();
-    let error = prove::diagnose(family, &claim, &verdict);
-    DecidedClaim { question: Question::Family(claim), verdict, error, time }
-}
-
-fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
-    let start = Instant::now();
-    let verdict = prove::theorem_claim(theorem, claim);
-    let time = start.elapsed();
-    let error = prove::diagnose_theorem(theorem, claim, &verdict);
-    DecidedClaim { question: Question::Theorem(claim.clone()), verdict, error, time }
+fn item(item: Item) -> Decided {
+    let Item { subject, obligations, claims } = item;
+    let decide = |claim: Claim| {
+        let start = Instant::now();
+        let verdict = state::decide(&subject, &claim);
+        let time = start.elapsed();
+        let error = state::diagnose(&subject, &claim, &verdict);
+        DecidedClaim { claim, verdict, error, time }
+    };
+    let claims = claims.into_iter().map(decide).collect();
+    Decided { subject, obligations, claims }
 }

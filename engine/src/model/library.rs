@@ -15,8 +15,8 @@ use basis_prover::map::SortedMap;
 use basis_kernel::collections::list::Mapped;
 use basis_kernel::collections::sort::sort_by;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
-use crate::source::{self, Files, Source, SourceId, Sources};
-use crate::syntax::{self, Name, Spec, SyntaxErrors};
+use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
+use crate::syntax::{self, Home, Name, Spec, SyntaxErrors};
 use crate::words::did_you_mean;
 
 /// Families that refer to one another through more levels than this are refused.
@@ -148,11 +148,11 @@ impl<'f> Library<'f> {
             self.report(diagnostic);
         }
         let index = self.units.len();
-        let requests: Vec<(String, Span)> = spec
+        let requests: Vec<(Home, String, Span)> = spec
             .items
             .iter()
             .filter_map(|item| match item {
-                syntax::Item::Use(u) => Some((u.path.clone(), u.span)),
+                syntax::Item::Use(u) => Some((u.home, u.path.clone(), u.span)),
                 syntax::Item::Family(_) | syntax::Item::Theorem(_) => None,
             })
             .collect();
@@ -168,8 +168,8 @@ impl<'f> Library<'f> {
         self.units.push(Unit { source, spec, families, uses: Vec::new() });
         self.check_doubled(index);
         stack.push(source);
-        for (path, span) in requests {
-            if let Some(unit) = self.load(source, &path, span, stack)
+        for (home, path, span) in requests {
+            if let Some(unit) = self.load(source, home, &path, span, stack)
                 && !self.units[index].uses.contains(&unit)
             {
                 self.units[index].uses.push(unit);
@@ -180,25 +180,32 @@ impl<'f> Library<'f> {
     }
 
     /// Reads a spec that another one uses, unless it is read already.
-    fn load(&mut self, from: SourceId, path: &str, span: Span, stack: &mut Vec<SourceId>) -> Option<usize> {
-        let folder = self.sources.get(from).path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-        let folders: Vec<PathBuf> = folder.iter().cloned().collect();
-        // What is read already is not read again.
-        let known = self.files.canonical(&folder.unwrap_or_default().join(path));
+    fn load(
+        &mut self,
+        from: SourceId,
+        home: Home,
+        path: &str,
+        span: Span,
+        stack: &mut Vec<SourceId>,
+    ) -> Option<usize> {
         let mut source = None;
-        if self.sources.find(&known).is_none() {
-            match source::read(self.files, path, &folders) {
-                Ok(read) => source = Some(read),
+        let mut known = self.known(from, home, path);
+        if known.is_none() {
+            match self.read(from, home, path) {
+                Ok(read) => {
+                    known = self.sources.find(&read);
+                    source = Some(read);
+                }
                 Err(e) => {
                     let mut diagnostic = Diagnostic::error(self.place(from, span), e.message);
                     diagnostic.notes = e.notes;
+                    diagnostic.help = e.help;
                     self.report(diagnostic);
                     return None;
                 }
             }
         }
-        let known = source.as_ref().and_then(|s| s.path.as_deref()).unwrap_or(&known);
-        if let Some(id) = self.sources.find(known) {
+        if let Some(id) = known {
             if let Some(start) = stack.iter().position(|s| *s == id) {
                 let mut names: Vec<&str> = stack[start..].mapped(|s| self.sources.get(*s).name.as_str());
                 names.push(self.sources.get(id).name.as_str());
@@ -220,13 +227,40 @@ impl<'f> Library<'f> {
             self.report(error.help("use fewer files"));
             return None;
         }
-        // Shown relative to the file that uses it, as a reader would look for it.
-        if let Some(parent) =
-            Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
+        // A file is shown relative to the file that uses it, as a reader would look for it.
+        if source.library.is_none()
+            && let Some(parent) =
+                Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
         {
             source.name = parent.join(path).to_string_lossy().into_owned();
         }
         Some(self.add_text(source, stack))
+    }
+
+    /// The file that another one uses, if it is read already.
+    fn known(&self, from: SourceId, home: Home, path: &str) -> Option<SourceId> {
+        let from = self.sources.get(from);
+        if home == Home::Library || from.library.is_some() {
+            return None;
+        }
+        let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+        let mut file = Source::default();
+        file.path = Some(self.files.canonical(&folder.unwrap_or_default().join(path)));
+        self.sources.find(&file)
+    }
+
+    /// A spec that another one uses; in a spec of the library a path stays in the library.
+    fn read(&self, from: SourceId, home: Home, path: &str) -> Result<Source, ReadError> {
+        let from = self.sources.get(from);
+        match (home, &from.library) {
+            (Home::Library, _) => source::library(self.files, path),
+            (Home::Folder, Some(name)) => source::library(self.files, &source::beside(name, path)?),
+            (Home::Folder, None) => {
+                let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+                let folders: Vec<PathBuf> = folder.into_iter().collect();
+                source::read(self.files, path, &folders)
+            }
+        }
     }
 
     fn check_doubled(&self, unit: usize) {
@@ -516,10 +550,14 @@ impl<'f> Library<'f> {
         self.theorems_of(MAIN).next().is_some()
     }
 
-    /// The name of the file that was asked for; empty for the tokens of a macro call.
+    /// The name of the file that was asked for, or of the spec of the library; empty for the tokens of a macro call.
     pub fn file(&self) -> &str {
         let source = self.sources.get(self.units[MAIN].source);
-        if source.text.is_some() { &source.name } else { "" }
+        match (&source.library, &source.text) {
+            (Some(name), _) => name,
+            (None, Some(_)) => &source.name,
+            (None, None) => "",
+        }
     }
 
     /// The doc comment of the spec that was asked for, one string a line.

@@ -171,7 +171,7 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
             (String::from(SQUARES), Rational::ZERO, note)
         }
     };
-    let mut witness = Witness::new(of, at, value, refutation);
+    let mut witness = Witness::new(of, at, value, refutation).about(COEFFICIENTS);
     witness.idle = domain_names(family);
     witness.notes = vec![note];
     witness

@@ -86,6 +86,8 @@ pub struct Witness {
     pub value: Rational,
     /// What it means, in one line each.
     pub notes: Vec<String>,
+    /// What the refuted statement is about, as [`Stated::of`] has it.
+    stated: String,
     refutation: Refutation,
 }
 
@@ -101,7 +103,18 @@ impl Witness {
         refutation: Refutation,
     ) -> Self {
         let (idle, net, given, notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { of, at, idle, net, given, value, notes, refutation }
+        Self { stated: of.clone(), of, at, idle, net, given, value, notes, refutation }
+    }
+
+    /// The same witness, of a statement with another name.
+    pub(super) fn about(mut self, stated: &str) -> Self {
+        self.stated = String::from(stated);
+        self
+    }
+
+    /// What the refuted statement is about, as [`Stated::of`] has it.
+    pub fn of_statement(&self) -> &str {
+        &self.stated
     }
 
     /// The statement that is false, and where: what the claim says of `of`, for a theorem about the given points.

@@ -30,7 +30,7 @@ pub struct Spec {
 /// What stands at the top of a spec.
 #[derive(Debug)]
 pub enum Item {
-    /// `use "other.basis";`
+    /// `use "other.basis";` or `use library "quartic";`
     Use(Use),
     /// `family Name { … }`
     Family(Family),
@@ -38,13 +38,24 @@ pub enum Item {
     Theorem(Theorem),
 }
 
-/// The families of another file are visible here.
+/// The families of another spec are visible here.
 #[derive(Debug)]
 pub struct Use {
-    /// The path, relative to the file that says it.
+    /// Where the other spec is looked for.
+    pub home: Home,
+    /// The path, relative to the file that says it, or the name in the library.
     pub path: String,
     /// Where the path stands.
     pub span: Span,
+}
+
+/// Where a spec that another one uses is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Home {
+    /// Beside the spec that uses it.
+    Folder,
+    /// In the library.
+    Library,
 }
 
 /// A name and where it stands.

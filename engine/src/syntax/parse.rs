@@ -6,7 +6,7 @@ use syn::parse::{ParseStream, Parser};
 
 use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
-use super::{Family, Item, Spec, StatementKind, Theorem, Use, glyphs};
+use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
 use crate::source::MAX_BYTES;
 use crate::words::did_you_mean;
 
@@ -162,18 +162,23 @@ fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> 
     }
     if at_word(input, "use") {
         take_word(input)?;
-        let path: syn::LitStr = input.parse().map_err(|e| {
-            error(e.span(), "expected a path in quotation marks", "write `use \"quartic.basis\";`")
-        })?;
+        let (home, expected, help) = if at_word(input, "library") {
+            take_word(input)?;
+            let expected = "expected the name of a spec of the library in quotation marks";
+            (Home::Library, expected, "write `use library \"quartic\";`")
+        } else {
+            (Home::Folder, "expected a path in quotation marks", "write `use \"quartic.basis\";`")
+        };
+        let path: syn::LitStr = input.parse().map_err(|e| error(e.span(), expected, help))?;
         // Of a file this is said before; the compiler has its own words for escapes that it does not know.
         if path.token().to_string().contains('\\') {
             return Err(error(path.span(), glyphs::BACKSLASH, glyphs::SLASH));
         }
         if !input.peek(Token![;]) {
-            return Err(error(path.span(), "expected `;` after the path", "write `use \"quartic.basis\";`"));
+            return Err(error(path.span(), "expected `;` after the path", help));
         }
         input.parse::<Token![;]>()?;
-        return Ok(Item::Use(Use { path: path.value(), span: path.span() }));
+        return Ok(Item::Use(Use { home, path: path.value(), span: path.span() }));
     }
     let help = match input.cursor().ident() {
         Some((word, _)) => did_you_mean(&word.to_string(), &ITEMS, &|| String::from(ITEM_HELP)),
