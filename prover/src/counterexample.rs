@@ -35,8 +35,10 @@ impl Counterexample {
         let Some(field) = &exact.field else {
             return Some(Coordinate::Rational(above.leading().checked_div(&below.leading())?));
         };
-        let quotient = field.mul(&above, &field.inverse(&below, work)?, work)?;
-        number(Some(field), &quotient, work)
+        let mut field = field.clone();
+        let inverse = field.inverse(&below, work)?;
+        let quotient = field.mul(&above, &inverse, work)?;
+        number(Some(&field), &quotient, work)
     }
 }
 

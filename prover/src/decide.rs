@@ -9,7 +9,6 @@ use basis_kernel::{
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::budget::Budget;
 use crate::coordinate::Coordinate;
@@ -196,20 +195,16 @@ fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Deci
                 |c| Decision::Refuted(Box::new(c)),
             )
         }
-        Independence::Dependent(point) => dependent(statement, rows, &point),
+        Independence::Dependent(point) => dependent(statement, Table { rows, symmetries }, &point),
         Independence::Undecided(left) => Decision::Undecided(left),
     }
 }
 
 /// The refutation by a combination of the rows that vanishes at a point.
-fn dependent(
-    statement: &Rc<Statement>,
-    rows: &[Vec<Poly>],
-    point: &[(Var, Coordinate)],
-) -> Decision {
+fn dependent(statement: &Rc<Statement>, table: Table<'_>, point: &[(Var, Coordinate)]) -> Decision {
     let work = &mut Work::new(EXPLICIT);
     let found = Exact::new(point, work).and_then(|mut exact| {
-        let combination = combination(&mut exact, rows, work)?;
+        let combination = rank::combination(&mut exact, table, work)?;
         let witness = |point| Witness::Dependent(point, combination.clone());
         let refutation = exact.refute(statement, &witness, work)?;
         Some(Counterexample { refutation, point: point.to_vec(), exact })
@@ -218,27 +213,6 @@ fn dependent(
         || Decision::Undecided(String::from("the budget is spent on a combination that vanishes")),
         |c| Decision::Refuted(Box::new(c)),
     )
-}
-
-/// Factors of the rows with which their sum is zero at a point: whole numbers without common factor at a rational one.
-fn combination(exact: &mut Exact, rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Univariate>> {
-    let mut values = Vec::new();
-    for row in rows {
-        let mut own = Vec::new();
-        for p in row {
-            own.push(exact.value(p, work)?);
-        }
-        values.push(own);
-    }
-    match &mut exact.field {
-        Some(field) => field.vanishing_combination(&values, work)?,
-        None => {
-            let numbers: Vec<Vec<Rational>> =
-                values.iter().map(|row| row.iter().map(Univariate::leading).collect()).collect();
-            let found = crate::algebra::matrix::vanishing_combination(&numbers, work).ok()??;
-            Some(found.into_iter().map(|c| Univariate::new(vec![c])).collect())
-        }
-    }
 }
 
 /// A simple number of a range that is not empty, an inner one if there is any.

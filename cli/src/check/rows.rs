@@ -153,7 +153,8 @@ fn short_point(witness: &Witness) -> String {
     if points <= MAX_POINTS {
         return witness.point();
     }
-    let short = Witness { net: Vec::new(), ..witness.clone() };
+    let mut short = witness.clone();
+    short.net.clear();
     let more = format!("a net of {}", crate::name::count(points, "point"));
     let mut point = short.point();
     if !point.is_empty() {

@@ -7,6 +7,7 @@
 
 
 mod blocks;
+mod combination;
 mod cut;
 mod exception;
 #[cfg(feature = "ranges")]
@@ -25,6 +26,7 @@ use crate::budget::Budget;
 use crate::collections::list::Mapped;
 use crate::coordinate::Coordinate;
 use crate::sign::problem::{as_rational, rational, simple};
+pub(crate) use combination::combination;
 use cut::{Cut, Failed, whole};
 use exception::{Exception, dependent};
 #[cfg(feature = "ranges")]
