@@ -55,18 +55,24 @@
 
 #![no_std]
 
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!(
+    "basis-runtime computes square roots and angles with the feature `std` or, without it, the feature `libm`: \
+    switch one of them on"
+);
+
 #[cfg(feature = "alloc")]
 extern crate alloc;
 #[cfg(feature = "std")]
 extern crate std;
 
 #[doc(hidden)]
-#[path = "private.rs"]
+#[path = "macro_support.rs"]
 pub mod __private;
 mod basis;
 pub mod bernstein;
 mod boxes;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "bspline")]
 pub mod bspline;
 #[cfg(any(feature = "kurbo", feature = "lyon_geom"))]
 mod convert;
@@ -76,7 +82,7 @@ mod error;
 mod form;
 #[cfg(feature = "laws")]
 pub mod laws;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "mesh")]
 mod mesh;
 mod point;
 mod revolution;
@@ -90,7 +96,19 @@ mod surface;
 mod vector;
 
 pub use basis::{Array, Basis};
+#[cfg(feature = "macros")]
 pub use basis_macros::basis;
+
+/// Stands for the macro of the feature `macros`, and says that the feature is off.
+#[cfg(not(feature = "macros"))]
+#[macro_export]
+macro_rules! basis {
+    ($($input:tt)*) => {
+        $crate::__private::core::compile_error!(
+            "`basis!` needs the feature `macros` of basis-runtime, which is one of its default features"
+        );
+    };
+}
 pub use bernstein::{BernsteinBasis, BernsteinOf};
 pub use boxes::{BoxBasis, BoxPatch};
 pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
@@ -98,7 +116,7 @@ pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samp
 pub use curve::{Nearest, PiecewiseCurve};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
-#[cfg(feature = "alloc")]
+#[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 pub use point::Point;
 #[cfg(feature = "alloc")]
@@ -110,10 +128,10 @@ pub use simplex::{
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
     TriangularPatch,
 };
-#[cfg(feature = "alloc")]
-pub use surface::BoundedSurface;
 pub use surface::{
-    BezierPatchOf, Curvature, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface, ScalarOf,
-    Surface, TensorSurface, edge_continuity,
+    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface,
+    ScalarOf, Surface, TensorSurface, edge_continuity,
 };
+#[cfg(feature = "alloc")]
+pub use surface::{BoundedSurface, Projection};
 pub use vector::Point3;

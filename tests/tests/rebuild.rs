@@ -50,7 +50,7 @@ fn follows_every_edit_of_a_spec() {
     let runtime = root.join("runtime");
     let manifest = format!(
         "[package]\nname = \"rebuilt\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-         basis-runtime = {{ path = {runtime:?}, default-features = false }}\n"
+         basis-runtime = {{ path = {runtime:?}, default-features = false, features = [\"macros\", \"std\"] }}\n"
     );
     write("Cargo.toml", &manifest);
     fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock")).expect("the lock file is there");
