@@ -29,6 +29,22 @@
 //! or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on a box of several
 //! variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
+//! # Where things are
+//!
+//! | for | look at |
+//! | --- | --- |
+//! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
+//! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
+//! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
+//! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
+//! | a patch on a triangle, a tetrahedron, a box | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`] |
+//! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
+//! | how smoothly two surfaces meet | [`edge_continuity`] |
+//! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
+//! | B-splines | [`bspline`] |
+//! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
+//! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
+//!
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam, the
@@ -42,18 +58,32 @@
 //!
 //! # Features
 //!
+//! `basis-runtime = "0.1"` has everything but the exchange with other crates and file formats. With
+//! `default-features = false, features = ["std"]` it is built alone, without the engine behind [`basis!`] and without glam; one of
+//! `std` and `libm` has to be there, for square roots and angles.
+//!
 //! | feature | default | |
 //! | --- | --- | --- |
-//! | `std` | yes | fused multiply-add and vector instructions where there are any; the crate is `no_std` without; enables `alloc` |
-//! | `alloc` | yes | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, meshes, rational patches of surfaces of revolution, [`bspline`] |
+//! | `std` | yes | fused multiply-add, and vector instructions where the processor has them; implies `alloc`. Without it the crate is `no_std` |
+//! | `libm` | no | square roots and angles without `std`; with `std` it changes nothing |
+//! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
+//! | `macros` | yes | [`basis!`] |
+//! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `alloc` |
+//! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `alloc` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
-//! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points |
-//! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |
-//! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree |
+//! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
+//! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree. `lyon_geom` implies `std` |
+//! | `gltf`, `obj`, `stl` | no | meshes are written as binary glTF, Wavefront OBJ, binary STL; imply `std` and `mesh` |
 //! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
 //! | `serde` | no | public data can be written and read; what is read is checked as by the constructors |
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))] // items say which feature they need
+// This page links to everything; with fewer features some of it is not there.
+#![cfg_attr(
+    not(all(feature = "alloc", feature = "macros", feature = "bspline", feature = "mesh")),
+    allow(rustdoc::broken_intra_doc_links)
+)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!(
@@ -109,6 +139,7 @@ macro_rules! basis {
         );
     };
 }
+#[doc(inline)]
 pub use bernstein::{BernsteinBasis, BernsteinOf};
 pub use boxes::{BoxBasis, BoxPatch};
 pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
@@ -135,3 +166,7 @@ pub use surface::{
 #[cfg(feature = "alloc")]
 pub use surface::{BoundedSurface, Projection};
 pub use vector::Point3;
+
+#[cfg(all(doctest, feature = "macros"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -46,6 +46,31 @@ fn refusal(name: &str, features: &str, source: &str) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
+/// The names in the first cells of the rows of the table of features.
+fn listed(text: &str) -> Vec<String> {
+    let rows = text
+        .lines()
+        .map(|line| line.trim_start_matches("//! "))
+        .skip_while(|line| !line.starts_with("| feature"));
+    let cells = rows.take_while(|line| line.starts_with('|')).skip(2).filter_map(|row| row.split('|').nth(1));
+    let mut names: Vec<_> =
+        cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).map(str::to_owned).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn both_tables_list_every_feature() {
+    let manifest = include_str!("../Cargo.toml");
+    let section = manifest.split("\n[features]\n").nth(1).and_then(|rest| rest.split("\n\n").next());
+    let lines = section.expect("the manifest has features").lines();
+    let mut declared: Vec<_> =
+        lines.filter_map(|line| line.split(" =").next()).filter(|&name| name != "default").collect();
+    declared.sort_unstable();
+    assert_eq!(listed(include_str!("../src/lib.rs")), declared);
+    assert_eq!(listed(include_str!("../README.md")), declared);
+}
+
 #[test]
 fn std_alone_brings_nothing_along() {
     assert_eq!(packages("std"), ["basis-runtime"]);
