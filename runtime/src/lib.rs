@@ -78,7 +78,8 @@
 //! | `serde` | no | public data can be written and read; what is read is checked as by the constructors |
 
 #![no_std]
-#![cfg_attr(docsrs, feature(doc_cfg))] // items say which feature they need
+#![cfg_attr(docsrs, feature(doc_cfg))]
+// items say which feature they need
 // This page links to everything; with fewer features some of it is not there.
 #![cfg_attr(
     not(all(feature = "alloc", feature = "macros", feature = "bspline", feature = "mesh")),
