@@ -23,7 +23,7 @@
 mod basis;
 mod casteljau;
 mod degree;
-mod product;
+pub(crate) mod product;
 #[cfg(feature = "alloc")]
 mod roots;
 

@@ -53,11 +53,9 @@ pub use net::Net;
 pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs_curve::NurbsCurve;
 pub use nurbs_surface::NurbsSurface;
-pub use project::Projection;
-pub(crate) use project::nearest_of_patch;
 pub use splice::{
     Continuity, Joint, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
 };
-pub use surface::{BSplineSurface, BezierPatch, Direction};
+pub use surface::{BSplineSurface, BezierPatch};
 
-pub use crate::Edge;
+pub use crate::{Direction, Edge, Projection};

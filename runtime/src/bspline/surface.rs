@@ -4,40 +4,8 @@ use alloc::vec::Vec;
 
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
-use super::{BSplineCurve, KnotError, KnotVector, Net, SplineError};
+use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
 use crate::{Edge, Point, Surface};
-
-/// One of the two parameter directions of a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Direction {
-    /// The first parameter, which runs through the rows of the net.
-    U,
-    /// The second parameter, which runs through the columns of the net.
-    V,
-}
-
-impl Edge {
-    /// The parameter that is constant on the edge.
-    pub fn across(self) -> Direction {
-        if self.runs_along_u() { Direction::V } else { Direction::U }
-    }
-
-    /// Whether the constant parameter is at its upper end.
-    pub fn is_end(self) -> bool {
-        matches!(self, Self::UEnd | Self::VEnd)
-    }
-
-    /// The edge on the other side of the surface.
-    pub fn opposite(self) -> Self {
-        match self {
-            Self::UStart => Self::UEnd,
-            Self::UEnd => Self::UStart,
-            Self::VStart => Self::VEnd,
-            Self::VEnd => Self::VStart,
-        }
-    }
-}
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
 ///

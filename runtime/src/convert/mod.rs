@@ -42,8 +42,9 @@ fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
         largest = (0..P::DIM).fold(largest, |largest, d| largest.max(point.component(d).abs()));
         binomial *= -((degree - k) as f64) / (k + 1) as f64;
     }
-    // Each product has a binomial coefficient as a factor; their sum is 2ⁿ.
-    let noise = largest * P::Scalar::EPSILON * P::Scalar::of(libm::exp2(degree as f64) * (degree + 1) as f64);
+    // Each product has a binomial coefficient as a factor; their sum is 2ⁿ, of n + 1 products.
+    let sum = (0..degree).fold((degree + 1) as f64, |sum, _| 2.0 * sum);
+    let noise = largest * P::Scalar::EPSILON * P::Scalar::of(sum);
     if !noise.is_finite() || !(0..P::DIM).all(|d| difference.component(d).abs() <= noise) {
         return None;
     }

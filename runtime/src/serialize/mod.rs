@@ -5,9 +5,9 @@
 //! {"basis": {"lambda": 0.5}, "points": [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]}
 //! ```
 
-#[cfg(feature = "alloc")]
+#[cfg(feature = "bspline")]
 pub(crate) mod bspline;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "mesh")]
 pub(crate) mod mesh;
 mod patches;
 pub(crate) mod revolution;

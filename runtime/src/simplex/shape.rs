@@ -44,10 +44,10 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// assert!((found.parameters[0] - 0.25).abs() < 1e-8 && (found.parameters[1] - 0.5).abs() < 1e-8);
     /// ```
     #[cfg(feature = "alloc")]
-    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::bspline::Projection<P>> {
+    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::Projection<P>> {
         let found = self.to_tensor_surface().nearest(point, accuracy)?;
         let [s, r] = found.parameters;
         let parameters = [B::Scalar::ONE - s, s * (B::Scalar::ONE - r)];
-        Some(crate::bspline::Projection { parameters, ..found })
+        Some(crate::Projection { parameters, ..found })
     }
 }

@@ -1,9 +1,19 @@
-//! The four edges of a surface, and how smoothly two surfaces meet along one.
+//! The two parameter directions and the four edges of a surface, and how smoothly two surfaces meet along one.
 
 use super::limit::rounding;
 use super::{ScalarOf, Surface};
 use crate::vector::{cross, direction, distance, dot, largest_component, length};
 use crate::{Curvature, Point, Point3, Scalar};
+
+/// One of the two parameter directions of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Direction {
+    /// The first parameter, which numbers the rows of a net.
+    U,
+    /// The second parameter, which numbers the columns of a net.
+    V,
+}
 
 /// An edge of the parameter rectangle of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -37,6 +47,26 @@ impl Edge {
     /// Whether the edge runs along `u`.
     pub fn runs_along_u(self) -> bool {
         matches!(self, Self::VStart | Self::VEnd)
+    }
+
+    /// The parameter that is constant on the edge.
+    pub fn across(self) -> Direction {
+        if self.runs_along_u() { Direction::V } else { Direction::U }
+    }
+
+    /// Whether the constant parameter is at its upper end.
+    pub fn is_end(self) -> bool {
+        matches!(self, Self::UEnd | Self::VEnd)
+    }
+
+    /// The edge on the other side of the surface.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::UStart => Self::UEnd,
+            Self::UEnd => Self::UStart,
+            Self::VStart => Self::VEnd,
+            Self::VEnd => Self::VStart,
+        }
     }
 
     /// Whether, seen from the side to which the normal points, the surface is to the right of the edge.

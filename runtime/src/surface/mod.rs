@@ -6,7 +6,7 @@ mod edge;
 mod join;
 mod limit;
 #[cfg(feature = "alloc")]
-mod nearest;
+pub(crate) mod nearest;
 #[cfg(feature = "alloc")]
 mod net;
 mod parts;
@@ -17,8 +17,10 @@ mod tensor;
 mod triangle;
 
 pub use curvature::Curvature;
-pub use edge::{Edge, EdgeContinuity, edge_continuity};
+pub use edge::{Direction, Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
+#[cfg(feature = "alloc")]
+pub use nearest::Projection;
 pub use parts::BezierPatchOf;
 pub use rational::{RationalPatchOf, RationalSurface};
 #[cfg(feature = "alloc")]

@@ -9,6 +9,7 @@
 //!   surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue each other
 //!   instead of folding back.
 
+mod bounds;
 mod correct;
 pub(super) mod dense;
 mod error;
@@ -29,11 +30,7 @@ use super::{BSplineSurface, Edge};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
-/// Knots are inserted until the figures are below this part of the tolerances, so that what happens between the samples of
-/// the measurement is within them too.
-const AIM: f64 = 0.8;
-
-/// After so many rounds without better figures rounding errors are reached, or a tolerance that cannot be met.
+/// The number of rounds without better figures after which rounding errors are reached, or a tolerance that cannot be met.
 const PATIENCE: usize = 3;
 
 /// Which edges of two surfaces belong together.
@@ -143,7 +140,7 @@ impl Default for SpliceOptions {
 pub struct Splice<P: Point> {
     /// The adjusted surface.
     pub surface: BSplineSurface<P>,
-    /// Gap and angle, measured on the result.
+    /// Gap and angle of the result: bounds, within the tolerances.
     pub measure: JointMeasure,
     /// The number of spans along the edge.
     pub spans: usize,
@@ -220,7 +217,6 @@ pub fn splice<P: Point3>(
     let angle = if options.continuity == Continuity::G1 { options.angle } else { f64::INFINITY };
 
     let mut best: Option<(JointMeasure, usize)> = None;
-    let mut reached = None;
     let (mut rounds, mut best_round) = (0, 0);
     loop {
         rounds += 1;
@@ -228,7 +224,7 @@ pub fn splice<P: Point3>(
         solve(&mut strip, &fixed, options)?;
         let (found, pieces) = measure(&strip, &fixed, options.continuity)?;
         let spans = strip.spans();
-        let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / angle);
+        let excess = |m: &JointMeasure| m.excess(options.gap, angle);
         if best.is_none_or(|(other, _)| excess(&found) < excess(&other)) {
             best = Some((found, spans));
             best_round = rounds;
@@ -242,13 +238,9 @@ pub fn splice<P: Point3>(
                 break;
             }
             let change = change(&base, &strip);
-            reached = Some(Splice { surface: result, measure, spans, rounds, change });
-            if excess(&measure) <= AIM {
-                break;
-            }
+            return Ok(Splice { surface: result, measure, spans, rounds, change });
         }
-        let [gap, angle] = [options.gap, angle].map(|tolerance| AIM * tolerance);
-        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, gap, angle);
+        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, options.gap, angle);
         let stalled = rounds - best_round >= PATIENCE;
         if exact || stalled || middles.is_empty() || spans + middles.len() > options.spans {
             break;
@@ -256,13 +248,8 @@ pub fn splice<P: Point3>(
         base = base.inserted(&middles)?;
         inserted.extend(middles);
     }
-    match (reached, best) {
-        (Some(splice), _) => Ok(splice),
-        (None, Some((achieved, spans))) => {
-            Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
-        }
-        (None, None) => Err(SpliceError::Singular),
-    }
+    let (achieved, spans) = best.ok_or(SpliceError::Singular)?;
+    Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
 }
 
 /// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent planes.

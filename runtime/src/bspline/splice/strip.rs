@@ -159,6 +159,11 @@ impl Strip {
         Self { knots: self.knots.clone(), edge: self.edge.clone(), inner, factor }
     }
 
+    /// The points of the edge on which a span depends.
+    pub(in crate::bspline) fn local_points(&self, span: usize) -> impl Iterator<Item = Vector> + '_ {
+        self.edge[span - self.knots.degree()..=span].iter().copied()
+    }
+
     /// The polynomial piece of that span at any parameter.
     pub(in crate::bspline) fn frame(&self, span: usize, t: f64) -> Frame {
         let first = span - self.knots.degree();

@@ -11,30 +11,35 @@ const SHARP: usize = 15;
 
 /// A Bézier net of `(kv + 1)` rows of `(ku + 1)` points with `dim` components each.
 #[derive(Clone, Debug)]
-pub(super) struct Piece {
+pub(crate) struct Piece {
     degrees: [usize; 2],
     dim: usize,
     net: Vec<f64>,
 }
 
 impl Piece {
-    pub(super) fn new(degrees: [usize; 2], dim: usize, net: Vec<f64>) -> Self {
+    #[inline]
+    pub(crate) fn new(degrees: [usize; 2], dim: usize, net: Vec<f64>) -> Self {
         Self { degrees, dim, net }
     }
 
+    #[inline]
     pub(super) fn is_finite(&self) -> bool {
         self.net.iter().all(|x| x.is_finite())
     }
 
+    #[inline]
     fn size(&self) -> usize {
         (self.degrees[0] + 1) * (self.degrees[1] + 1)
     }
 
+    #[inline]
     fn point(&self, i: usize, j: usize) -> &[f64] {
         &self.net[(j * (self.degrees[0] + 1) + i) * self.dim..][..self.dim]
     }
 
     /// The corners, each with its distance.
+    #[inline]
     pub(super) fn corners(&self) -> [([f64; 2], f64); 4] {
         let [ku, kv] = self.degrees;
         [[0, 0], [0, kv], [ku, 0], [ku, kv]].map(|[i, j]| {
@@ -46,6 +51,7 @@ impl Piece {
     }
 
     /// The distance of the bounding box of the control points.
+    #[inline]
     pub(super) fn box_bound(&self) -> f64 {
         let square = (0..self.dim).fold(0.0, |sum, c| {
             let all = self.net[c..].iter().step_by(self.dim);
@@ -64,6 +70,7 @@ impl Piece {
     /// |S|² = Σ B[a,2ku] B[b,2kv] c[a,b],
     /// c[a,b] = Σ_(i+i'=a, j+j'=b) C(ku,i) C(ku,i') C(kv,j) C(kv,j') P[i,j]·P[i',j'] / (C(2ku,a) C(2kv,b))
     /// ```
+    #[inline]
     pub(super) fn sharp_bound(&self) -> f64 {
         let [ku, kv] = self.degrees;
         if ku.max(kv) > SHARP {
@@ -91,20 +98,24 @@ impl Piece {
         crate::Scalar::sqrt((smallest - error).max(0.0))
     }
 
+    #[inline]
     pub(super) fn sharp_work(&self) -> usize {
         if self.degrees[0].max(self.degrees[1]) > SHARP { 1 } else { self.size() * self.size() * self.dim }
     }
 
+    #[inline]
     pub(super) fn halving_work(&self) -> usize {
         self.size() * (self.degrees[0].max(self.degrees[1]) + 1) * self.dim
     }
 
     /// What rounding errors of all halvings amount to at most.
-    pub(super) fn rounding(&self) -> f64 {
+    #[inline]
+    pub(crate) fn rounding(&self) -> f64 {
         32.0 * f64::EPSILON * (self.degrees[0] + self.degrees[1] + 2) as f64
     }
 
     /// The direction in which the patch is longer.
+    #[inline]
     pub(super) fn longer(&self) -> usize {
         let [ku, kv] = self.degrees;
         let mut lengths = [0.0_f64; 2];
@@ -124,6 +135,7 @@ impl Piece {
     }
 
     /// Both halves in that direction, by de Casteljau's algorithm.
+    #[inline]
     pub(super) fn halved(&self, along: usize) -> [Self; 2] {
         let degree = self.degrees[along];
         // `count` lists of `degree + 1` entries that are `stride` numbers apart, from `start(n)` on.
@@ -146,6 +158,7 @@ impl Piece {
     }
 
     /// `[S, S_u, S_v, S_uu, S_uv, S_vv]` at a place, one after the other.
+    #[inline]
     fn derivatives(&self, at: [f64; 2]) -> Vec<f64> {
         let [u, v] = [0, 1].map(|i| [0, 1, 2].map(|order| bernstein(self.degrees[i], at[i], order)));
         let mut all = vec![0.0; 6 * self.dim];
@@ -162,6 +175,7 @@ impl Piece {
         all
     }
 
+    #[inline]
     fn square(&self, at: [f64; 2]) -> f64 {
         let (u, v) = (bernstein(self.degrees[0], at[0], 0), bernstein(self.degrees[1], at[1], 0));
         let columns = u.len();
@@ -175,6 +189,7 @@ impl Piece {
     /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it is
     /// no descent, that of Gauss and Newton, and where that has no solution, one direction by itself. Returns the place
     /// and its distance.
+    #[inline]
     pub(super) fn descend(&self, start: [f64; 2]) -> ([f64; 2], f64) {
         let (mut at, mut square) = (start, self.square(start));
         for _ in 0..STEPS {
@@ -210,11 +225,13 @@ impl Piece {
     }
 }
 
+#[inline]
 fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// The binomial coefficients of order `n`.
+#[inline]
 fn binomials(n: usize) -> Vec<f64> {
     let mut row = vec![1.0];
     for i in 0..n {
@@ -224,6 +241,7 @@ fn binomials(n: usize) -> Vec<f64> {
 }
 
 /// The derivatives of that order of the Bernstein polynomials of that degree.
+#[inline]
 fn bernstein(degree: usize, t: f64, order: usize) -> Vec<f64> {
     let mut values = vec![0.0; degree + 1];
     if order > degree {
@@ -243,6 +261,7 @@ fn bernstein(degree: usize, t: f64, order: usize) -> Vec<f64> {
 }
 
 /// `-M⁻¹ gradient` in the free directions, for the symmetric matrix `[[a, b], [b, c]]` if it is positive definite there.
+#[inline]
 fn newton_step([a, b, c]: [f64; 3], gradient: [f64; 2], free: [bool; 2]) -> Option<[f64; 2]> {
     let [x, y] = gradient;
     let alone = |a: f64, x: f64| if a > 0.0 { -x / a } else { 0.0 };

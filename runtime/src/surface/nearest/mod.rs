@@ -1,10 +1,38 @@
-//! The point of a tensor surface that is nearest to a given one.
+//! The point of a surface that is nearest to a given one, with a proof that none is nearer.
+
+// All functions of these two are marked `#[inline]`, long as they are: not generic, they would else be compiled with this crate
+// for everybody, and are now where a nearest point is asked for.
+mod piece;
+mod search;
+
+pub(crate) use piece::Piece;
+pub(crate) use search::{length_unit, search};
 
 use super::TensorSurface;
-use crate::bspline::{Projection, nearest_of_patch};
 use crate::domain::from_unit;
-use crate::vector::distance;
+use crate::vector::{distance, length};
 use crate::{Basis, Point, Scalar, Surface};
+
+/// A point of a surface with its parameters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
+        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
+    ))
+)]
+pub struct Projection<P: Point> {
+    /// The parameters `[u, v]`.
+    pub parameters: [P::Scalar; 2],
+    /// The point of the surface.
+    pub point: P,
+    /// Its distance from the given point.
+    pub distance: P::Scalar,
+    /// No point of the surface is nearer than this.
+    pub at_least: P::Scalar,
+}
 
 impl<U, V, P> TensorSurface<U, V, P>
 where
@@ -45,4 +73,23 @@ where
         let at_least = if at_least < distance { at_least } else { distance };
         Some(Projection { parameters: [u, v], point: found, distance, at_least })
     }
+}
+
+/// The parameters, from 0 to 1, at which a Bézier patch of those degrees is nearest to `point`, up to that accuracy, and a lower
+/// bound of its distance; a row of control points for each function of `v`.
+fn nearest_of_patch<P: Point>(
+    degrees: [usize; 2],
+    net: impl Iterator<Item = P> + Clone,
+    point: P,
+    accuracy: P::Scalar,
+) -> Option<([P::Scalar; 2], P::Scalar)> {
+    let unit = length_unit(net.clone().map(|p| length(p.minus(point))));
+    let difference = |p: P, c: usize| (p.component(c).to_f64() - point.component(c).to_f64()) / unit;
+    let net = net.flat_map(|p| (0..P::DIM).map(move |c| difference(p, c))).collect();
+    let epsilon = P::Scalar::EPSILON.to_f64();
+    // The point that is returned is rounded, too.
+    let tolerance = (0.5 * accuracy.to_f64() / unit).max(64.0 * epsilon);
+    let (nearest, bound) = search(&[Piece::new(degrees, P::DIM, net)], tolerance)?;
+    let at_least = P::Scalar::of((bound * unit * (1.0 - epsilon)).max(0.0));
+    Some((nearest.at.map(P::Scalar::of), at_least))
 }
