@@ -79,9 +79,13 @@ pub struct Report {
 /// Checks a spec and everything that it uses from the disk.
 pub fn check(source: Source) -> Report {
     let library = Library::from_source(&Disk, source);
-    let items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide_claims).collect();
-    let theorems: Vec<CheckedTheorem> = library.theorems().into_iter().map(decide_theorem).collect();
+    let run = &mut prove::Run::default();
+    let items = library.items(Selected::EveryOrder).into_iter();
+    let items: Vec<Checked> = items.map(|item| decide_claims_within(item, run)).collect();
+    let theorems = library.theorems().into_iter();
+    let theorems: Vec<CheckedTheorem> = theorems.map(|theorem| decide_theorem_within(theorem, run)).collect();
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
+    diagnostics.extend(generate::no_floats(items.iter().map(|item| &*item.family)));
     diagnostics.extend(items.iter().flat_map(contradictions));
     diagnostics.extend(theorems.iter().flat_map(theorem_contradictions));
     Report { items, theorems, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
@@ -89,7 +93,12 @@ pub fn check(source: Source) -> Report {
 
 /// Decides all claims of a theorem.
 pub fn decide_theorem(theorem: Theorem) -> CheckedTheorem {
-    let verdicts = theorem.claims.mapped(|claim| prove::theorem_claim(&theorem, claim));
+    decide_theorem_within(theorem, &mut prove::Run::default())
+}
+
+/// Decides all claims of a theorem with the work that is left of a run.
+pub fn decide_theorem_within(theorem: Theorem, run: &mut prove::Run) -> CheckedTheorem {
+    let verdicts = theorem.claims.mapped(|claim| run.theorem_claim(&theorem, claim));
     CheckedTheorem { theorem, verdicts }
 }
 
@@ -102,11 +111,16 @@ pub fn theorem_contradictions(checked: &CheckedTheorem) -> Vec<Diagnostic> {
 
 /// Decides all claims of a family.
 pub fn decide_claims(item: Item) -> Checked {
+    decide_claims_within(item, &mut prove::Run::default())
+}
+
+/// Decides all claims of a family with the work that is left of a run.
+pub fn decide_claims_within(item: Item, run: &mut prove::Run) -> Checked {
     let Item { family, claims } = item;
     let claims = claims
         .into_iter()
         .map(|claim| {
-            let verdict = prove::claim(&family, &claim);
+            let verdict = run.claim(&family, &claim);
             (claim, verdict)
         })
         .collect();
@@ -148,7 +162,7 @@ pub struct Requested {
 pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Diagnostic>) {
     let mut code = TokenStream::new();
     let mut diagnostics = Vec::new();
-    let mut items: Vec<(Item, Option<Ident>)> = Vec::new();
+    let mut items: Vec<(Item, Option<Ident>, Option<Span>)> = Vec::new();
     let mut wanted: Vec<(&Requested, &str)> = Vec::new();
     for requested in &request.families {
         if let Some(join) = library.join_name(&requested.name) {
@@ -157,12 +171,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
         match library.item(&requested.name, &requested.order) {
             Ok(item) => {
-                let name = requested.rename.clone().or_else(|| {
-                    let mut name: Ident = syn::parse_str(&requested.name).ok()?;
-                    name.set_span(requested.span);
-                    requested.name.is_ascii().then_some(name)
-                });
-                items.push((item, name));
+                items.push((item, requested.rename.clone(), Some(requested.span)));
             }
             Err(Some((message, help))) => {
                 let place = diagnostic::Place::Token(requested.span);
@@ -172,7 +181,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
     }
     if request.families.is_empty() {
-        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None)));
+        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None, None)));
         let names = library.names();
         let alone = names.iter().all(|(_, indexed)| *indexed) && !library.has_theorems();
         if let (true, Some((name, _))) = (alone, names.first()) {
@@ -184,9 +193,37 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
             diagnostics.push(Diagnostic::error(place, message).help(help));
         }
     }
-    let joins = joins(library, request, &wanted, &mut diagnostics);
-    for (item, name) in items {
-        let checked = decide_claims(item);
+    let run = &mut prove::Run::default();
+    let joins = joins(library, request, &wanted, run, &mut diagnostics);
+    // The names of the types so far, each with what has it.
+    let mut types: Vec<(String, String)> = Vec::new();
+    if !joins.is_empty() {
+        let module = generate::module_name(library.file());
+        types.push((module, String::from("the module of the joins")));
+    }
+    for (item, rename, span) in items {
+        let name = match generate::type_name(&item.family, rename.as_ref()) {
+            Ok(mut name) => {
+                span.into_iter().for_each(|span| name.set_span(span));
+                name
+            }
+            Err(error) => {
+                diagnostics.push(error);
+                continue;
+            }
+        };
+        let (place, shown) = (item.family.place.clone(), format!("the family `{}`", item.family.title()));
+        let text = name.to_string();
+        if let Some((_, other)) = types.iter().find(|(other, _)| *other == text) {
+            let error =
+                Diagnostic::error(place, format!("{other} and {shown} are both called `{text}` in Rust"));
+            let help = "choose another name for one of them, or give one to the macro: `Family as OtherName`";
+            diagnostics.push(error.help(help));
+            continue;
+        }
+        types.push((text, shown));
+        let name = Some(name);
+        let checked = decide_claims_within(item, run);
         diagnostics.extend(contradictions(&checked));
         let options = generate::Options { runtime: request.runtime.clone(), name };
         match generate::family(&checked.family, &checked.claims, &options) {
@@ -206,9 +243,12 @@ fn joins(
     library: &Library<'_>,
     request: &Request,
     wanted: &[(&Requested, &str)],
+    run: &mut prove::Run,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> TokenStream {
     let mut functions = TokenStream::new();
+    // The names of the functions so far, each with its join.
+    let mut names: Vec<(String, String)> = Vec::new();
     if !request.families.is_empty() && wanted.is_empty() {
         return functions;
     }
@@ -217,12 +257,21 @@ fn joins(
         if requested.is_none() && !request.families.is_empty() {
             continue;
         }
-        let checked = decide_theorem(theorem);
+        let checked = decide_theorem_within(theorem, run);
         diagnostics.extend(theorem_contradictions(&checked));
         if checked.theorem.kind != TheoremKind::Join {
             continue;
         }
         let rename = requested.and_then(|r| r.rename.as_ref());
+        let name = rename.map_or_else(|| generate::join::name(&checked.theorem), Ident::to_string);
+        if let Some((_, other)) = names.iter().find(|(other, _)| *other == name && !name.is_empty()) {
+            let this = &checked.theorem.name;
+            let message = format!("the joins `{other}` and `{this}` are both called `{name}` in Rust");
+            let error = Diagnostic::error(checked.theorem.place.clone(), message);
+            diagnostics.push(error.help("choose another name for one of them"));
+            continue;
+        }
+        names.push((name, checked.theorem.name.clone()));
         match generate::join::join(&checked.theorem, &checked.verdicts, &request.runtime, rename) {
             Ok(function) => functions.extend(function),
             Err(error) => diagnostics.push(error),

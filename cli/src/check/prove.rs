@@ -7,8 +7,8 @@ use basis_engine::diagnostic::Place;
 use basis_engine::model::Expected;
 use basis_engine::prove::{Statement, check};
 use basis_engine::{
-    Claim, Diagnostic, Diagnostics, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem, TheoremClaim,
-    Verdict, Witness, prove,
+    Claim, Diagnostic, Diagnostics, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem,
+    TheoremClaim, Verdict, Witness, generate, prove,
 };
 
 use super::files::Entry;
@@ -234,36 +234,39 @@ pub(crate) fn text(name: &str, text: &str) -> Outcome {
 
 fn decided(path: String, source: Source) -> Outcome {
     let library = Library::from_source(&Disk, source);
-    let families = library.items(Selected::EveryOrder).into_iter().map(|item| {
-        let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim)).collect();
+    let run = &mut prove::Run::default();
+    let families = library.items(Selected::EveryOrder);
+    let warnings = generate::no_floats(families.iter().map(|item| &*item.family));
+    let families = families.into_iter().map(|item| {
+        let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim, run)).collect();
         Decided { subject: Subject::Family(item.family), claims }
     });
     let mut items: Vec<Decided> = families.collect();
     items.extend(library.theorems().into_iter().map(|theorem| {
-        let claims = theorem.claims.iter().map(|claim| decide_theorem(&theorem, claim)).collect();
+        let claims = theorem.claims.iter().map(|claim| decide_theorem(&theorem, claim, run)).collect();
         Decided { subject: Subject::Theorem(Box::new(theorem)), claims }
     }));
     Outcome {
         path,
         items,
         doc: library.doc().to_vec(),
-        diagnostics: library.diagnostics(),
+        diagnostics: library.diagnostics().into_iter().chain(warnings).collect(),
         sources: library.sources().clone(),
         readable: true,
     }
 }
 
-fn decide(family: &Family, claim: Claim) -> DecidedClaim {
+fn decide(family: &Family, claim: Claim, run: &mut prove::Run) -> DecidedClaim {
     let start = Instant::now();
-    let verdict = prove::claim(family, &claim);
+    let verdict = run.claim(family, &claim);
     let time = start.elapsed();
     let error = prove::diagnose(family, &claim, &verdict);
     DecidedClaim { question: Question::Family(claim), verdict, error, time }
 }
 
-fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
+fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim, run: &mut prove::Run) -> DecidedClaim {
     let start = Instant::now();
-    let verdict = prove::theorem_claim(theorem, claim);
+    let verdict = run.theorem_claim(theorem, claim);
     let time = start.elapsed();
     let error = prove::diagnose_theorem(theorem, claim, &verdict);
     DecidedClaim { question: Question::Theorem(claim.clone()), verdict, error, time }

@@ -4,6 +4,8 @@
 //! every claim of a theorem, is part of a published statement. `quad-T2 corrected: …` marks the claims of what is true
 //! instead, and `quad-T2 not expressed: …` in the comment of a file says why there are no claims.
 
+use std::collections::BTreeMap;
+
 use basis_engine::Verdict;
 use basis_engine::model::Expected;
 use serde::Serialize;
@@ -86,32 +88,45 @@ struct Tag {
 
 /// The statements that files name, in the order in which they name them first.
 pub(crate) fn collect(outcome: &Outcome, all: &mut Vec<Published>) {
+    let mut places: BTreeMap<String, usize> =
+        all.iter().enumerate().map(|(place, p)| (p.id.clone(), place)).collect();
     for item in &outcome.items {
         let inherited = tags(item.subject.doc());
+        let mut found: Option<Vec<usize>> = None;
         for claim in &item.claims {
             let own = tags(claim.question.doc());
             // A claim with a comment of its own speaks for itself; another one is part of what the theorem states.
-            let tags = if own.is_empty() { &inherited } else { &own };
-            for tag in tags {
-                add(all, tag, claim);
+            if own.is_empty() {
+                let found = found.get_or_insert_with(|| find(all, &mut places, &inherited));
+                inherited.iter().zip(found).for_each(|(tag, place)| add(&mut all[*place], tag, claim));
+            } else {
+                let found = find(all, &mut places, &own);
+                own.iter().zip(found).for_each(|(tag, place)| add(&mut all[place], tag, claim));
             }
         }
     }
     for tag in tags(&outcome.doc) {
-        if tag.role == Role::NotExpressed && all.iter().all(|p| p.id != tag.id) {
+        if tag.role == Role::NotExpressed && !places.contains_key(&tag.id) {
+            places.insert(tag.id.clone(), all.len());
             let (statement, verdict) = (String::new(), Fate::NotExpressed);
             all.push(Published { id: tag.id, statement, verdict, corrected: None, reason: Some(tag.text) });
         }
     }
 }
 
-fn add(all: &mut Vec<Published>, tag: &Tag, claim: &DecidedClaim) {
-    let at = all.iter().position(|p| p.id == tag.id).unwrap_or_else(|| {
-        let (id, statement) = (tag.id.clone(), String::new());
-        all.push(Published { id, statement, verdict: Fate::Proved, corrected: None, reason: None });
-        all.len() - 1
-    });
-    let entry = &mut all[at];
+/// The places of the statements that are named, those that are new at the end.
+fn find(all: &mut Vec<Published>, places: &mut BTreeMap<String, usize>, tags: &[Tag]) -> Vec<usize> {
+    let mut find = |tag: &Tag| {
+        *places.entry(tag.id.clone()).or_insert_with(|| {
+            let (id, statement) = (tag.id.clone(), String::new());
+            all.push(Published { id, statement, verdict: Fate::Proved, corrected: None, reason: None });
+            all.len() - 1
+        })
+    };
+    tags.iter().map(&mut find).collect()
+}
+
+fn add(entry: &mut Published, tag: &Tag, claim: &DecidedClaim) {
     let fate = Fate::of(&claim.verdict);
     match tag.role {
         Role::Published => {

@@ -42,6 +42,7 @@ mod zeros;
 use core::fmt;
 
 pub use budget::Budget;
+pub(crate) use budget::spent;
 pub use certificate::{Base, Cells, Certificate, Factor, Sample, Section, Slices, Subdivision};
 #[cfg(any(test, feature = "tools"))]
 pub use exceptional::{Exceptional, ExceptionalSet, exceptional_set};

@@ -1,6 +1,7 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
+use super::budget::{SPLIT, TooLarge};
 use super::scope::{Scope, Subject};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -117,10 +118,19 @@ impl Scope<'_> {
             if self.settled.contains(&duty) {
                 continue;
             }
+            if self.budget.run().is_stopped() {
+                return false;
+            }
+            let (before, at) = (crate::decide::spent(), place.clone());
             let error = match &duty {
                 Duty::Nonzero(divisor) => self.check_divisor_on(divisor, place, region, budget),
                 Duty::Inside(inside) => self.check_inside(inside, place, region, budget),
             };
+            let spent = (crate::decide::spent() - before) / u64::from(budget.max(1));
+            if let Err(TooLarge::Run(message)) = self.budget.run().decision(spent) {
+                self.report(Diagnostic::error(at, message).help(SPLIT));
+                return false;
+            }
             fine &= error.is_none();
             match error {
                 Some(error) => self.report(error),

@@ -11,11 +11,13 @@ mod parallel;
 mod point;
 mod quadratic;
 mod report;
+mod run;
 mod theorem;
 
 pub use gram::Square;
 use inequality::Inequality;
 pub use report::{diagnose, diagnose_theorem};
+pub use run::Run;
 pub use theorem::theorem_claim;
 #[cfg(any(test, feature = "tools"))]
 pub use theorem::theorem_statements;

@@ -96,6 +96,10 @@ impl Elaboration<'_> {
         for statement in &written.statements {
             self.scope.budget.refill();
             fine &= self.statement(statement, &mut budget).is_some();
+            let names = self.vectors.len() + self.patches.len() + self.scope.lets.len();
+            if !self.scope.has_room(names, statement.span) {
+                return None;
+            }
             if self.scope.names.len() > MAX_VARIABLES {
                 let message =
                     format!("a theorem has at most {MAX_VARIABLES} scalars, coordinates and dot products");
@@ -455,7 +459,8 @@ impl Elaboration<'_> {
             let printer = Printer { constants: &all.scope.constants, component: None };
             let (left, right, difference) = printer.difference(&written.left, &written.right);
             let run = all.scope.budget.run();
-            let counted = run.claim(left.len() + right.len() + difference.len()).and_then(|()| kind.kept(run));
+            let counted =
+                run.claim(left.len() + right.len() + difference.len()).and_then(|()| kind.kept(run));
             all.fits(counted, statement.span)?;
             claims.push(TheoremClaim {
                 text: format!("{left} {} {right}", written.relation.symbol()),
