@@ -2,9 +2,10 @@
 
 use std::rc::Rc;
 
+use basis_engine::state::Run;
 use basis_engine::theorem::theorems;
 use basis_engine::{
-    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, Verdict, decide, explain,
+    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, Verdict, decide_within, explain,
 };
 
 use crate::args::ExplainArguments;
@@ -46,17 +47,37 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     for error in &errors {
         complain(&(error.render(library.sources(), true) + "\n\n"));
     }
-    let mut texts: Vec<String> = families.unwrap_or_default().iter().map(|family| text(family)).collect();
-    texts.extend(theorems.into_iter().map(|theorem| theorem_text(&decide(theorem))));
+    let run = &mut Run::default();
+    let mut texts = Vec::new();
+    let mut left_out = 0;
+    for family in families.unwrap_or_default() {
+        if run.is_spent() {
+            left_out += 1;
+        } else {
+            texts.push(run.counted_work(family.budget, &mut || text(&family)));
+        }
+    }
+    texts.extend(theorems.into_iter().map(|theorem| theorem_text(&decide_within(theorem, run))));
     let printed = output::print(&texts.join("\n"));
-    if errors.is_empty() { printed } else { Status::Unusable }
+    if left_out > 0 {
+        let message = format!("{} not explained: the others take too much work", count_are(left_out));
+        let error = output::error(message).help("name one of them: `basis explain FILE Family`");
+        complain(&(error.render(library.sources(), true) + "\n\n"));
+    }
+    if errors.is_empty() && left_out == 0 { printed } else { Status::Unusable }
+}
+
+/// `1 family is`, `2 families are`.
+fn count_are(families: usize) -> String {
+    format!("{} {}", crate::name::count(families, "family"), if families == 1 { "is" } else { "are" })
 }
 
 fn lowest_orders(library: &Library<'_>) -> Vec<Rc<Family>> {
     let mut families: Vec<Rc<Family>> = Vec::new();
+    // The orders of a family are neighbours.
     for item in library.items(Selected::EveryOrder) {
         if let Subject::Family(family) = item.subject
-            && !families.iter().any(|f| f.name == family.name)
+            && families.last().is_none_or(|f| f.name != family.name)
         {
             families.push(family);
         }

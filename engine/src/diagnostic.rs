@@ -221,10 +221,12 @@ impl Diagnostic {
             let (false, Some(text)) = (seen.contains(id), source.text.as_deref()) else { continue };
             seen.push(*id);
             // The renderer looks at all that it is given: only the lines from the first place to the last.
-            let own = || self.labels.iter().enumerate().filter_map(|(k, (place, label))| match place {
-                Place::Text(other, range) if other == id => Some((k, visible(text, range), label)),
-                _ => None,
-            });
+            let own = || {
+                self.labels.iter().enumerate().filter_map(|(k, (place, label))| match place {
+                    Place::Text(other, range) if other == id => Some((k, visible(text, range), label)),
+                    _ => None,
+                })
+            };
             let first = own().map(|(_, range, _)| source.line(range.start)).min().unwrap_or(1);
             let last = own().map(|(_, range, _)| source.line(range.end)).max().unwrap_or(first);
             let (start, end) = (source.line_range(first).start, source.line_range(last).end);

@@ -69,20 +69,29 @@ pub struct Report {
 /// Checks a spec and everything that it uses from the disk.
 pub fn check(source: Source) -> Report {
     let library = Library::from_source(&Disk, &Prover, source);
-    let mut items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide).collect();
-    items.extend(theorem::theorems(&library).into_iter().map(decide));
+    let run = &mut state::Run::default();
+    let families = library.items(Selected::EveryOrder);
+    let warnings = generate::no_floats(&families);
+    let items = families.into_iter().chain(theorem::theorems(&library));
+    let items: Vec<Checked> = items.map(|item| decide_within(item, run)).collect();
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
+    diagnostics.extend(warnings);
     diagnostics.extend(items.iter().flat_map(contradictions));
     Report { items, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
 }
 
 /// Decides all claims of an item.
 pub fn decide(item: Item) -> Checked {
+    decide_within(item, &mut state::Run::default())
+}
+
+/// Decides all claims of an item with the work that is left of a run.
+pub fn decide_within(item: Item, run: &mut state::Run) -> Checked {
     let Item { subject, claims, .. } = item;
     let claims = claims
         .into_iter()
         .map(|claim| {
-            let verdict = state::decide(&subject, &claim);
+            let verdict = run.decide(&subject, &claim);
             (claim, verdict)
         })
         .collect();
@@ -121,7 +130,7 @@ pub struct Requested {
 pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Diagnostic>) {
     let mut code = TokenStream::new();
     let mut diagnostics = Vec::new();
-    let mut items: Vec<(Item, Option<Ident>)> = Vec::new();
+    let mut items: Vec<(Item, Option<Ident>, Option<Span>)> = Vec::new();
     let mut wanted: Vec<(&Requested, &str)> = Vec::new();
     for requested in &request.families {
         if let Some(join) = library.join_name(&requested.name) {
@@ -130,12 +139,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
         match library.item(&requested.name, &requested.order) {
             Ok(item) => {
-                let name = requested.rename.clone().or_else(|| {
-                    let mut name: Ident = syn::parse_str(&requested.name).ok()?;
-                    name.set_span(requested.span);
-                    requested.name.is_ascii().then_some(name)
-                });
-                items.push((item, name));
+                items.push((item, requested.rename.clone(), Some(requested.span)));
             }
             Err(Some((message, help))) => {
                 let place = diagnostic::Place::Token(requested.span);
@@ -145,7 +149,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
     }
     if request.families.is_empty() {
-        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None)));
+        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None, None)));
         let names = library.names();
         let alone = names.iter().all(|(_, indexed)| *indexed) && !library.has_theorems();
         if let (true, Some((name, _))) = (alone, names.first()) {
@@ -157,9 +161,38 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
             diagnostics.push(Diagnostic::error(place, message).help(help));
         }
     }
-    let joins = joins(library, request, &wanted, &mut diagnostics);
-    for (item, name) in items {
-        let checked = decide(item);
+    let run = &mut state::Run::default();
+    let joins = joins(library, request, &wanted, run, &mut diagnostics);
+    // The names of the types so far, each with what has it.
+    let mut types: Vec<(String, String)> = Vec::new();
+    if !joins.is_empty() {
+        let module = generate::module_name(library.file());
+        types.push((module, String::from("the module of the joins")));
+    }
+    for (item, rename, span) in items {
+        let Subject::Family(family) = &item.subject else { continue };
+        let name = match generate::type_name(family, rename.as_ref()) {
+            Ok(mut name) => {
+                span.into_iter().for_each(|span| name.set_span(span));
+                name
+            }
+            Err(error) => {
+                diagnostics.push(error);
+                continue;
+            }
+        };
+        let (place, shown) = (family.place.clone(), format!("the family `{}`", family.title()));
+        let text = name.to_string();
+        if let Some((_, other)) = types.iter().find(|(other, _)| *other == text) {
+            let error =
+                Diagnostic::error(place, format!("{other} and {shown} are both called `{text}` in Rust"));
+            let help = "choose another name for one of them, or give one to the macro: `Family as OtherName`";
+            diagnostics.push(error.help(help));
+            continue;
+        }
+        types.push((text, shown));
+        let name = Some(name);
+        let checked = decide_within(item, run);
         diagnostics.extend(contradictions(&checked));
         let Subject::Family(family) = &checked.subject else { continue };
         let options = generate::Options { runtime: request.runtime.clone(), name };
@@ -180,9 +213,12 @@ fn joins(
     library: &Library<'_>,
     request: &Request,
     wanted: &[(&Requested, &str)],
+    run: &mut state::Run,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> TokenStream {
     let mut functions = TokenStream::new();
+    // The names of the functions so far, each with its join.
+    let mut names: Vec<(String, String)> = Vec::new();
     if !request.families.is_empty() && wanted.is_empty() {
         return functions;
     }
@@ -191,13 +227,21 @@ fn joins(
         if requested.is_none() && !request.families.is_empty() {
             continue;
         }
-        let checked = decide(item);
+        let checked = decide_within(item, run);
         diagnostics.extend(contradictions(&checked));
         let Subject::Theorem(theorem) = &checked.subject else { continue };
         if theorem.kind != TheoremKind::Join {
             continue;
         }
         let rename = requested.and_then(|r| r.rename.as_ref());
+        let name = rename.map_or_else(|| generate::join::name(theorem), Ident::to_string);
+        if let Some((_, other)) = names.iter().find(|(other, _)| *other == name && !name.is_empty()) {
+            let message = format!("the joins `{other}` and `{}` are both called `{name}` in Rust", theorem.name);
+            let error = Diagnostic::error(theorem.place.clone(), message);
+            diagnostics.push(error.help("choose another name for one of them"));
+            continue;
+        }
+        names.push((name, theorem.name.clone()));
         match generate::join::join(theorem, &checked.claims, &request.runtime, rename) {
             Ok(function) => functions.extend(function),
             Err(error) => diagnostics.push(error),

@@ -33,7 +33,6 @@ pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
 /// The most pairs of letters that are compared to find what was meant.
 const MAX_COMPARED: usize = 500_000;
 
-
 /// The advice for an unknown word: the candidate that was probably meant, else what can be written.
 pub(crate) fn did_you_mean(word: &str, candidates: &[&str], otherwise: &dyn Fn() -> String) -> String {
     closest(word, candidates).map_or_else(otherwise, |near| format!("did you mean `{near}`?"))

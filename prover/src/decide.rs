@@ -3,14 +3,14 @@
 use std::rc::Rc;
 
 use basis_kernel::{
-    Certificate, Chart, Proof, Quotient, Relation, SignProof, Signed, Statement, Witness,
+    Certificate, Chart, Proof, Quotient, Refusal, Relation, SignProof, Signed, Statement, Witness,
 };
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::budget::Budget;
+use crate::budget::{Budget, charge};
 use crate::coordinate::Coordinate;
 use crate::counterexample::{Counterexample, Exact, at};
 use crate::method::Method;
@@ -45,7 +45,7 @@ const EXPLICIT: u64 = 20_000_000;
 /// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it unchanged.
 pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Decision {
     let statement = Rc::new(statement);
-    if let Ok(proof) = Proof::new(Rc::clone(&statement), Certificate::Direct, &mut Work::usual(budget)) {
+    if let Ok(proof) = checked(&statement, Certificate::Direct, budget) {
         let method = direct(&statement);
         return Decision::Proved(Shown { proof, method });
     }
@@ -84,9 +84,18 @@ fn direct(statement: &Statement) -> Method {
     }
 }
 
+/// Has the kernel check a certificate, and counts its work.
+fn checked(statement: &Rc<Statement>, certificate: Certificate, budget: u32) -> Result<Proof, Refusal> {
+    let mut work = Work::usual(budget);
+    let before = work.left();
+    let proof = Proof::new(Rc::clone(statement), certificate, &mut work);
+    charge(before - work.left());
+    proof
+}
+
 /// Proposes a certificate to the kernel.
 fn propose(statement: &Rc<Statement>, certificate: Certificate, method: Method, budget: u32) -> Decision {
-    match Proof::new(Rc::clone(statement), certificate, &mut Work::usual(budget)) {
+    match checked(statement, certificate, budget) {
         Ok(proof) => Decision::Proved(Shown { proof, method }),
         Err(refusal) => Decision::Undecided(format!("a proof was found, but not accepted: {refusal}")),
     }

@@ -22,7 +22,7 @@ mod zero_free;
 
 pub(crate) use basis_kernel::collections;
 pub use basis_kernel::{Proof, Refutation};
-pub use budget::Budget;
+pub use budget::{Budget, spent};
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};
 pub use decide::{Decision, Shown, decide, simple};

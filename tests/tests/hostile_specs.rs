@@ -1,6 +1,6 @@
 //! No text makes the engine panic, and every text is answered within the work budgets.
 
-use basis_engine::{Report, Source, check};
+use basis_engine::{Report, Severity, Source, Verdict, check};
 use basis_tests::random::Random;
 
 const SHIPPED: [&str; 6] = [
@@ -125,4 +125,112 @@ fn specs_that_ask_for_too_much_are_refused() {
         let text = format!("family F {{ domain 0 <= t <= 1; shape 0 < λ <= 1; {functions} {claim}; }}");
         rendered(&check(Source::text("table.basis", &text)));
     }
+}
+
+/// What is answered, errors first.
+fn messages(spec: &str) -> Vec<String> {
+    let report = check(Source::text("hostile.basis", spec));
+    rendered(&report);
+    report.diagnostics.iter().map(|d| d.message.clone()).collect()
+}
+
+/// A family with the functions 1 - t and t, and more statements.
+fn with(statements: &str) -> String {
+    format!("family F {{ domain 0 <= t <= 1; shape 0 < x <= 1; b[0] = 1 - t; b[1] = t; {statements} }}")
+}
+
+#[test]
+fn what_would_exhaust_the_stack_is_refused() {
+    for (statements, message) in [
+        (format!("b[2] = b[0]{};", "(t)".repeat(4000)), "the expression is nested too deeply"),
+        (format!("b[2] = b{};", "[0]".repeat(4000)), "the expression is nested too deeply"),
+        (
+            format!("b[2] = ({}t{});", "(t)(".repeat(60), ")".repeat(60)),
+            "the expression is nested too deeply",
+        ),
+        (format!("b[2] = t{};", "^1".repeat(4000)), "the expression is nested too deeply"),
+        (
+            format!("prove b[0] = t for {} in 0..=0;", names(20_000).join(" in 0..=0, ")),
+            "a `for` has at most 16 index variables",
+        ),
+        (
+            format!("prove b[0] = t for {} in simplex(3);", names(20_000).join(", ")),
+            "a `for` has at most 16 index variables",
+        ),
+        (format!("b[2{}] = t;", ", 0".repeat(20_000)), "a function has at most 16 indices"),
+    ] {
+        assert_eq!(messages(&with(&statements)), [message], "{statements:.40}");
+    }
+    let spec =
+        format!("family F({} in 1..=1) {{ domain 0 <= t <= 1; b[0] = t; }}", names(900).join(" in 1..=1, "));
+    assert_eq!(messages(&spec)[0], "a family has at most 16 index parameters");
+}
+
+fn names(count: usize) -> Vec<String> {
+    (0..count).map(|k| format!("i{k}")).collect()
+}
+
+#[test]
+fn a_hundred_errors_are_shown_and_the_others_counted() {
+    for (statement, count) in [
+        (";", 2000),
+        ("prove ", 2000),
+        ("prove b[0] > 0;", 1000),
+        ("prove b[x] > 0;", 1000),
+        ("let a = 2 t;", 1000),
+        ("foo bar;", 1000),
+        ("b[1] = t;", 1000),
+        ("prove at t = 0 { b = [1, 0, 0]; }", 500),
+    ] {
+        for between in ["", "\n"] {
+            let spec = with(&[statement, between].concat().repeat(count));
+            let messages = messages(&spec);
+            assert_eq!(messages.len(), 101, "{statement}");
+            let more = messages[100].strip_suffix(" more errors are not shown").expect(&messages[100]);
+            let more: usize = more.replace(' ', "").parse().expect("a number");
+            assert!(more + 100 <= count && more + 110 > count, "{statement} {more}");
+        }
+    }
+    for spec in ["use \"nowhere.basis\";", "family ", "use "] {
+        assert_eq!(messages(&spec.repeat(400)).len(), 101, "{spec}");
+    }
+    assert_eq!(messages(&with(&"'".repeat(1 << 18))).len(), 1);
+}
+
+#[test]
+fn the_sum_of_all_loops_and_orders_is_limited() {
+    let loops = with(&"prove b[0] + i >= 0 for i in 0..=19999;".repeat(200));
+    let orders = "family G(n in 1..=1000) { domain 0 <= t <= 1; b[i] = t*i for i in 0..=511; prove b[i] >= 0 for i in 0..=511; }";
+    for spec in [&loops, orders] {
+        let messages = messages(spec);
+        assert_eq!(messages.len(), 1, "{messages:?}");
+        assert!(messages[0].starts_with("the spec takes more than 40 000 claims"), "{messages:?}");
+    }
+    let families: String =
+        (0..60).map(|k| format!("family F{k}(a in 1..=1000) {{ domain 0 <= t <= 1; b[0] = t; }}")).collect();
+    assert_eq!(messages(&families), ["the spec takes more than 5000 families, each order counted"]);
+    let names: String = names(6000).iter().map(|name| format!("let {name} = t;")).collect();
+    assert_eq!(messages(&with(&names)), ["more than 5000 names are given"]);
+    let shapes: String = names.replace("let ", "shape ").replace(" = t", "");
+    assert_eq!(messages(&with(&shapes)), ["a family has at most 64 shape parameters and domain variables"]);
+}
+
+/// Each of these claims takes all the work of one claim; together they get that of a few.
+#[test]
+fn hard_claims_share_the_work_of_a_run() {
+    let hard = "prove (t^5 - t - x)^2 + (x^5 - x - 1/3)^2 + (t - x)^2 > 0;";
+    let report = check(Source::text("hard.basis", &with(&hard.repeat(40))));
+    assert!(report.diagnostics.iter().all(|d| d.severity == Severity::Error));
+    let left =
+        |verdict: &Verdict| matches!(verdict, Verdict::Undecided(left) if left.contains("a whole run"));
+    let left = report.items[0].claims.iter().filter(|(_, verdict)| left(verdict)).count();
+    assert!((20..40).contains(&left), "{left} claims are left to themselves");
+}
+
+/// A pipe may wait for ever for somebody who writes into it.
+#[test]
+#[cfg(unix)]
+fn only_regular_files_are_read() {
+    let error = basis_engine::source::read(&basis_engine::Disk, "/dev/zero", &[]).unwrap_err();
+    assert_eq!(error.message, "cannot read `/dev/zero`: it is not a regular file, but a pipe or a device");
 }

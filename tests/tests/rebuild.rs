@@ -31,7 +31,7 @@ impl Crate {
         let runtime = root.join("runtime").display().to_string();
         let manifest = format!(
             "[package]\nname = {name:?}\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-             basis-runtime = {{ path = {runtime:?}, default-features = false }}\n"
+             basis-runtime = {{ path = {runtime:?}, default-features = false, features = [\"macros\", \"std\"] }}\n"
         );
         folder.write("Cargo.toml", &manifest);
         fs::copy(root.join("Cargo.lock"), folder.0.path().join("Cargo.lock"))

@@ -8,6 +8,7 @@ use basis_engine::state;
 use basis_engine::theorem::theorems;
 use basis_engine::{
     Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Selected, Severity, Sources, Subject, Verdict,
+    generate,
 };
 
 use super::files::Entry;
@@ -112,23 +113,26 @@ pub(crate) fn file(entry: Entry) -> Outcome {
         }
     };
     let library = Library::from_source(&Disk, &Prover, source);
-    let families = library.items(Selected::EveryOrder).into_iter();
-    let items: Vec<Decided> = families.chain(theorems(&library)).map(item).collect();
+    let run = &mut state::Run::default();
+    let families = library.items(Selected::EveryOrder);
+    let warnings = generate::no_floats(&families);
+    let items = families.into_iter().chain(theorems(&library));
+    let items: Vec<Decided> = items.map(|i| item(i, run)).collect();
     Outcome {
         path,
         items,
         doc: library.doc().to_vec(),
-        diagnostics: library.diagnostics(),
+        diagnostics: library.diagnostics().into_iter().chain(warnings).collect(),
         sources: library.sources().clone(),
         readable: true,
     }
 }
 
-fn item(item: Item) -> Decided {
+fn item(item: Item, run: &mut state::Run) -> Decided {
     let Item { subject, obligations, claims } = item;
     let decide = |claim: Claim| {
         let start = Instant::now();
-        let verdict = state::decide(&subject, &claim);
+        let verdict = run.decide(&subject, &claim);
         let time = start.elapsed();
         let error = state::diagnose(&subject, &claim, &verdict);
         DecidedClaim { claim, verdict, error, time }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::{ScalarCode, Variable};
-use super::{doc, docs, names, shell, site, weights};
+use super::{doc, docs, floats, names, shell, site, weights};
 use basis_prover::map::SortedMap;
 use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Diagnostic;
@@ -29,6 +29,11 @@ struct PointArgument<'a> {
 
 /// A patch with the points that are determined, by their indices.
 type Determined<'a> = (&'a Patch, Vec<(&'a [i64], &'a Form)>);
+
+/// The name of the function of a join; empty where it cannot be one.
+pub(crate) fn name(theorem: &Theorem) -> String {
+    names::function(&theorem.name).map_or_else(String::new, |name| name.to_string())
+}
 
 /// The function of a join, with its documentation.
 ///
@@ -112,6 +117,10 @@ pub(crate) fn join(
         points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
     let lines = documentation(theorem, verdicts, &points, &scalars, &determined);
     let lines = lines.iter().map(|line| doc(line));
+    if floats::misses_a_number(&checks) || floats::misses_a_number(&lets) || floats::misses_a_number(&value) {
+        let message = format!("{} `{}` has numbers beyond f64", floats::ERROR, theorem.title());
+        return Err(error(message).help(floats::HELP));
+    }
     Ok(quote_spanned! {site()=>
         #(#lines)*
         #[allow(clippy::all, clippy::pedantic, unused_variables)]

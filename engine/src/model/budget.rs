@@ -22,15 +22,17 @@ const MAX_WORK: u64 = 400_000;
 const MAX_REDUCTION: u64 = 4_000_000;
 
 /// The most term products in all expansions of a run: all families in all their orders, and all claims.
-const RUN_WORK: u64 = 20_000_000;
+const RUN_WORK: u64 = 15_000_000;
 /// The most work of a run to bring quotients into lowest terms.
 const RUN_REDUCTION: u64 = 200_000_000;
 /// The most parts of formulas that are evaluated in a run, the passes of loops included.
-const RUN_STEPS: u64 = 10_000_000;
+const RUN_STEPS: u64 = 8_000_000;
 /// The most families of a run, each order counted.
 const RUN_FAMILIES: u64 = 5_000;
 /// The most claims of a run, each value of an index variable counted.
-const RUN_CLAIMS: u64 = 20_000;
+const RUN_CLAIMS: u64 = 40_000;
+/// The most work of the provers in a run for what is needed for formulas to have a meaning.
+const RUN_DECISIONS: u64 = 20_000_000;
 /// The most memory that the functions and claims of a run take, in words of eight bytes, roughly.
 const RUN_WORDS: u64 = 20_000_000;
 
@@ -48,6 +50,7 @@ pub(crate) struct Run {
     families: Cell<u64>,
     claims: Cell<u64>,
     words: Cell<u64>,
+    decisions: Cell<u64>,
     stopped: Cell<bool>,
 }
 
@@ -60,6 +63,7 @@ impl Run {
             families: Cell::new(RUN_FAMILIES),
             claims: Cell::new(RUN_CLAIMS),
             words: Cell::new(RUN_WORDS),
+            decisions: Cell::new(RUN_DECISIONS),
             stopped: Cell::new(false),
         }
     }
@@ -87,9 +91,20 @@ impl Run {
         self.take(&self.families, 1, RUN_FAMILIES, "families, each order counted")
     }
 
+    /// Counts the work of the provers for what is needed for formulas to have a meaning, with 1 for the decision itself.
+    pub(crate) fn decision(&self, units: u64) -> Result<(), TooLarge> {
+        let what = "units of work to prove that its denominators vanish nowhere and its shape values stay in their ranges";
+        self.take(&self.decisions, 1 + units, RUN_DECISIONS, what)
+    }
+
     /// Counts a claim with a text of so many bytes.
     pub(crate) fn claim(&self, text: usize) -> Result<(), TooLarge> {
-        self.take(&self.claims, 1, RUN_CLAIMS, "claims, each value of an index variable and each order counted")?;
+        self.take(
+            &self.claims,
+            1,
+            RUN_CLAIMS,
+            "claims, each value of an index variable and each order counted",
+        )?;
         self.words(32)?;
         self.text(text)
     }
@@ -192,7 +207,12 @@ impl Budget {
 
     /// Counts parts of formulas that are evaluated, or passes of a loop.
     pub(crate) fn step(&self, parts: u64) -> Result<(), TooLarge> {
-        self.run.take(&self.run.steps, parts, RUN_STEPS, "parts of formulas to evaluate, in all passes of its loops")
+        self.run.take(
+            &self.run.steps,
+            parts,
+            RUN_STEPS,
+            "parts of formulas to evaluate, in all passes of its loops",
+        )
     }
 
     /// Counts the work of a copy.
@@ -313,5 +333,73 @@ impl Budget {
         let bits = value.numer().max_bits() + by.numer().max_bits();
         self.spend(growth * (value.numer().len() + value.denom().len()) as u64 * weight(bits))?;
         self.reduce(|work| value.substitute_within(var, by, work))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Library, Selected};
+    use crate::source::{self, Disk};
+
+    /// A spec of the library takes a small part of what a run may: large ones need not fear the limits.
+    #[test]
+    fn shipped_specs_are_far_from_the_limits() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
+        let mut found = 0;
+        for folder in [root.clone(), root.join("papers")] {
+            for entry in folder.read_dir().unwrap() {
+                let path = entry.unwrap().path();
+                if path.extension().is_none_or(|e| e != "basis") {
+                    continue;
+                }
+                found += 1;
+                let source = source::read(&Disk, path.to_str().unwrap(), &[]).unwrap();
+                let library = Library::from_source(&Disk, source);
+                library.items(Selected::EveryOrder);
+                library.theorems();
+                let run = library.run();
+                let spent = [
+                    ("work", RUN_WORK, &run.work),
+                    ("reduction", RUN_REDUCTION, &run.reduction),
+                    ("steps", RUN_STEPS, &run.steps),
+                    ("families", RUN_FAMILIES, &run.families),
+                    ("claims", RUN_CLAIMS, &run.claims),
+                    ("words", RUN_WORDS, &run.words),
+                    ("decisions", RUN_DECISIONS, &run.decisions),
+                ];
+                for (what, limit, left) in spent {
+                    let used = limit - left.get();
+                    assert!(used < limit / 8, "{}: {used} of {limit} {what}", path.display());
+                }
+            }
+        }
+        assert!(found > 15, "the specs are missing");
+    }
+
+    /// With little left of something, a spec is refused once, in its own words, and nothing more is expanded.
+    #[test]
+    fn what_is_used_up_is_said_once() {
+        let orders = "family F(n in 1..=60) { domain 0 <= t <= 1; b[i] = t^i for i in 0..=n; }\n";
+        let claims = "family G { domain 0 <= t <= 1; b[0] = t; prove b[0] + i >= 0 for i in 0..=99; }\n";
+        let shapes = "family H { domain 0 <= t <= 1; shape 0 < x; let a = 1/(x + 1); let c = 1/(x^2 + x + 1); b[0] = a*c*t; }\n";
+        let spec = [orders, claims, shapes].concat();
+        type Part = fn(&Run) -> &Cell<u64>;
+        let parts: [(Part, u64, &str); 6] = [
+            (|run| &run.work, 200, "products of terms"),
+            (|run| &run.steps, 200, "parts of formulas"),
+            (|run| &run.families, 20, "families"),
+            (|run| &run.claims, 20, "claims"),
+            (|run| &run.words, 9000, "words of memory"),
+            (|run| &run.decisions, 1, "units of work to prove"),
+        ];
+        for (part, left, words) in parts {
+            let library = Library::from_source(&Disk, crate::Source::text("much.basis", &spec));
+            part(library.run()).set(left);
+            let items = library.items(Selected::EveryOrder);
+            let messages: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();
+            assert!(messages.len() == 1 && messages[0].contains(words), "{words}: {messages:?}");
+            assert!(library.run().is_stopped() && items.len() < 62, "{words}");
+        }
     }
 }

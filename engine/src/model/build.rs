@@ -203,7 +203,8 @@ fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
         if scope.names.len() == MAX_VARIABLES {
             // A name that nothing can have: said once.
             scope.names.push(String::new());
-            let message = format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
+            let message =
+                format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
             scope.report(scope.error(name.span, message));
         }
         return None;

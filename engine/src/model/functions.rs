@@ -26,6 +26,10 @@ pub(crate) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Let(name, value) => {
+                if !scope.has_room(scope.lets.len(), name.span) {
+                    scope.cut_short = true;
+                    return;
+                }
                 let free = scope.check_free(name);
                 let value = scope.scalar(value);
                 if free {

@@ -76,6 +76,8 @@ pub struct Library<'f> {
     active: RefCell<Vec<(usize, usize, Vec<i64>)>>,
     diagnostics: RefCell<Diagnostics>,
     run: Rc<Run>,
+    /// Whether a spec was left out because all together are too long.
+    is_too_long: bool,
 }
 
 /// The unit that was asked for.
@@ -113,6 +115,7 @@ impl<'f> Library<'f> {
             active: RefCell::default(),
             diagnostics: RefCell::default(),
             run: Rc::new(Run::new()),
+            is_too_long: false,
         }
     }
 
@@ -222,9 +225,13 @@ impl<'f> Library<'f> {
         let mut source = source?;
         let read: usize = self.sources.iter().map(|(_, s)| s.text.as_deref().map_or(0, str::len)).sum();
         if read + source.text.as_deref().map_or(0, str::len) > MAX_TOTAL_BYTES {
-            let message = format!("the spec and those that it uses are longer than {} MiB", MAX_TOTAL_BYTES >> 20);
-            let error = Diagnostic::error(self.place(from, span), message);
-            self.report(error.help("use fewer files"));
+            // The same is true of all that follow.
+            if !core::mem::replace(&mut self.is_too_long, true) {
+                let limit = MAX_TOTAL_BYTES >> 20;
+                let message = format!("the spec and those that it uses are longer than {limit} MiB");
+                let error = Diagnostic::error(self.place(from, span), message);
+                self.report(error.help("use fewer files"));
+            }
             return None;
         }
         // A file is shown relative to the file that uses it, as a reader would look for it.

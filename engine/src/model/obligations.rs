@@ -6,6 +6,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::Coordinate;
 
+use super::budget::{SPLIT, TooLarge};
 use super::obligation::{Goal, Judgement, Obligation};
 use super::scope::{Scope, Subject};
 use crate::algebra::fraction::Fraction;
@@ -132,10 +133,19 @@ impl Scope<'_> {
             if self.settled.contains(&duty) {
                 continue;
             }
+            if self.budget.run().is_stopped() {
+                return false;
+            }
+            let (before, at) = (basis_prover::spent(), place.clone());
             let error = match &duty {
                 Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, &domain, budget),
                 Duty::Inside(inside) => self.check_inside(inside, place, &domain, budget),
             };
+            let spent = (basis_prover::spent() - before) / u64::from(budget.max(1));
+            if let Err(TooLarge::Run(message)) = self.budget.run().decision(spent) {
+                self.report(Diagnostic::error(at, message).help(SPLIT));
+                return false;
+            }
             fine &= error.is_none();
             match error {
                 Some(error) => self.report(error),

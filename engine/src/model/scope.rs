@@ -12,10 +12,13 @@ use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use basis_kernel::collections::list::Mapped;
-use crate::diagnostic::{Diagnostic, Diagnostics, Place};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
 use crate::words::did_you_mean;
+
+/// The most names that `let` gives in a family, and curves, surfaces and `let` in a theorem.
+const MAX_NAMES: usize = 5_000;
 
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;
@@ -167,6 +170,15 @@ impl Scope<'_> {
             self.error(name.span, format!("`{}` is already {what}", name.text)).label("declared again here");
         self.report(error.help("choose another name"));
         false
+    }
+
+    /// Whether there is room for another name by `let`; reports the first one that is too many.
+    pub(crate) fn has_room(&self, names: usize, span: Span) -> bool {
+        if names == MAX_NAMES {
+            let message = format!("more than {} names are given", grouped(MAX_NAMES));
+            self.report(self.error(span, message).help(SPLIT));
+        }
+        names < MAX_NAMES
     }
 
     /// Reports an unknown name, with the known name that it resembles.

@@ -12,6 +12,7 @@ mod net;
 mod parallel;
 mod products;
 mod report;
+mod run;
 mod theorem;
 mod verdict;
 
@@ -26,6 +27,7 @@ pub use independent::{Table, coefficient_table};
 pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
 pub use report::diagnose;
+pub use run::Run;
 pub use verdict::{Evidence, Stated, Verdict, Witness, as_declared, point_text};
 
 use crate::algebra::rational::Rational;

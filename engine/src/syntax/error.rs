@@ -18,6 +18,19 @@ pub struct SyntaxError {
     pub help: Option<String>,
 }
 
+impl SyntaxError {
+    /// Cuts what quotes a very long token.
+    fn shorten(&mut self) {
+        const LONGEST: usize = 1000;
+        for text in [Some(&mut self.message), self.help.as_mut()].into_iter().flatten() {
+            if let Some((end, _)) = text.char_indices().nth(LONGEST) {
+                text.truncate(end);
+                text.push('…');
+            }
+        }
+    }
+}
+
 /// The first mistakes of a spec, as many as are ever shown, and the number of the others.
 #[derive(Clone, Debug, Default)]
 pub struct SyntaxErrors {
@@ -29,7 +42,9 @@ impl SyntaxErrors {
     /// Adds a mistake.
     pub(super) fn push(&mut self, error: impl Into<SyntaxError>) {
         if self.list.len() < MAX_ERRORS {
-            self.list.push(error.into());
+            let mut error: SyntaxError = error.into();
+            error.shorten();
+            self.list.push(error);
         } else {
             self.unread += 1;
         }
@@ -50,6 +65,7 @@ impl SyntaxErrors {
         earlier.append(&mut self.list);
         self.unread += earlier.len().saturating_sub(MAX_ERRORS);
         earlier.truncate(MAX_ERRORS);
+        earlier.iter_mut().for_each(SyntaxError::shorten);
         self.list = earlier;
         self
     }

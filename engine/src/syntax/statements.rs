@@ -35,11 +35,7 @@ pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
 }
 
 /// `family Name(n in 1..=3) { … }`, after its doc comment.
-pub(super) fn family(
-    input: ParseStream<'_>,
-    doc: Vec<String>,
-    errors: &mut SyntaxErrors,
-) -> Result<Family> {
+pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut SyntaxErrors) -> Result<Family> {
     take_word(input)?;
     let name = name(input)?;
     let mut orders = Vec::new();
@@ -50,6 +46,10 @@ pub(super) fn family(
         syn::parenthesized!(content in input);
         while !content.is_empty() {
             orders.push(index_range(&content, "")?);
+            if orders.len() > MAX_INDICES {
+                let message = format!("a family has at most {MAX_INDICES} index parameters");
+                return Err(error(name.span, message, "leave some of them out"));
+            }
             if !content.is_empty() {
                 content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
             }

@@ -111,6 +111,10 @@ impl Elaboration<'_> {
         for statement in &written.statements {
             self.scope.budget.refill();
             fine &= self.statement(statement, &mut budget).is_some();
+            let names = self.vectors.len() + self.patches.len() + self.scope.lets.len();
+            if !self.scope.has_room(names, statement.span) {
+                return None;
+            }
             if self.scope.names.len() > MAX_VARIABLES {
                 let message =
                     format!("a theorem has at most {MAX_VARIABLES} scalars, coordinates and dot products");

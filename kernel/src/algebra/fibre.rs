@@ -6,6 +6,7 @@
 use num_bigint::BigInt;
 use num_integer::Integer as _;
 use num_rational::BigRational;
+use num_traits::One as _;
 
 use super::rational::{Rational, Words};
 use crate::collections::list::Mapped;
@@ -108,6 +109,9 @@ impl<'a> Change<'a> {
             }
             return;
         }
+        if apply_whole(self.steps, c) {
+            return;
+        }
         for step in self.steps {
             match step {
                 Shift(h) => shift_rationals(c, h),
@@ -133,7 +137,7 @@ fn powers_of(c: &mut [Rational], factor: &Rational) {
 
 fn shift_rationals(c: &mut [Rational], h: &Rational) {
     let n = c.len();
-    if h.is_zero() || n == 0 || shift_whole(c, h) {
+    if h.is_zero() || n == 0 {
         return;
     }
     for i in 0..n - 1 {
@@ -146,31 +150,62 @@ fn shift_rationals(c: &mut [Rational], h: &Rational) {
     }
 }
 
-/// As [`shift_rationals`] by way of whole numbers: without common divisors after every sum. Whether the shift is whole
-/// and a common denominator is not much longer than the numbers; else nothing is done.
-fn shift_whole(c: &mut [Rational], h: &Rational) -> bool {
-    let Some(h) = h.to_whole() else { return false };
-    let longest = c.iter().map(Rational::bits).max().unwrap_or(0);
-    let mut denom = BigInt::from(1);
-    for c in &*c {
-        denom = denom.lcm(c.to_big().denom());
-        if denom.bits() > 2 * longest {
-            return false;
+/// Takes the steps by way of whole numbers: without common divisors after every sum. Whether all steps are whole and a
+/// common denominator is not much longer than the numbers; else nothing is done.
+fn apply_whole(steps: &[Step], c: &mut [Rational]) -> bool {
+    let mut factors = Vec::with_capacity(steps.len());
+    for step in steps {
+        match step {
+            Shift(by) | Powers(by) => match by.to_whole() {
+                Some(by) => factors.push(by),
+                None => return false,
+            },
+            Reverse => factors.push(BigInt::ZERO),
         }
     }
-    let mut whole = c.mapped(|c| {
-        let c = c.to_big();
-        c.numer() * (&denom / c.denom())
-    });
-    let n = whole.len();
-    for i in 0..n - 1 {
-        for j in (i..n - 1).rev() {
-            let (low, high) = whole.split_at_mut(j + 1);
-            low[j] += &high[0] * &h;
+    let mut denom = BigInt::from(1);
+    let longest = c.iter().map(Rational::bits).max().unwrap_or(0);
+    for c in &*c {
+        if let Some(other) = c.big_denom() {
+            denom = denom.lcm(&other);
+            if denom.bits() > 2 * longest {
+                return false;
+            }
+        }
+    }
+    let mut whole = c.mapped(|c| c.times_whole(&denom));
+    for (step, factor) in steps.iter().zip(&factors) {
+        match step {
+            Shift(h) if h.is_zero() => {}
+            Shift(_) => {
+                for i in 0..whole.len().saturating_sub(1) {
+                    for j in (i..whole.len() - 1).rev() {
+                        let (low, high) = whole.split_at_mut(j + 1);
+                        if factor.is_one() {
+                            low[j] += &high[0];
+                        } else {
+                            low[j] += &high[0] * factor;
+                        }
+                    }
+                }
+            }
+            Powers(by) if by.is_one() => {}
+            Powers(_) => {
+                let mut power = BigInt::from(1);
+                for c in &mut whole {
+                    *c *= &power;
+                    power *= factor;
+                }
+            }
+            Reverse => whole.reverse(),
         }
     }
     for (c, whole) in c.iter_mut().zip(whole) {
-        *c = Rational::from_big(BigRational::new(whole, denom.clone()));
+        *c = if denom.is_one() {
+            Rational::from(whole)
+        } else {
+            Rational::from_big(BigRational::new(whole, denom.clone()))
+        };
     }
     true
 }
