@@ -46,10 +46,13 @@ impl Point {
     }
 
     /// Checks that θ is there, and that coordinates are polynomials of lower degree than that of θ.
-    pub(crate) fn check(&self) -> Result<(), Refusal> {
+    pub(crate) fn check(&self, work: &mut Work) -> Result<(), Refusal> {
         let degree = match &self.root {
             None => 1,
             Some(Root { polynomial, low, high }) => {
+                for x in [low, high] {
+                    work.spend_value(polynomial, x).ok_or(Refusal::Spent)?;
+                }
                 let opposite = low < high && polynomial.sign_at(low) * polynomial.sign_at(high) == -1;
                 shown(opposite, "a polynomial is not seen to have a root in its interval")?;
                 polynomial.degree()
@@ -69,16 +72,28 @@ impl Point {
         };
         let x = self.coordinate(var)?;
         if let (true, Some(number)) = (x.is_constant(), Some(x.leading())) {
-            let words = 1 + (poly.max_bits() + u64::from(poly.degree(var)) * number.bits()) / 64;
-            work.spend(poly.len() as u64 * words * words).ok_or(Refusal::Spent)?;
+            work.spend_at(poly, var, &number).ok_or(Refusal::Spent)?;
             return self.value(&poly.at(var, &number), work);
         }
         let mut value = Univariate::default();
         for coefficient in poly.coefficients_in(var).iter().rev() {
             let c = self.value(coefficient, work)?;
-            value = self.reduced(&value.mul(x), work)?.add(&c);
+            value = self.reduced(&self.product(&value, x, work)?, work)?.add(&c);
         }
         Ok(value)
+    }
+
+    /// The product of two values, not reduced.
+    pub(crate) fn product(
+        &self,
+        a: &Univariate,
+        b: &Univariate,
+        work: &mut Work,
+    ) -> Result<Univariate, Refusal> {
+        let products = (a.degree() as u64 + 1) * (b.degree() as u64 + 1);
+        work.spend_fractions(a.max_bits() + b.max_bits()).ok_or(Refusal::Spent)?;
+        work.spend(products.saturating_mul(1 + (a.max_bits() + b.max_bits()) / 64)).ok_or(Refusal::Spent)?;
+        Ok(a.mul(b))
     }
 
     /// The remainder modulo the polynomial of θ.

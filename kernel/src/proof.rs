@@ -124,20 +124,20 @@ impl Refutation {
 fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Option<Rational>, Refusal> {
     match (statement, witness) {
         (Statement::Zero { value, domain }, Witness::At(point)) => {
-            point.check()?;
+            point.check(work)?;
             point.lies_in(domain, work)?;
             shown(point.sign_of_fraction(value, work)? != 0, "the value is zero at the point")?;
             point.rational_value(value, work)
         }
         (Statement::Sign { value, relation, domain }, Witness::At(point)) => {
-            point.check()?;
+            point.check(work)?;
             point.lies_in(domain, work)?;
             let sign = point.sign_of_fraction(value, work)?;
             shown(!relation.allows(sign), "the value is as claimed at the point")?;
             point.rational_value(value, work)
         }
         (Statement::Independent { rows, except, region }, Witness::Dependent(point, factors)) => {
-            point.check()?;
+            point.check(work)?;
             point.lies_in(&Domain::of(region.clone()), work)?;
             for values in except {
                 let mut apart = false;
@@ -156,7 +156,7 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
                 for (factor, row) in factors.iter().zip(rows) {
                     if !factor.is_zero() {
                         let entry = point.value(&row[column], work)?;
-                        sum = sum.add(&point.reduced(&factor.mul(&entry), work)?);
+                        sum = sum.add(&point.reduced(&point.product(factor, &entry, work)?, work)?);
                     }
                 }
                 shown(sum.is_zero(), "the combination does not vanish at the point")?;
@@ -164,7 +164,7 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
             Ok(None)
         }
         (Statement::Independent { rows, except, region }, Witness::Independent(point, number)) => {
-            point.check()?;
+            point.check(work)?;
             point.lies_in(&Domain::of(region.clone()), work)?;
             let values = except.get(*number).ok_or(Refusal::Unfit("there is no such exception"))?;
             for (var, x) in values {

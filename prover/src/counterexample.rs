@@ -76,9 +76,7 @@ impl Exact {
         for (var, c) in point {
             let element = match c {
                 Coordinate::Rational(x) => Univariate::new(vec![x.clone()]),
-                Coordinate::Algebraic(x) => {
-                    elements.get(numbers.iter().position(|n| n == x)?).cloned()?
-                }
+                Coordinate::Algebraic(x) => elements.get(numbers.iter().position(|n| n == x)?).cloned()?,
             };
             coordinates.push((*var, element));
         }
@@ -108,7 +106,12 @@ impl Exact {
     }
 
     /// Adds coordinates that are polynomials in others, and takes away all that are not wanted.
-    pub(crate) fn image(&mut self, by: &[(Var, Poly)], keep: &dyn Fn(Var) -> bool, work: &mut Work) -> Option<()> {
+    pub(crate) fn image(
+        &mut self,
+        by: &[(Var, Poly)],
+        keep: &dyn Fn(Var) -> bool,
+        work: &mut Work,
+    ) -> Option<()> {
         let mut moved = Vec::new();
         for (var, poly) in by {
             moved.push((*var, self.value(poly, work)?));

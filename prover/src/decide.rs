@@ -15,8 +15,8 @@ use crate::coordinate::Coordinate;
 use crate::counterexample::{Counterexample, Exact, at};
 use crate::method::Method;
 use crate::nonzero::nonzero;
-use crate::rank::{self, Independence, Table};
 use crate::rank::symmetry::Symmetries;
+use crate::rank::{self, Independence, Table};
 use crate::sign::{Found, problem, search};
 
 /// A statement that is proved.
@@ -69,9 +69,7 @@ fn direct(statement: &Statement) -> Method {
     match statement {
         Statement::Zero { .. } => Method::Constant,
         Statement::Sign { value, domain, .. } => {
-            let single = |v: &Var| {
-                domain.region.range(*v).finite().is_some_and(|(a, b)| a == b)
-            };
+            let single = |v: &Var| domain.region.range(*v).finite().is_some_and(|(a, b)| a == b);
             let empty = domain.region.ranges.iter().any(|(_, r)| r.is_empty());
             if empty || value.numerator.variables().iter().all(single) {
                 Method::Constant
@@ -146,11 +144,19 @@ fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget:
                 let inner = |var: Var| chart.variables().iter().all(|(_, by)| !by.depends_on(var));
                 let simplices: Vec<Var> = region.ranges.iter().map(|(v, _)| *v).collect();
                 let declared = |var: Var| domain.region.ranges.iter().any(|(v, _)| *v == var);
-                exact.image(chart.variables(), &|v| inner(v) && (declared(v) || !simplices.contains(&v)), work)?;
+                exact.image(
+                    chart.variables(),
+                    &|v| inner(v) && (declared(v) || !simplices.contains(&v)),
+                    work,
+                )?;
                 at(statement, &mut exact, work)
             });
             found.map_or_else(
-                || Decision::Undecided(String::from("it fails, but at a point that could not be made explicit")),
+                || {
+                    Decision::Undecided(String::from(
+                        "it fails, but at a point that could not be made explicit",
+                    ))
+                },
                 |c| Decision::Refuted(Box::new(c)),
             )
         }
@@ -188,9 +194,7 @@ fn products(statement: &Rc<Statement>, budget: u32) -> Decision {
 fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Decision {
     let Statement::Independent { rows, except, region } = &**statement else { return unfit() };
     match rank::independent(Table { rows, symmetries }, except, region, budget) {
-        Independence::Proved(proof) => {
-            propose(statement, Certificate::Rank(proof), Method::Minors, budget)
-        }
+        Independence::Proved(proof) => propose(statement, Certificate::Rank(proof), Method::Minors, budget),
         Independence::NoException(number, point) => {
             let coordinates: Vec<(Var, Coordinate)> =
                 point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();

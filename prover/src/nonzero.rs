@@ -84,9 +84,8 @@ pub(crate) fn nonzero(value: &Quotient, domain: &Domain) -> Option<Vec<(Var, Coo
         };
         // Of more numbers than the two have zeros in this variable together, one is a zero of neither.
         let count = rest.iter().map(|p| p.degree(var)).sum::<u32>() + 1;
-        let found = candidates(&range, count)
-            .into_iter()
-            .find(|x| rest.iter().all(|p| !p.at(var, x).is_zero()))?;
+        let found =
+            candidates(&range, count).into_iter().find(|x| rest.iter().all(|p| !p.at(var, x).is_zero()))?;
         rest = rest.map(|p| p.at(var, &found));
         if let Some(k) = simplex {
             left[k] -= &found;

@@ -138,7 +138,19 @@ impl Monomial {
         Self::new(self.exponents().iter().zip(&other.exponents()).map(|(x, y)| *x.min(y)).collect())
     }
 
+    /// Whether an exponent is so high that a product with such a monomial may not be representable.
+    pub(super) fn is_high(&self) -> bool {
+        match &self.0 {
+            Packed(_) => false,
+            Wide(e) => e.iter().any(|e| *e >= 1 << 14),
+        }
+    }
+
     /// The product.
+    ///
+    /// # Panics
+    /// When an exponent exceeds 65535; a wrapped one would make false identities true. The checker refuses polynomials
+    /// that come near to it, see [`Work::spend_product`](super::work::Work::spend_product).
     pub(super) fn mul(&self, other: &Self) -> Self {
         if let (Packed(a), Packed(b)) = (&self.0, &other.0)
             && (a | b) & HIGH_BITS == 0
@@ -150,7 +162,7 @@ impl Monomial {
             core::mem::swap(&mut long, &mut short);
         }
         for (x, y) in long.iter_mut().zip(&short) {
-            *x += y;
+            *x = x.checked_add(*y).expect("an exponent is below 65536");
         }
         Self::new(long)
     }

@@ -250,6 +250,16 @@ impl Poly {
         bits
     }
 
+    /// Whether a monomial is, see [`Monomial::is_high`].
+    pub(super) fn is_high(&self) -> bool {
+        for (m, _) in &self.terms {
+            if m.is_high() {
+                return true;
+            }
+        }
+        false
+    }
+
     /// The polynomial times a number.
     pub fn scale(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
@@ -272,7 +282,10 @@ impl Poly {
                 all
             };
             let (a, b) = (powers(a), powers(b));
-            let times = |m: &Monomial, k: u32| Monomial::new(m.exponents().mapped(|e| e * k as u16));
+            // No exponent of a product may wrap.
+            let raised =
+                |e: u16, k: u32| u16::try_from(u32::from(e) * k).expect("an exponent is below 65536");
+            let times = |m: &Monomial, k: u32| Monomial::new(m.exponents().mapped(|e| raised(*e, k)));
             let mut binomial = Rational::ONE;
             let mut result = Self::zero();
             for k in 0..=exponent {
@@ -452,18 +465,6 @@ impl Poly {
             result[e].terms.push((rest, c.clone()));
         }
         result
-    }
-
-    /// c₀ + c₁ x + c₂ x² + …, the coefficients free of x.
-    pub fn from_coefficients(var: Var, coefficients: &[Self]) -> Self {
-        let raised = |(k, p): (usize, &Self)| {
-            let raise = |(m, c): &Term| {
-                debug_assert_eq!(m.exponent(var), 0, "a coefficient contains the variable");
-                (m.with_exponent(var, k as u16), c.clone())
-            };
-            p.terms.mapped(raise)
-        };
-        Self { terms: merge_all(coefficients.iter().enumerate().map(raised).collect()) }
     }
 
     /// The quotient, if `divisor` divides without remainder; `None` also for division by 0.

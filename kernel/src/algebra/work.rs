@@ -1,6 +1,8 @@
 //! Counts the work of a computation, so that it ends on every input at the same point on every machine.
 
-use super::poly::Poly;
+use super::poly::{Poly, Var};
+use super::rational::Rational;
+use super::univariate::Univariate;
 
 /// No work is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,11 +38,26 @@ impl Work {
         left.map(|_| ())
     }
 
-    /// Counts the work of a product of polynomials.
+    /// Counts the work of a product of polynomials; there is never enough for exponents of 2¹⁴ and more.
     pub fn spend_product(&mut self, a: &Poly, b: &Poly) -> Option<()> {
+        if a.is_high() || b.is_high() {
+            return self.spend(u64::MAX);
+        }
         let words = (a.max_bits() + b.max_bits()) / 64 + 1;
         // A product of terms costs about as much as six products of numbers.
         self.spend(6 * (a.len() as u64) * (b.len() as u64) * words + 1)
+    }
+
+    /// Counts the work of putting a number in place of a variable.
+    pub fn spend_at(&mut self, p: &Poly, var: Var, x: &Rational) -> Option<()> {
+        let words = 1 + (p.max_bits() + u64::from(p.degree(var)) * x.bits()) / 64;
+        self.spend(p.len() as u64 * words * (1 + words / 8))
+    }
+
+    /// Counts the work of the value of a polynomial at a number.
+    pub fn spend_value(&mut self, p: &Univariate, x: &Rational) -> Option<()> {
+        let n = p.degree() as u64 + 1;
+        self.spend(2 * n * (1 + (p.max_bits() + n * x.bits()) / 64) * (1 + x.bits() / 64))
     }
 
     /// Counts the work of a product and a difference of fractions with so many bits.

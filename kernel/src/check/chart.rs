@@ -9,8 +9,12 @@
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
+use crate::algebra::work::Work;
 use crate::refusal::{Refusal, fits};
 use crate::statement::Domain;
+
+/// The largest number of a variable.
+const MAX_VARIABLE: usize = 1 << 20;
 
 /// The way from a box to a domain with simplices.
 #[derive(Clone, Debug)]
@@ -35,7 +39,10 @@ impl Chart {
         let simplices = domain.simplices.iter().flat_map(|s| s.variables.iter().copied());
         let occurring = values.into_iter().flat_map(Poly::variables);
         let ranges = domain.region.ranges.iter().map(|(v, _)| *v);
-        let mut next = occurring.chain(ranges).chain(simplices).map(|v| v.0 + 1).max().unwrap_or(0);
+        let mut next =
+            occurring.chain(ranges).chain(simplices).map(|v| v.0.saturating_add(1)).max().unwrap_or(0);
+        let count: usize = domain.simplices.iter().map(|s| s.variables.len()).sum();
+        fits(next <= MAX_VARIABLE && count <= MAX_VARIABLE, "there are too many variables")?;
         for simplex in &domain.simplices {
             fits(!simplex.variables.is_empty() && !simplex.sum.is_negative(), "a simplex has no points")?;
             let mut rest = Poly::constant(simplex.sum.clone());
@@ -61,6 +68,21 @@ impl Chart {
     /// The polynomial in the variables of the box.
     pub fn pull_back(&self, polynomial: &Poly) -> Poly {
         self.by.iter().fold(polynomial.clone(), |p, (var, by)| p.substitute(*var, by))
+    }
+
+    /// As [`Chart::pull_back`], with the work counted.
+    pub(super) fn counted(&self, polynomial: &Poly, work: &mut Work) -> Result<Poly, Refusal> {
+        let mut p = polynomial.clone();
+        for (var, by) in &self.by {
+            // Of xᵉ become e + 1 terms.
+            let (degree, growth) = (u64::from(p.degree(*var)), 2 + by.max_bits());
+            let words = 1 + (p.max_bits() + degree * growth) / 64;
+            let too_high = if p.total_degree() < 1 << 14 { 0 } else { u64::MAX };
+            let terms = 6 * p.len() as u64 * (degree + 1);
+            work.spend(terms.saturating_mul(words).max(too_high)).ok_or(Refusal::Spent)?;
+            p = p.substitute(*var, by);
+        }
+        Ok(p)
     }
 
     /// The variables of the simplices as polynomials in variables of the box.

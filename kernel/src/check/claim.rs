@@ -3,6 +3,7 @@
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::refusal::{Refusal, fits};
 use crate::statement::Relation;
 
@@ -29,7 +30,8 @@ impl Claim {
     }
 
     /// The same claim where a variable has a value.
-    pub(super) fn slice(&self, var: Var, x: &Rational) -> Result<Self, Refusal> {
+    pub(super) fn slice(&self, var: Var, x: &Rational, work: &mut Work) -> Result<Self, Refusal> {
+        work.spend_at(&self.poly, var, x).ok_or(Refusal::Spent)?;
         self.part(self.poly.at(var, x), self.relation)
     }
 

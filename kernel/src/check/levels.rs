@@ -44,6 +44,7 @@ pub(super) fn projections(
             let coefficients = p.coefficients_in(var);
             made_of(coefficients.last().unwrap_or(p), below, work)?;
             for x in [range.low.value(), range.high.value()].into_iter().flatten() {
+                work.spend_at(p, var, x).ok_or(Refusal::Spent)?;
                 let restriction = p.at(var, x);
                 // The end itself may be a root everywhere.
                 let linear = &Poly::var(var) - &Poly::constant(x.clone());
@@ -110,9 +111,8 @@ fn samples(
     sturm.separated(&values, claim.range(*var)?)?;
     for sample in samples {
         let at = |p: &Poly| p.at(*var, &sample.value);
-        let words = |p: &Poly| 1 + (p.max_bits() + u64::from(p.degree(*var)) * sample.value.bits()) / 64;
-        for p in levels.iter().flatten() {
-            work.spend(p.len() as u64 * words(p)).ok_or(Refusal::Spent)?;
+        for p in levels.iter().flatten().chain([poly]) {
+            work.spend_at(p, *var, &sample.value).ok_or(Refusal::Spent)?;
         }
         let levels: Vec<Vec<Poly>> = levels.iter().map(|level| level.iter().map(at).collect()).collect();
         self::samples(claim, (order, &levels), &at(poly), &sample.above, work)?;

@@ -73,14 +73,14 @@ fn sign(
             return Err(Refusal::Unfit("the denominator is a number, its sign needs no proof"));
         }
         (None, Some(signed)) => sign::signed(
-            &chart.pull_back(&value.denominator),
+            &chart.counted(&value.denominator, work)?,
             Relation::NonNegative,
             chart.region(),
             signed,
             work,
         )?,
         (None, None) if *certificate == Certificate::Direct => {
-            let below = chart.pull_back(&value.denominator);
+            let below = chart.counted(&value.denominator, work)?;
             let positive = Signed::Positive(SignProof::direct());
             let negative = Signed::Negative(SignProof::direct());
             sign::signed(&below, Relation::NonNegative, chart.region(), &positive, work)
@@ -88,7 +88,7 @@ fn sign(
         }
         (None, None) => return Err(Refusal::Unfit("the sign of the denominator is not proved")),
     };
-    let above = chart.pull_back(&value.numerator);
+    let above = chart.counted(&value.numerator, work)?;
     let above = if negative { -&above } else { above };
     sign::check(&above, relation, chart.region(), numerator, work)
 }
@@ -118,7 +118,7 @@ fn dot_products(
     for (k, (sum, relation)) in signs.iter().enumerate() {
         let proof = proofs.map_or(&direct, |p| &p[k]);
         let chart = Chart::new(domain, [sum, sum])?;
-        sign::check(&chart.pull_back(sum), *relation, chart.region(), proof, work)?;
+        sign::check(&chart.counted(sum, work)?, *relation, chart.region(), proof, work)?;
     }
     Ok(())
 }

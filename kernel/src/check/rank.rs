@@ -6,7 +6,7 @@
 
 use super::pieces::pieces;
 use super::sign::signed;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
@@ -73,6 +73,18 @@ pub(crate) fn rank_of_numbers(mut rows: Vec<Vec<Rational>>, work: &mut Work) -> 
     Some(rank)
 }
 
+/// The polynomial where some variables have values.
+fn at(p: &Poly, values: &[(Var, Rational)], work: &mut Work) -> Result<Poly, Refusal> {
+    let mut p = p.clone();
+    for (v, x) in values {
+        if p.depends_on(*v) {
+            work.spend_at(&p, *v, x).ok_or(Refusal::Spent)?;
+            p = p.at(*v, x);
+        }
+    }
+    Ok(p)
+}
+
 /// Checks that at each exception a combination of the rows vanishes.
 fn exceptions(
     rows: &[Vec<Poly>],
@@ -88,13 +100,13 @@ fn exceptions(
             continue;
         }
         fits(combination.len() == rows.len(), "a combination has not one factor for each row")?;
-        let at = |p: &Poly| values.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
-        fits(combination.iter().all(|c| at(c) == *c), "a combination contains a fixed variable")?;
+        let fixed = |c: &Poly| values.iter().any(|(v, _)| c.depends_on(*v));
+        fits(!combination.iter().any(fixed), "a combination contains a fixed variable")?;
         fits(!combination.iter().all(Poly::is_zero), "all factors of a combination are zero")?;
         for column in 0..rows.first().map_or(0, Vec::len) {
             let mut sum = Poly::zero();
             for (factor, row) in combination.iter().zip(rows) {
-                let entry = at(&row[column]);
+                let entry = at(&row[column], values, work)?;
                 work.spend_product(factor, &entry).ok_or(Refusal::Spent)?;
                 sum = &sum + &(factor * &entry);
             }
@@ -112,8 +124,10 @@ fn piece(rows: &[Vec<Poly>], region: &Region, proof: &Piece, work: &mut Work) ->
         .iter()
         .filter_map(|(v, r)| r.finite().filter(|(a, b)| a == b).map(|(a, _)| (*v, a.clone())))
         .collect();
-    let at = |p: &Poly| single.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
-    let fixed: Vec<Vec<Poly>> = rows.iter().map(|row| row.iter().map(at).collect()).collect();
+    let mut fixed: Vec<Vec<Poly>> = rows.to_vec();
+    for p in fixed.iter_mut().flatten().filter(|_| !single.is_empty()) {
+        *p = at(p, &single, work)?;
+    }
     let rows = match &proof.change {
         None => fixed,
         Some(change) => changed(&fixed, change, work)?,
@@ -162,12 +176,20 @@ fn changed(rows: &[Vec<Poly>], change: &ChangeOfBasis, work: &mut Work) -> Resul
         let mut combined = vec![Poly::zero(); width];
         for (k, factor) in row {
             for (x, p) in combined.iter_mut().zip(&rows[*k]) {
-                work.spend(p.len() as u64 + 1).ok_or(Refusal::Spent)?;
+                work.spend((x.len() + p.len()) as u64 + 1).ok_or(Refusal::Spent)?;
                 *x = &*x + &p.scale(factor);
             }
         }
-        let column = |c: &Combination| c.iter().fold(Poly::zero(), |s, (k, f)| &s + &combined[*k].scale(f));
-        result.push(change.columns.iter().map(column).collect());
+        let mut new = Vec::new();
+        for column in &change.columns {
+            let mut sum = Poly::zero();
+            for (k, factor) in column {
+                work.spend((sum.len() + combined[*k].len()) as u64 + 1).ok_or(Refusal::Spent)?;
+                sum = &sum + &combined[*k].scale(factor);
+            }
+            new.push(sum);
+        }
+        result.push(new);
     }
     Ok(result)
 }
@@ -211,16 +233,16 @@ pub fn minor(rows: &[&[Poly]], columns: &[usize], work: &mut Work) -> Result<Pol
     let mut plain = true;
     while !matrix.is_empty() {
         // Numbers first: with them as pivots, plain elimination needs no division of polynomials; then as Bareiss does.
+        work.spend((matrix.len() * matrix.len()) as u64).ok_or(Refusal::Spent)?;
+        let zeros: Vec<usize> = matrix.iter().map(|r| r.iter().filter(|p| p.is_zero()).count()).collect();
         let places =
             || matrix.iter().enumerate().flat_map(|(i, r)| r.iter().enumerate().map(move |(j, p)| (i, j, p)));
-        let number = places().filter(|(_, _, p)| plain && p.as_constant().is_some_and(|c| !c.is_zero()));
-        let zeros = |i: usize| matrix[i].iter().filter(|p| p.is_zero()).count();
-        let place = number.max_by_key(|(i, _, _)| zeros(*i)).map(|(i, j, _)| (i, j));
+        let number = places().filter(|(_, _, p)| plain && !p.is_zero() && p.as_constant().is_some());
+        let place = number.max_by_key(|(i, _, _)| zeros[*i]);
         plain = place.is_some();
-        let found = place.or_else(|| {
-            places().filter(|(_, _, p)| !p.is_zero()).min_by_key(|(_, _, p)| p.len()).map(|(i, j, _)| (i, j))
-        });
-        let Some((i, j)) = found else { return Ok(Poly::zero()) };
+        let found =
+            place.or_else(|| places().filter(|(_, _, p)| !p.is_zero()).min_by_key(|(_, _, p)| p.len()));
+        let Some((i, j, _)) = found else { return Ok(Poly::zero()) };
         // Every exchange with the first row or column changes the sign.
         let negative = (i + j) % 2 == 1;
         let mut pivot = matrix.remove(i);

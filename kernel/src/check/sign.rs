@@ -29,6 +29,7 @@ pub(super) fn check(
         if let (End::Included(a), End::Included(b)) = (&range.low, &range.high)
             && a == b
         {
+            work.spend_at(&poly, *var, a).ok_or(Refusal::Spent)?;
             poly = poly.at(*var, a);
         }
     }
@@ -83,21 +84,22 @@ impl Claim {
         let slope = self.poly.derivative(var);
         let mut strict = false;
         for (end, sign, proof) in [(&range.low, -1, low), (&range.high, 1, high)] {
-            let (poly, relation) = match end {
-                End::Infinite => (slope.scale(&Rational::from(sign)), Relation::NonNegative),
-                End::Excluded(x) => (self.poly.at(var, x), Relation::NonNegative),
-                End::Included(x) => {
-                    strict = true;
-                    (self.poly.at(var, x), self.relation)
-                }
+            let mut part = match end.value() {
+                Some(x) => self.slice(var, x, work)?,
+                None => self.part(slope.scale(&Rational::from(sign)), self.relation)?,
             };
-            self.part(poly, relation)?.check(proof, work)?;
+            if end.is_included() {
+                strict = true;
+            } else {
+                part.relation = Relation::NonNegative;
+            }
+            part.check(proof, work)?;
         }
         let finite = range.low != End::Infinite || range.high != End::Infinite;
         fits(finite, "a range without ends has no corners")?;
         if let Some((x, proof)) = middle {
             fits(inside(range, x), "the middle is not strictly inside its range")?;
-            self.part(self.poly.at(var, x), self.relation)?.check(proof, work)?;
+            self.slice(var, x, work)?.check(proof, work)?;
             strict = true;
         }
         shown(strict || self.relation == Relation::NonNegative, "nothing shows that the value is not zero")
@@ -161,7 +163,10 @@ impl Claim {
             let mut open = Vec::new();
             for ((var, range), choices) in self.ranges.iter().zip(&choices).rev() {
                 match choices[rest % choices.len()] {
-                    Some(x) => poly = poly.at(*var, x),
+                    Some(x) => {
+                        work.spend_at(&poly, *var, x).ok_or(Refusal::Spent)?;
+                        poly = poly.at(*var, x);
+                    }
                     None => open.insert(0, (*var, without_ends(range))),
                 }
                 rest /= choices.len();

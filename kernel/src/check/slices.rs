@@ -82,7 +82,7 @@ fn base<'a>(
     sturm.separated(&values, range)?;
     fits(base.sections.len() + 1 == values.len(), "there is not one section between neighbouring slices")?;
     for (x, proof) in &base.sectors {
-        check(&claim.slice(*var, x)?, proof, work)?;
+        check(&claim.slice(*var, x, work)?, proof, work)?;
     }
     let mut irrational = Vec::new();
     for (section, between) in base.sections.iter().zip(values.windows(2)) {
@@ -90,7 +90,7 @@ fn base<'a>(
             Section::Exact(x, proof) => {
                 let here = between[0] < x && x < between[1] && inside(range, x) && sturm.is_root(x);
                 shown(here, "a section is not a root")?;
-                check(&claim.slice(*var, x)?, proof, work)?;
+                check(&claim.slice(*var, x, work)?, proof, work)?;
             }
             Section::Between(a, b) => {
                 work.spend(sturm.cost(&[a, b])).ok_or(Refusal::Spent)?;

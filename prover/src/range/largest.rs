@@ -2,19 +2,19 @@
 
 use core::cmp::Ordering;
 
-use crate::budget::Budget;
-use crate::sign::{Outcome, prove};
-use basis_kernel::{Relation, with};
-use crate::sign::problem::{Problem, inner};
-use crate::sign::projection::{all_roots, levels, univariates};
-use crate::coordinate::Coordinate;
-use crate::sign::univariate;
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
+use crate::budget::Budget;
 use crate::collections::list::Mapped;
+use crate::coordinate::Coordinate;
+use crate::sign::problem::{Problem, inner};
+use crate::sign::projection::{all_roots, levels, univariates};
+use crate::sign::univariate;
+use crate::sign::{Outcome, prove};
+use basis_kernel::{Relation, with};
 
 /// The largest interval around the declared range of a variable on which polynomials are nonnegative.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,18 +2,18 @@
 
 use core::cmp::Ordering;
 
-use crate::budget::Budget;
-use crate::sign::{Outcome, prove};
-use basis_kernel::{Relation, with};
-use crate::sign::problem::Problem;
-use crate::sign::projection::{all_roots, basis, levels, univariates};
-use crate::coordinate::Coordinate;
-use crate::sign::univariate;
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
+use crate::budget::Budget;
+use crate::coordinate::Coordinate;
+use crate::sign::problem::Problem;
+use crate::sign::projection::{all_roots, basis, levels, univariates};
+use crate::sign::univariate;
+use crate::sign::{Outcome, prove};
+use basis_kernel::{Relation, with};
 
 /// A closed interval; `None` where it has no end.
 pub type Part = (Option<Coordinate>, Option<Coordinate>);

@@ -182,12 +182,7 @@ fn is_negative(p: &Poly, point: &Vec<(Var, Coordinate)>) -> bool {
 
 /// A proof that the minor of some columns, or its negative if it is negative at a point with this matrix, is positive; `None`
 /// when the work is spent.
-fn signed(
-    numbers: &[Vec<Rational>],
-    columns: &[usize],
-    proof: SignProof,
-    work: &mut Work,
-) -> Option<Signed> {
+fn signed(numbers: &[Vec<Rational>], columns: &[usize], proof: SignProof, work: &mut Work) -> Option<Signed> {
     let square = numbers.mapped(|row| columns.mapped(|c| row[*c].clone()));
     let negative = determinant(square, work)?.is_negative();
     Some(if negative { Signed::Negative(proof) } else { Signed::Positive(proof) })
@@ -202,4 +197,3 @@ pub(super) fn positive_claim(minors: &[Poly], at: &[(Var, Rational)]) -> Poly {
         _ => minors.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
     }
 }
-

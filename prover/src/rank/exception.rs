@@ -27,7 +27,12 @@ pub(super) enum Exception {
 }
 
 /// Decides whether values of some parameters are an exception from independence on a region.
-pub(super) fn dependent(table: Table<'_>, values: &Values, region: &Region, budget: &mut Budget) -> Exception {
+pub(super) fn dependent(
+    table: Table<'_>,
+    values: &Values,
+    region: &Region,
+    budget: &mut Budget,
+) -> Exception {
     let mut region = complete(table.rows, region);
     for (v, x) in values {
         match region.ranges.iter_mut().find(|(w, _)| w == v) {

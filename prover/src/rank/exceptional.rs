@@ -7,10 +7,6 @@ use super::exception::{Exception, Generic, dependent, generic};
 use super::irrational::{Irrational, irrational};
 use super::table::{Table, at, complete};
 use super::{Independence, independent};
-use crate::budget::Budget;
-use crate::coordinate::Coordinate;
-use crate::sign::problem::as_rational;
-use crate::sign::univariate;
 use crate::algebra::matrix::{nonzero_minors, vanishing_combination};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -18,8 +14,12 @@ use crate::algebra::rational::Rational;
 use crate::algebra::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::budget::Budget;
 use crate::collections::list::Mapped;
 use crate::collections::sort::{sort_by, sort_unique};
+use crate::coordinate::Coordinate;
+use crate::sign::problem::as_rational;
+use crate::sign::univariate;
 
 /// The exceptional set of functions on a region: where they are dependent.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

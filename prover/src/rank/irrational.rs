@@ -84,4 +84,3 @@ fn largest_pivots(mut rows: Vec<Vec<Rational>>, work: &mut Work) -> Option<Vec<u
     sort_unique(&mut columns);
     Some(columns)
 }
-

@@ -5,7 +5,6 @@
 //! its zeros. Of a block a few minors are enough: as long as those that are known vanish together at some point of the
 //! region, either the rank drops at that point, or a minor that does not vanish there joins them.
 
-
 mod blocks;
 mod combination;
 mod cut;

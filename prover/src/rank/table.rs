@@ -43,4 +43,3 @@ pub(super) fn complete(rows: &[Vec<Poly>], region: &Region) -> Region {
 pub(super) fn at(rows: &[Vec<Poly>], point: &[(Var, Rational)]) -> Vec<Vec<Rational>> {
     rows.mapped(|row| row.mapped(|p| value(p, point)))
 }
-

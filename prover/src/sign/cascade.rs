@@ -1,19 +1,19 @@
 //! The order in which the methods are tried.
 
 use super::outcome::{Outcome, spent};
-use super::subdivision::{self, Attempt};
-use basis_kernel::Relation;
-use crate::coordinate::Coordinate;
-use crate::method::Method;
-use crate::algebra::work::Work;
-use crate::budget::Budget;
-use basis_kernel::SignProof;
 use super::problem::{Point, Problem, as_rational, rational, simple};
+use super::subdivision::{self, Attempt};
 use super::{cells, corners, factors, slices, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::budget::Budget;
 use crate::collections::sort::sort_by;
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
+use basis_kernel::SignProof;
 
 /// What a search finds.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,12 +46,7 @@ const SIMPLIFYING: u64 = 2_000_000;
 fn explicit(p: &Poly, problem: &Problem, relation: Relation, region: &Region, point: Point) -> Point {
     let mut point = problem.complete(point);
     if let Some(exact) = as_rational(&point) {
-        point = rational(witness::simplify(
-            problem,
-            relation,
-            exact,
-            &mut Work::new(SIMPLIFYING),
-        ));
+        point = rational(witness::simplify(problem, relation, exact, &mut Work::new(SIMPLIFYING)));
     }
     for (var, range) in &region.ranges {
         if !point.iter().any(|(v, _)| v == var) {

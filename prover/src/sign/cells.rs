@@ -5,18 +5,18 @@
 
 use core::slice;
 
-use crate::budget::Budget;
 use super::outcome::{Outcome, spent};
-use basis_kernel::{Cells, SignProof, Sample};
 use super::problem::{Problem, rational};
 use super::projection::{Levels, all_roots, levels, univariates};
-use crate::method::Method;
-use basis_kernel::Relation;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 use crate::algebra::work::Work;
+use crate::budget::Budget;
 use crate::collections::list::Mapped;
+use crate::method::Method;
+use basis_kernel::Relation;
+use basis_kernel::{Cells, Sample, SignProof};
 
 /// Decides p ≥ 0.
 pub(super) fn by_cells(problem: &Problem, budget: &mut Budget) -> Outcome {

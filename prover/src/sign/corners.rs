@@ -1,17 +1,17 @@
 //! Step 2: a polynomial of degree 1 in a variable is decided by its restrictions to the ends of the range.
 
-use crate::budget::Budget;
 use super::outcome::{Outcome, Prove};
-use basis_kernel::SignProof;
 use super::problem::{Problem, as_rational, rational};
-use crate::coordinate::Coordinate;
-use crate::method::Method;
-use basis_kernel::Relation;
 use super::witness;
 use crate::algebra::poly::Var;
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
+use crate::budget::Budget;
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
+use basis_kernel::SignProof;
 
 /// Decides by the corners of one variable, if there is one of degree 1 among several.
 pub(super) fn by_corners(

@@ -1,15 +1,15 @@
 //! Step 3: the factors of a square-free decomposition, each decided for itself.
 
-use crate::budget::Budget;
 use super::outcome::{Outcome, Prove};
-use basis_kernel::{FactorSign, Relation, SignProof, Signed};
 use super::problem::{Point, Problem, as_rational, rational, value};
-use crate::method::Method;
 use super::{univariate, witness};
 use crate::algebra::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
+use crate::budget::Budget;
+use crate::method::Method;
+use basis_kernel::{FactorSign, Relation, SignProof, Signed};
 
 /// Decides by the signs of the factors; `None` when the polynomial has no factors that are worth it, and when the
 /// factors alone do not give a counterexample.
@@ -62,7 +62,8 @@ pub(super) fn by_factors(
         FactorSign::Known(_) if *exponent == 1 => base.len(),
         _ => 0,
     };
-    let longest = (0..factors.len()).max_by_key(|k| length(&factors[*k])).filter(|k| length(&factors[*k]) > 0);
+    let longest =
+        (0..factors.len()).max_by_key(|k| length(&factors[*k])).filter(|k| length(&factors[*k]) > 0);
     let rest = match longest.map(|k| factors.remove(k)) {
         Some((_, _, FactorSign::Known(signed))) if number.is_negative() => match *signed {
             Signed::Positive(proof) => Signed::Negative(proof),

@@ -23,6 +23,6 @@ pub(crate) mod univariate;
 mod witness;
 pub(crate) mod zeros;
 
-pub use cascade::{Found, search};
 pub(crate) use cascade::prove;
+pub use cascade::{Found, search};
 pub(crate) use outcome::Outcome;

@@ -1,11 +1,11 @@
 //! A polynomial with the ranges of its variables: what the methods of the cascade work on.
 
-use crate::coordinate::Coordinate;
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
+use crate::coordinate::Coordinate;
 
 /// A point by coordinates.
 pub(crate) type Point = Vec<(Var, Coordinate)>;

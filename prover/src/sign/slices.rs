@@ -6,22 +6,22 @@
 
 use core::slice;
 
-use crate::budget::Budget;
 use super::outcome::{Outcome, Prove, spent};
-use basis_kernel::{Base, SignProof, Section, Slices};
 use super::problem::{Point, Problem, open, rational};
 use super::projection::{all_roots, levels, univariates};
 use super::zeros::{Near, near};
-use crate::coordinate::Coordinate;
-use crate::method::Method;
-use basis_kernel::Relation;
 use crate::algebra::algebraic::Algebraic;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
+use crate::budget::Budget;
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_by;
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
+use basis_kernel::{Base, Section, SignProof, Slices};
 
 /// The most faces of a box.
 const MAX_FACES: usize = 1000;

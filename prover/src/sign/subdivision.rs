@@ -1,8 +1,6 @@
 //! Steps 1 and 5: Bernstein coefficients on the box, and on the cells of a subdivision.
 
-use basis_kernel::Cuts;
 use super::problem::{Point, Problem, rational, side, simple};
-use basis_kernel::Relation;
 use super::witness;
 use crate::algebra::bernstein::{Form, Side};
 use crate::algebra::poly::Var;
@@ -10,6 +8,8 @@ use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
+use basis_kernel::Cuts;
+use basis_kernel::Relation;
 
 /// What a search came to.
 pub(super) enum Attempt {

@@ -1,18 +1,18 @@
 //! Step 4: one variable, by Descartes' rule of signs; complete.
 
-use super::subdivision::{Attempt, search};
 use super::outcome::Outcome;
-use basis_kernel::SignProof;
 use super::problem::{Problem, rational};
-use crate::coordinate::Coordinate;
-use crate::method::Method;
-use basis_kernel::Relation;
+use super::subdivision::{Attempt, search};
 use crate::algebra::algebraic::number;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::coordinate::Coordinate;
+use crate::method::Method;
+use basis_kernel::Relation;
+use basis_kernel::SignProof;
 
 /// Decides a polynomial in one variable; `None` when the work is spent.
 ///

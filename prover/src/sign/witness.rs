@@ -1,6 +1,5 @@
 //! Counterexamples: from a corner of a cell into the region, and from any point to a simple one.
 
-use basis_kernel::Relation;
 use super::problem::Problem;
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::Var;
@@ -11,6 +10,7 @@ use crate::algebra::simplest::simplest_between;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
+use basis_kernel::Relation;
 
 /// A rational point.
 type Rationals = Vec<(Var, Rational)>;

@@ -210,7 +210,8 @@ fn independence_agrees_with_ranks_at_points() {
         let at = |point: &[Rational]| -> Vec<Vec<Rational>> {
             rows.iter().map(|row| row.iter().map(|p| p.eval(point)).collect()).collect()
         };
-        let statement = Statement::Independent { rows: rows.clone(), except: Vec::new(), region: region.clone() };
+        let statement =
+            Statement::Independent { rows: rows.clone(), except: Vec::new(), region: region.clone() };
         match decide(statement, &Vec::new(), 1) {
             Decision::Proved(_) => {
                 counts[0] += 1;
