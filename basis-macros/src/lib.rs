@@ -9,7 +9,7 @@ mod path;
 use std::path::PathBuf;
 
 use basis_engine::source;
-use basis_engine::{Disk, Library};
+use basis_engine::{Disk, Library, Prover};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
@@ -71,7 +71,7 @@ fn expand(input: Input, call_site: Span) -> TokenStream {
             Ok(source) => (Library::from_source(&Disk, &Prover, source), name.span()),
             Err(error) => return syn::Error::new(name.span(), error).into_compile_error(),
         },
-        Spec::Inline(tokens) => (Library::from_tokens(&Disk, tokens, caller), call_site),
+        Spec::Inline(tokens) => (Library::from_tokens(&Disk, &Prover, tokens, caller), call_site),
     };
     let request = basis_engine::Request { families: input.families, runtime: input.runtime };
     let (code, diagnostics) = basis_engine::expand(&library, &request);

@@ -24,7 +24,7 @@ fn errors(files: &dyn Files, source: Source) -> Vec<String> {
     let items = library.items(Selected::EveryOrder);
     let wrong: Vec<Diagnostic> = items
         .into_iter()
-        .map(basis_engine::decide_claims)
+        .map(basis_engine::decide)
         .flat_map(|checked| basis_engine::contradictions(&checked))
         .collect();
     let all = library.diagnostics().into_iter().chain(wrong);

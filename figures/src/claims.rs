@@ -2,7 +2,7 @@
 
 use basis_engine::published::{self, Published};
 use basis_engine::source::{self, ReadError};
-use basis_engine::{Disk, Library};
+use basis_engine::{Disk, Library, Prover};
 
 /// A paper: how the page names it; `papers/` and its identifier is the spec with its claims in the library.
 pub(crate) struct Paper {
@@ -26,6 +26,6 @@ impl Paper {
     /// When the library lacks the spec.
     pub(crate) fn statements(&self) -> Result<Vec<Published>, ReadError> {
         let spec = source::library(&Disk, &format!("papers/{}", self.id))?;
-        Ok(published::statements(&Library::from_source(&Disk, spec)))
+        Ok(published::statements(&Library::from_source(&Disk, &Prover, spec)))
     }
 }

@@ -215,7 +215,18 @@ pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) 
             exact.is_zero(&left, work)?;
         }
     }
-    let refutation = exact.refute(statement, &Witness::At, work)?;
+    // What plays no part has no place in the witness.
+    let matters = |var: Var| match &**statement {
+        Statement::Zero { value, domain } | Statement::Sign { value, domain, .. } => {
+            let premises = domain.premises.iter().map(|(p, _)| p);
+            [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(var))
+        }
+        _ => true,
+    };
+    let mut own = exact.clone();
+    own.coordinates.retain(|(var, _)| matters(*var));
+    let refutation = own.refute(statement, &Witness::At, work)?;
+    exact.field = own.field;
     let point = exact.numbers(work)?;
     Some(Counterexample { refutation, point, exact: exact.clone() })
 }

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use basis_engine::algebra::poly::Poly;
 use basis_engine::algebra::rational::{Rational, binomial};
-use basis_engine::{Disk, Family, Library, source};
+use basis_engine::{Disk, Family, Library, Prover, Subject, source};
 use basis_runtime::Scalar;
 
 use crate::random::Random;
@@ -49,7 +49,10 @@ impl Reference {
         let source = source::read(&Disk, &path, &[]).unwrap_or_else(|e| panic!("{e}"));
         let library = Library::from_source(&Disk, &Prover, source);
         let item = library.item(name, order).unwrap_or_else(|e| panic!("{name}{order:?}: {e:?}"));
-        Self { family: item.family }
+        match item.subject {
+            Subject::Family(family) => Self { family },
+            Subject::Theorem(_) => panic!("{name} is a theorem"),
+        }
     }
 
     /// Shape values inside the declared ranges, often at an end; between -30 and 30 where a range has no end.

@@ -13,8 +13,8 @@
 //! claims       for each: claim, line, declared, and
 //!   proved     steps: the number of statements that the claim makes; proofs: those of them that need more than computing, by
 //!              their places
-//!   refuted    of: the expression that is not as claimed; witness: where; given: the control points of a theorem, if it is
-//!              about any points
+//!   refuted    of: the expression that is not as claimed; witness: where; value: its value there; given: the control points
+//!              of a theorem, if it is about any points
 //!   undecided  left: what is left to decide
 //! ```
 //!

@@ -281,12 +281,16 @@ pub(super) fn claim(
         None => Vec::new(),
         Some(given) => list(given)?.iter().map(place).collect::<Result<_, _>>()?,
     };
+    let value = fields.take_if_any("value");
     fields.end()?;
     let instances = state::instances(subject, claim, &given)?;
     let found = instances.into_iter().find(|stated| stated.of == of);
     let Statements { statement, .. } = found.ok_or_else(|| format!("the claim says nothing of `{of}`"))?;
     let refutation = Refutation::new(Rc::new(statement), witness, &mut Work::usual(subject.budget()));
-    refutation.map_err(|e| e.to_string())?;
+    let refutation = refutation.map_err(|e| e.to_string())?;
+    if value.map(Value::as_str) != refutation.value().map(Rational::to_string).as_deref().map(Some) {
+        return Err(String::from("the value is another one"));
+    }
     declared(claim, Expected::False)
 }
 

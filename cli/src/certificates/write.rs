@@ -113,6 +113,9 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Value {
         Verdict::Refuted(witness) => {
             put("of", Value::from(witness.of_statement()));
             put("witness", Value::from(text::witness_text(witness.refutation().witness())));
+            if let Some(value) = witness.refutation().value() {
+                put("value", Value::from(value.to_string()));
+            }
             if !witness.given.is_empty() {
                 let place = |place: &Vec<Rational>| {
                     Value::from(place.iter().map(Rational::to_string).collect::<Vec<_>>())

@@ -355,7 +355,7 @@ mod tests {
                 }
                 found += 1;
                 let source = source::read(&Disk, path.to_str().unwrap(), &[]).unwrap();
-                let library = Library::from_source(&Disk, source);
+                let library = Library::from_source(&Disk, &Prover, source);
                 library.items(Selected::EveryOrder);
                 library.theorems();
                 let run = library.run();
@@ -394,7 +394,7 @@ mod tests {
             (|run| &run.decisions, 1, "units of work to prove"),
         ];
         for (part, left, words) in parts {
-            let library = Library::from_source(&Disk, crate::Source::text("much.basis", &spec));
+            let library = Library::from_source(&Disk, &Prover, crate::Source::text("much.basis", &spec));
             part(library.run()).set(left);
             let items = library.items(Selected::EveryOrder);
             let messages: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();

@@ -23,6 +23,8 @@ pub(crate) mod univariate;
 mod witness;
 pub(crate) mod zeros;
 
+#[cfg(feature = "ranges")]
 pub(crate) use cascade::prove;
 pub use cascade::{Found, search};
+#[cfg(feature = "ranges")]
 pub(crate) use outcome::Outcome;
