@@ -217,7 +217,7 @@ mod tests {
             /// x-2: They sum to 1, and to 2.\n prove partition_of_unity;\n\
             /// x-2: They sum to 1, and to 2.\n refute sum(b) = 2;\n\
             /// x-2 corrected: They sum to 1.\n prove sum(b) = 1; }";
-        let library = Library::from_source(&Disk, &Prover, Source::text("x.basis", spec));
+        let library = Library::from_source(&Disk, &crate::Prover, Source::text("x.basis", spec));
         let all = statements(&library);
         assert!(library.diagnostics().is_empty(), "{:?}", library.diagnostics());
         let brief: Vec<(&str, Fate, &str)> =

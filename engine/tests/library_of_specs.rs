@@ -20,7 +20,7 @@ impl Files for Shelf {
 
 /// The rendered errors of a spec, its claims included.
 fn errors(files: &dyn Files, source: Source) -> Vec<String> {
-    let library = Library::from_source(files, source);
+    let library = Library::from_source(files, &basis_engine::Prover, source);
     let items = library.items(Selected::EveryOrder);
     let wrong: Vec<Diagnostic> = items
         .into_iter()

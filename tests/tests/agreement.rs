@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use basis_engine::algebra::rational::Rational;
-use basis_engine::{Disk, Library, Selected, Subject, source};
+use basis_engine::{Disk, Library, Prover, Selected, Subject, source};
 use basis_runtime::{Array, Curve, Scalar};
 use basis_tests::each_family;
 use basis_tests::exact::{epsilon, fraction};

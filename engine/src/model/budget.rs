@@ -355,9 +355,9 @@ mod tests {
                 }
                 found += 1;
                 let source = source::read(&Disk, path.to_str().unwrap(), &[]).unwrap();
-                let library = Library::from_source(&Disk, &Prover, source);
+                let library = Library::from_source(&Disk, &crate::Prover, source);
                 library.items(Selected::EveryOrder);
-                library.theorems();
+                crate::theorem::theorems(&library);
                 let run = library.run();
                 let spent = [
                     ("work", RUN_WORK, &run.work),
@@ -394,7 +394,7 @@ mod tests {
             (|run| &run.decisions, 1, "units of work to prove"),
         ];
         for (part, left, words) in parts {
-            let library = Library::from_source(&Disk, &Prover, crate::Source::text("much.basis", &spec));
+            let library = Library::from_source(&Disk, &crate::Prover, crate::Source::text("much.basis", &spec));
             part(library.run()).set(left);
             let items = library.items(Selected::EveryOrder);
             let messages: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();

@@ -17,11 +17,14 @@ pub(super) struct Net {
 }
 
 impl Net {
-    /// The net with these places for the given points.
+    /// The net with these places for the given points, or without any.
     ///
     /// # Errors
     /// When there is not one for each, or they have different dimensions.
     pub(super) fn given(theorem: &Theorem, places: &[Vec<Rational>]) -> Result<Self, &'static str> {
+        if places.is_empty() {
+            return Ok(Self { points: Vec::new() });
+        }
         if places.len() != theorem.points.len() {
             return Err("there is not one place for each given point");
         }

@@ -102,7 +102,8 @@ pub(super) fn instances(theorem: &Theorem, claim: &Claim, net: &Net) -> Result<V
                 let statement = family::compared(&difference.value, *comparison, &domain);
                 Ok(vec![Stated::new(difference.text.clone(), statement)])
             }
-            _ => Ok(on_points(theorem, &kind, net, &domain)),
+            _ if theorem.points.is_empty() => Ok(on_points(theorem, &kind, net, &domain)),
+            _ => Err("the claim is about points, and none are given"),
         };
     }
     Ok(on_points(theorem, &kind, net, &domain))
