@@ -118,7 +118,7 @@ impl Point {
         match (low.is_positive(), high.is_negative()) {
             (true, _) => Ok(1),
             (_, true) => Ok(-1),
-            _ => Err(Refusal::Unproved("the sign of a value is not seen in the interval of the root")),
+            _ => Err(Refusal::Vague),
         }
     }
 

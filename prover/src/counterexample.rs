@@ -160,9 +160,9 @@ impl Exact {
     ) -> Option<Refutation> {
         for _ in 0..ROUNDS {
             let witness = witness(self.point(work)?);
-            match Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)) {
+            match Refutation::new(Rc::clone(statement), witness, work) {
                 Ok(refutation) => return Some(refutation),
-                Err(Refusal::Unproved(_)) if self.field.is_some() => {}
+                Err(Refusal::Vague) => {}
                 Err(_) => return None,
             }
             let mut root = self.field.as_ref()?.root().clone();
@@ -204,6 +204,10 @@ pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) 
         exact.is_zero(&above, work)?;
     }
     if let Statement::Sign { domain, .. } = &**statement {
+        for (premise, _) in &domain.premises {
+            let own = exact.value(premise, work)?;
+            exact.is_zero(&own, work)?;
+        }
         for simplex in &domain.simplices {
             let mut rest = Poly::constant(simplex.sum.clone());
             for var in &simplex.variables {
