@@ -1,9 +1,10 @@
 //! `basis table`: the families of spec files with what is known of them, as a table in Markdown.
 
+use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeMap;
 
-use basis_kernel::Values;
 use basis_engine::{ClaimKind, Family, Subject, Verdict};
+use basis_kernel::Values;
 
 use crate::args::TableArguments;
 use crate::check::prove::{self, Decided};
@@ -77,9 +78,7 @@ fn known(item: &Decided, is: impl Fn(&ClaimKind) -> bool) -> Option<String> {
 /// Independent, or independent but for some shape values.
 fn independent(item: &Decided) -> Option<String> {
     let except = item.claims.iter().find_map(|c| match &c.claim.kind {
-        ClaimKind::Independent(except)
-            if !except.is_empty() && matches!(c.verdict, Verdict::Proved(_)) =>
-        {
+        ClaimKind::Independent(except) if !except.is_empty() && matches!(c.verdict, Verdict::Proved(_)) => {
             let names = item.subject.names();
             let one = |values: &Values| {
                 let parts: Vec<String> =

@@ -5,7 +5,8 @@ use std::rc::Rc;
 use basis_engine::state::Run;
 use basis_engine::theorem::theorems;
 use basis_engine::{
-    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, Verdict, decide_within, explain,
+    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, Verdict, decide_within,
+    explain,
 };
 
 use crate::args::ExplainArguments;

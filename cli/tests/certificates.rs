@@ -202,9 +202,7 @@ fn irrational_points_of_a_simplex() {
     assert_eq!(folder.run(&["verify", "proofs"]).code, 0);
     let file = folder.path().join("proofs/t/T.json");
     let text = std::fs::read_to_string(&file).expect("a file");
-    for (from, to) in
-        [("(-1 0 2)", "(-1 0 3)"), ("(x0 (1 -1))", "(x0 (0 1))"), ("(x0 (1 -1))", "(x0 1/2)")]
-    {
+    for (from, to) in [("(-1 0 2)", "(-1 0 3)"), ("(x0 (1 -1))", "(x0 (0 1))"), ("(x0 (1 -1))", "(x0 1/2)")] {
         assert!(text.contains(from), "{text}");
         std::fs::write(&file, text.replace(from, to)).expect("a file");
         assert_eq!(folder.run(&["verify", "proofs"]).code, 1, "{from} → {to}");

@@ -118,7 +118,9 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         };
         let all = [&polys[..], &defined].concat();
         match largest_range(&all, shape.var, &region, &mut budget) {
-            LargestRange::Between(low, high) if !is_nonnegative(family, shape, &(low.clone(), high.clone())) => {
+            LargestRange::Between(low, high)
+                if !is_nonnegative(family, shape, &(low.clone(), high.clone())) =>
+            {
                 let range = range_text(name, &(low, high), &poles);
                 format!("{name}: undecided: {range} is not seen to be enough")
             }
@@ -192,7 +194,9 @@ fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> boo
     let end = |c: &Option<Coordinate>, upper: bool| match c {
         None => End::Infinite,
         Some(Coordinate::Rational(x)) => End::Included(x.clone()),
-        Some(Coordinate::Algebraic(x)) => End::Included(if upper { x.low().clone() } else { x.high().clone() }),
+        Some(Coordinate::Algebraic(x)) => {
+            End::Included(if upper { x.low().clone() } else { x.high().clone() })
+        }
     };
     let mut domain = state::family_domain(family, &[]);
     let range = Range { low: end(low, false), high: end(high, true) };

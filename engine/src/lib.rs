@@ -236,7 +236,8 @@ fn joins(
         let rename = requested.and_then(|r| r.rename.as_ref());
         let name = rename.map_or_else(|| generate::join::name(theorem), Ident::to_string);
         if let Some((_, other)) = names.iter().find(|(other, _)| *other == name && !name.is_empty()) {
-            let message = format!("the joins `{other}` and `{}` are both called `{name}` in Rust", theorem.name);
+            let message =
+                format!("the joins `{other}` and `{}` are both called `{name}` in Rust", theorem.name);
             let error = Diagnostic::error(theorem.place.clone(), message);
             diagnostics.push(error.help("choose another name for one of them"));
             continue;

@@ -1,8 +1,8 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
+use crate::words::{closest, list};
 use basis_kernel::collections::list::Mapped;
 use core::cell::OnceCell;
-use crate::words::{closest, list};
 use core::fmt;
 use core::ops::Range;
 use std::io::{self, Read};

@@ -1,7 +1,5 @@
 //! Certificates: how a statement is proved. They say what cannot be computed, such as where to cut a box; whatever the
-//! checker computes anyway, such as a coefficient, does not stand in them.
-//!
-//! Nearly every statement is proved by the empty certificate.
+//! checker computes anyway, such as a coefficient, does not stand in them. Nearly every statement has the empty one.
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;

@@ -1,12 +1,9 @@
 //! The only code that has to be believed: it checks proofs about polynomials, and nothing else says that something is true.
 //!
 //! A [`Statement`] is about polynomials on boxes and simplices, matrices of polynomials, or sums of dot products. A
-//! [`Certificate`] says how it is proved, a [`Witness`] where it fails. [`Proof::new`] and [`Refutation::new`] check them: a
-//! [`Proof`] and a [`Refutation`] cannot be made in any other way.
-//!
-//! Certificates are searched elsewhere, by code that may be as clever as it likes, because nothing it says counts before it
-//! has been accepted here. So this crate is small, depends on nothing but big integers, and is written to be read: each
-//! file of `check` begins with the theorem that it relies on.
+//! [`Certificate`] says how it is proved, a [`Witness`] where it fails. A [`Proof`] and a [`Refutation`] can be made in no
+//! other way than by checking them. Certificates are searched elsewhere; nothing that a search says counts before it has been
+//! accepted here. So this crate is small and written to be read: each file of `check` begins with its theorem.
 //!
 //! ```
 //! use std::rc::Rc;
@@ -37,7 +34,7 @@ pub use certificate::{
 };
 pub use check::Chart;
 pub use check::pieces::{pieces, with};
-pub use check::products::{minor_signs, semidefinite};
+pub use check::products::minor_signs;
 pub use check::rank::minor;
 pub use point::{Point, Root};
 pub use proof::{Proof, Refutation, Witness};

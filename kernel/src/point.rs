@@ -78,29 +78,24 @@ impl Point {
         let mut value = Univariate::default();
         for coefficient in poly.coefficients_in(var).iter().rev() {
             let c = self.value(coefficient, work)?;
-            value = self.reduced(&self.product(&value, x, work)?, work)?.add(&c);
+            value = self.product(&value, x, work)?.add(&c);
         }
         Ok(value)
     }
 
-    /// The product of two values, not reduced.
+    /// The product of two values, reduced modulo the polynomial of θ.
     pub(crate) fn product(
         &self,
         a: &Univariate,
         b: &Univariate,
         work: &mut Work,
     ) -> Result<Univariate, Refusal> {
-        let products = (a.degree() as u64 + 1) * (b.degree() as u64 + 1);
-        work.spend_fractions(a.max_bits() + b.max_bits()).ok_or(Refusal::Spent)?;
-        work.spend(products.saturating_mul(1 + (a.max_bits() + b.max_bits()) / 64)).ok_or(Refusal::Spent)?;
-        Ok(a.mul(b))
-    }
-
-    /// The remainder modulo the polynomial of θ.
-    pub(crate) fn reduced(&self, p: &Univariate, work: &mut Work) -> Result<Univariate, Refusal> {
+        let bits = a.max_bits() + b.max_bits();
+        let count = (a.degree() as u64 + 1) * (b.degree() as u64 + 1);
+        work.spend(count.saturating_mul(1 + bits / 64 + bits * bits / (1 << 16))).ok_or(Refusal::Spent)?;
         match &self.root {
-            Some(root) => p.modulo(&root.polynomial, work).ok_or(Refusal::Spent),
-            None => Ok(p.clone()),
+            Some(root) => a.mul(b).modulo(&root.polynomial, work).ok_or(Refusal::Spent),
+            None => Ok(a.mul(b)),
         }
     }
 

@@ -6,6 +6,7 @@
 
 use std::rc::Rc;
 
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
@@ -13,7 +14,7 @@ use crate::certificate::Certificate;
 use crate::check::{check, rank_of_numbers};
 use crate::point::Point;
 use crate::refusal::{Refusal, fits, shown};
-use crate::statement::{Domain, Statement};
+use crate::statement::{Domain, Quotient, Statement};
 
 /// A statement that is true, with the certificate by which it was checked.
 ///
@@ -75,6 +76,9 @@ pub enum Witness {
     /// At this point, which has rational coordinates and the values of the exception with this number, the rows are
     /// independent.
     Independent(Point, usize),
+    /// At this point, with these numbers for the points of the dot products, which lie on a line; those without a number are
+    /// at its origin.
+    OnLine(Point, Vec<(usize, Rational)>),
 }
 
 /// A statement that is false, with the witness by which it was checked.
@@ -142,8 +146,7 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
             for values in except {
                 let mut apart = false;
                 for (var, x) in values {
-                    let difference = &crate::algebra::poly::Poly::var(*var)
-                        - &crate::algebra::poly::Poly::constant(x.clone());
+                    let difference = &Poly::var(*var) - &Poly::constant(x.clone());
                     apart |= point.sign_of(&difference, work)? != 0;
                 }
                 shown(apart, "the point is an exception")?;
@@ -156,7 +159,7 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
                 for (factor, row) in factors.iter().zip(rows) {
                     if !factor.is_zero() {
                         let entry = point.value(&row[column], work)?;
-                        sum = sum.add(&point.reduced(&point.product(factor, &entry, work)?, work)?);
+                        sum = sum.add(&point.product(factor, &entry, work)?);
                     }
                 }
                 shown(sum.is_zero(), "the combination does not vanish at the point")?;
@@ -185,6 +188,24 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
             let rank = rank_of_numbers(numbers, work).ok_or(Refusal::Spent)?;
             shown(rank == rows.len(), "the rows are dependent at the point")?;
             Ok(None)
+        }
+        (Statement::Products { value, relation, products, domain }, Witness::OnLine(point, numbers)) => {
+            point.check(work)?;
+            point.lies_in(domain, work)?;
+            let twice = |k: usize| products[..k].iter().any(|(v, _)| *v == products[k].0);
+            let known = |(v, _): &(Var, _)| point.coordinates.iter().any(|(w, _)| v == w);
+            let proper = !(0..products.len()).any(twice) && !products.iter().any(known);
+            fits(proper, "a dot product is given twice")?;
+            let number = |p| numbers.iter().find(|(q, _)| *q == p).map_or(Rational::ZERO, |(_, x)| x.clone());
+            let mut on_line = value.clone();
+            for (var, (p, q)) in products {
+                let product = &number(*p) * &number(*q);
+                work.spend_at(&on_line, *var, &product).ok_or(Refusal::Spent)?;
+                on_line = on_line.at(*var, &product);
+            }
+            let sign = point.sign_of(&on_line, work)?;
+            shown(!relation.allows(sign), "the value is as claimed at the point")?;
+            point.rational_value(&Quotient::from(on_line), work)
         }
         _ => Err(Refusal::Unfit("the witness is one against another kind of statement")),
     }

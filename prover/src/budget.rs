@@ -2,8 +2,8 @@
 
 use core::cell::Cell;
 
-use crate::method::Method;
 use crate::algebra::work::Work;
+use crate::method::Method;
 
 /// Units of work for one decision: about a second of an unoptimised build.
 const UNITS: u64 = 5_000_000;
@@ -71,11 +71,13 @@ impl Budget {
 
     /// Takes out a part for a method that may fail.
     pub(super) fn take(&mut self, units: u64) -> Self {
-        Self { work: self.work.take(units), disabled: self.disabled.clone(), units: 0 }
+        let part = self.left().min(units);
+        let _ = self.work.spend(part);
+        Self { work: Work::new(part), disabled: self.disabled.clone(), units: 0 }
     }
 
     /// Puts back what a part has left over.
     pub(super) fn put_back(&mut self, part: &Self) {
-        self.work.put_back(&part.work);
+        self.work = Work::new(self.left().saturating_add(part.left()));
     }
 }

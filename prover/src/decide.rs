@@ -45,7 +45,7 @@ const EXPLICIT: u64 = 20_000_000;
 /// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it unchanged.
 pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Decision {
     let statement = Rc::new(statement);
-    if let Ok(proof) = checked(&statement, Certificate::Direct, budget) {
+    if let Ok(proof) = checked(&statement, Certificate::Direct, first(budget)) {
         let method = direct(&statement);
         return Decision::Proved(Shown { proof, method });
     }
@@ -62,6 +62,11 @@ pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Dec
         Statement::Products { .. } => products(&statement, budget),
         Statement::Independent { .. } => rank(&statement, symmetries, budget),
     }
+}
+
+/// The work for the empty certificate: a few times that of a search.
+fn first(budget: u32) -> Work {
+    Work::new(4 * Budget::scaled(budget).left())
 }
 
 /// The method by which the empty certificate proves a statement.
@@ -83,8 +88,7 @@ fn direct(statement: &Statement) -> Method {
 }
 
 /// Has the kernel check a certificate, and counts its work.
-fn checked(statement: &Rc<Statement>, certificate: Certificate, budget: u32) -> Result<Proof, Refusal> {
-    let mut work = Work::usual(budget);
+fn checked(statement: &Rc<Statement>, certificate: Certificate, mut work: Work) -> Result<Proof, Refusal> {
     let before = work.left();
     let proof = Proof::new(Rc::clone(statement), certificate, &mut work);
     charge(before - work.left());
@@ -93,7 +97,7 @@ fn checked(statement: &Rc<Statement>, certificate: Certificate, budget: u32) -> 
 
 /// Proposes a certificate to the kernel.
 fn propose(statement: &Rc<Statement>, certificate: Certificate, method: Method, budget: u32) -> Decision {
-    match checked(statement, certificate, budget) {
+    match checked(statement, certificate, Work::usual(budget)) {
         Ok(proof) => Decision::Proved(Shown { proof, method }),
         Err(refusal) => Decision::Undecided(format!("a proof was found, but not accepted: {refusal}")),
     }

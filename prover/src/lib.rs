@@ -15,6 +15,7 @@ mod nonzero;
 #[cfg(feature = "ranges")]
 pub mod range;
 pub mod rank;
+mod semidefinite;
 pub mod sign;
 #[cfg(test)]
 mod tests;
@@ -29,4 +30,5 @@ pub use decide::{Decision, Shown, decide, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};
+pub use semidefinite::semidefinite;
 pub use zero_free::{ZeroFree, zero_free};

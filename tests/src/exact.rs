@@ -2,10 +2,12 @@
 
 use std::rc::Rc;
 
+use basis_engine::algebra::number::binomial;
 use basis_engine::algebra::poly::Poly;
-use basis_engine::algebra::rational::{Rational, binomial};
+use basis_engine::algebra::rational::Rational;
 use basis_engine::{Disk, Family, Library, Prover, Subject, source};
 use basis_runtime::Scalar;
+use num_rational::BigRational;
 
 use crate::random::Random;
 
@@ -14,7 +16,8 @@ use crate::random::Random;
 /// # Panics
 /// When it is infinite or NaN.
 pub fn fraction(value: impl Scalar) -> Rational {
-    Rational::from_f64(value.to_f64()).unwrap_or_else(|| panic!("{value} is not a number"))
+    let exact = BigRational::from_float(value.to_f64());
+    exact.map_or_else(|| panic!("{value} is not a number"), Rational::from_big)
 }
 
 /// The fractions that floats are.

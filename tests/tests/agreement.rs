@@ -1,5 +1,6 @@
 //! The crate and the engine agree: every shipped family is generated, and its curves are those of the exact formulas.
 
+use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeSet;
 
 use basis_engine::algebra::rational::Rational;

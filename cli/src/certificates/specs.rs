@@ -92,9 +92,7 @@ pub(super) fn items(path: &Path) -> Result<Vec<Stated>, String> {
         return Err(format!("the spec `{}` has errors: {}", path.display(), Diagnostic::text(error)));
     }
     let line = |place: &Place| match place {
-        Place::Text(id, range) => {
-            Some(library.sources().get(*id).line_column(range.start).0)
-        }
+        Place::Text(id, range) => Some(library.sources().get(*id).line_column(range.start).0),
         Place::Token(_) => None,
     };
     let families = library.items(Selected::EveryOrder).into_iter();

@@ -161,9 +161,10 @@ fn certificates(spec: &str) -> (tempfile::TempDir, String, Vec<Value>, Vec<State
     let messages: Vec<String> =
         outcome.all_diagnostics().iter().map(basis_engine::Diagnostic::text).collect();
     assert_eq!(messages, [""; 0], "everything is as declared");
-    let values = outcome.items.iter().map(|d| {
-        serde_json::from_str(&write::item(&outcome, d)).expect("a certificate is JSON")
-    });
+    let values = outcome
+        .items
+        .iter()
+        .map(|d| serde_json::from_str(&write::item(&outcome, d)).expect("a certificate is JSON"));
     let values = values.collect();
     (folder, outcome.path.clone(), values, items(&path).expect("the spec is right"))
 }

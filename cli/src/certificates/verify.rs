@@ -199,7 +199,11 @@ fn against(value: &Value, spec: &str, stated: &Stated) -> Result<Vec<String>, St
     let claims = fields.list("claims")?;
     fields.end()?;
     if obligations.len() != item.obligations.len() {
-        return Err(format!("there are {} obligations, and not {}", item.obligations.len(), obligations.len()));
+        return Err(format!(
+            "there are {} obligations, and not {}",
+            item.obligations.len(),
+            obligations.len()
+        ));
     }
     if claims.len() != item.claims.len() {
         return Err(format!("there are {} claims, and the spec makes {}", claims.len(), item.claims.len()));

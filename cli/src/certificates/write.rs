@@ -46,7 +46,8 @@ fn place(spec: &str, subject: &Subject) -> PathBuf {
 
 /// The certificate of a family of one order, a theorem or a join: a line for each claim.
 pub(super) fn item(outcome: &Outcome, decided: &Decided) -> String {
-    let mut lines = vec![field("format", &Value::from(FORMAT)), field("spec", &Value::from(outcome.path.as_str()))];
+    let mut lines =
+        vec![field("format", &Value::from(FORMAT)), field("spec", &Value::from(outcome.path.as_str()))];
     lines.extend(subject(&decided.subject).iter().map(|(key, value)| field(key, value)));
     lines.push(each("obligations", decided.obligations.iter().map(obligation)));
     lines.push(each("claims", decided.claims.iter().map(|c| claim(outcome, c))));

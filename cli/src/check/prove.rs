@@ -7,8 +7,8 @@ use basis_engine::model::obligation::Obligation;
 use basis_engine::state;
 use basis_engine::theorem::theorems;
 use basis_engine::{
-    Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Selected, Severity, Sources, Subject, Verdict,
-    generate,
+    Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Selected, Severity, Sources, Subject,
+    Verdict, generate,
 };
 
 use super::files::Entry;

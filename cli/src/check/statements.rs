@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use basis_engine::Verdict;
-use basis_engine::diagnostic::Place;
 use basis_engine::claim::Expected;
+use basis_engine::diagnostic::Place;
 
 use super::prove::{Decided, DecidedClaim};
 

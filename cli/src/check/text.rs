@@ -1,5 +1,6 @@
 //! The verdicts as tables.
 
+use basis_engine::algebra::range::DisplayRange as _;
 use std::fmt::Write as _;
 use std::time::Duration;
 

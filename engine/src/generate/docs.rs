@@ -1,9 +1,10 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
-use basis_kernel::collections::list::Mapped;
+use crate::algebra::range::DisplayRange as _;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::state::Verdict;
+use basis_kernel::collections::list::Mapped;
 
 /// The lines of the doc comment; one formula a line.
 pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, Verdict)]) -> Vec<String> {

@@ -2,8 +2,9 @@
 
 use basis_kernel::collections::list::Mapped;
 
+use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::rational::{Rational, binomial};
+use crate::algebra::rational::Rational;
 use crate::model::Family;
 use crate::model::bernstein::{affine, to_bernstein};
 

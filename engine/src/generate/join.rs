@@ -1,17 +1,18 @@
 //! From a join to a function that computes the control points that it determines.
 
+use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::{ScalarCode, Variable};
 use super::{doc, docs, floats, names, shell, site, weights};
-use basis_prover::map::SortedMap;
-use basis_kernel::collections::list::Mapped;
-use crate::diagnostic::Diagnostic;
-use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
-use crate::model::{Parameter, label};
 use crate::claim::Claim;
+use crate::diagnostic::Diagnostic;
+use crate::model::{Parameter, label};
 use crate::state::Verdict;
+use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …
 struct ScalarArgument<'a> {

@@ -24,8 +24,8 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use crate::algebra::rational::Rational;
-use crate::diagnostic::Diagnostic;
 use crate::claim::Claim;
+use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};

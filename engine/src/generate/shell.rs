@@ -5,10 +5,10 @@ use quote::quote_spanned;
 
 use super::scalar::ScalarCode;
 use super::{doc, float, site};
-use crate::algebra::range::End;
+use crate::algebra::range::{DisplayRange as _, End};
 use crate::algebra::rational::Rational;
-use basis_kernel::collections::list::Mapped;
 use crate::model::Family;
+use basis_kernel::collections::list::Mapped;
 
 /// A family as a type.
 pub(super) struct Shell<'a> {

@@ -394,7 +394,8 @@ mod tests {
             (|run| &run.decisions, 1, "units of work to prove"),
         ];
         for (part, left, words) in parts {
-            let library = Library::from_source(&Disk, &crate::Prover, crate::Source::text("much.basis", &spec));
+            let library =
+                Library::from_source(&Disk, &crate::Prover, crate::Source::text("much.basis", &spec));
             part(library.run()).set(left);
             let items = library.items(Selected::EveryOrder);
             let messages: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();

@@ -6,10 +6,10 @@ use super::scope::Scope;
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
-use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Diagnostics;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
+use basis_kernel::collections::list::Mapped;
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
 pub(crate) fn family(

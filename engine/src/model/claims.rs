@@ -1,19 +1,20 @@
 //! From claims as they are written to exact differences.
 
+use crate::algebra::range::DisplayRange as _;
 use proc_macro2::Span;
 
+use super::obligation::Obligation;
 use super::obligations::Inside;
 use super::print::{Component, Printer};
 use super::scope::{Scope, Value};
 use super::{Family, Library};
-use crate::claim::{Claim, ClaimKind, Difference};
-use super::obligation::Obligation;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use basis_kernel::collections::list::Mapped;
+use crate::claim::{Claim, ClaimKind, Difference};
 use crate::diagnostic::Diagnostics;
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
+use basis_kernel::collections::list::Mapped;
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
 pub(crate) fn claims(
@@ -78,7 +79,9 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
     };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
-            self::relation(scope, relation, &[], None, &mut |scope, text, kind| push(scope, text, span, kind));
+            self::relation(scope, relation, &[], None, &mut |scope, text, kind| {
+                push(scope, text, span, kind)
+            });
         }
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };

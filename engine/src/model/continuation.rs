@@ -1,15 +1,15 @@
 //! Curves that continue one another: the control points that an order of contact determines, for any family on an interval, from
 //! the exact derivatives at the ends.
 
-use crate::theorem::{Form, GivenPoint, Unit};
 use super::{Family, label};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use basis_kernel::collections::list::Mapped;
 use crate::model::Parameter;
+use crate::theorem::{Form, GivenPoint, Unit};
+use basis_kernel::collections::list::Mapped;
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
 const WORK: u64 = 200_000;
@@ -281,8 +281,8 @@ fn inverse(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<(Vec<Vec<Fra
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::theorem::Theorem;
     use crate::model::{Library, Selected};
+    use crate::theorem::Theorem;
     use crate::theorem::theorems;
     use crate::{Disk, Prover, Source, Subject};
 
@@ -357,14 +357,16 @@ mod tests {
         let (p, q) = (|k| format!("P[{k}]"), |k| format!("Q[{k}]"));
         let quadratic = family(QUADRATIC);
         for (name, order) in [("G1", 1), ("G2", 2)] {
-            let published = join(&Library::from_source(&Disk, &Prover, Source::text("spec.basis", QUADRATIC)), name);
+            let published =
+                join(&Library::from_source(&Disk, &Prover, Source::text("spec.basis", QUADRATIC)), name);
             let var = |name: &str| variable(&published, name);
             let c = if order == 2 { var("c") } else { Fraction::zero() };
             let by = [("λ_P", var("λ1")), ("λ_Q", var("λ2")), ("f", var("δ")), ("c", c)];
             same(&published, &continuation(&quadratic, order, Side::After).expect("derived"), &by, [&p, &q]);
         }
         // There the factor is on the other side: Q'(0) = α P'(1).
-        let published = join(&Library::from_source(&Disk, &Prover, Source::text("spec.basis", REVOLUTION)), "G1");
+        let published =
+            join(&Library::from_source(&Disk, &Prover, Source::text("spec.basis", REVOLUTION)), "G1");
         let var = |name: &str| variable(&published, name);
         let f = Fraction::constant(Rational::ONE).checked_div(&var("α")).expect("not zero");
         let by = [("λ_P", var("λ1")), ("λ_Q", var("λ2")), ("f", f), ("c", Fraction::zero())];

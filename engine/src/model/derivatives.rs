@@ -4,9 +4,9 @@ use proc_macro2::Span;
 
 use super::scope::{Scope, Value};
 use crate::algebra::poly::Var;
-use basis_kernel::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind};
 use crate::words::along_edges;
+use basis_kernel::collections::list::Mapped;
 
 impl Scope<'_> {
     /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).

@@ -6,11 +6,12 @@ use super::budget::TooLarge;
 use super::obligations::{Duty, Pending};
 use super::scope::{BUILTINS, Scope, Value};
 use crate::algebra::fraction::Fraction;
+use crate::algebra::number::binomial;
 use crate::algebra::poly::Var;
-use crate::algebra::rational::{Rational, binomial};
-use basis_kernel::collections::list::Mapped;
+use crate::algebra::rational::Rational;
 use crate::syntax::{Expr, ExprKind, Loops};
 use crate::words::{count, here};
+use basis_kernel::collections::list::Mapped;
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;

@@ -6,9 +6,9 @@ use super::obligations::Inside;
 use super::scope::{Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use basis_kernel::collections::list::Mapped;
 use crate::syntax::Expr;
 use crate::words::{count, here};
+use basis_kernel::collections::list::Mapped;
 
 impl Scope<'_> {
     /// The functions of another family, in this family's domain variables.

@@ -7,13 +7,13 @@ use proc_macro2::Span;
 use super::indices::{check_indices, grid, sizes};
 use super::scope::{Definition, Scope, multi_indices};
 use super::{Family, Function, label};
-use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use basis_kernel::collections::list::Mapped;
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use crate::words::{count, indices};
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// More functions than this are refused.
 pub(crate) const MAX_FUNCTIONS: usize = 512;

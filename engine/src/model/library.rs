@@ -10,14 +10,14 @@ use proc_macro2::{Span, TokenStream};
 use super::budget::{Run, TooLarge};
 use super::obligation::Judge;
 use super::{Family, build, claims};
-use crate::subject::{Item, Subject};
-use basis_prover::map::SortedMap;
-use basis_kernel::collections::list::Mapped;
-use basis_kernel::collections::sort::sort_by;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
+use crate::subject::{Item, Subject};
 use crate::syntax::{self, Home, Name, Spec, SyntaxErrors};
 use crate::words::did_you_mean;
+use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::sort::sort_by;
+use basis_prover::map::SortedMap;
 
 /// Families that refer to one another through more levels than this are refused.
 const MAX_DEPTH: usize = 48;

@@ -23,9 +23,9 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
-use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::Place;
 use crate::source::SourceId;
+use basis_kernel::collections::list::Mapped;
 use obligation::Obligation;
 
 /// A family of basis functions of one order.

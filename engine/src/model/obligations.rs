@@ -11,7 +11,7 @@ use super::obligation::{Goal, Judgement, Obligation};
 use super::scope::{Scope, Subject};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
 

@@ -8,14 +8,14 @@ use super::budget::{Budget, SPLIT, TooLarge};
 use super::obligation::Obligation;
 use super::obligations::{Duty, Pending};
 use super::{Family, Function, Library};
-use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use basis_kernel::collections::list::Mapped;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
 use crate::words::did_you_mean;
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// The most names that `let` gives in a family, and curves, surfaces and `let` in a theorem.
 const MAX_NAMES: usize = 5_000;

@@ -138,9 +138,8 @@ pub(super) fn named_point(
             let simple = typical(&parameter.range);
             let simple = if on_simplex { simple.min(left.clone()) } else { simple };
             if on_simplex {
-                last = last
-                    .substitute(var, &Fraction::constant(simple.clone()))
-                    .unwrap_or_else(Fraction::zero);
+                last =
+                    last.substitute(var, &Fraction::constant(simple.clone())).unwrap_or_else(Fraction::zero);
             }
             Coordinate::Rational(simple)
         });

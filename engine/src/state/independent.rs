@@ -37,7 +37,8 @@ pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
 }
 
 /// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an interval
-/// in the Bernstein basis, or in powers if that makes the table triangular; on a simplex in homogeneous monomials, in which more of them are numbers.
+/// in the Bernstein basis, or in powers if that
+/// makes the table triangular; on a simplex in homogeneous monomials, in which more of them are numbers.
 pub fn coefficient_table(family: &Family) -> Table {
     if let Some(rows) = graded_table(family) {
         return Table { rows, symmetries: Symmetries::new() };
@@ -50,7 +51,12 @@ pub fn coefficient_table(family: &Family) -> Table {
     }
     let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
     // The shape parameters are the first variables.
-    let parts_of = |m: &Monomial| m.split(family.shapes.len());
+    let parts_of = |m: &Monomial| {
+        let (mut shape, mut others) = (m.exponents(), m.exponents());
+        shape.truncate(family.shapes.len());
+        others.iter_mut().take(family.shapes.len()).for_each(|e| *e = 0);
+        (Monomial::new(shape), Monomial::new(others))
+    };
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
     let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
     let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);

@@ -27,8 +27,11 @@ pub(crate) fn domain(family: &Family, fixed: &[(Var, Fraction)]) -> Domain {
     let parameters = family.shapes.iter().chain(if family.is_simplex() { &[] } else { &family.domain[..] });
     let ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).collect();
     let mut domain = Domain::of(Region { ranges });
-    let variables: Vec<Var> =
-        if family.is_simplex() { family.domain.iter().map(|p| p.var).filter(free).collect() } else { Vec::new() };
+    let variables: Vec<Var> = if family.is_simplex() {
+        family.domain.iter().map(|p| p.var).filter(free).collect()
+    } else {
+        Vec::new()
+    };
     if !variables.is_empty() {
         domain.simplices.push(Simplex { variables, sum: left_on_simplex(family, fixed) });
     }

@@ -3,9 +3,9 @@
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::theorem::{Form, Theorem, Unit};
 use basis_kernel::collections::list::Mapped;
 use basis_kernel::collections::sort::sort_unique;
-use crate::theorem::{Form, Theorem, Unit};
 
 /// Nets with pseudo-random points that are tried after the regular one.
 const ATTEMPTS: u64 = 12;

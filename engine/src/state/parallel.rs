@@ -267,8 +267,11 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side
             return explained(theorem, claim, result, note);
         }
     }
-    let shown =
-        if factor_shown.len() <= MAX_SHOWN { format!("({factor_shown})") } else { String::from("a long factor") };
+    let shown = if factor_shown.len() <= MAX_SHOWN {
+        format!("({factor_shown})")
+    } else {
+        String::from("a long factor")
+    };
     Verdict::Undecided(format!("the left side is {shown} times the right side; {open}"))
 }
 
@@ -400,7 +403,8 @@ fn not_proportional(theorem: &Theorem, claim: &Claim, sides: [&Side; 2]) -> Verd
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
     for net in witness_nets(theorem, claim) {
         for Stated { of, statement, .. } in on_points(theorem, sides, &net, &domain).into_iter().skip(1) {
-            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget) {
+            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget)
+            {
                 let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the directions differ:");
             }

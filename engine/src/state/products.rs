@@ -6,8 +6,9 @@ use std::rc::Rc;
 
 use basis_kernel::collections::list::Mapped;
 use basis_kernel::collections::sort::sort_unique;
-use basis_kernel::{Domain, Products, Relation, Statement, minor_signs, semidefinite};
+use basis_kernel::{Domain, Products, Relation, Statement, minor_signs};
 use basis_prover::map::SortedMap;
+use basis_prover::semidefinite;
 use basis_prover::{Coordinate, Decision, Symmetries, decide};
 
 use super::net::Net;
@@ -95,7 +96,8 @@ pub(super) fn counterexample(
             }
             continue;
         }
-        let constant = products.iter().fold(value_at_origin(statement), |p, (v, _)| p.at(*v, &Rational::ZERO));
+        let constant =
+            products.iter().fold(value_at_origin(statement), |p, (v, _)| p.at(*v, &Rational::ZERO));
         let constant = constant.eval(&at);
         let entry = |p: &usize, q: &usize| {
             let mut entry = Rational::ZERO;

@@ -10,8 +10,7 @@ use crate::theorem::TheoremKind;
 
 /// The error for a claim whose verdict is not the declared one; `None` when all is as declared.
 pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<Diagnostic> {
-    let mut diagnostic =
-        contradiction(&subject.title(), &claim.text, claim.expected, &claim.place, verdict)?;
+    let mut diagnostic = contradiction(&subject.title(), &claim.text, claim.expected, &claim.place, verdict)?;
     if !subject.order().is_empty() {
         let values: Vec<String> = subject.order().mapped(|(name, value)| format!("{name} = {value}"));
         diagnostic.notes.push(format!("for {}", values.join(", ")));

@@ -4,7 +4,9 @@ use core::convert::Infallible;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
-use basis_prover::{Coordinate, Counterexample, Decision, Shown, Symmetries, decide as decide_statement, typical};
+use basis_prover::{
+    Coordinate, Counterexample, Decision, Shown, Symmetries, decide as decide_statement, typical,
+};
 
 use super::net::{Net, evaluated, nets, on_net, parts, sparse};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
@@ -23,7 +25,8 @@ const MAX_REGULAR: usize = 8;
 const ATTEMPTS: usize = 16;
 
 /// What is not shown, but for want of a point.
-const NO_WITNESS: &str = "the two sides are different expressions, but no point was found at which they differ";
+const NO_WITNESS: &str =
+    "the two sides are different expressions, but no point was found at which they differ";
 
 /// What a claim says.
 pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
@@ -164,7 +167,8 @@ fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
     let kind = settled(theorem, &claim.kind);
     for net in witness_nets(theorem, claim) {
         for Stated { of, statement, .. } in on_points(theorem, &kind, &net, &domain) {
-            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget) {
+            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget)
+            {
                 let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the two sides differ by");
             }
@@ -293,8 +297,10 @@ pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, 
     let at = witness.point();
     let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
     witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
-    let equation =
-        matches!(claim.kind, ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. });
+    let equation = matches!(
+        claim.kind,
+        ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. }
+    );
     if !equation {
         // The sign of a scalar without a range is easily forgotten.
         let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
@@ -339,9 +345,7 @@ fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
             difference: Difference { value: put(&difference.value), ..difference.clone() },
         },
         ClaimKind::Vector { text, value } => ClaimKind::Vector { text: text.clone(), value: form(value) },
-        ClaimKind::Parallel { left, right } => {
-            ClaimKind::Parallel { left: side(left), right: side(right) }
-        }
+        ClaimKind::Parallel { left, right } => ClaimKind::Parallel { left: side(left), right: side(right) },
         other => other.clone(),
     }
 }

@@ -7,22 +7,22 @@ use proc_macro2::Span;
 use super::form::Form;
 use super::patch::PatchDef;
 use super::{GivenPoint, Origin, Theorem, TheoremKind, TheoremRelation};
-use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
-use crate::subject::{Item, Subject as About};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range, Region};
-use basis_kernel::collections::list::Mapped;
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
 use crate::diagnostic::Diagnostics;
 use crate::model::budget::TooLarge;
 use crate::model::print::Printer;
 use crate::model::scope::{Scope, Subject};
 use crate::model::{Library, Parameter, build, label};
 use crate::source::SourceId;
+use crate::subject::{Item, Subject as About};
 use crate::syntax::{
     self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind,
 };
 use crate::words::{count, did_you_mean};
+use basis_kernel::collections::list::Mapped;
 
 /// The first variables stand for the parameters of every patch, until arguments take their places.
 pub(super) const OWN: usize = 3;

@@ -1,10 +1,10 @@
 //! Vectors and outer products as linear forms: combinations of points, or of pairs of points, whose coefficients are
 //! rational functions of the scalars.
 
-use basis_prover::map::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::model::budget::{Budget, TooLarge};
+use basis_prover::map::SortedMap;
 
 /// What a coefficient stands before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

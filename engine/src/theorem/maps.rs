@@ -7,10 +7,10 @@ use super::form::Form;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use basis_kernel::collections::list::Mapped;
 use crate::model::print::Printer;
 use crate::syntax::{Expr, ExprKind};
 use crate::words::{along_edges, count, here};
+use basis_kernel::collections::list::Mapped;
 
 impl Elaboration<'_> {
     /// P(t), D(S, v, 2)(u, 0): Σ of the differentiated functions at the arguments, times the control points.

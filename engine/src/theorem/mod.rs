@@ -10,14 +10,14 @@ mod patch;
 pub use elaborate::theorems;
 pub use form::{Form, Unit};
 
-use crate::model::Parameter;
-use basis_kernel::collections::list::Mapped;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
+use crate::model::Parameter;
 use crate::source::SourceId;
 pub use crate::syntax::{TheoremKind, TheoremRelation};
+use basis_kernel::collections::list::Mapped;
 
 /// A theorem or a join.
 #[derive(Clone, Debug)]

@@ -10,12 +10,12 @@ use super::{ControlPoint, GivenPoint, Origin, Patch};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
-use basis_kernel::collections::list::Mapped;
 use crate::model::obligations::Inside;
 use crate::model::print::Printer;
 use crate::model::{Family, Parameter, label};
 use crate::syntax::{Expr, ExprKind, Name};
 use crate::words::{count, here};
+use basis_kernel::collections::list::Mapped;
 
 /// A patch while the theorem is read.
 pub(super) struct PatchDef {

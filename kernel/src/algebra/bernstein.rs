@@ -47,15 +47,6 @@ impl Side {
             Self::Downwards(b) => (Self::Downwards(m.clone()), Self::Finite(m, b.clone())),
         }
     }
-
-    /// The end s = 0 or s = 1, if it is finite.
-    pub const fn end(&self, high: bool) -> Option<&Rational> {
-        match (self, high) {
-            (Self::Finite(a, _) | Self::Upwards(a), false) => Some(a),
-            (Self::Finite(_, b) | Self::Downwards(b), true) => Some(b),
-            _ => None,
-        }
-    }
 }
 
 /// A tensor of scaled Bernstein coefficients β, p = Σ β_k ∏ sᵢ^kᵢ rᵢ^(nᵢ−kᵢ) with rᵢ + sᵢ = 1, up to a positive
@@ -100,6 +91,11 @@ impl Form {
             form.along(axis, &steps, work)?;
         }
         Some(form)
+    }
+
+    /// The form with these degrees and coefficients, as many as there are places.
+    pub const fn of(degrees: Vec<usize>, coefficients: Vec<Rational>) -> Self {
+        Self { degrees, coefficients }
     }
 
     /// The degrees by axis.
@@ -157,47 +153,6 @@ impl Form {
     /// The place of a coefficient along an axis.
     fn index(&self, place: usize, axis: usize) -> usize {
         place / self.stride(axis) % (self.degrees[axis] + 1)
-    }
-
-    /// Divides by s or r as long as all coefficients of a face of the box are zero; by axis, the exponents of s
-    /// and r that were divided by. The zero form stays as it is.
-    pub fn strip(&mut self) -> Vec<(usize, usize)> {
-        let mut exponents = vec![(0, 0); self.degrees.len()];
-        if self.coefficients.iter().all(Rational::is_zero) {
-            return exponents;
-        }
-        for (axis, removed) in exponents.iter_mut().enumerate() {
-            let n = self.degrees[axis];
-            let (mut first, mut last) = (n, 0);
-            for (place, c) in self.coefficients.iter().enumerate() {
-                if !c.is_zero() {
-                    let k = self.index(place, axis);
-                    (first, last) = (first.min(k), last.max(k));
-                }
-            }
-            *removed = (first, n - last);
-            if first == 0 && last == n {
-                continue;
-            }
-            let stride = self.stride(axis);
-            let mut place = 0;
-            self.coefficients.retain(|_| {
-                let k = place / stride % (n + 1);
-                place += 1;
-                first <= k && k <= last
-            });
-            self.degrees[axis] = last - first;
-        }
-        exponents
-    }
-
-    /// The coefficient at a corner: the value of the polynomial there, up to a positive factor.
-    pub fn corner(&self, high: impl Fn(usize) -> bool) -> &Rational {
-        let mut place = 0;
-        for (axis, n) in self.degrees.iter().enumerate() {
-            place = place * (n + 1) + if high(axis) { *n } else { 0 };
-        }
-        &self.coefficients[place]
     }
 
     /// Whether a coefficient on a face is not zero; `ends` gives by axis whether the face lies at the high end or
@@ -274,13 +229,9 @@ mod tests {
         // x (1 − x)² (3 + y) on [0, 1] × [−3, 1]
         let p = &(&x() * &(&Poly::one() - &x()).pow(2)) * &(&Poly::integer(3) + &y());
         let sides = [(Var(0), unit()), (Var(1), Side::Finite(n(-3), n(1)))];
-        let mut form = Form::new(&p, &sides, &mut Work::unlimited()).expect("unlimited");
+        let form = Form::new(&p, &sides, &mut Work::unlimited()).expect("unlimited");
         assert_eq!(form.degrees(), [3, 1]);
         assert_eq!(form.coefficients(), [0, 0, 0, 4, 0, 0, 0, 0].map(n));
-        assert_eq!(form.strip(), vec![(1, 2), (1, 0)]);
-        assert_eq!(form.degrees(), [0, 0]);
-        assert_eq!(form.coefficients(), [n(4)]);
-        assert_eq!(form.corner(|_| true), &n(4));
     }
 
     #[test]

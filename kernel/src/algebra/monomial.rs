@@ -88,21 +88,6 @@ impl Monomial {
         }
     }
 
-    /// The parts in the first variables, so many of them, and in the others.
-    pub fn split(&self, count: usize) -> (Self, Self) {
-        match &self.0 {
-            Packed(all) => {
-                let others = u128::MAX.checked_shr(8 * count as u32).unwrap_or(0);
-                (Self(Packed(all & !others)), Self(Packed(all & others)))
-            }
-            Wide(e) => {
-                let (first, _) = e.split_at(count.min(e.len()));
-                let others = e.iter().enumerate().map(|(i, e)| if i < count { 0 } else { *e });
-                (Self::new(first.to_vec()), Self::new(others.collect()))
-            }
-        }
-    }
-
     /// Whether this is the monomial 1.
     pub const fn is_one(&self) -> bool {
         matches!(self.0, Packed(0))
@@ -130,27 +115,8 @@ impl Monomial {
         }
     }
 
-    /// The greatest common divisor.
-    pub fn meet(&self, other: &Self) -> Self {
-        if self.is_one() || other.is_one() {
-            return Self::one();
-        }
-        Self::new(self.exponents().iter().zip(&other.exponents()).map(|(x, y)| *x.min(y)).collect())
-    }
-
-    /// Whether an exponent is so high that a product with such a monomial may not be representable.
-    pub(super) fn is_high(&self) -> bool {
-        match &self.0 {
-            Packed(_) => false,
-            Wide(e) => e.iter().any(|e| *e >= 1 << 14),
-        }
-    }
-
-    /// The product.
-    ///
-    /// # Panics
-    /// When an exponent exceeds 65535; a wrapped one would make false identities true. The checker refuses polynomials
-    /// that come near to it, see [`Work::spend_product`](super::work::Work::spend_product).
+    /// The product; panics when an exponent exceeds 65535, as a wrapped one would make false identities true. The checker
+    /// refuses polynomials that come near to it, see [`Work::spend_product`](super::work::Work::spend_product).
     pub(super) fn mul(&self, other: &Self) -> Self {
         if let (Packed(a), Packed(b)) = (&self.0, &other.0)
             && (a | b) & HIGH_BITS == 0
@@ -242,13 +208,6 @@ mod tests {
         assert_eq!((far.width(), far.exponent(Var(20)), far.total_degree()), (21, 2, 2));
         assert!(far < m && Monomial::one() < far);
         assert_eq!(far.with_exponent(Var(20), 0), Monomial::one());
-        for m in [&m, &far, &product, &Monomial::one()] {
-            for count in [0, 1, 2, 16, 17, 21, 30] {
-                let (first, others) = m.split(count);
-                assert_eq!(&first.mul(&others), m);
-                assert!(first.width() <= count && (0..count).all(|i| others.exponent(Var(i)) == 0));
-            }
-        }
         assert_eq!(Monomial::new(vec![2, 1]).checked_div(&Monomial::new(vec![1, 2])), None);
         assert_eq!(
             Monomial::new(vec![2, 2]).checked_div(&Monomial::new(vec![1, 2])),

@@ -250,16 +250,6 @@ impl Poly {
         bits
     }
 
-    /// Whether a monomial is, see [`Monomial::is_high`].
-    pub(super) fn is_high(&self) -> bool {
-        for (m, _) in &self.terms {
-            if m.is_high() {
-                return true;
-            }
-        }
-        false
-    }
-
     /// The polynomial times a number.
     pub fn scale(&self, factor: &Rational) -> Self {
         if factor.is_zero() {
@@ -270,30 +260,10 @@ impl Poly {
 
     /// The power with a whole exponent.
     pub fn pow(&self, exponent: u32) -> Self {
-        // Two terms are the common case (1 − t): the binomial theorem spends no work on collecting.
-        if self.len() == 2 && exponent > 1 {
-            let mut terms = self.terms.iter();
-            let (Some((m, a)), Some((n, b))) = (terms.next(), terms.next()) else { return self.clone() };
-            let powers = |c: &Rational| {
-                let mut all = vec![Rational::ONE];
-                for k in 0..exponent as usize {
-                    all.push(&all[k] * c);
-                }
-                all
-            };
-            let (a, b) = (powers(a), powers(b));
-            // No exponent of a product may wrap.
-            let raised =
-                |e: u16, k: u32| u16::try_from(u32::from(e) * k).expect("an exponent is below 65536");
-            let times = |m: &Monomial, k: u32| Monomial::new(m.exponents().mapped(|e| raised(*e, k)));
-            let mut binomial = Rational::ONE;
-            let mut result = Self::zero();
-            for k in 0..=exponent {
-                let coefficient = &(&binomial * &a[(exponent - k) as usize]) * &b[k as usize];
-                result.add_term(times(m, exponent - k).mul(&times(n, k)), &coefficient);
-                binomial = &binomial * &Rational::new(i64::from(exponent - k), i64::from(k) + 1);
-            }
-            return result;
+        // Two terms are the common case (1 − t): xᵉ with their sum in place of x.
+        if let ([a, b], Ok(e)) = (&self.terms[..], u16::try_from(exponent)) {
+            let (x, one) = (Var(0), Monomial::one());
+            return Self::term(one.with_exponent(x, e), Rational::ONE).substitute_binomial(x, a, b);
         }
         let (mut result, mut base, mut e) = (Self::one(), self.clone(), exponent);
         while e > 0 {

@@ -1,7 +1,5 @@
 //! Ranges of real numbers with rational, infinite, included or excluded ends, and boxes of them.
 
-use core::fmt;
-
 use super::poly::Var;
 use super::rational::Rational;
 
@@ -83,30 +81,6 @@ impl Range {
     /// The two ends, if both are finite.
     pub fn finite(&self) -> Option<(&Rational, &Rational)> {
         Some((self.low.value()?, self.high.value()?))
-    }
-
-    /// The range as a chain of inequalities, such as `-3 <= λ < 1`; only the name when there is no end.
-    pub fn display<'a>(&'a self, name: &'a str) -> impl fmt::Display + 'a {
-        DisplayRange { range: self, name }
-    }
-}
-
-struct DisplayRange<'a> {
-    range: &'a Range,
-    name: &'a str,
-}
-
-impl fmt::Display for DisplayRange<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sign = |end: &End| if end.is_included() { "<=" } else { "<" };
-        if let Some(v) = self.range.low.value() {
-            write!(f, "{v} {} ", sign(&self.range.low))?;
-        }
-        write!(f, "{}", self.name)?;
-        if let Some(v) = self.range.high.value() {
-            write!(f, " {} {v}", sign(&self.range.high))?;
-        }
-        Ok(())
     }
 }
 

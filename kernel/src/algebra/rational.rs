@@ -41,17 +41,13 @@ impl Rational {
     /// 1.
     pub const ONE: Self = Self(Small(1, 1));
 
-    /// `numer / denom`; `None` when `denom` is zero.
-    pub fn checked_new(numer: i64, denom: i64) -> Option<Self> {
-        (denom != 0).then(|| Self::from_i128(i128::from(numer), i128::from(denom)))
-    }
-
     /// `numer / denom`.
     ///
     /// # Panics
     /// When `denom` is zero; for literals in the code, not for input.
     pub fn new(numer: i64, denom: i64) -> Self {
-        Self::checked_new(numer, denom).expect("a literal denominator is not zero")
+        assert!(denom != 0, "a literal denominator is not zero");
+        Self::from_i128(i128::from(numer), i128::from(denom))
     }
 
     /// The number that a decimal literal such as `12`, `0.62` or `1_000` denotes, exactly; `None` if it is
@@ -83,11 +79,6 @@ impl Rational {
             None => Self::from_decimal(text)?,
         };
         Some(if negative { -magnitude } else { magnitude })
-    }
-
-    /// The fraction that a finite float is; `None` for NaN and infinities.
-    pub fn from_f64(value: f64) -> Option<Self> {
-        BigRational::from_float(value).map(Self::from_big)
     }
 
     /// The nearest float.
@@ -206,16 +197,6 @@ impl Rational {
         result
     }
 
-    /// The number that is not negative and whose square this is; `None` where there is no rational one.
-    pub fn square_root(&self) -> Option<Self> {
-        if self.is_negative() {
-            return None;
-        }
-        let big = self.to_big();
-        let root = Self::from_big(BigRational::new_raw(big.numer().sqrt(), big.denom().sqrt()));
-        (&(&root * &root) == self).then_some(root)
-    }
-
     /// The largest whole number not above this one.
     pub fn floor(&self) -> Self {
         Self::from_big(self.to_big().floor())
@@ -276,35 +257,6 @@ impl Rational {
             Small(..) => None,
             Big(b) => b.denom().is_one().then(|| b.numer().clone()),
         }
-    }
-
-    /// The number modulo a prime below 2³²; `None` when the prime divides the denominator.
-    pub fn modulo(&self, prime: u32) -> Option<u32> {
-        let p = i64::from(prime);
-        let (n, d) = match &self.0 {
-            Small(n, d) => (n.rem_euclid(p), d.rem_euclid(p)),
-            Big(b) => {
-                let rest = |x: &BigInt| (x % p).to_i64().map(|r| r.rem_euclid(p));
-                (rest(b.numer())?, rest(b.denom())?)
-            }
-        };
-        if d == 1 {
-            return Some(n as u32);
-        }
-        if d == 0 {
-            return None;
-        }
-        // d^(p−2) is the inverse of d.
-        let p = u64::from(prime);
-        let (mut result, mut base, mut e) = (n as u64, d as u64, p - 2);
-        while e > 0 {
-            if e & 1 == 1 {
-                result = result * base % p;
-            }
-            base = base * base % p;
-            e >>= 1;
-        }
-        Some(result as u32)
     }
 
     /// The greatest common divisor of two fractions: the largest positive g such that both are whole
@@ -533,18 +485,6 @@ impl Words {
     }
 }
 
-/// The binomial coefficient n!/(k!·(n−k)!), 0 for k > n.
-pub fn binomial(n: u32, k: u32) -> Rational {
-    if k > n {
-        return Rational::ZERO;
-    }
-    let mut result = Rational::ONE;
-    for i in 0..k.min(n - k) {
-        result = &result * &Rational::new(i64::from(n - i), i64::from(i + 1));
-    }
-    result
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -575,13 +515,9 @@ mod tests {
         assert!(Rational::new(1, 3) < Rational::new(34, 100));
         assert_eq!(Rational::new(-2, 3).pow(3), Rational::new(-8, 27));
         assert_eq!(Rational::from(2).pow(200).bits(), 202);
-        assert_eq!(binomial(30, 15), Rational::from(155_117_520));
         assert_eq!(Rational::new(-7, 2).floor(), Rational::from(-4));
         assert_eq!(Rational::new(3, 4).gcd(&Rational::new(5, 6)), Rational::new(1, 12));
         let big = Rational::from(3).pow(100);
         assert_eq!((&big * &Rational::from(10)).gcd(&Rational::from(-25)), Rational::from(5));
-        assert_eq!(Rational::new(1, 3).modulo(7), Some(5));
-        assert_eq!(big.modulo(101), Some(1));
-        assert_eq!(Rational::new(1, 7).modulo(7), None);
     }
 }

@@ -38,9 +38,9 @@ impl Work {
         left.map(|_| ())
     }
 
-    /// Counts the work of a product of polynomials; there is never enough for exponents of 2¹⁴ and more.
+    /// Counts the work of a product of polynomials; there is never enough for degrees of 2¹⁴ and more.
     pub fn spend_product(&mut self, a: &Poly, b: &Poly) -> Option<()> {
-        if a.is_high() || b.is_high() {
+        if a.total_degree().max(b.total_degree()) >= 1 << 14 {
             return self.spend(u64::MAX);
         }
         let words = (a.max_bits() + b.max_bits()) / 64 + 1;
@@ -70,18 +70,5 @@ impl Work {
     /// The units that are left.
     pub const fn left(&self) -> u64 {
         self.left
-    }
-
-    /// Takes out a part of what is left, at most `units`: for a method that may fail without using up everything.
-    #[must_use]
-    pub fn take(&mut self, units: u64) -> Self {
-        let part = self.left.min(units);
-        self.left -= part;
-        Self { left: part }
-    }
-
-    /// Puts back what a part has left over.
-    pub fn put_back(&mut self, part: &Self) {
-        self.left = self.left.saturating_add(part.left);
     }
 }

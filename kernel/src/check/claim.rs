@@ -42,6 +42,17 @@ impl Claim {
     }
 }
 
+/// What is left of a polynomial that is not zero after division by one that is no number, and how often it could be divided.
+pub(super) fn divided(poly: Poly, by: &Poly, work: &mut Work) -> Result<(Poly, u32), Refusal> {
+    let (mut left, mut count) = (poly, 0);
+    loop {
+        let words = 1 + (left.max_bits() + by.max_bits()) / 64;
+        work.spend((left.len() * by.len()) as u64 * words).ok_or(Refusal::Spent)?;
+        let Some(quotient) = left.div_exact(by) else { return Ok((left, count)) };
+        (left, count) = (quotient, count + 1);
+    }
+}
+
 /// Whether a number is in a range and not one of its ends.
 pub(super) fn inside(range: &Range, x: &Rational) -> bool {
     range.low.value().is_none_or(|a| a < x) && range.high.value().is_none_or(|b| x < b)

@@ -6,7 +6,7 @@
 //! of the level are continuous and keep apart: p has one sign on each of the open cells between them. The open cells together
 //! are dense in the box; so p ≥ 0 if it is at one point of each.
 
-use super::claim::Claim;
+use super::claim::{Claim, divided};
 use super::elimination::resultant;
 use super::sturm::Sturm;
 use crate::algebra::poly::{Poly, Var};
@@ -75,12 +75,7 @@ fn made_of(poly: &Poly, levels: &[Vec<Poly>], work: &mut Work) -> Result<(), Ref
     let mut rest = poly.clone();
     shown(!rest.is_zero(), "a projection is zero")?;
     for factor in levels.iter().rev().flatten() {
-        while rest.as_constant().is_none() {
-            let words = 1 + (rest.max_bits() + factor.max_bits()) / 64;
-            work.spend((rest.len() * factor.len()) as u64 * words).ok_or(Refusal::Spent)?;
-            let Some(quotient) = rest.div_exact(factor) else { break };
-            rest = quotient;
-        }
+        rest = divided(rest, factor, work)?.0;
     }
     shown(rest.as_constant().is_some(), "a projection has a factor that the levels lack")
 }

@@ -104,7 +104,7 @@ fn dot_products(
     let gram = products::Gram::of(value, products, work)?;
     if let (Certificate::Direct, Some((constant, matrix))) = (certificate, gram.numbers()) {
         shown(relation.holds(&constant), "with all points at the origin the value is not as claimed")?;
-        let semidefinite = products::semidefinite(&matrix, work).ok_or(Refusal::Spent)?.is_ok();
+        let semidefinite = products::is_semidefinite(matrix, work).ok_or(Refusal::Spent)?;
         return shown(semidefinite, "the sum of dot products is negative somewhere");
     }
     let signs = gram.signs(relation, work)?;

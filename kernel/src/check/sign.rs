@@ -3,7 +3,7 @@
 //! **Theorems.** p of degree 1 in x lies between its values at the ends of the range of x. A product has the product of the
 //! signs of its factors. A box is the union of its relatively open faces.
 
-use super::claim::{Claim, inside, without_ends};
+use super::claim::{Claim, divided, inside, without_ends};
 use super::{bernstein, levels, slices};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Region};
@@ -111,16 +111,9 @@ impl Claim {
         let mut negative = false;
         for (base, sign) in factors {
             fits(base.as_constant().is_none(), "a factor is a number")?;
-            let mut odd = false;
-            let mut exponent = 0;
-            loop {
-                let words = 1 + (left.max_bits() + base.max_bits()) / 64;
-                work.spend((left.len() * base.len()) as u64 * words).ok_or(Refusal::Spent)?;
-                let Some(quotient) = left.div_exact(base) else { break };
-                left = quotient;
-                odd = !odd;
-                exponent += 1;
-            }
+            let (quotient, exponent) = divided(left, base, work)?;
+            left = quotient;
+            let odd = exponent % 2 == 1;
             fits(exponent > 0, "a factor does not divide the polynomial")?;
             match sign {
                 FactorSign::Any => {

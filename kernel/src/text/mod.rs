@@ -26,6 +26,7 @@
 //!              (at (root (m0 m1 …) low high) (x0 VALUE) …)   θ: a root of m0 + m1 θ + … between two numbers
 //!              (dependent (at …) VALUE …)    the factors of the rows
 //!              (independent (at …) 0)        the number of the exception
+//!              (line (at …) index number …)  the places of points on a line, for dot products
 //! ```
 
 mod read;

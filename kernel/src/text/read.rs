@@ -13,8 +13,10 @@ use crate::point::{Point, Root};
 use crate::proof::Witness;
 use crate::refusal::{Refusal, fits};
 
-/// The largest number of a variable, a row or a column.
+/// The largest number of a row or a column.
 const MAX_PLACE: usize = 1_000_000;
+/// The largest number of a variable: a monomial has an exponent for each up to its last.
+const MAX_VARIABLE: usize = 4096;
 
 /// Reads a certificate.
 ///
@@ -52,6 +54,7 @@ pub fn witness(text: &str) -> Result<Witness, Refusal> {
         ("at", _) => Witness::At(point(&tree)?),
         ("dependent", [at, factors @ ..]) => Witness::Dependent(point(at)?, all(factors, value)?),
         ("independent", [at, number]) => Witness::Independent(point(at)?, place(number)?),
+        ("line", [at, numbers @ ..]) => Witness::OnLine(point(at)?, pairs(numbers)?),
         _ => return Err(Refusal::Unfit("there is no such witness")),
     };
     fits(witness_text(&witness) == text, "the text is not as it would be written")?;
@@ -76,7 +79,7 @@ fn var(tree: &Tree<'_>) -> Result<Var, Refusal> {
 }
 
 fn variable(word: &str) -> Option<Var> {
-    word.strip_prefix('x')?.parse().ok().filter(|k| *k <= MAX_PLACE).map(Var)
+    word.strip_prefix('x')?.parse().ok().filter(|k| *k <= MAX_VARIABLE).map(Var)
 }
 
 fn poly(tree: &Tree<'_>) -> Result<Poly, Refusal> {
@@ -220,7 +223,7 @@ fn base(tree: &Tree<'_>) -> Result<Base, Refusal> {
 fn piece(tree: &Tree<'_>) -> Result<Piece, Refusal> {
     let (change, blocks) = match tree.headed() {
         ("change", [rows, columns, blocks @ ..]) => {
-            let [rows, columns] = [rows, columns].map(|basis| all(basis.list()?, combination));
+            let [rows, columns] = [rows, columns].map(|basis| all(basis.list()?, |c| pairs(c.list()?)));
             (Some(ChangeOfBasis { rows: rows?, columns: columns? }), blocks)
         }
         _ => (None, tree.list()?),
@@ -235,12 +238,12 @@ fn piece(tree: &Tree<'_>) -> Result<Piece, Refusal> {
     Ok(Piece { change, blocks: all(blocks, block)? })
 }
 
-fn combination(tree: &Tree<'_>) -> Result<Combination, Refusal> {
+fn pairs(trees: &[Tree<'_>]) -> Result<Combination, Refusal> {
     let pair = |pair: &[Tree<'_>]| match pair {
         [k, x] => Ok((place(k)?, number(x)?)),
         _ => Err(Refusal::Unfit("an index with its factor is expected")),
     };
-    tree.list()?.chunks(2).map(pair).collect()
+    trees.chunks(2).map(pair).collect()
 }
 
 fn value(tree: &Tree<'_>) -> Result<Univariate, Refusal> {
@@ -293,6 +296,7 @@ mod tests {
             "(dependent (at (x0 1)) 1 0 -1/2)",
             "(dependent (at (root (-2 0 1) 1 3/2) (x0 (0 1))) (1 -1/2) 1)",
             "(independent (at (x0 1)) 0)",
+            "(line (at (x0 1)) 0 1 3 -1/2)",
         ] {
             let read = witness(text).unwrap_or_else(|e| panic!("{text}: {e}"));
             assert_eq!(witness_text(&read), text);

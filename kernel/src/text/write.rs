@@ -34,6 +34,10 @@ pub fn witness_text(witness: &Witness) -> String {
         Witness::Independent(point, number) => {
             list(&["independent", &self::point(point), &number.to_string()])
         }
+        Witness::OnLine(point, numbers) => {
+            let number = |(p, x): &(usize, Rational)| format!("{p} {x}");
+            headed("line", [self::point(point)].into_iter().chain(numbers.iter().map(number)))
+        }
     }
 }
 

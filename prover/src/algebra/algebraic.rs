@@ -5,7 +5,7 @@ use core::fmt;
 
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::roots::{Root, isolate, rational_roots};
+use super::roots::{Root, isolate, linear, rational_roots};
 use super::univariate::Univariate;
 use super::work::Work;
 
@@ -62,8 +62,10 @@ impl Algebraic {
     /// Shortens the interval to less than a positive width; `None` when the work is spent.
     pub fn refine_below(&mut self, width: &Rational, work: &mut Work) -> Option<()> {
         while &(&self.high - &self.low) >= width {
-            let n = self.polynomial.degree() as u64 + 1;
-            work.spend(4 * n * (1 + (self.polynomial.max_bits() + n * self.low.bits()) / 64))?;
+            for x in [&self.low, &self.high] {
+                work.spend_fractions(x.bits())?;
+                work.spend_value(&self.polynomial, x)?;
+            }
             self.refine();
         }
         Some(())
@@ -75,7 +77,7 @@ impl Algebraic {
         let mut polynomial = self.polynomial.clone();
         for root in rational_roots(&polynomial, work)? {
             if self.compare(&root) != Ordering::Equal {
-                polynomial = polynomial.div_exact(&Univariate::linear(&root))?.normalized();
+                polynomial = polynomial.div_exact(&linear(&root))?.normalized();
             }
         }
         Self { polynomial, low: self.low.clone(), high: self.high.clone() }.shortened(work)

@@ -3,7 +3,7 @@
 use super::gcd::{content, leading_coefficient, square_free};
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::roots::rational_roots;
+use super::roots::{linear, rational_roots};
 use super::univariate::Univariate;
 use super::work::Work;
 use crate::collections::list::Mapped;
@@ -59,7 +59,7 @@ fn split(f: &Poly, work: &mut Work) -> Option<Vec<Poly>> {
             return Some(Vec::new());
         }
         let root = rational_roots(&p, work)?.into_iter().next();
-        return Some(root.map_or_else(Vec::new, |x| with_rest(f, Univariate::linear(&x).to_poly(*only))));
+        return Some(root.map_or_else(Vec::new, |x| with_rest(f, linear(&x).to_poly(*only))));
     }
     for var in &variables {
         let common = content(f, *var, work)?;

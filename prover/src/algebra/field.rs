@@ -138,10 +138,9 @@ impl Field {
         let mut root = self.root.clone();
         loop {
             let (low, high) = enclosure(x, &root, work)?;
-            if low < high && values.sign_at(&low) * values.sign_at(&high) == -1 {
-                if isolate(&values, Some(&low), Some(&high), work)?.len() == 1 {
-                    return Some(Err(Algebraic::new(&values, low, high)?.tidy(work)?));
-                }
+            let apart = low < high && values.sign_at(&low) * values.sign_at(&high) == -1;
+            if apart && isolate(&values, Some(&low), Some(&high), work)?.len() == 1 {
+                return Some(Err(Algebraic::new(&values, low, high)?.tidy(work)?));
             }
             let width = &(root.high() - root.low()) * &Rational::new(1, 4);
             root.refine_below(&width, work)?;

@@ -23,7 +23,7 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
     }
     let (m, a) = split_monomial(a);
     let (n, b) = split_monomial(b);
-    let common = Poly::term(m.meet(&n), super::rational::Rational::ONE);
+    let common = Poly::term(meet(&m, &n), super::rational::Rational::ONE);
     Some(&common * &gcd_without_monomials(&a.normalized(), &b.normalized(), work)?)
 }
 
@@ -54,7 +54,7 @@ pub fn split_monomial(poly: &Poly) -> (Monomial, Poly) {
     while !common.is_one()
         && let Some((m, _)) = terms.next()
     {
-        common = common.meet(m);
+        common = meet(&common, m);
     }
     if common == Monomial::one() {
         return (common, poly.clone());
@@ -107,7 +107,7 @@ fn gcd_without_monomials(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
     for (small, large) in [(a, b), (b, a)] {
         if va.iter().all(|v| small.degree(*v) <= large.degree(*v)) {
             work.spend_product(small, large)?;
-            if large.div_exact(small).is_some() {
+            if quotient(large, small, work).is_some() {
                 return Some(small.clone());
             }
         }
@@ -126,7 +126,7 @@ fn with_coefficients(free: &Poly, other: &Poly, var: Var, work: &mut Work) -> Op
 fn by_remainders(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Option<Poly> {
     let (ca, cb) = (content(a, var, work)?, content(b, var, work)?);
     let common = checked_gcd(&ca, &cb, work)?;
-    let (mut f, mut g) = (a.div_exact(&ca)?, b.div_exact(&cb)?);
+    let (mut f, mut g) = (quotient(a, &ca, work)?, quotient(b, &cb, work)?);
     if f.degree(var) < g.degree(var) {
         core::mem::swap(&mut f, &mut g);
     }
@@ -142,14 +142,14 @@ fn by_remainders(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Option<Poly> 
         let delta = f.degree(var) - g.degree(var);
         let divisor = checked_product(&scale, &checked_power(&height, delta, work)?, work)?;
         f = g;
-        g = rest.div_exact(&divisor)?;
+        g = quotient(&rest, &divisor, work)?;
         scale = leading_coefficient(&f, var);
         // height := scale^δ · height^(1−δ)
         let power = checked_power(&scale, delta, work)?;
         height =
             if delta == 0 { height } else { power.div_exact(&checked_power(&height, delta - 1, work)?)? };
     }
-    let primitive = g.div_exact(&content(&g, var, work)?)?;
+    let primitive = quotient(&g, &content(&g, var, work)?, work)?;
     checked_product(&common, &primitive, work).map(|p| p.normalized())
 }
 
@@ -212,7 +212,7 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
     let first = factors.len();
     while let Some(var) = rest.variables().into_iter().min_by_key(|v| rest.degree(*v)) {
         let lower = content(&rest, var, work)?;
-        let primitive = if lower.is_one() { rest } else { rest.div_exact(&lower)? };
+        let primitive = if lower.is_one() { rest } else { quotient(&rest, &lower, work)? };
         yun(&primitive, var, &mut factors, work)?;
         rest = lower;
     }
@@ -232,7 +232,7 @@ fn square_root(poly: &Poly) -> Option<Poly> {
     };
     let (m, c) = poly.leading_term()?;
     half(poly.terms().next()?.0)?;
-    let lead = (half(m)?, c.square_root()?);
+    let lead = (half(m)?, super::number::square_root(c)?);
     let mut root = Poly::term(lead.0.clone(), lead.1.clone());
     let mut rest = poly - &(&root * &root);
     // The root of a square has no more terms than the square.
@@ -253,20 +253,35 @@ fn yun(poly: &Poly, var: Var, factors: &mut Vec<(Poly, u32)>, work: &mut Work) -
         factors.push((poly.clone(), 1));
         return Some(());
     }
-    let mut rest = poly.div_exact(&common)?;
-    let mut slope = derivative.div_exact(&common)?;
+    let mut rest = quotient(poly, &common, work)?;
+    let mut slope = quotient(&derivative, &common, work)?;
     let mut exponent = 1;
     while rest.as_constant().is_none() {
         let next = &slope - &rest.derivative(var);
         let factor = checked_gcd(&rest, &next, work)?;
-        rest = rest.div_exact(&factor)?;
-        slope = next.div_exact(&factor)?;
+        rest = quotient(&rest, &factor, work)?;
+        slope = quotient(&next, &factor, work)?;
         if !factor.is_one() {
             factors.push((factor, exponent));
         }
         exponent += 1;
     }
     Some(())
+}
+
+/// The greatest common divisor of two monomials.
+fn meet(a: &Monomial, b: &Monomial) -> Monomial {
+    if a.is_one() || b.is_one() {
+        return Monomial::one();
+    }
+    Monomial::new(a.exponents().iter().zip(&b.exponents()).map(|(x, y)| *x.min(y)).collect())
+}
+
+/// The quotient, if one divides the other and the work is not spent.
+fn quotient(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
+    let words = 1 + (a.max_bits() + b.max_bits()) / 64;
+    work.spend((a.len() * b.len()) as u64 * words / 4)?;
+    a.div_exact(b)
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Images modulo a prime: cheap proofs that two polynomials have no common factor, or that a determinant is not zero.
 
+use super::number::modulo;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::work::{Spent, Work};
@@ -31,7 +32,7 @@ fn number(var: usize, attempt: u64) -> u64 {
 pub(super) fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
     let mut result = vec![0; poly.degree(main) as usize + 1];
     for (m, c) in poly.terms() {
-        let mut value = u64::from(c.modulo(PRIME as u32)?);
+        let mut value = u64::from(modulo(c, PRIME as u32)?);
         for (i, e) in m.exponents().iter().enumerate() {
             if *e > 0 && i != main.0 {
                 value = value * power(number(i, attempt), u64::from(*e)) % PRIME;
@@ -52,7 +53,7 @@ pub(super) fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
 /// # Errors
 /// When the work is spent.
 pub(super) fn pivot_columns(rows: &[Vec<Rational>], work: &mut Work) -> Result<Option<Vec<usize>>, Spent> {
-    let residue = |x: &Rational| x.modulo(PRIME as u32).map(u64::from);
+    let residue = |x: &Rational| modulo(x, PRIME as u32).map(u64::from);
     let images: Option<Vec<Vec<u64>>> = rows.iter().map(|row| row.iter().map(residue).collect()).collect();
     let Some(mut rows) = images else { return Ok(None) };
     let width = rows.first().map_or(0, Vec::len);

@@ -1,8 +1,9 @@
 //! Real roots of polynomials in one variable: isolation by Descartes' rule of signs in Bernstein form.
 
 use super::fibre;
+use super::number::modulo;
 use super::rational::Rational;
-use super::simplest::{simplest_between, simplest_within};
+use super::simplest::{simplest_between, simplest_within, spend_simplest};
 use super::univariate::Univariate;
 use super::work::Work;
 
@@ -35,6 +36,7 @@ impl Root {
         let Self::Between(low, high) = self else { return Some(()) };
         let middle = half(&(&*low + &*high));
         spend_value(p, &middle, work)?;
+        spend_value(p, low, work)?;
         let sign = p.sign_at(&middle);
         if sign == 0 {
             *self = Self::Exact(middle);
@@ -47,34 +49,51 @@ impl Root {
     }
 
     /// Finds out whether the root is rational; if it is, it is exact from then on.
+    ///
+    /// With L the leading coefficient of p without common factor, L·x is a whole number for a rational root x.
     pub fn detect_rational(&mut self, p: &Univariate, work: &mut Work) -> Option<()> {
-        let p = p.primitive();
-        let mut last = None;
-        // The denominator of a root divides the leading coefficient L, and two fractions with such denominators
-        // differ by 1/L² at least: in an interval shorter than that the simplest number is the only candidate.
-        let gap = p.leading().pow(2).recip()?;
-        if matches!(self, Self::Between(..)) && has_no_rational_root(&p, work)? {
+        if matches!(self, Self::Exact(_)) {
             return Some(());
         }
+        let p = p.primitive();
+        let lead = p.leading().abs();
+        if let ([constant, _], false) = (p.coefficients(), lead.is_zero()) {
+            *self = Self::Exact(-&(constant / &p.leading()));
+            return Some(());
+        }
+        if has_no_rational_root(&p, work)? {
+            return Some(());
+        }
+        let mut round = 0_u32;
         while let Self::Between(low, high) = self {
-            let candidate = simplest_between(Some(low), Some(high));
-            let narrow = &*high - &*low < gap;
-            if last.as_ref() != Some(&candidate) {
-                spend_value(&p, &candidate, work)?;
-                match p.sign_at(&candidate) {
-                    0 => {
-                        *self = Self::Exact(candidate);
-                        return Some(());
-                    }
-                    sign if sign == p.sign_at(low) => *low = candidate.clone(),
-                    _ => *high = candidate.clone(),
-                }
-                last = Some(candidate);
+            work.spend_fractions(lead.bits() + low.bits() + high.bits())?;
+            let next = &(&*low * &lead).floor() + &Rational::ONE;
+            let end = &*high * &lead;
+            if next >= end {
+                return Some(());
             }
-            if narrow {
+            let single = &next + &Rational::ONE >= end;
+            // A simple root is found long before the interval is short.
+            let candidate = if single {
+                &next / &lead
+            } else if round.is_power_of_two() || round == 0 {
+                spend_simplest(low, high, work)?;
+                simplest_between(Some(low), Some(high))
+            } else {
+                self.refine(&p, work)?;
+                round += 1;
+                continue;
+            };
+            spend_value(&p, &candidate, work)?;
+            if p.sign_at(&candidate) == 0 {
+                *self = Self::Exact(candidate);
+                return Some(());
+            }
+            if single {
                 return Some(());
             }
             self.refine(&p, work)?;
+            round += 1;
         }
         Some(())
     }
@@ -84,17 +103,17 @@ fn half(x: &Rational) -> Rational {
     x * &Rational::new(1, 2)
 }
 
-/// Counts the work of one value.
+/// Counts the work of one value, of fractions in lowest terms.
 fn spend_value(p: &Univariate, x: &Rational, work: &mut Work) -> Option<()> {
-    let n = p.degree() as u64 + 1;
-    work.spend(2 * n * (1 + (p.max_bits() + n * x.bits()) / 64))
+    work.spend_fractions(x.bits())?;
+    work.spend_value(p, x)
 }
 
 /// Whether the polynomial has no root modulo one of a few primes, and so no rational root.
 fn has_no_rational_root(p: &Univariate, work: &mut Work) -> Option<bool> {
     for prime in [5_u32, 7, 11, 13, 17, 19, 23, 29, 31, 37] {
         work.spend(u64::from(prime) * p.coefficients().len() as u64 / 2)?;
-        let residues: Option<Vec<u32>> = p.coefficients().iter().map(|c| c.modulo(prime)).collect();
+        let residues: Option<Vec<u32>> = p.coefficients().iter().map(|c| modulo(c, prime)).collect();
         let Some(residues) = residues else { continue };
         if residues.last() == Some(&0) {
             continue; // the prime may divide the denominator of the root
@@ -234,6 +253,11 @@ pub fn between_roots(roots: &[Root], low: Option<&Rational>, high: Option<&Ratio
         samples.push(sample);
     }
     samples
+}
+
+/// x − root, times the denominator of the root.
+pub fn linear(root: &Rational) -> Univariate {
+    Univariate::new(vec![-root.numer(), root.denom()])
 }
 
 /// The rational roots of a polynomial without multiple roots, in increasing order; `None` when the work is spent.

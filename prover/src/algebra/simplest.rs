@@ -2,6 +2,7 @@
 //! nearest to zero.
 
 use super::rational::Rational;
+use super::work::Work;
 
 /// The simplest number strictly between two numbers, `None` standing for −∞ and +∞; if nothing is between them,
 /// the first end that there is.
@@ -17,34 +18,41 @@ pub fn simplest_between(low: Option<&Rational>, high: Option<&Rational>) -> Rati
     }
 }
 
+/// Counts the work of finding the simplest number between two: about one step of the continued fraction for each bit.
+pub fn spend_simplest(low: &Rational, high: &Rational, work: &mut Work) -> Option<()> {
+    let bits = low.bits() + high.bits();
+    work.spend(bits * (1 + bits / 64) / 2)
+}
+
 /// The simplest number in the open interval (low, high) for 0 ≤ low < high.
 ///
-/// Walks down the continued fraction that the two ends share: x = n + 1/y.
+/// Walks down the continued fraction that the two ends share, x = n + 1/y, in whole numbers: the ends are a/b and c/d, with
+/// d = 0 for +∞, and (p, q; r, s) is the product of the matrices (n, 1; 1, 0), so that x = (p·y + q)/(r·y + s).
 fn above_zero(low: &Rational, high: Option<&Rational>) -> Rational {
-    let (mut low, mut high) = (low.clone(), high.cloned());
-    let mut quotients = Vec::new();
-    let mut result = loop {
-        let whole = low.floor();
+    let (mut a, mut b) = (low.numer(), low.denom());
+    let (mut c, mut d) = high.map_or((Rational::ONE, Rational::ZERO), |x| (x.numer(), x.denom()));
+    let (mut p, mut q) = (Rational::ONE, Rational::ZERO);
+    let (mut r, mut s) = (Rational::ZERO, Rational::ONE);
+    loop {
+        let whole = whole_part(&a, &b);
         let next = &whole + &Rational::ONE;
-        match high {
-            Some(h) if h <= next => {
-                // No whole number inside: whole ≤ low < h ≤ whole + 1.
-                let upper = (&low - &whole).recip();
-                // h > low ≥ whole, so the difference is not zero.
-                let Some(lower) = (&h - &whole).recip() else { break next };
-                quotients.push(whole);
-                (low, high) = (lower, upper);
-            }
-            _ => break next,
+        let (top, bottom) = (&(&p * &whole) + &q, &(&r * &whole) + &s);
+        if d.is_zero() || c > &next * &d {
+            // The whole number is the simplest one.
+            return &(&top + &p) / &(&bottom + &r);
         }
-    };
-    for whole in quotients.into_iter().rev() {
-        match result.recip() {
-            Some(r) => result = &whole + &r,
-            None => return whole,
-        }
+        // whole ≤ low < high ≤ whole + 1; the reciprocals of the rests are in the other order.
+        (a, b, c, d) = (d.clone(), &c - &(&whole * &d), b.clone(), &a - &(&whole * &b));
+        (p, q, r, s) = (top, p, bottom, r);
     }
-    result
+}
+
+/// The largest whole number not above a/b, for whole a ≥ 0 and b > 0.
+fn whole_part(a: &Rational, b: &Rational) -> Rational {
+    match (a.to_i64(), b.to_i64()) {
+        (Some(a), Some(b)) => Rational::from(a / b),
+        _ => Rational::from(a.to_big().numer() / b.to_big().numer()),
+    }
 }
 
 /// The simplest number with low ≤ x ≤ high, for low ≤ high.

@@ -122,7 +122,8 @@ fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Res
     let choices = nonzero_minors(rows, &mut budget.work).ok_or_else(spent)?;
     for choice in choices.iter().take(MAX_MINORS) {
         // Often one of them vanishes nowhere.
-        let claim = positive_claim(core::slice::from_ref(&choice.value), &start);
+        let claim = positive_claim(core::slice::from_ref(&choice.value), &start, &mut budget.work)
+            .ok_or_else(spent)?;
         let mut part = budget.take(SINGLE_MINOR);
         let found = search(&claim, Relation::Positive, region, &mut part);
         budget.put_back(&part);
@@ -135,7 +136,7 @@ fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Res
     let mut columns = vec![first.columns];
     let mut minors = vec![first.value];
     loop {
-        let claim = positive_claim(&minors, &start);
+        let claim = positive_claim(&minors, &start, &mut budget.work).ok_or_else(spent)?;
         let point = match search(&claim, Relation::Positive, region, budget) {
             Found::Proof(_, proof) => {
                 let sign = match &columns[..] {
@@ -149,6 +150,7 @@ fn block_minors(rows: &[Vec<Poly>], region: &Region, budget: &mut Budget) -> Res
             }
             Found::Point(point) if is_negative(&claim, &point) => {
                 // A minor that changes its sign: look at its zeros.
+                budget.work.spend_product(&claim, &claim).ok_or_else(spent)?;
                 let square = &claim * &claim;
                 match search(&square, Relation::Positive, region, budget) {
                     Found::Point(point) => point,
@@ -189,11 +191,15 @@ fn signed(numbers: &[Vec<Rational>], columns: &[usize], proof: SignProof, work: 
 }
 
 /// The polynomial whose positivity shows that minors do not vanish together: a single one with the sign that it has at a
-/// point, or the sum of the squares.
-pub(super) fn positive_claim(minors: &[Poly], at: &[(Var, Rational)]) -> Poly {
-    match minors {
-        [only] if value(only, at).is_negative() => -only,
-        [only] => only.clone(),
-        _ => minors.iter().fold(Poly::zero(), |sum, m| &sum + &(m * m)),
+/// point, or the sum of the squares; `None` when the work is spent.
+pub(super) fn positive_claim(minors: &[Poly], at: &[(Var, Rational)], work: &mut Work) -> Option<Poly> {
+    if let [only] = minors {
+        return Some(if value(only, at).is_negative() { -only } else { only.clone() });
     }
+    let mut sum = Poly::zero();
+    for m in minors {
+        work.spend_product(m, m)?;
+        sum = &sum + &(m * m);
+    }
+    Some(sum)
 }

@@ -117,14 +117,14 @@ fn one_parameter(
 /// The values in a range at which a minor vanishes, each once: rows that are dependent are so at one of them.
 fn candidates(table: Table<'_>, var: Var, range: &Range, work: &mut Work) -> Option<Vec<Coordinate>> {
     // The product of one minor of each block is a minor of the whole, or a combination of minors.
-    let of_blocks = Cut::new(&table.rows, table.symmetries).and_then(|cut| {
+    let of_blocks = Cut::new(table.rows, table.symmetries).and_then(|cut| {
         let first =
             |rows: &[Vec<Poly>], work: &mut Work| Some(nonzero_minors(rows, work)?.into_iter().next()?.value);
         cut.blocks.iter().map(|b| first(&cut.block(b), work)).collect::<Option<Vec<Poly>>>()
     });
     let minors = match of_blocks {
         Some(minors) => minors,
-        None => vec![nonzero_minors(&table.rows, work)?.into_iter().next()?.value],
+        None => vec![nonzero_minors(table.rows, work)?.into_iter().next()?.value],
     };
     let mut product = Univariate::new(vec![Rational::ONE]);
     for minor in minors {

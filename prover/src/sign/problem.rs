@@ -5,6 +5,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
+use crate::algebra::work::Work;
 use crate::coordinate::Coordinate;
 
 /// A point by coordinates.
@@ -56,6 +57,12 @@ impl Problem {
     /// The value at a rational point.
     pub(crate) fn value(&self, point: &[(Var, Rational)]) -> Rational {
         value(&self.poly, point)
+    }
+
+    /// Counts the work of the value at a point with coordinates of so many bits.
+    pub(crate) fn spend_value(&self, bits: u64, work: &mut Work) -> Option<()> {
+        let words = 1 + (self.poly.max_bits() + u64::from(self.poly.total_degree()) * bits) / 64;
+        work.spend(self.poly.len() as u64 * (1 + self.ranges.len() as u64) * 2 * words)
     }
 
     /// Adds simple coordinates for the variables that a point lacks.
@@ -136,6 +143,15 @@ pub(crate) fn inner(range: &Range, count: usize) -> Vec<Rational> {
 pub(crate) fn open(range: &Range) -> Range {
     let open = |end: &End| end.value().map_or(End::Infinite, |v| End::Excluded(v.clone()));
     Range { low: open(&range.low), high: open(&range.high) }
+}
+
+/// The end s = 0 or s = 1 of a side, if it is finite.
+pub(crate) const fn end(side: &Side, high: bool) -> Option<&Rational> {
+    match (side, high) {
+        (Side::Finite(a, _) | Side::Upwards(a), false) => Some(a),
+        (Side::Finite(_, b) | Side::Downwards(b), true) => Some(b),
+        _ => None,
+    }
 }
 
 /// A range with at least one end as a side of a box.

@@ -1,6 +1,6 @@
 //! Steps 1 and 5: Bernstein coefficients on the box, and on the cells of a subdivision.
 
-use super::problem::{Point, Problem, rational, side, simple};
+use super::problem::{Point, Problem, end, rational, side, simple};
 use super::witness;
 use crate::algebra::bernstein::{Form, Side};
 use crate::algebra::poly::Var;
@@ -79,8 +79,9 @@ impl Search<'_> {
             axes.push(Axis { var: *var, side: side(range)?, included, removed: [false; 2], cuts: 0 });
         }
         let sides: Vec<(Var, Side)> = axes.mapped(|a| (a.var, a.side.clone()));
-        let mut form = Form::new(&self.problem.poly, &sides, self.work)?;
-        for (axis, (low, high)) in axes.iter_mut().zip(form.strip()) {
+        let whole = Form::new(&self.problem.poly, &sides, self.work)?;
+        let (form, exponents) = stripped(&whole);
+        for (axis, (low, high)) in axes.iter_mut().zip(exponents) {
             axis.removed = [low > 0, high > 0];
         }
         if self.relation == Relation::Positive
@@ -88,7 +89,7 @@ impl Search<'_> {
         {
             // The polynomial vanishes on this whole face.
             self.refute(ranges.iter().enumerate().map(|(i, (var, range))| {
-                let end = axes[k].side.end(high).filter(|_| i == k);
+                let end = end(&axes[k].side, high).filter(|_| i == k);
                 (*var, end.map_or_else(|| simple(range), Clone::clone))
             }));
             return None;
@@ -107,17 +108,17 @@ impl Search<'_> {
                 && let Some(face) = unsupported_face(axes, form)
             {
                 // All coefficients on this face are zero, and it belongs to the region.
-                self.refute(axes.iter().zip(&face).map(|(axis, end)| {
-                    let end = end.and_then(|high| axis.side.end(high));
+                self.refute(axes.iter().zip(&face).map(|(axis, face)| {
+                    let end = face.and_then(|high| end(&axis.side, high));
                     (axis.var, end.map_or_else(|| axis.side.middle(), Clone::clone))
                 }));
                 return None;
             }
             return Some(Cuts::None);
         }
-        for corner in 0..1_usize << axes.len() {
-            let high = |axis: usize| corner >> axis & 1 == 1;
-            let sign = form.corner(high).signum();
+        for number in 0..1_usize << axes.len() {
+            let high = |axis: usize| number >> axis & 1 == 1;
+            let sign = corner(form, high).signum();
             let belongs = || axes.iter().enumerate().all(|(k, a)| a.included[usize::from(high(k))]);
             if sign < 0 || sign == 0 && self.relation == Relation::Positive && belongs() {
                 let corner =
@@ -175,6 +176,44 @@ fn unsupported_face(axes: &[Axis], form: &Form) -> Option<Vec<Option<bool>>> {
             choices.mapped(pick)
         })
         .find(|face| !form.has_support(face))
+}
+
+/// The form divided by s and r as long as all coefficients of a face of the box are zero; by axis, the exponents of s and r
+/// that it was divided by. The zero form stays as it is.
+fn stripped(form: &Form) -> (Form, Vec<(usize, usize)>) {
+    let (mut degrees, mut coefficients) = (form.degrees().to_vec(), form.coefficients().to_vec());
+    let mut exponents = vec![(0, 0); degrees.len()];
+    if coefficients.iter().all(Rational::is_zero) {
+        return (form.clone(), exponents);
+    }
+    for axis in 0..degrees.len() {
+        let (n, stride) = (degrees[axis], degrees[axis + 1..].iter().map(|d| d + 1).product::<usize>());
+        let index = |place: usize| place / stride % (n + 1);
+        let (mut first, mut last) = (n, 0);
+        for (place, _) in coefficients.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+            (first, last) = (first.min(index(place)), last.max(index(place)));
+        }
+        exponents[axis] = (first, n - last);
+        if first > 0 || last < n {
+            let mut place = 0;
+            coefficients.retain(|_| {
+                let k = index(place);
+                place += 1;
+                first <= k && k <= last
+            });
+            degrees[axis] = last - first;
+        }
+    }
+    (Form::of(degrees, coefficients), exponents)
+}
+
+/// The coefficient at a corner: the value of the polynomial there, up to a positive factor.
+fn corner(form: &Form, high: impl Fn(usize) -> bool) -> &Rational {
+    let mut place = 0;
+    for (axis, n) in form.degrees().iter().enumerate() {
+        place = place * (n + 1) + if high(axis) { *n } else { 0 };
+    }
+    &form.coefficients()[place]
 }
 
 /// The axis along which the signs change most often, those that were cut less often first.

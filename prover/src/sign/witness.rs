@@ -1,12 +1,12 @@
 //! Counterexamples: from a corner of a cell into the region, and from any point to a simple one.
 
-use super::problem::Problem;
+use super::problem::{Problem, end};
 use crate::algebra::bernstein::Side;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, isolate};
-use crate::algebra::simplest::simplest_between;
+use crate::algebra::simplest::{simplest_between, spend_simplest};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
@@ -28,7 +28,7 @@ pub(super) fn inside(
     work: &mut Work,
 ) -> Option<Rationals> {
     let exact: Option<Rationals> =
-        corner.iter().map(|(v, s, high)| Some((*v, s.end(*high)?.clone()))).collect();
+        corner.iter().map(|(v, s, high)| Some((*v, end(s, *high)?.clone()))).collect();
     if let Some(point) = exact
         && violates(problem, relation, &point)
     {
@@ -36,7 +36,7 @@ pub(super) fn inside(
     }
     let mut step = Rational::ONE;
     for k in 0..300 {
-        work.spend(problem.poly.len() as u64 * 10 * (1 + k / 16))?;
+        problem.spend_value(2 + k, work)?;
         step *= &Rational::new(1, 2);
         let point: Rationals = corner.mapped(|(v, s, high)| (*v, near(s, *high, &step)));
         if violates(problem, relation, &point) {
@@ -76,13 +76,13 @@ pub(super) fn near_end(
         point.push((var, x));
         point
     };
-    let end = side.end(high).map(|x| with(x.clone())).filter(|p| violates(problem, relation, p));
+    let end = end(&side, high).map(|x| with(x.clone())).filter(|p| violates(problem, relation, p));
     if end.is_some() {
         return end;
     }
     let mut step = Rational::ONE;
     for k in 0..300 {
-        work.spend(problem.poly.len() as u64 * 10 * (1 + k / 16))?;
+        problem.spend_value(2 + k, work)?;
         step *= &Rational::new(1, 2);
         let point = with(near(&side, high, &step));
         if violates(problem, relation, &point) {
@@ -99,7 +99,7 @@ pub(super) fn simplify(
     point: Rationals,
     work: &mut Work,
 ) -> Rationals {
-    if let Some(found) = grid(problem, relation) {
+    if let Some(found) = grid(problem, relation, work) {
         return found;
     }
     let mut best = point;
@@ -124,7 +124,7 @@ fn size(x: &Rational) -> (Rational, Rational) {
 const MAX_GRID: usize = 400;
 
 /// The simplest point that contradicts the claim, with simple numbers and ends of ranges as coordinates.
-fn grid(problem: &Problem, relation: Relation) -> Option<Rationals> {
+fn grid(problem: &Problem, relation: Relation, work: &mut Work) -> Option<Rationals> {
     let lists: Vec<(Var, Vec<Rational>)> = problem.ranges.mapped(|(v, r)| (*v, candidates(r)));
     let longest: usize = lists.iter().map(|(_, l)| l.len()).sum();
     let mut looked_at = 0;
@@ -136,6 +136,7 @@ fn grid(problem: &Problem, relation: Relation) -> Option<Rationals> {
         }
         loop {
             let point: Rationals = lists.iter().zip(&places).map(|((v, l), k)| (*v, l[*k].clone())).collect();
+            problem.spend_value(8, work)?;
             if violates(problem, relation, &point) {
                 return Some(point);
             }
@@ -230,6 +231,7 @@ fn simplest_coordinate(
     let var = point[k].0;
     let mut poly = problem.poly.clone();
     for (v, x) in point.iter().filter(|(v, _)| *v != var) {
+        work.spend_at(&poly, *v, x)?;
         poly = poly.at(*v, x);
     }
     let p = Univariate::from_poly(&poly, var)?.primitive();
@@ -246,6 +248,10 @@ fn simplest_coordinate(
         let mut sure = true;
         for cell in 0..=roots.len() {
             let (before, after) = (cell.checked_sub(1).and_then(|k| roots.get(k)), roots.get(cell));
+            for root in before.into_iter().chain(after) {
+                spend_simplest(root.low(), root.high(), work)?;
+                work.spend_value(&p, root.low())?;
+            }
             // The widest interval that the cell can be: if the simplest number there is bad, there is none simpler.
             let widest = simplest_between(
                 before.map(Root::low).or(range.low.value()),

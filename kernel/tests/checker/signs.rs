@@ -1,0 +1,398 @@
+//! Certificates of signs: each kind once, with near misses.
+
+use std::rc::Rc;
+
+use basis_kernel::algebra::poly::{Monomial, Poly, Var};
+use basis_kernel::algebra::rational::Rational;
+use basis_kernel::algebra::work::Work;
+use basis_kernel::{
+    Certificate, Domain, Proof, Quotient, Rank, Refusal, Refutation, Relation, SignProof, Statement, Witness,
+    text,
+};
+
+use crate::text::sign;
+
+/// A true claim with a certificate of it, statements that are false or that this certificate does not prove, and
+/// certificates that do not prove the claim.
+pub(crate) struct Case {
+    pub(crate) claim: &'static str,
+    pub(crate) on: &'static str,
+    pub(crate) certificate: &'static str,
+    /// A point of the domain, for statements that are made false there.
+    pub(crate) point: &'static [(i64, i64)],
+    pub(crate) statements: &'static [(&'static str, &'static str)],
+    pub(crate) certificates: &'static [&'static str],
+}
+
+/// A number by which true claims become false at a zero.
+const TINY: &str = "1/1000000000000000000000000000000";
+
+/// A positive polynomial, with the irrational number √2 among the roots of both projections.
+pub(crate) const IRRATIONAL: Case = Case {
+    claim: "1 + x0^2 - x0*x1 + x1^2 > 0",
+    on: "0 < x0 < 2, 0 < x1 < 2",
+    certificate: "(sign _ (slices (\
+                  ((x0 x1) ((-2+x0^2 1+x0^2 4+3*x0^2 5-2*x0+x0^2) (1+x0^2-x0*x1+x1^2)) ((5/4 3/2)) ((1 .) (7/4 .))) \
+                  ((x1 x0) ((-2+x1^2 1+x1^2 4+3*x1^2 5-2*x1+x1^2) (1+x0^2-x0*x1+x1^2)) ((5/4 3/2)) ((1 .) (7/4 .)))) \
+                  ((5/4 3/2 5/4 3/2))))",
+    point: &[(1, 1), (1, 1)],
+    statements: &[
+        ("1 + x0^2 - x0*x1 + x1^2 > 0", "0 < x0 < 2, 0 < x1 <= 2"),
+        ("1 + x0^2 - x0*x1 + x1^2 > 0", "0 < x0 < 2, 0 < x1"),
+        ("1 + x0^2 - x0*x1 + x1^2 >= 0", "0 < x0 < 2, 0 < x1 < 2"),
+        ("1 + x0^2 - 3*x0*x1 + x1^2 > 0", "0 < x0 < 2, 0 < x1 < 2"),
+    ],
+    certificates: &["(sign _ (slices () ()))", "(sign _ (cells (x0 x1) ((x0) (x1)) ()))"],
+};
+
+pub(crate) const CASES: &[Case] = &[
+    Case {
+        claim: "x0*(1 - x0) >= 0",
+        on: "0 <= x0 <= 1",
+        certificate: "direct",
+        point: &[(1, 1)],
+        statements: &[
+            ("x0*(1 - x0) >= 0", "0 <= x0 <= 1000000001/1000000000"),
+            ("x0*(1 - x0) >= 0", "0 <= x0"),
+            ("x0*(1 - x0) > 0", "0 <= x0 < 1"),
+            ("x0*(1 - x0) > 0", "0 < x0 <= 1"),
+        ],
+        certificates: &[
+            "(sign + .)",
+            "(sign _ (cut x1 . .))",
+            "(sign _ (faces . . .))",
+            "(minors .)",
+            "(rank () ())",
+        ],
+    },
+    Case {
+        claim: "x0 - 1/3 // x0^2 - x0 + 1 > 0",
+        on: "1/3 < x0",
+        certificate: "(sign (+ (cut x0 . .)) .)",
+        point: &[(1, 2)],
+        statements: &[
+            ("x0 - 1/3 // x0^2 - x0 + 1 > 0", "1/3 <= x0"),
+            ("x0 - 1/3 // x0^2 - x0 - 1 > 0", "1/3 < x0"),
+            ("x0 - 1/3 // x0 - x0 > 0", "1/3 < x0"),
+        ],
+        certificates: &[
+            "(sign _ .)",
+            "(sign - .)",
+            "(sign (- (cut x0 . .)) .)",
+            "(sign (+ (cut x0 . .)) (cut x1 . .))",
+        ],
+    },
+    Case {
+        claim: "x0^2 - x0 + 1/3 > 0",
+        on: "0 <= x0 <= 1",
+        certificate: "(sign _ (cut x0 . .))",
+        point: &[(1, 2)],
+        statements: &[("x0^2 - x0 + 1/3 > 0", "-1 <= x0 <= 1"), ("x0^2 - x0 + 1/4 > 0", "0 <= x0 <= 1")],
+        certificates: &["direct", "(sign _ .)", "(sign _ (cut x0 . (cut x1 . .)))", "(sign _ (factors +))"],
+    },
+    Case {
+        claim: "x0^2*x1 + (1 - x1)*(x0 - 1/3)^2 > 0",
+        on: "0 < x0 < 1, 0 < x1 < 1",
+        certificate: "(sign _ (corners x1 (factors (-1+3*x0 ^) +) . 1/2 (cut x0 (cut x0 . .) .)))",
+        point: &[(1, 3), (1, 2)],
+        statements: &[
+            ("x0^2*x1 + (1 - x1)*(x0 - 1/3)^2 > 0", "0 < x0 < 1, 0 <= x1 < 1"),
+            ("x0^2*x1 + (1 - x1)*(x0 - 1/3)^2 > 0", "0 <= x0 < 1, 0 < x1 <= 1"),
+            ("x0^2*x1 + (1 - x1)*(x0 - 1/3)^2 > 0", "0 < x0 < 1, 0 < x1"),
+            ("x0^2*x1 + (1 - x1)*(x0 - 1/3)^2 > 0", "0 < x0 < 1"),
+        ],
+        certificates: &[
+            "(sign _ (corners x1 (factors (-1+3*x0 ^) +) .))",
+            "(sign _ (corners x1 (factors (-1+3*x0 ^) +) . 1 (cut x0 (cut x0 . .) .)))",
+            "(sign _ (corners x1 (factors (-1+3*x0 ^) +) . 3/2 (cut x0 (cut x0 . .) .)))",
+            "(sign _ (corners x1 (factors (-1+3*x0 ^) -) . 1/2 (cut x0 (cut x0 . .) .)))",
+            "(sign _ (corners x1 (factors (-1+2*x0 ^) +) . 1/2 (cut x0 (cut x0 . .) .)))",
+            "(sign _ (corners x1 . (factors (-1+3*x0 ^) +) 1/2 (cut x0 (cut x0 . .) .)))",
+            "(sign _ (corners x1 (factors (-1+3*x0 ^) +) . 1/2 .))",
+            "(sign _ (corners x0 (factors (-1+3*x0 ^) +) . 1/2 (cut x0 (cut x0 . .) .)))",
+        ],
+    },
+    Case {
+        claim: "x0 - x0*x1 + 1 >= 0",
+        on: "0 <= x0, x1 <= 1",
+        certificate: "(sign _ (corners x1 . .))",
+        point: &[(1, 1), (1, 1)],
+        statements: &[
+            ("x0 - x0*x1 + 1 >= 0", "0 <= x0, x1 <= 2"),
+            ("x0 - x0*x1 + 1 >= 0", "x1 <= 1"),
+            ("x0 - x0*x1 + 1 >= 0", "0 <= x0"),
+        ],
+        certificates: &["(sign _ (corners x2 . .))", "(sign _ (corners x1 . . 1 .))"],
+    },
+    Case {
+        claim: "(x0 - x1)^2*(x0 + 1) >= 0",
+        on: "0 <= x0 <= 1, 0 <= x1 <= 1",
+        certificate: "(sign _ (factors (x0-x1 ^) +))",
+        point: &[(1, 2), (1, 2)],
+        statements: &[
+            ("(x0 - x1)^2*(x0 + 1) >= 0", "-2 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("(x0 - x1)^2*(x0 + 1) > 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("(x0 - x1)^3*(x0 + 1) >= 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("-1*(x0 - x1)^2*(x0 + 1) >= 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+        ],
+        certificates: &[
+            "(sign _ (factors (x0-x1 ^) -))",
+            "(sign _ (factors (x0+x1 ^) +))",
+            "(sign _ (factors (1+x0 ^) +))",
+            "(sign _ (factors (x0-x1 +) +))",
+            "(sign _ (factors (2 +) (x0-x1 ^) +))",
+        ],
+    },
+    Case {
+        claim: "x0^2 - x0*x1 + x1^2 > 0",
+        on: "0 < x0 <= 1, 0 <= x1 <= 1",
+        certificate: "(sign _ (faces (slices (((x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ((1/2 .)))) ()) . . . . .))",
+        point: &[(1, 2), (1, 2)],
+        statements: &[
+            ("x0^2 - x0*x1 + x1^2 > 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("x0^2 - x0*x1 + x1^2 > 0", "-1 < x0 <= 1, 0 <= x1 <= 1"),
+            ("x0^2 - 2*x0*x1 + x1^2 > 0", "0 < x0 <= 1, 0 <= x1 <= 1"),
+        ],
+        certificates: &[
+            "(sign _ (faces (slices (((x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ((1/2 .)))) ()) . . . .))",
+            "(sign _ (faces (slices (((x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ((3/2 .)))) ()) . . . . .))",
+            "(sign _ (faces (slices (((x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ())) ()) . . . . .))",
+            "(sign _ (faces (slices (((x0 x1) ((1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ((1/2 .)))) ()) . . . . .))",
+            "(sign _ (faces (slices (((x0 x1) ((x0) (x0^2-x0*x1+x1^2)) () ((1/2 .)))) ()) . . . . .))",
+            "(sign _ (faces (slices (((x1 x0) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ((1/2 .)))) ()) . . . . .))",
+            "(sign _ (faces (slices () ()) . . . . .))",
+            "(sign _ (faces (slices () (())) . . . . .))",
+            "(sign _ (slices (((x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) () ((1/2 .)))) ()))",
+        ],
+    },
+    Case {
+        claim: "x0^2 - x0*x1 + x1^2 >= 0",
+        on: "0 <= x0 <= 1, 0 <= x1 <= 1",
+        certificate: "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 1/2))))",
+        point: &[(0, 1), (0, 1)],
+        statements: &[
+            ("x0^2 - x0*x1 + x1^2 >= 0", "-1 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("x0^2 - x0*x1 + x1^2 > 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("x0^2 - 3*x0*x1 + x1^2 >= 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("x0^2 - 2*x0*x1 + x1^2 - 1/1000 >= 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+        ],
+        certificates: &[
+            "(sign _ (cells (x1 x0) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 1/2))))",
+            "(sign _ (cells (x0) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 1/2))))",
+            "(sign _ (cells (x0 x1) ((x0) (x0^2-x0*x1+x1^2)) ((1/2 1/2))))",
+            "(sign _ (cells (x0 x1) ((1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 1/2))))",
+            "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) ()) ((1/2 1/2))))",
+            "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ()))",
+            "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) (1/2)))",
+            "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 (1/2 1/2)))))",
+            "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 3/2))))",
+            "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (x0^2-x0*x1+x1^2)) ((1/2 1/2) (2/3 1/2))))",
+        ],
+    },
+    Case {
+        claim: "1 + x0^4*x1^2 + x0^2*x1^4 - 3*x0^2*x1^2 >= 0",
+        on: "",
+        certificate: "(sign _ (cells (x0 x1) ((x0 -4+x0^2 -1+x0^2) (1-3*x0^2*x1^2+x0^4*x1^2+x0^2*x1^4)) \
+                      ((-3 0) (-3/2 0) (-1/2 0) (1/2 0) (3/2 0) (3 0))))",
+        point: &[(1, 1), (1, 1)],
+        statements: &[
+            ("1 + x0^4*x1^2 + x0^2*x1^4 - 3*x0^2*x1^2 > 0", ""),
+            ("1 + x0^4*x1^2 + x0^2*x1^4 - 301/100*x0^2*x1^2 >= 0", ""),
+        ],
+        certificates: &[
+            "(sign _ (cells (x0 x1) ((x0 -4+x0^2 -1+x0^2) (1-3*x0^2*x1^2+x0^4*x1^2+x0^2*x1^4)) \
+             ((-3 0) (-3/2 0) (-1/2 0) (1/2 0) (3/2 0))))",
+            "(sign _ (cells (x0 x1) ((x0 -4+x0^2) (1-3*x0^2*x1^2+x0^4*x1^2+x0^2*x1^4)) ((-3 0) (-1/2 0) (1/2 0) (3 0))))",
+        ],
+    },
+    Case {
+        claim: "(x0*x1 - 1)^2 + x0^2 > 0",
+        on: "",
+        certificate: "(sign _ (slices (((x0 x1) ((x0) (1+x0^2-2*x0*x1+x0^2*x1^2)) ((= 0 .)) \
+                      ((-1 (cut x1 (cut x1 . .) .)) (1 (cut x1 . (cut x1 . .)))))) ()))",
+        point: &[(1, 2), (2, 1)],
+        statements: &[("(x0*x1 - 1)^2 + x0^2 > 0", "0 <= x0"), ("(x0*x1 - 1)^2 > 0", "")],
+        certificates: &[
+            "(sign _ (slices (((x0 x1) ((x0) (1+x0^2-2*x0*x1+x0^2*x1^2)) ((0 1/2)) \
+             ((-1 (cut x1 (cut x1 . .) .)) (1 (cut x1 . (cut x1 . .)))))) ()))",
+            "(sign _ (slices (((x0 x1) ((x0) (1+x0^2-2*x0*x1+x0^2*x1^2)) ((= 1/2 .)) \
+             ((-1 (cut x1 (cut x1 . .) .)) (1 (cut x1 . (cut x1 . .)))))) ()))",
+            "(sign _ (slices (((x0 x1) ((x0) (1+x0^2-2*x0*x1+x0^2*x1^2)) ((-1/2 1/2)) \
+             ((-1 (cut x1 (cut x1 . .) .)) (1 (cut x1 . (cut x1 . .)))))) ()))",
+            "(sign _ (slices (((x0 x1) ((x0) (1+x0^2-2*x0*x1+x0^2*x1^2)) () ((-1 (cut x1 (cut x1 . .) .))))) ()))",
+        ],
+    },
+    Case {
+        claim: "x0*x1*(1 - x0 - x1) >= 0",
+        on: "simplex x0 x1",
+        certificate: "direct",
+        point: &[(1, 2), (1, 2)],
+        statements: &[
+            ("x0*x1*(1 - x0 - x1) >= 0", "0 <= x0 <= 1, 0 <= x1 <= 1"),
+            ("x0*x1*(1 - x0 - x1) > 0", "simplex x0 x1"),
+            ("x0*x1*(1 - x0 - x1) >= 0", "simplex x0 x0"),
+            ("x0*x1*(1 - x0 - x1) >= 0", "simplex x0, simplex x1"),
+            ("x0*x1*(1 - x0 - x1) >= 0", "simplex x0 x1, 0 <= x0 <= 1"),
+            ("x0*x1*(999/1000 - x0 - x1) >= 0", "simplex x0 x1"),
+        ],
+        certificates: &["(sign _ (cut x0 . .))", "(sign _ (faces .))"],
+    },
+    Case {
+        claim: "x0 - 2 > 0",
+        on: "0 <= x0 < 0",
+        certificate: "direct",
+        point: &[],
+        statements: &[("x0 - 2 > 0", "0 <= x0 <= 0"), ("x0 - 2 > 0", "0 <= x0 < 1/1000")],
+        certificates: &["(sign _ (cut x0 . .))", "(sign + .)"],
+    },
+];
+
+pub(crate) fn offer(statement: &Rc<Statement>, certificate: &Certificate) -> Result<Proof, Refusal> {
+    Proof::new(Rc::clone(statement), certificate.clone(), &mut Work::usual(1))
+}
+
+fn read(certificate: &str) -> Certificate {
+    text::certificate(certificate.trim()).unwrap_or_else(|e| panic!("{certificate}: {e}"))
+}
+
+#[test]
+fn true_claims_are_accepted_and_near_misses_refused() {
+    for case in CASES.iter().chain([&IRRATIONAL]) {
+        let statement = sign(case.claim, case.on);
+        let certificate = read(case.certificate);
+        if let Err(refusal) = offer(&statement, &certificate) {
+            panic!("{} on {}: {refusal}", case.claim, case.on);
+        }
+        for (claim, on) in case.statements {
+            assert!(offer(&sign(claim, on), &certificate).is_err(), "{claim} on {on}");
+        }
+        for other in case.certificates {
+            assert!(offer(&statement, &read(other)).is_err(), "{} by {other}", case.claim);
+        }
+        for other in CASES {
+            // One of another statement proves this one only where it says nothing that is special to that one.
+            if other.certificate.contains("cells") && other.certificate != case.certificate {
+                assert!(
+                    offer(&statement, &read(other.certificate)).is_err(),
+                    "{} by {}",
+                    case.claim,
+                    other.certificate
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_claim_that_fails_by_next_to_nothing_is_refused() {
+    for case in CASES.iter().filter(|c| !c.claim.contains("//") && !c.point.is_empty()) {
+        let (text, relation) = case.claim.split_once('>').expect("a relation");
+        let statement = sign(case.claim, case.on);
+        let Statement::Sign { value, .. } = &*statement else { panic!("a sign") };
+        let point: Vec<_> = case.point.iter().map(|(n, d)| Rational::new(*n, *d)).collect();
+        let least = value.numerator.eval(&point);
+        let lowered = sign(&format!("{text} - ({least}) - {TINY} >{relation}"), case.on);
+        assert!(offer(&lowered, &read(case.certificate)).is_err(), "{} on {}", case.claim, case.on);
+        let strict = sign(&format!("{text} - ({least}) > 0"), case.on);
+        assert!(offer(&strict, &read(case.certificate)).is_err(), "{} on {}", case.claim, case.on);
+    }
+}
+
+/// Every number of the certificate with irrational sections is changed, every list loses an element.
+#[test]
+fn no_field_of_a_certificate_with_irrational_sections_may_change() {
+    let statement = sign(IRRATIONAL.claim, IRRATIONAL.on);
+    let whole = read(IRRATIONAL.certificate);
+    let written = text::certificate_text(&whole);
+    for (from, to) in [
+        ("((5/4 3/2)) ((1 ", "((3/2 5/4)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "((5/4 11/8)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "((3/2 7/4)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "((1/2 3/2)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "((5/4 15/8)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "((= 7/5 .)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "((5/4 3/2) (5/4 3/2)) ((1 "),
+        ("((5/4 3/2)) ((1 ", "() ((1 "),
+        ("((1 .) (7/4 .))", "((1/2 .) (1 .))"),
+        ("((1 .) (7/4 .))", "((1 .) (3 .))"),
+        ("((1 .) (7/4 .))", "((7/4 .) (1 .))"),
+        ("((1 .) (7/4 .))", "((1 .))"),
+        ("((1 .) (7/4 .))", "((1 (cut x0 . .)) (7/4 .))"),
+        ("((5/4 3/2 5/4 3/2))", "()"),
+        ("((5/4 3/2 5/4 3/2))", "((5/4 3/2))"),
+        ("((5/4 3/2 5/4 3/2))", "((5/4 11/8 5/4 3/2))"),
+        ("((5/4 3/2 5/4 3/2))", "((5/4 3/2 23/16 3/2))"),
+        ("((5/4 3/2 5/4 3/2))", "((3/2 5/4 5/4 3/2))"),
+        ("((5/4 3/2 5/4 3/2))", "((5/4 5/3 5/4 3/2))"),
+        ("((5/4 3/2 5/4 3/2))", "((5/4 3/2 5/4 3/2) (5/4 3/2 5/4 3/2))"),
+        (" 1+x0^2 4+3*x0^2", " 4+3*x0^2"),
+        (" 4+3*x0^2", ""),
+        (" 5-2*x0+x0^2", ""),
+        (" 4+3*x0^2", " 4-3*x0^2"),
+        ("(-2+x0^2 ", "("),
+        ("(-2+x0^2 ", "(0 "),
+        ("(-2+x0^2 ", "(-2+x1^2 "),
+        ("(-2+x0^2 ", "(-2+x0^2 -3+x0^2 "),
+        ("(-2+x0^2 ", "(-2+x0^2 -2+x0^2 "),
+        ("(1+x0^2-x0*x1+x1^2)", "()"),
+        ("(1+x0^2-x0*x1+x1^2)", "(2+x0^2-x0*x1+x1^2)"),
+        ("(x0 x1)", "(x1 x0)"),
+        ("(x1 x0)", "(x0 x1)"),
+    ] {
+        let changed = written.replacen(from, to, 1);
+        assert_ne!(changed, written, "{from}");
+        let certificate = text::certificate(&changed).unwrap_or_else(|e| panic!("{from} as {to}: {e}"));
+        assert!(offer(&statement, &certificate).is_err(), "{from} as {to}");
+    }
+    for base in 0..2 {
+        let mut less = whole.clone();
+        let Certificate::Sign { numerator: SignProof::Slices(slices), .. } = &mut less else {
+            panic!("slices")
+        };
+        slices.bases.remove(base);
+        assert!(offer(&statement, &less).is_err());
+    }
+}
+
+/// The combination would vanish if exponents wrapped: x^65535 times x is not 1.
+#[test]
+fn exponents_do_not_wrap() {
+    let x = crate::text::poly("x0");
+    let high = Poly::term(Monomial::one().with_exponent(Var(0), u16::MAX), Rational::ONE);
+    let rows = vec![vec![x, Poly::one()], vec![Poly::one(), high.clone()]];
+    let except = vec![vec![(Var(1), Rational::ZERO)]];
+    let region = crate::text::region("0 <= x1 <= 0");
+    let statement = Rc::new(Statement::Independent { rows, except, region });
+    let rank = Rank { pieces: Vec::new(), exceptions: vec![vec![high.clone(), -&Poly::one()]] };
+    assert_eq!(offer(&statement, &Certificate::Rank(rank)).err(), Some(Refusal::Spent));
+    // u^40000 (1 − u − v)^40000 on a triangle.
+    let power = |v| Poly::term(Monomial::one().with_exponent(Var(v), 40_000), Rational::ONE);
+    let value = Quotient::from(&power(0) * &power(1));
+    let domain = Rc::new(crate::text::domain("simplex x0 x1"));
+    let statement = Statement::Sign { value, relation: Relation::NonNegative, domain };
+    assert_eq!(offer(&Rc::new(statement), &Certificate::Direct).err(), Some(Refusal::Spent));
+}
+
+/// Long numbers to high powers are counted before they are computed.
+#[test]
+fn work_is_counted_before_it_is_done() {
+    let huge = format!("1{}", "0".repeat(50_000));
+    let p = "x0^60*x1^60 + 1";
+    for certificate in [
+        format!("(sign _ (corners x0 . . {huge} .))"),
+        format!("(sign _ (slices (((x0 x1) ((x0) (x1)) () (({huge} .)))) ()))"),
+        format!("(sign _ (cells (x0 x1) ((x0) (1+x0^60*x1^60)) (({huge} {huge}))))"),
+    ] {
+        let statement = sign(&format!("{p} >= 0"), "0 <= x0, 0 <= x1");
+        assert!(offer(&statement, &read(&certificate)).is_err());
+        let statement = sign(&format!("{p} > 0"), "0 < x0, 0 < x1");
+        assert!(offer(&statement, &read(&certificate)).is_err());
+    }
+    let point = format!("(at (root (-2 0 1) 1 {huge}) (x0 (0 1)) (x1 {huge}))");
+    let Ok(Witness::At(point)) = text::witness(&point) else { panic!("a point") };
+    let value = Quotient::from(crate::text::poly("-1*x0^60*x1^60"));
+    let domain = Rc::new(Domain::default());
+    let statement = Rc::new(Statement::Sign { value, relation: Relation::NonNegative, domain });
+    let refused = Refutation::new(statement, Witness::At(point), &mut Work::new(1_000_000));
+    assert_eq!(refused.err(), Some(Refusal::Spent));
+}
