@@ -30,6 +30,10 @@ use super::{BSplineSurface, Edge};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
+/// As long as a tolerance is not met, spans are divided whose figures are above this part of it: those just below would be above it
+/// when their neighbours have changed.
+pub(super) const AIM: f64 = 0.8;
+
 /// The number of rounds without better figures after which rounding errors are reached, or a tolerance that cannot be met.
 const PATIENCE: usize = 3;
 
@@ -240,7 +244,7 @@ pub fn splice<P: Point3>(
             let change = change(&base, &strip);
             return Ok(Splice { surface: result, measure, spans, rounds, change });
         }
-        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, options.gap, angle);
+        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
         let stalled = rounds - best_round >= PATIENCE;
         if exact || stalled || middles.is_empty() || spans + middles.len() > options.spans {
             break;
