@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use crate::curve::{eliminate, touching};
+use crate::curve::{End, eliminate, touching};
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
 use crate::{
@@ -133,7 +133,7 @@ pub trait Basis: Copy + PartialEq + Debug {
         derivatives: &[P],
         points: Self::Points<P>,
     ) -> Result<Self::Points<P>, CurveError> {
-        eliminate(self, derivatives, points, false)
+        eliminate(self, derivatives, points, End::Start)
     }
 
     /// As [`start_points`](Self::start_points) for the derivatives at the end of the domain and the last points.
@@ -146,7 +146,7 @@ pub trait Basis: Copy + PartialEq + Debug {
         derivatives: &[P],
         points: Self::Points<P>,
     ) -> Result<Self::Points<P>, CurveError> {
-        eliminate(self, derivatives, points, true)
+        eliminate(self, derivatives, points, End::Last)
     }
 
     /// The curve Q over this family that continues a curve P of any family where that ends: the first control points, one
@@ -176,7 +176,7 @@ pub trait Basis: Copy + PartialEq + Debug {
         contact: Contact<Self::Scalar>,
         points: Self::Points<P>,
     ) -> Result<Curve<Self, P>, CurveError> {
-        Ok(Curve::new(*self, touching(self, curve, contact, points, false)?))
+        Ok(Curve::new(*self, touching(self, curve, contact, points, End::Start)?))
     }
 
     /// The curve Q over this family that ends where a curve P of any family starts: the last control points, one more than
@@ -203,7 +203,7 @@ pub trait Basis: Copy + PartialEq + Debug {
         contact: Contact<Self::Scalar>,
         points: Self::Points<P>,
     ) -> Result<Curve<Self, P>, CurveError> {
-        Ok(Curve::new(*self, touching(self, curve, contact, points, true)?))
+        Ok(Curve::new(*self, touching(self, curve, contact, points, End::Last)?))
     }
 }
 

@@ -102,6 +102,7 @@ extern crate std;
 pub mod __private;
 mod basis;
 pub mod bernstein;
+mod binomial;
 mod boxes;
 #[cfg(feature = "bspline")]
 pub mod bspline;

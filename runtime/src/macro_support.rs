@@ -7,10 +7,11 @@ pub use ::core;
 pub use ::serde;
 
 use crate::basis::combination;
+use crate::binomial::binomials;
 pub use crate::boxes::box_sum;
-use crate::curve::eliminate;
+use crate::curve::{End, eliminate};
 pub use crate::domain::unit;
-use crate::form::{binomials, nested};
+use crate::form::nested;
 #[cfg(feature = "serde")]
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
@@ -82,7 +83,7 @@ pub fn end_points<B: Basis, P: Point<Scalar = B::Scalar>>(
     points: B::Points<P>,
     at_end: bool,
 ) -> Result<B::Points<P>, CurveError> {
-    eliminate(basis, derivatives, points, at_end)
+    eliminate(basis, derivatives, points, if at_end { End::Last } else { End::Start })
 }
 
 /// `Σ weights[i] points[i]`; a weight of zero is added like any other.

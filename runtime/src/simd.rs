@@ -3,7 +3,7 @@
 //! Loops are written once, in portable code; the compiler vectorises them, once for each set of instructions. This is the
 //! only place of the crate with `unsafe` code.
 
-/// From so many points on, choosing the instructions costs less than it saves.
+/// The number of points from which on choosing the instructions costs less than it saves.
 pub(crate) const WORTHWHILE: usize = 16;
 
 /// A loop over a slice.

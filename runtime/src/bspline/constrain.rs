@@ -11,7 +11,7 @@ use crate::{Point, Scalar};
 /// A row that the earlier ones determine up to this part of its length says nothing new.
 const DEPENDENT: f64 = 1e-12;
 
-/// Contradictions of so many rounding errors of the scalar type are none.
+/// Rounding errors, in ε of the scalar type, up to which constraints do not count as contradicting each other.
 const ROUNDING: f64 = 32.0;
 
 /// A point through which a surface is to pass.

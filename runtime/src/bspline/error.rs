@@ -38,7 +38,7 @@ pub enum KnotError {
         /// The degree.
         degree: usize,
     },
-    /// So many knots do not fit into the memory.
+    /// There is no memory for the knots.
     Memory,
     /// The knots `t[k]` and `t[n]`, between which the curve is defined, are equal, or so near that their difference is 0.
     EmptyDomain {
@@ -91,7 +91,9 @@ impl Display for KnotError {
             Self::Degree { degree } => {
                 write!(f, "the degree {degree} is above the highest possible, {}", super::MAX_DEGREE)
             }
-            Self::Memory => f.write_str("so many knots do not fit into the memory"),
+            Self::Memory => f.write_str(
+                "there is not enough memory for that many knots; use fewer spans or a lower degree",
+            ),
             Self::EmptyDomain { at } => {
                 write!(f, "the domain is the single number {at}; its two ends must be different knots")
             }

@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::homogeneous::{binomial, check_weights};
+use super::homogeneous::check_weights;
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
+use crate::binomial::binomial;
 use crate::vector::length;
 use crate::{Point, Scalar};
 
@@ -219,7 +220,7 @@ impl<P: Point> NurbsCurve<P> {
 /// |ΔA[i] - P[i] Δw[i]| + (d + tolerance) |Δw[i]| <= tolerance · (the smallest weight)
 /// ```
 ///
-/// holds for all of them. Where the origin lies has no say.
+/// holds for all of them. It does not depend on where the origin lies.
 pub(super) fn within<P: Point>(
     points: &[Homogeneous<P>],
     tolerance: P::Scalar,

@@ -26,7 +26,7 @@ use crate::form::bernstein_derivative;
 use crate::{Basis, Form, Point, Scalar};
 
 pub use contact::Contact;
-pub(crate) use contact::{eliminate, touching};
+pub(crate) use contact::{End, eliminate, touching};
 pub use error::CurveError;
 pub use frame::Frame;
 pub use joint::Joint;

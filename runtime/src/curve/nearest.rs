@@ -9,6 +9,7 @@
 use alloc::vec::Vec;
 
 use crate::bernstein::{self, bracketed_root, changes_of_sign};
+use crate::binomial::Row;
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite, length};
 use crate::{Array, Basis, Curve, Point, Scalar};
@@ -199,19 +200,19 @@ impl<B: Basis> Square<B> {
         let mut coefficients = B::Bernstein::from_fn(|_| [zero; 2]);
         let c = coefficients.as_mut().as_flattened_mut();
         let mut largest = zero;
-        let mut weights = Binomials::new(B::DEGREE);
+        let mut weights = Row::new(B::DEGREE);
         for (i, &p) in points.as_ref().iter().enumerate() {
             let weight = weights.next();
             let square = dot(p, p);
             largest = largest.max(square);
             c[2 * i] = c[2 * i] + square * B::Scalar::of(weight * weight);
-            let mut others = Binomials::new(B::DEGREE);
+            let mut others = Row::new(B::DEGREE);
             for (j, &q) in points.as_ref().iter().enumerate().take(i) {
                 let both = B::Scalar::of(weight * others.next());
                 c[i + j] = c[i + j] + two * dot(p, q) * both;
             }
         }
-        let mut weights = Binomials::new(2 * B::DEGREE);
+        let mut weights = Row::new(2 * B::DEGREE);
         for c in &mut c[..=2 * B::DEGREE] {
             *c = *c * B::Scalar::of(1.0 / weights.next());
         }
@@ -221,27 +222,5 @@ impl<B: Basis> Square<B> {
 
     fn coefficients(&self) -> &[B::Scalar] {
         &self.coefficients.as_ref().as_flattened()[..=2 * B::DEGREE]
-    }
-}
-
-/// A row of Pascal's triangle, from its start.
-struct Binomials {
-    degree: usize,
-    index: usize,
-    value: f64,
-}
-
-impl Binomials {
-    #[inline]
-    fn new(degree: usize) -> Self {
-        Self { degree, index: 0, value: 1.0 }
-    }
-
-    #[inline]
-    fn next(&mut self) -> f64 {
-        let value = self.value;
-        self.value = value * (self.degree - self.index.min(self.degree)) as f64 / (self.index + 1) as f64;
-        self.index += 1;
-        value
     }
 }

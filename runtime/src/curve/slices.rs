@@ -7,7 +7,7 @@ use core::ops::Range;
 use crate::domain::{inverse_width, unit};
 use crate::{Array, Basis, Curve, CurveError, Form, Point, Scalar};
 
-/// So many parameters are mapped to the unit interval at a time.
+/// The number of parameters that are mapped to the unit interval at a time.
 const TILE: usize = 256;
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {

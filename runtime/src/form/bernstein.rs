@@ -4,10 +4,11 @@ use super::pointwise;
 use super::slices::{EndpointDerivatives, EndpointPoints, endpoint_coefficients};
 use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
 use crate::basis::combination;
+use crate::binomial::binomials;
 use crate::simd::{WORTHWHILE, dispatch};
 use crate::{Form, Point, Scalar};
 
-/// Up to so many control points a slice of parameters is evaluated in endpoint form, which is made on the spot; from
+/// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the spot; from
 /// more of them it would lose digits.
 const MOST_CENTRED: usize = 8;
 
@@ -170,19 +171,4 @@ fn difference<P: Point>(points: &mut [P]) {
     for i in 1..points.len() {
         points[i - 1] = points[i].minus(points[i - 1]);
     }
-}
-
-/// Row `N - 1` of Pascal's triangle, exact up to `N = 58`.
-pub(crate) const fn binomials<const N: usize>() -> [f64; N] {
-    let mut row = [1.0; N];
-    let mut n = 2;
-    while n < N {
-        let mut k = n - 1;
-        while k > 0 {
-            row[k] += row[k - 1];
-            k -= 1;
-        }
-        n += 1;
-    }
-    row
 }

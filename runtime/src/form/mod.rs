@@ -8,7 +8,7 @@ mod tiles;
 use core::fmt::Debug;
 
 pub use bernstein::BernsteinForm;
-pub(crate) use bernstein::{bernstein_derivative, binomials, nested};
+pub(crate) use bernstein::{bernstein_derivative, nested};
 pub use endpoint::EndpointForm;
 
 use crate::{Point, Scalar};

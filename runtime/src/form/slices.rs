@@ -9,7 +9,7 @@
 use crate::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
-/// So many points are finished before the next derivative: more than about four streams of results that start at equal
+/// The number of points that are finished before the next derivative: more than about four streams of results that start at equal
 /// offsets would push each other out of the nearest cache.
 const TILE: usize = 512;
 

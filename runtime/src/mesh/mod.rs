@@ -79,7 +79,7 @@ impl<S: Scalar> Mesh<S> {
         }
     }
 
-    /// The indices of the three positions of a triangle; `None` if an index of the triangle is none of a vertex.
+    /// The indices of the three positions of a triangle; `None` if the triangle has an index without a vertex.
     pub fn corners(&self, triangle: [u32; 3]) -> Option<[u32; 3]> {
         let [a, b, c] = triangle.map(|vertex| Some(self.vertices.get(vertex as usize)?.position));
         Some([a?, b?, c?])

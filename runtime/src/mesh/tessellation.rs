@@ -21,7 +21,7 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 /// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long edge
 /// meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share their
 /// positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the tolerance; of a pile
-/// of edges that near to each other, so many are joined that no position moves by more than 1/8 of the tolerance. An edge that is
+/// of edges that near to each other, only those are joined for which no position moves by more than 1/8 of the tolerance. An edge that is
 /// one point becomes one position, with the normals of all directions.
 ///
 /// ```

@@ -15,6 +15,7 @@ use super::TriangularBasis;
 use super::index::TriangleIndex;
 use super::net::contract;
 use super::patch::TriangularPatch;
+use crate::binomial::binomial;
 use crate::vector::{cross, direction, dot, largest_component};
 use crate::{Array, Point3, Scalar};
 
@@ -137,10 +138,7 @@ impl<P: Point3> Product<'_, P> {
 
 /// n!/(p! q! (n - p - q)!)
 fn multinomial<S: Scalar>(n: usize, p: usize, q: usize) -> S {
-    let binomial = |n: usize, k: usize| {
-        (0..k).fold(S::ONE, |product, i| product * S::from_usize(n - i) / S::from_usize(i + 1))
-    };
-    binomial(n, p) * binomial(n - p, q)
+    binomial::<S>(n, p) * binomial::<S>(n - p, q)
 }
 
 /// The limit of the normal at a corner.

@@ -6,7 +6,7 @@ use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
 use crate::{Array, Basis, Curve, Form, Point, Scalar, Surface};
 
-/// So many parameters in `v` are looked at together.
+/// The number of parameters in `v` that are evaluated together.
 const TILE: usize = 512;
 
 /// The surface `S(u, v) = Σ_i b[i](u) Σ_j c_i[j](v) P[i][j]` over a net of control points.

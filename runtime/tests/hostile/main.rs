@@ -57,7 +57,7 @@ const NETS: [fn(usize) -> P; 17] = [
     |i| [5e-324 * i as f64, 5e-324 * ((i * i) % 3) as f64, 0.0],
     |i| [1e160 * i as f64, 1e-160 * (i * i) as f64, 1.0],
     |i| [1e16 + 2.0 * i as f64, 1.0 - (i as f64).cos(), (i as f64).sin()],
-    // One number that is none.
+    // One component that is not a number.
     |i| [i as f64, if i == 2 { f64::NAN } else { 1.0 }, 0.0],
     |i| [i as f64, if i == 3 { f64::INFINITY } else { 1.0 }, 0.0],
 ];
@@ -92,7 +92,7 @@ fn is_finite(p: P) -> bool {
     p.iter().all(|c| c.is_finite())
 }
 
-/// Whether a distance is none of a negative number; NaN stands for a question without an answer.
+/// Whether a distance is not negative; NaN stands for a question without an answer.
 fn is_length(length: f64) -> bool {
     length.is_nan() || length >= 0.0
 }

@@ -19,7 +19,7 @@ pub enum NetworkError {
         /// The index of the seam.
         seam: usize,
     },
-    /// So many patches do not fill the rows of a grid.
+    /// The patches do not fill the rows of a grid.
     Grid {
         /// The number of patches.
         patches: usize,

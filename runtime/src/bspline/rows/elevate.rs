@@ -77,7 +77,7 @@ fn connected<P: Point>(rows: &Rows<P::Scalar, P>) -> Result<Rows<P::Scalar, P>, 
         }
         let refined = insert(rows, &added)?;
         for i in 0..count {
-            // Of inner[..i] so many remain, and the control point with the knots after them has that index.
+            // The number of inner[..i] that remain; the control point with the knots after them has that index.
             let index = i - (i + k - left_out) / (k + 1);
             for (lane, point) in refined.row(index).iter().enumerate() {
                 if left_out == 0 {

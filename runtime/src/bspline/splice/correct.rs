@@ -27,7 +27,7 @@ pub(super) fn correction(strip: &Strip, target: &Strip, t: f64) -> Result<Vector
         return Err(SpliceError::Degenerate { parameter: t });
     };
     let out = strip.at(t).across.scale(-1.0);
-    // Widths in space: how the parameters across the edges are scaled has no say.
+    // Widths in space: the result does not depend on how the parameters across the edges are scaled.
     let least = FORWARD * length(out).max(FORWARD * length(to.across));
     if target.is_creased() {
         let across = direction(to.across).unwrap_or(d);

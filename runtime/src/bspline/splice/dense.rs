@@ -43,7 +43,7 @@ pub(in crate::bspline) fn fit(
     if n <= 2 {
         return Ok(points);
     }
-    // So many control points at each end are known.
+    // The number of control points that are known at each end.
     let mut held = 1;
     if let Some([start, end]) = slopes
         && n > 4

@@ -3,6 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::binomial::Row;
+
 /// The most steps of Newton's method; it needs five or six unless the surface is singular there.
 const STEPS: usize = 60;
 
@@ -230,14 +232,11 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The binomial coefficients of order `n`.
+/// The row `n` of Pascal's triangle.
 #[inline]
 fn binomials(n: usize) -> Vec<f64> {
-    let mut row = vec![1.0];
-    for i in 0..n {
-        row.push(row[i] * (n - i) as f64 / (i + 1) as f64);
-    }
-    row
+    let mut row = Row::new(n);
+    (0..=n).map(|_| row.next()).collect()
 }
 
 /// The derivatives of that order of the Bernstein polynomials of that degree.
