@@ -18,12 +18,14 @@ pub(crate) const fn binomials<const N: usize>() -> [f64; N] {
 }
 
 /// The row `n` of Pascal's triangle, from its start; zeros after its end.
+#[cfg(feature = "alloc")]
 pub(crate) struct Row {
     degree: usize,
     index: usize,
     value: f64,
 }
 
+#[cfg(feature = "alloc")]
 impl Row {
     #[inline]
     pub(crate) fn new(degree: usize) -> Self {
