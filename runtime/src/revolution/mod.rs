@@ -8,6 +8,8 @@ mod rational;
 
 use crate::vector::{cross, direction, dot, is_finite};
 use crate::{Array, Basis, Curve, Point3, Scalar, Surface};
+#[cfg(feature = "bspline")]
+pub(crate) use circle::Arcs;
 pub use circle::half_turn_parameter;
 pub use error::RevolutionError;
 #[cfg(feature = "alloc")]
