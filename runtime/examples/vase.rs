@@ -1,7 +1,7 @@
 //! A vase: a curve that turns about an axis, as triangles in a glTF file.
 //!
-//! `cargo run --example vase --features gltf -- vase.glb` writes the file, which any viewer of 3D models opens; without a name it
-//! writes nothing.
+//! `cargo run --example vase --features gltf -- vase.glb` writes the file, which any viewer of 3D models opens; without
+//! a name it writes nothing.
 
 use std::error::Error;
 use std::f64::consts::PI;

@@ -40,7 +40,8 @@ pub enum KnotError {
     },
     /// There is no memory for the knots.
     Memory,
-    /// The knots `t[k]` and `t[n]`, between which the curve is defined, are equal, or so near that their difference is 0.
+    /// The knots `t[k]` and `t[n]`, between which the curve is defined, are equal, or so near that their difference is
+    /// 0.
     EmptyDomain {
         /// Their value.
         at: f64,

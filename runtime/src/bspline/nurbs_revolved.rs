@@ -10,14 +10,14 @@ use crate::{Basis, Point3, Scalar, SurfaceOfRevolution};
 impl<P: Point3> NurbsSurface<P> {
     /// The surface that a curve sweeps when it turns about an axis: exactly, for any angle.
     ///
-    /// The axis passes through `origin` in the direction `axis`; the turn follows the right hand. The first parameter is
-    /// the angle in radians at the ends of the arcs into which the turn is divided, `0 <= u <= angle` (between them a
-    /// rational function of it); the second one is that of the curve. Each arc of the angle `δ <= π/2` is a rational
+    /// The axis passes through `origin` in the direction `axis`; the turn follows the right hand. The first parameter
+    /// is the angle in radians at the ends of the arcs into which the turn is divided, `0 <= u <= angle` (between them
+    /// a rational function of it); the second one is that of the curve. Each arc of the angle `δ <= π/2` is a rational
     /// quadratic with the weights `1, cos(δ/2), 1`.
     ///
     /// # Errors
-    /// [`SplineError::Angle`] if the angle is not in `0 < angle <= 2π`; [`SplineError::Axis`] if the axis is zero or not
-    /// finite.
+    /// [`SplineError::Angle`] if the angle is not in `0 < angle <= 2π`; [`SplineError::Axis`] if the axis is zero or
+    /// not finite.
     pub fn revolved(
         curve: &NurbsCurve<P>,
         origin: P,
@@ -53,8 +53,8 @@ impl<P: Point3> NurbsSurface<P> {
 impl<B: Basis, P: Point3<Scalar = B::Scalar>> TryFrom<&SurfaceOfRevolution<B, P>> for NurbsSurface<P> {
     type Error = SplineError;
 
-    /// The same surface, exactly: `u` is the parameter of the generatrix, as before; `v` is the angle at the ends of at most
-    /// four arcs of equal angles, and a rational function of it between them.
+    /// The same surface, exactly: `u` is the parameter of the generatrix, as before; `v` is the angle at the ends of at
+    /// most four arcs of equal angles, and a rational function of it between them.
     ///
     /// ```
     /// use basis_runtime::bspline::{Direction, NurbsSurface};

@@ -131,8 +131,8 @@ impl<P: Point> NurbsSurface<P> {
         Ok(self.homogeneous.split(direction, at)?.map(|homogeneous| Self { homogeneous }))
     }
 
-    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
-    /// surface and how often the knot was removed.
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns
+    /// the surface and how often the knot was removed.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

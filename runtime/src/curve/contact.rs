@@ -72,8 +72,8 @@ pub(crate) enum End {
     Last,
 }
 
-/// The control points of a curve over `basis` that touches `curve` with this end of its own: after the end of `curve` with its start,
-/// before the start of `curve` with its last point.
+/// The control points of a curve over `basis` that touches `curve` with this end of its own: after the end of `curve`
+/// with its start, before the start of `curve` with its last point.
 pub(crate) fn touching<B: Basis, C: Basis<Scalar = B::Scalar>, P: Point<Scalar = B::Scalar>>(
     basis: &C,
     curve: &Curve<B, P>,
@@ -136,8 +136,8 @@ pub(crate) fn eliminate<B: Basis, P: Point<Scalar = B::Scalar>>(
     Ok(points)
 }
 
-/// Solves `matrix · x = right` by elimination with the largest pivot; `x` replaces `right`. `None` if the matrix is singular
-/// up to rounding.
+/// Solves `matrix · x = right` by elimination with the largest pivot; `x` replaces `right`. `None` if the matrix is
+/// singular up to rounding.
 fn solve<V, P>(matrix: &mut [V], right: &mut [P]) -> Option<()>
 where
     P: Point,

@@ -1,10 +1,11 @@
 //! The point of a curve nearest to a given one: the global minimum, by branch and bound.
 //!
-//! On a piece of the curve `f(x) = |C(x) - p|²` is a polynomial, and its smallest Bernstein coefficient bounds it from below.
-//! A piece is put aside when this bound shows that it cannot improve on the best point found by more than the accuracy, and
-//! when the differences of the coefficients change their sign not more than once: `f` then has at most one minimum inside (Descartes'
-//! rule of signs), which Newton's method finds. What is put aside is good enough also if all coefficients are wrong by
-//! their rounding errors; otherwise the piece is halved, which makes it and its rounding errors smaller.
+//! On a piece of the curve `f(x) = |C(x) - p|²` is a polynomial, and its smallest Bernstein coefficient bounds it from
+//! below. A piece is put aside when this bound shows that it cannot improve on the best point found by more than the
+//! accuracy, and when the differences of the coefficients change their sign not more than once: `f` then has at most
+//! one minimum inside (Descartes' rule of signs), which Newton's method finds. What is put aside is good enough also if
+//! all coefficients are wrong by their rounding errors; otherwise the piece is halved, which makes it and its rounding
+//! errors smaller.
 
 use alloc::vec::Vec;
 
@@ -32,10 +33,11 @@ pub struct Nearest<P: Point> {
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The point of the curve nearest to `point`, among those with a parameter in the domain.
     ///
-    /// It is a global minimum: its distance is at most `accuracy` larger than that of any other point of the curve. This
-    /// bound is proved up to rounding: an `accuracy` below some `ε` times the size of the curve as seen from the point, also
-    /// zero or NaN, asks for what the scalar type can give. Of several nearest points one is returned. If `point` or a control
-    /// point is infinite or NaN, or so large that a point of the curve is, everything in the result is NaN.
+    /// It is a global minimum: its distance is at most `accuracy` larger than that of any other point of the curve.
+    /// This bound is proved up to rounding: an `accuracy` below some `ε` times the size of the curve as seen from the
+    /// point, also zero or NaN, asks for what the scalar type can give. Of several nearest points one is returned. If
+    /// `point` or a control point is infinite or NaN, or so large that a point of the curve is, everything in the
+    /// result is NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;

@@ -8,8 +8,8 @@ use crate::binomial::binomials;
 use crate::simd::{WORTHWHILE, dispatch};
 use crate::{Form, Point, Scalar};
 
-/// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the spot; from
-/// more of them it would lose digits.
+/// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the
+/// spot; from more of them it would lose digits.
 const MOST_CENTRED: usize = 8;
 
 /// The Bézier curve of degree `n = N - 1`, `N >= 1`, over its control points
@@ -18,8 +18,9 @@ const MOST_CENTRED: usize = 8;
 /// C(x) = Σ_k binomial(n, k) s^(n-k) x^k P[k],   s = 1 - x
 /// ```
 ///
-/// evaluated in linear time by nesting in `s`: `(… (P[0] s + n x P[1]) s + binomial(n, 2) x² P[2]) s + …`. No term cancels
-/// another, so the rounding error grows slowly with the degree: about 11 ε times the largest control point at degree 30.
+/// evaluated in linear time by nesting in `s`: `(… (P[0] s + n x P[1]) s + binomial(n, 2) x² P[2]) s + …`. No term
+/// cancels another, so the rounding error grows slowly with the degree: about 11 ε times the largest control point at
+/// degree 30.
 ///
 /// ```
 /// use basis_runtime::{BernsteinForm, Form};
@@ -56,8 +57,8 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
         nested(&self.points, &const { binomials::<N>() }, P::Scalar::ONE - x, x)
     }
 
-    /// The k-th derivative is `n (n-1) … (n-k+1)` times the Bernstein form of degree `n - k` over the k-th differences of
-    /// the control points.
+    /// The k-th derivative is `n (n-1) … (n-k+1)` times the Bernstein form of degree `n - k` over the k-th differences
+    /// of the control points.
     #[inline]
     fn eval_with_derivs<const K: usize>(&self, x: P::Scalar) -> [P; K] {
         let s = P::Scalar::ONE - x;

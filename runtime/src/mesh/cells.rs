@@ -36,8 +36,8 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Both halves, cut across the direction that bends more, or across the wider one if it is the twist that is too large or
-    /// both are unknown; `None` of a rectangle that is as small as parameters allow.
+    /// Both halves, cut across the direction that bends more, or across the wider one if it is the twist that is too
+    /// large or both are unknown; `None` of a rectangle that is as small as parameters allow.
     fn cut<S: Scalar>(self, flatness: &Flatness<S>) -> Option<[Self; 2]> {
         let [h, k] = [0, 1].map(|c| self.to[c] - self.from[c]);
         if h <= 1 && k <= 1 {
@@ -79,8 +79,8 @@ impl<S: Scalar> Estimate<S> {
 }
 
 impl<S: Scalar> Ord for Estimate<S> {
-    /// The rectangle that needs most is the greatest; of those without a bound the smallest, so that one which never gets a bound
-    /// is found at once.
+    /// The rectangle that needs most is the greatest; of those without a bound the smallest, so that one which never
+    /// gets a bound is found at once.
     fn cmp(&self, other: &Self) -> Ordering {
         let needed = self.needed.total_cmp(&other.needed);
         needed.then(other.size().cmp(&self.size())).then(other.cell.from.cmp(&self.cell.from))
@@ -101,8 +101,8 @@ impl<S: Scalar> PartialEq for Estimate<S> {
 
 impl<S: Scalar> Eq for Estimate<S> {}
 
-/// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the bounds over some thousand
-/// of them tell, always over those that need most.
+/// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the bounds
+/// over some thousand of them tell, always over those that need most.
 fn foreseen<S: Scalar>(patch: &dyn Patch<S>, tolerance: S, surface: usize) -> Result<(), MeshError> {
     let too_fine = MeshError::TooFine { surface, most: MOST };
     let mut heap = BinaryHeap::new();

@@ -14,8 +14,8 @@ use crate::Scalar;
 /// t = sin(α/2) / (sin(α/2) + cos(α/2)),   since tan(α/2) = t / (1 - t)
 /// ```
 ///
-/// The half-turn is that of "Surfaces of revolution with shape parameters from quartic λ-Bézier generatrices", which takes
-/// `t = α/π`; that is right only for 0, π/2 and π, and off by up to 8.1° between them.
+/// The half-turn is that of "Surfaces of revolution with shape parameters from quartic λ-Bézier generatrices", which
+/// takes `t = α/π`; that is right only for 0, π/2 and π, and off by up to 8.1° between them.
 ///
 /// ```
 /// use basis_runtime::half_turn_parameter;
@@ -41,8 +41,9 @@ pub(super) fn direction<S: Scalar>(angle: S) -> [S; 2] {
 
 /// A turn by an angle of at most 2π, divided into the fewest equal arcs of at most π/2, each a rational quadratic.
 ///
-/// The arc from `α0` to `α1` has the weights 1, `w = cos((α1 - α0)/2)`, 1; the middle control point is where the tangents of its ends
-/// meet. So the coefficients of `w cos α` and `w sin α` are cosine and sine of `α0`, `(α0 + α1)/2`, `α1`.
+/// The arc from `α0` to `α1` has the weights 1, `w = cos((α1 - α0)/2)`, 1; the middle control point is where the
+/// tangents of its ends meet. So the coefficients of `w cos α` and `w sin α` are cosine and sine of `α0`,
+/// `(α0 + α1)/2`, `α1`.
 #[cfg(feature = "alloc")]
 pub(crate) struct Arcs<S> {
     angle: S,
@@ -71,7 +72,8 @@ impl<S: Scalar> Arcs<S> {
         }
     }
 
-    /// The angles at the ends of the arcs, from 0 on, each but the first and the last twice: breakpoints of a quadratic spline.
+    /// The angles at the ends of the arcs, from 0 on, each but the first and the last twice: breakpoints of a quadratic
+    /// spline.
     #[cfg(feature = "bspline")]
     pub(crate) fn breakpoints(&self) -> alloc::vec::Vec<S> {
         (1..=2 * self.count).map(|k| self.angle(k / 2 * 2)).collect()

@@ -16,9 +16,9 @@ pub type RevolutionPatch<B, P> = RationalSurface<BernsteinOf<B>, BernsteinBasis<
 impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     /// The surface as rational Bézier patches of equal angles of at most π/2, in order; all weights are positive.
     ///
-    /// The circular arc from `α0` to `α1` has the weights 1, `cos((α1 - α0)/2)`, 1; the middle control point is where the
-    /// tangents of its ends meet. The end of a patch is the start of the next one, bit for bit, and after a full turn that of
-    /// the first.
+    /// The circular arc from `α0` to `α1` has the weights 1, `cos((α1 - α0)/2)`, 1; the middle control point is where
+    /// the tangents of its ends meet. The end of a patch is the start of the next one, bit for bit, and after a full
+    /// turn that of the first.
     pub fn to_rational_patches(&self) -> Vec<RevolutionPatch<B, P>> {
         let arcs = Arcs::new(self.angle);
         (0..arcs.count())
@@ -26,9 +26,9 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
             .collect()
     }
 
-    /// The surface as one half-turn, or as two if the angle is greater than π, in the parameter of the paper "Surfaces of
-    /// revolution with shape parameters from quartic λ-Bézier generatrices": the interpolation of three meridians by a
-    /// vector-valued continued fraction,
+    /// The surface as one half-turn, or as two if the angle is greater than π, in the parameter of the paper "Surfaces
+    /// of revolution with shape parameters from quartic λ-Bézier generatrices": the interpolation of three meridians by
+    /// a vector-valued continued fraction,
     ///
     /// ```text
     /// cos α = (1 - 2t) / (1 - 2t + 2t²),   sin α = 2t (1 - t) / (1 - 2t + 2t²)

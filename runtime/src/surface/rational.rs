@@ -7,8 +7,8 @@ use crate::{Array, Basis, BernsteinOf, Point, Scalar, Surface, TensorSurface};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
 ///
-/// With control points `P[i][j]` of weights `w[i][j]`, `N` has the net `w[i][j] P[i][j]` and `w` the net `w[i][j]`. A weight
-/// of zero stands for a control point at infinity, whose direction is then in `N`.
+/// With control points `P[i][j]` of weights `w[i][j]`, `N` has the net `w[i][j] P[i][j]` and `w` the net `w[i][j]`. A
+/// weight of zero stands for a control point at infinity, whose direction is then in `N`.
 ///
 /// ```
 /// use basis_runtime::{BernsteinBasis, RationalSurface, Surface};

@@ -1,6 +1,8 @@
-//! No number makes a function of curves, surfaces, patches or meshes panic or run without end, and what they answer is defined.
+//! No number makes a function of curves, surfaces, patches or meshes panic or run without end, and what they answer is
+//! defined.
 //!
-//! Every public function stands in one of the tables, under its name, and is called with every net and every pair of numbers.
+//! Every public function stands in one of the tables, under its name, and is called with every net and every pair of
+//! numbers.
 #![cfg(feature = "std")]
 
 mod curves;

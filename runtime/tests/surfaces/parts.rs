@@ -96,7 +96,8 @@ fn bezier_form() {
     assert_eq!(bezier.control_point(3, 3), Some([0.0]));
 }
 
-/// A quarter of a circle swept along a line, with its weights; both parts are the surface, and share their edge bit for bit.
+/// A quarter of a circle swept along a line, with its weights; both parts are the surface, and share their edge bit for
+/// bit.
 #[test]
 fn parts_of_rational_surfaces() {
     let half = 0.5_f64.sqrt();

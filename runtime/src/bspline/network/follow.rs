@@ -162,7 +162,8 @@ fn strips<P: Point3>(
     Ok(Leader { old, new })
 }
 
-/// A follower over knots in which the changes of its leaders can be written, with the rows along all of its seams changed.
+/// A follower over knots in which the changes of its leaders can be written, with the rows along all of its seams
+/// changed.
 fn adjust<P: Point3>(
     network: &Network<P>,
     round: &mut Round<P>,

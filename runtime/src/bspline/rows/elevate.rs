@@ -1,7 +1,7 @@
 //! Degree elevation: the same spline as one of the next degree.
 //!
-//! Source: H. Prautzsch, *Degree elevation of B-spline curves*, Computer Aided Geometric Design 1 (1984). It consists of
-//! knot insertions and one mean, so it is as stable as they are.
+//! Source: H. Prautzsch, *Degree elevation of B-spline curves*, Computer Aided Geometric Design 1 (1984). It consists
+//! of knot insertions and one mean, so it is as stable as they are.
 
 use alloc::vec::Vec;
 

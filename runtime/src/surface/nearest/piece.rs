@@ -65,8 +65,8 @@ impl Piece {
         crate::Scalar::sqrt(square)
     }
 
-    /// The smallest Bernstein coefficient of the squared distance, as a distance; its error falls with the square of the
-    /// size of the patch.
+    /// The smallest Bernstein coefficient of the squared distance, as a distance; its error falls with the square of
+    /// the size of the patch.
     ///
     /// ```text
     /// |S|² = Σ B[a,2ku] B[b,2kv] c[a,b],
@@ -188,9 +188,9 @@ impl Piece {
         })
     }
 
-    /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it is
-    /// no descent, that of Gauss and Newton, and where that has no solution, one direction by itself. Returns the place
-    /// and its distance.
+    /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it
+    /// is no descent, that of Gauss and Newton, and where that has no solution, one direction by itself. Returns the
+    /// place and its distance.
     #[inline]
     pub(super) fn descend(&self, start: [f64; 2]) -> ([f64; 2], f64) {
         let (mut at, mut square) = (start, self.square(start));
@@ -259,7 +259,8 @@ fn bernstein(degree: usize, t: f64, order: usize) -> Vec<f64> {
     values
 }
 
-/// `-M⁻¹ gradient` in the free directions, for the symmetric matrix `[[a, b], [b, c]]` if it is positive definite there.
+/// `-M⁻¹ gradient` in the free directions, for the symmetric matrix `[[a, b], [b, c]]` if it is positive definite
+/// there.
 #[inline]
 fn newton_step([a, b, c]: [f64; 3], gradient: [f64; 2], free: [bool; 2]) -> Option<[f64; 2]> {
     let [x, y] = gradient;
