@@ -136,6 +136,13 @@ pub enum SplineError {
         /// Rows and columns of the net.
         found: [usize; 2],
     },
+    /// There is no memory for the points of a net.
+    Memory {
+        /// The number of its rows.
+        rows: usize,
+        /// The number of its columns.
+        columns: usize,
+    },
     /// The rows of a net have different lengths, or there are none.
     Ragged {
         /// The first row whose length differs.
@@ -173,6 +180,12 @@ impl Display for SplineError {
             }
             Self::Size { expected: [rows, columns], found: [r, c] } => {
                 write!(f, "a net of {r} x {c} control points; the knots ask for {rows} x {columns}")
+            }
+            Self::Memory { rows, columns } => {
+                write!(
+                    f,
+                    "there is not enough memory for a net of {rows} rows and {columns} columns; use a smaller one"
+                )
             }
             Self::Ragged { row } => {
                 write!(f, "row {row} of the net is empty or has not as many points as the first")
