@@ -82,7 +82,7 @@ impl<S: Scalar> Arcs<S> {
     /// `[w cos α, w sin α, w]` at a control point, the ends of arcs being those with even numbers.
     pub(crate) fn control_point(&self, halves: usize) -> [S; 3] {
         let [cos, sin] = direction(self.angle(halves));
-        let weight = if halves % 2 == 0 {
+        let weight = if halves.is_multiple_of(2) {
             S::ONE
         } else {
             (self.angle * S::of(0.5) / S::from_usize(self.count)).sin_cos().1

@@ -254,8 +254,8 @@ impl Normals {
         let steps = edge.windows(2).zip(widths);
         let tangent =
             steps.map(|(pair, width)| pair[1].minus(pair[0]).scale(narrowest / width)).collect::<Vec<_>>();
-        let (across, across_size) = of_length_one(across)?;
-        let (tangent, tangent_size) = of_length_one(tangent)?;
+        let (across, across_size) = of_length_one(&across)?;
+        let (tangent, tangent_size) = of_length_one(&tangent)?;
         let across = bezier(&strip.knots, span, across, ends);
         let tangent = bezier(&strip.knots, span, tangent, ends);
         let mut coefficients = vec![[0.0; 3]; 2 * k];
@@ -306,7 +306,7 @@ fn divide(coefficients: &mut Vec<Vector>, at_start: bool) {
 
 /// The vectors divided by the length of the longest, and that length; `None` if it is zero or not finite, or there is
 /// none.
-fn of_length_one(vectors: Vec<Vector>) -> Option<(Vec<Vector>, f64)> {
+fn of_length_one(vectors: &[Vector]) -> Option<(Vec<Vector>, f64)> {
     let size = vectors.iter().fold(0.0, |size, &v| larger(size, length(v)));
     let unit = |v: &Vector| v.map(|x| x / size);
     (size > 0.0 && size.is_finite()).then(|| (vectors.iter().map(unit).collect(), size))
