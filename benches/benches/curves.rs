@@ -1,8 +1,9 @@
-//! Curves beside those of other crates, on the same work in the same run: `cargo bench -p basis-benches --bench curves`.
+//! Curves beside those of other crates, on the same work in the same run:
+//! `cargo bench -p basis-benches --bench curves`.
 //!
-//! Prints a table in Markdown. All contestants of a row take turns, so that what else runs on the machine hits all of them;
-//! the fastest of many rounds counts. The curve is always the same cubic, with the scalar type and the dimension of the peer;
-//! ours is the generated family `Bernstein(3)` and, one degree higher, `QuarticBernstein` with λ = 1/2.
+//! Prints a table in Markdown. All contestants of a row take turns, so that what else runs on the machine hits all of
+//! them; the fastest of many rounds counts. The curve is always the same cubic, with the scalar type and the dimension
+//! of the peer; ours is the generated family `Bernstein(3)` and, one degree higher, `QuarticBernstein` with λ = 1/2.
 
 use std::time::Instant;
 

@@ -1,8 +1,8 @@
 //! Curves and surfaces over families of polynomial basis functions, with or without shape parameters.
 //!
-//! A family is written down as a spec; [`basis!`] proves its claims while the crate that uses it is compiled and turns it
-//! into a small type that implements [`Basis`]. This crate holds everything that does not depend on the family: the types
-//! of points and scalars, the curves and the surfaces.
+//! A family is written down as a spec; [`basis!`] proves its claims while the crate that uses it is compiled and turns
+//! it into a small type that implements [`Basis`]. This crate holds everything that does not depend on the family: the
+//! types of points and scalars, the curves and the surfaces.
 //!
 //! ```
 //! # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -25,9 +25,9 @@
 //!
 //! # Domains
 //!
-//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a triangle
-//! or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on a box of several
-//! variables implements [`BoxBasis`] and makes a [`BoxPatch`].
+//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a
+//! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
+//! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
 //! # Where things are
 //!
@@ -47,8 +47,8 @@
 //!
 //! # Points
 //!
-//! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam, the
-//! vectors and points of nalgebra, or a type of your own.
+//! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
+//! the vectors and points of nalgebra, or a type of your own.
 //!
 //! # Accuracy
 //!
@@ -59,8 +59,8 @@
 //! # Features
 //!
 //! `basis-runtime = "0.1"` has everything but the exchange with other crates and file formats. With
-//! `default-features = false, features = ["std"]` it is built alone, without the engine behind [`basis!`] and without glam; one of
-//! `std` and `libm` has to be there, for square roots and angles.
+//! `default-features = false, features = ["std"]` it is built alone, without the engine behind [`basis!`] and without
+//! glam; one of `std` and `libm` has to be there, for square roots and angles.
 //!
 //! | feature | default | |
 //! | --- | --- | --- |
@@ -102,6 +102,7 @@ extern crate std;
 pub mod __private;
 mod basis;
 pub mod bernstein;
+mod binomial;
 mod boxes;
 #[cfg(feature = "bspline")]
 pub mod bspline;

@@ -7,10 +7,11 @@ pub use ::core;
 pub use ::serde;
 
 use crate::basis::combination;
+use crate::binomial::binomials;
 pub use crate::boxes::box_sum;
-use crate::curve::eliminate;
+use crate::curve::{End, eliminate};
 pub use crate::domain::unit;
-use crate::form::{binomials, nested};
+use crate::form::nested;
 #[cfg(feature = "serde")]
 pub use crate::serialize::{read_shape, shape_error, write_shape};
 use crate::simplex::SimplexIndex;
@@ -21,7 +22,8 @@ use crate::{Basis, CurveError, Point, Scalar, ShapeError};
 /// `value`, if it is finite and lies between the bounds; a bound that is no float stands for the nearest one.
 ///
 /// # Errors
-/// Otherwise, the error that names the family, the parameter as the spec writes it, and the range as the spec writes it.
+/// Otherwise, the error that names the family, the parameter as the spec writes it, and the range as the spec writes
+/// it.
 #[inline]
 pub fn check_shape<S: Scalar>(
     family: &'static str,
@@ -57,7 +59,8 @@ pub fn check_point<P: Point>(point: P) -> Result<P, CurveError> {
     if is_finite(point) { Ok(point) } else { Err(CurveError::NotFinite) }
 }
 
-/// The error of [`Basis::start_points`](crate::Basis::start_points) if a divisor is zero, as it is `at` some shape values.
+/// The error of [`Basis::start_points`](crate::Basis::start_points) if a divisor is zero, as it is `at` some shape
+/// values.
 ///
 /// # Errors
 /// See above.
@@ -71,8 +74,8 @@ pub fn check_end<S: Scalar>(
     if divisor == S::ZERO { Err(CurveError::Join { family, conditions, at }) } else { Ok(()) }
 }
 
-/// [`Basis::start_points`](crate::Basis::start_points) and, `at_end`, [`Basis::end_points`](crate::Basis::end_points) for any order,
-/// by elimination.
+/// [`Basis::start_points`](crate::Basis::start_points) and, `at_end`, [`Basis::end_points`](crate::Basis::end_points)
+/// for any order, by elimination.
 ///
 /// # Errors
 /// As these.
@@ -82,7 +85,7 @@ pub fn end_points<B: Basis, P: Point<Scalar = B::Scalar>>(
     points: B::Points<P>,
     at_end: bool,
 ) -> Result<B::Points<P>, CurveError> {
-    eliminate(basis, derivatives, points, at_end)
+    eliminate(basis, derivatives, points, if at_end { End::Last } else { End::Start })
 }
 
 /// `Σ weights[i] points[i]`; a weight of zero is added like any other.

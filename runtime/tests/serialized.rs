@@ -242,7 +242,8 @@ fn all_else_is_shared() {
     shared::<Samples<P, EndpointForm<P, 3>>>();
 }
 
-/// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any kind.
+/// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any
+/// kind.
 #[test]
 fn none_is_forgotten() {
     let tests = include_str!("serialized.rs");

@@ -1,5 +1,5 @@
-//! Values, derivatives and Bernstein coefficients of families on triangles, tetrahedra and boxes against the exact fractions
-//! of their specs.
+//! Values, derivatives and Bernstein coefficients of families on triangles, tetrahedra and boxes against the exact
+//! fractions of their specs.
 
 use std::collections::BTreeSet;
 
@@ -80,8 +80,8 @@ fn have_exact_derivatives_up_to_rounding() {
     each_patch!(f32, derivatives);
 }
 
-/// Bernstein coefficients against those of the engine, which knows nothing of the recursion; with their exact sign, so that
-/// what is proved holds for the floats.
+/// Bernstein coefficients against those of the engine, which knows nothing of the recursion; with their exact sign, so
+/// that what is proved holds for the floats.
 fn coefficients<B: ShippedPatch>() {
     let reference = B::reference();
     let family = &reference.family;

@@ -8,9 +8,9 @@ use crate::{Point, Scalar};
 
 /// The curve `C(t) = Σ N[i,k](t) P[i]` over a knot vector.
 ///
-/// Outside of the domain [`eval`](Self::eval) continues the first and the last polynomial piece; at a knot where the curve
-/// or a derivative jumps it takes the piece on the right, at the end of the domain the last piece. If `t` is NaN so is the
-/// point.
+/// Outside of the domain [`eval`](Self::eval) continues the first and the last polynomial piece; at a knot where the
+/// curve or a derivative jumps it takes the piece on the right, at the end of the domain the last piece. If `t` is NaN
+/// so is the point.
 ///
 /// ```
 /// use basis_runtime::bspline::{BSplineCurve, KnotVector};
@@ -204,8 +204,8 @@ impl<P: Point> BSplineCurve<P> {
         rows::insert(&self.to_rows(), &middles(&self.knots)).map_or_else(|_| self.clone(), Self::from_rows)
     }
 
-    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
-    /// curve and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
+    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns
+    /// the curve and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

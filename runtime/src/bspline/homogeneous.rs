@@ -88,8 +88,3 @@ pub(super) fn check_weights<S: Scalar>(weights: &[S], expected: usize) -> Result
         None => Ok(()),
     }
 }
-
-/// The number of ways to choose `k` of `n`, as a scalar.
-pub(super) fn binomial<S: Scalar>(n: usize, k: usize) -> S {
-    (0..k).fold(S::ONE, |value, i| value * S::from_usize(n - i) / S::from_usize(i + 1))
-}

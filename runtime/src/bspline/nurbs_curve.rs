@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::homogeneous::{binomial, check_weights};
+use super::homogeneous::check_weights;
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
+use crate::binomial::binomial;
 use crate::vector::length;
 use crate::{Point, Scalar};
 
@@ -161,8 +162,8 @@ impl<P: Point> NurbsCurve<P> {
         Ok(self.homogeneous.split(t)?.map(|homogeneous| Self { homogeneous }))
     }
 
-    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
-    /// curve and how often the knot was removed.
+    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns
+    /// the curve and how often the knot was removed.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].
@@ -212,14 +213,14 @@ impl<P: Point> NurbsCurve<P> {
 
 /// Whether homogeneous points change so little that no point of the curve or surface moves by more than `tolerance`.
 ///
-/// With the numerators `A = w C` and `A' = w' C'` it is `C' - C = Σ N[i] (ΔA[i] - C' Δw[i]) / w`. The point `C` is in the hull
-/// of the control points `P[i]`, whose box has a diagonal `d`, so `|C' - P[i]| <= d + tolerance` as long as
+/// With the numerators `A = w C` and `A' = w' C'` it is `C' - C = Σ N[i] (ΔA[i] - C' Δw[i]) / w`. The point `C` is in
+/// the hull of the control points `P[i]`, whose box has a diagonal `d`, so `|C' - P[i]| <= d + tolerance` as long as
 ///
 /// ```text
 /// |ΔA[i] - P[i] Δw[i]| + (d + tolerance) |Δw[i]| <= tolerance · (the smallest weight)
 /// ```
 ///
-/// holds for all of them. Where the origin lies has no say.
+/// holds for all of them. It does not depend on where the origin lies.
 pub(super) fn within<P: Point>(
     points: &[Homogeneous<P>],
     tolerance: P::Scalar,

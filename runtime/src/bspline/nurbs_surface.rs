@@ -2,12 +2,13 @@
 
 use alloc::vec::Vec;
 
-use super::homogeneous::{binomial, check_weights};
+use super::homogeneous::check_weights;
 use super::nurbs_curve::within;
 use super::{
     BSplineSurface, BezierPatch, Direction, Edge, Homogeneous, KnotError, KnotVector, Net, NurbsCurve,
     SplineError,
 };
+use crate::binomial::binomial;
 use crate::{Point, Scalar, Surface};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
@@ -130,8 +131,8 @@ impl<P: Point> NurbsSurface<P> {
         Ok(self.homogeneous.split(direction, at)?.map(|homogeneous| Self { homogeneous }))
     }
 
-    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
-    /// surface and how often the knot was removed.
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns
+    /// the surface and how often the knot was removed.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

@@ -14,15 +14,16 @@ const TOLERANCE: f64 = 1e-10;
 impl<P: Point> BSplineSurface<P> {
     /// The point of the surface that is nearest to `point`.
     ///
-    /// The surface is divided into Bézier patches, and these into halves. The control points of a part give a lower bound
-    /// of its distance (their bounding box, and the Bernstein coefficients of the squared distance), and parts that cannot
-    /// be nearer than the best point found so far are left out; that point is improved by Newton's method. So the distance
-    /// is the smallest one of the whole surface, not of a neighbourhood: it exceeds [`at_least`](Projection::at_least),
-    /// which is proved, by no more than 1e-10 of the extent of the net (1e-6 in single precision).
+    /// The surface is divided into Bézier patches, and these into halves. The control points of a part give a lower
+    /// bound of its distance (their bounding box, and the Bernstein coefficients of the squared distance), and parts
+    /// that cannot be nearer than the best point found so far are left out; that point is improved by Newton's method.
+    /// So the distance is the smallest one of the whole surface, not of a neighbourhood: it exceeds
+    /// [`at_least`](Projection::at_least), which is proved, by no more than 1e-10 of the extent of the net (1e-6 in
+    /// single precision).
     ///
-    /// Where very many points are almost equally near, such as around the centre of a sphere, the work ends earlier: the
-    /// point is still a minimum, and `at_least` says how much is proved. At a knot where the surface jumps the point may
-    /// be the limit from one side. Patches with control points that are not finite are left out.
+    /// Where very many points are almost equally near, such as around the centre of a sphere, the work ends earlier:
+    /// the point is still a minimum, and `at_least` says how much is proved. At a knot where the surface jumps the
+    /// point may be the limit from one side. Patches with control points that are not finite are left out.
     ///
     /// `None` if the point, or the surface everywhere, is not finite.
     ///

@@ -251,8 +251,8 @@ impl<P: Point> BSplineSurface<P> {
         self.insert_knots(direction, &middles).unwrap_or_else(|_| self.clone())
     }
 
-    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
-    /// surface and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns
+    /// the surface and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

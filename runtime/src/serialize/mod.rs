@@ -1,5 +1,5 @@
-//! serde for bases, curves and surfaces: shape values and control points. Nothing that follows from them is written, and what
-//! is read goes through the constructors.
+//! serde for bases, curves and surfaces: shape values and control points. Nothing that follows from them is written,
+//! and what is read goes through the constructors.
 //!
 //! ```json
 //! {"basis": {"lambda": 0.5}, "points": [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]}

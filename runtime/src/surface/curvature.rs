@@ -36,8 +36,8 @@ pub struct Curvature<P: Point3> {
     pub normal: P,
     /// The principal curvatures, the larger one first, in the inverse of the unit of length.
     pub principal: [P::Scalar; 2],
-    /// The unit tangents in whose directions the surface has the principal curvatures; they make a right angle. Where both
-    /// curvatures are equal, at an umbilic, any pair of such directions.
+    /// The unit tangents in whose directions the surface has the principal curvatures; they make a right angle. Where
+    /// both curvatures are equal, at an umbilic, any pair of such directions.
     pub directions: [P; 2],
 }
 

@@ -92,14 +92,14 @@ impl Edge {
 pub struct EdgeContinuity<S> {
     /// The largest distance of two points that belong together.
     pub gap: S,
-    /// The largest angle in radians by which the surfaces do not continue each other: 0 where the join is smooth, π where one
-    /// folds back on the other. NaN if nowhere on the edge both surfaces have a normal.
+    /// The largest angle in radians by which the surfaces do not continue each other: 0 where the join is smooth, π
+    /// where one folds back on the other. NaN if nowhere on the edge both surfaces have a normal.
     pub angle: S,
-    /// The largest difference of the normal curvatures, over all tangent directions; NaN if nowhere on the edge both surfaces
-    /// have curvatures.
+    /// The largest difference of the normal curvatures, over all tangent directions; NaN if nowhere on the edge both
+    /// surfaces have curvatures.
     pub curvature: S,
-    /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from which
-    /// edges are joined in which direction.
+    /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from
+    /// which edges are joined in which direction.
     pub same_side: bool,
     /// The number of samples at which a surface has no normal, which do not count for the angle.
     pub without_normal: usize,

@@ -1,5 +1,5 @@
-//! What is said of a joint holds for all of its parameters: bounds that no dense sampling exceeds, and that are attained but for
-//! one percent.
+//! What is said of a joint holds for all of its parameters: bounds that no dense sampling exceeds, and that are
+//! attained but for one percent.
 
 use basis_runtime::bspline::{
     BSplineSurface, Direction, Edge, Joint, KnotVector, Method, Net, SpliceOptions, measure_joint, splice,
@@ -24,8 +24,8 @@ fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
     all.iter().map(|t| (t - lo) / (hi - lo)).collect()
 }
 
-/// The largest gap and angle from nothing but points and partial derivatives, at `count` parameters inside of each piece on which
-/// both surfaces are polynomial; and the least sine of the directions along and across an edge.
+/// The largest gap and angle from nothing but points and partial derivatives, at `count` parameters inside of each
+/// piece on which both surfaces are polynomial; and the least sine of the directions along and across an edge.
 fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint, count: usize) -> [f64; 3] {
     let at = |surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64| {
         let [du, dv] = surface.domain();

@@ -139,8 +139,8 @@ fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
     assert!(measure_joint(&network.patches()[0], &deformed, joint).unwrap().gap > 1e-3);
 }
 
-/// Four plane patches around a corner, `u` along the first and `v` along the second direction; the edges from the corner
-/// go west, south, east and north in these directions.
+/// Four plane patches around a corner, `u` along the first and `v` along the second direction; the edges from the
+/// corner go west, south, east and north in these directions.
 fn corner([west, south, east, north]: [[f64; 2]; 4]) -> Network<P3> {
     let patch = |a: [f64; 2], b: [f64; 2], [from_a, from_b]: [bool; 2]| {
         let knots = KnotVector::uniform(3, 1).unwrap();

@@ -12,8 +12,8 @@ use crate::support::{P3, distance, surface};
 #[cfg(feature = "nalgebra")]
 use serde_json::Value;
 
-/// The methods, each with options for the tests. The dense systems of the published method take long without optimisation,
-/// so it is asked for less.
+/// The methods, each with options for the tests. The dense systems of the published method take long without
+/// optimisation, so it is asked for less.
 fn methods() -> Vec<SpliceOptions> {
     let options = SpliceOptions::default();
     vec![

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::transport::Leader;
 use super::{FollowOptions, Followed, Inserted, Network, NetworkError};
+use crate::bspline::splice::AIM;
 use crate::bspline::splice::measure::{Piece, measure, middles};
 use crate::bspline::splice::strip::{Strip, Vector, along, place};
 use crate::bspline::{
@@ -161,7 +162,8 @@ fn strips<P: Point3>(
     Ok(Leader { old, new })
 }
 
-/// A follower over knots in which the changes of its leaders can be written, with the rows along all of its seams changed.
+/// A follower over knots in which the changes of its leaders can be written, with the rows along all of its seams
+/// changed.
 fn adjust<P: Point3>(
     network: &Network<P>,
     round: &mut Round<P>,
@@ -309,7 +311,7 @@ fn refine<P: Point3>(
         let (follower, direction) = (described.patches[side], along(described.edges[side]));
         let Some(patch) = &round.patches[follower] else { continue };
         let knots = patch.knots(direction).to_f64();
-        let new = middles::<P::Scalar>(&knots, pieces, options.gap, options.angle);
+        let new = middles::<P::Scalar>(&knots, pieces, AIM * options.gap, AIM * options.angle);
         if knots.spans().count() + new.len() > options.spans {
             return false;
         }

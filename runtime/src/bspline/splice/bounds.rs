@@ -1,19 +1,22 @@
-//! Upper bounds of the gap and of the angle between two strips, for all parameters of a piece on which both are polynomial.
+//! Upper bounds of the gap and of the angle between two strips, for all parameters of a piece on which both are
+//! polynomial.
 //!
-//! Over the piece both edges, and the derivatives along and across them, are polynomials in Bernstein form. So are the normals
-//! `N = across × tangent` (not of length one), their products `C = N₁ × N₂` and `D = N₁ · N₂`, and the difference `G` of the edges:
+//! Over the piece both edges, and the derivatives along and across them, are polynomials in Bernstein form. So are the
+//! normals `N = across × tangent` (not of length one), their products `C = N₁ × N₂` and `D = N₁ · N₂`, and the
+//! difference `G` of the edges:
 //!
 //! ```text
 //! gap = |G(t)| <= max |G_i|,   tan(angle) = |C(t)| / D(t) <= max |C_i| / D_i   where all D_i > 0
 //! ```
 //!
-//! because a polynomial curve lies in the convex hull of its coefficients `G_i`, and `C / D`, a rational one with the weights `D_i`, in
-//! that of the points `C_i / D_i`. The piece is halved where the bound is worst, until it is at most half a percent above a value that
-//! occurs. All coefficients carry a bound of what rounding may have done to them, in the comments as multiples of the distance ε
-//! from 1 to the next number, and this *noise* is added on the unfavourable side.
+//! because a polynomial curve lies in the convex hull of its coefficients `G_i`, and `C / D`, a rational one with the
+//! weights `D_i`, in that of the points `C_i / D_i`. The piece is halved where the bound is worst, until it is at most
+//! half a percent above a value that occurs. All coefficients carry a bound of what rounding may have done to them, in
+//! the comments as multiples of the distance ε from 1 to the next number, and this *noise* is added on the unfavourable
+//! side.
 //!
-//! A normal may vanish at an end of the piece, as at a pole; its coefficient there is zero up to the rounding of the control points.
-//! Then the factor `t` or `1 - t` is divided out, and what is bounded there is the limit.
+//! A normal may vanish at an end of the piece, as at a pole; its coefficient there is zero up to the rounding of the
+//! control points. Then the factor `t` or `1 - t` is divided out, and what is bounded there is the limit.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -30,7 +33,8 @@ const SLACK: f64 = 1.005;
 /// The most halvings of a piece.
 const HALVINGS: usize = 200;
 
-/// The width of the parts, of the unit interval, around a parameter at which a normal vanishes inside of a piece, that are left out.
+/// The width of the parts, of the unit interval, around a parameter at which a normal vanishes inside of a piece, that
+/// are left out.
 const LEFT_OUT: f64 = 1.0 / 8192.0;
 
 /// Normals that are shorter than this, of vectors no longer than 1, are none.
@@ -85,8 +89,8 @@ impl Quantity {
             Self::Angle if part.denominator.iter().all(|&d| d > noise) => {
                 pairs().fold(0.0, |most, (&c, &d)| larger(most, Scalar::atan2(length(c) + noise, d - noise)))
             }
-            // Above π/2: `|C|` is at least its component in one direction, and the points (D, that component) of the plane lie in a
-            // convex cone that begins with the positive first axis.
+            // Above π/2: `|C|` is at least its component in one direction, and the points (D, that component) of the
+            // plane lie in a convex cone that begins with the positive first axis.
             Self::Angle => {
                 let middle = part.numerator[part.numerator.len() / 2];
                 let Some(direction) = crate::vector::direction(middle) else { return f64::PI };
@@ -224,8 +228,8 @@ pub(super) fn angle([a, b]: [&Strip; 2], spans: [usize; 2], ends: [f64; 2]) -> O
     }))
 }
 
-/// What rounding does to the coefficients of a product of that degree of two vector functions that are no longer than 1: seven
-/// roundings for each of the steps that lead to a weight, those of the product itself, and of the sum.
+/// What rounding does to the coefficients of a product of that degree of two vector functions that are no longer than
+/// 1: seven roundings for each of the steps that lead to a weight, those of the product itself, and of the sum.
 fn product_noise(degree: usize) -> f64 {
     (4 * degree + 4) as f64 * EPSILON
 }
@@ -250,8 +254,8 @@ impl Normals {
         let steps = edge.windows(2).zip(widths);
         let tangent =
             steps.map(|(pair, width)| pair[1].minus(pair[0]).scale(narrowest / width)).collect::<Vec<_>>();
-        let (across, across_size) = of_length_one(across)?;
-        let (tangent, tangent_size) = of_length_one(tangent)?;
+        let (across, across_size) = of_length_one(&across)?;
+        let (tangent, tangent_size) = of_length_one(&tangent)?;
         let across = bezier(&strip.knots, span, across, ends);
         let tangent = bezier(&strip.knots, span, tangent, ends);
         let mut coefficients = vec![[0.0; 3]; 2 * k];
@@ -300,19 +304,20 @@ fn divide(coefficients: &mut Vec<Vector>, at_start: bool) {
     }
 }
 
-/// The vectors divided by the length of the longest, and that length; `None` if it is zero or not finite, or there is none.
-fn of_length_one(vectors: Vec<Vector>) -> Option<(Vec<Vector>, f64)> {
+/// The vectors divided by the length of the longest, and that length; `None` if it is zero or not finite, or there is
+/// none.
+fn of_length_one(vectors: &[Vector]) -> Option<(Vec<Vector>, f64)> {
     let size = vectors.iter().fold(0.0, |size, &v| larger(size, length(v)));
     let unit = |v: &Vector| v.map(|x| x / size);
     (size > 0.0 && size.is_finite()).then(|| (vectors.iter().map(unit).collect(), size))
 }
 
-/// The Bernstein coefficients between `lo` and `hi`, which lie on a span, of the polynomial that a B-spline is on that span, from its
-/// coefficients there: those of the degree of the knot vector, or of its derivative, one less.
+/// The Bernstein coefficients between `lo` and `hi`, which lie on a span, of the polynomial that a B-spline is on that
+/// span, from its coefficients there: those of the degree of the knot vector, or of its derivative, one less.
 ///
-/// With the blossom `f` and the knots `a[1], …, a[2k]` around the span they are `c[i] = f(a[i+1], …, a[i+k])`, first replaced by
-/// `f(a[i+1], …, a[k], hi, …, hi)` and then by `f(lo, …, lo, hi, …, hi)`. Each of the 2k steps forms means, with an error of at most
-/// 5/2 ε of the largest coefficient.
+/// With the blossom `f` and the knots `a[1], …, a[2k]` around the span they are `c[i] = f(a[i+1], …, a[i+k])`, first
+/// replaced by `f(a[i+1], …, a[k], hi, …, hi)` and then by `f(lo, …, lo, hi, …, hi)`. Each of the 2k steps forms means,
+/// with an error of at most 5/2 ε of the largest coefficient.
 fn bezier(knots: &KnotVector<f64>, span: usize, mut c: Vec<Vector>, [lo, hi]: [f64; 2]) -> Vec<Vector> {
     let k = c.len() - 1;
     let a = |j: usize| knots.as_slice()[span + j - k];

@@ -11,12 +11,13 @@ use crate::vector::{cross, length};
 
 /// The gap and the angle along a joint, proved for all of its parameters and not just for samples.
 ///
-/// Both are upper bounds, from the Bernstein coefficients of the difference of the edges and of the products of the normals, at most one
-/// percent above the largest value but for rounding errors: about a hundred of them are added, so an angle of zero is some `1e-13`. For
-/// degrees above 250 along the edge nothing better than the angle π is proved.
+/// Both are upper bounds, from the Bernstein coefficients of the difference of the edges and of the products of the
+/// normals, at most one percent above the largest value but for rounding errors: about a hundred of them are added, so
+/// an angle of zero is some `1e-13`. For degrees above 250 along the edge nothing better than the angle π is proved.
 ///
-/// Where a normal vanishes at a knot, as at a pole, its limit counts. Where one vanishes inside of a piece between two knots, which needs
-/// a cusp of the edge or directions that become parallel, the nearest 1e-4 of the piece have no angle.
+/// Where a normal vanishes at a knot, as at a pole, its limit counts. Where one vanishes inside of a piece between two
+/// knots, which needs a cusp of the edge or directions that become parallel, the nearest 1e-4 of the piece have no
+/// angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct JointMeasure {

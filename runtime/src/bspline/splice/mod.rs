@@ -1,13 +1,14 @@
 //! Splicing: one surface is adjusted along an edge so that it joins another one smoothly.
 //!
-//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control points
-//! on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the edge. The
-//! knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to the other.
+//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control
+//! points on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the
+//! edge. The knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to
+//! the other.
 //!
 //! - **G0**: both edges are the same curve.
-//! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the adjusted
-//!   surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue each other
-//!   instead of folding back.
+//! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the
+//!   adjusted surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue
+//!   each other instead of folding back.
 
 mod bounds;
 mod correct;
@@ -30,7 +31,12 @@ use super::{BSplineSurface, Edge};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
-/// The number of rounds without better figures after which rounding errors are reached, or a tolerance that cannot be met.
+/// As long as a tolerance is not met, spans are divided whose figures are above this part of it: those just below would
+/// be above it when their neighbours have changed.
+pub(super) const AIM: f64 = 0.8;
+
+/// The number of rounds without better figures after which rounding errors are reached, or a tolerance that cannot be
+/// met.
 const PATIENCE: usize = 3;
 
 /// Which edges of two surfaces belong together.
@@ -73,8 +79,8 @@ pub enum Continuity {
 
 /// How the two rows are found.
 ///
-/// [`Exact`](Method::Exact) is the default on the evidence below. [`LeastSquares`](Method::LeastSquares) is for joints at
-/// which the shape must change as little as possible: it keeps the direction of the lines across the edge.
+/// [`Exact`](Method::Exact) is the default on the evidence below. [`LeastSquares`](Method::LeastSquares) is for joints
+/// at which the shape must change as little as possible: it keeps the direction of the lines across the edge.
 ///
 #[doc = include_str!("comparison.md")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -101,14 +107,14 @@ pub struct SpliceOptions {
     pub gap: f64,
     /// The largest angle between the tangent planes, in radians.
     pub angle: f64,
-    /// The most spans along the edge to which knots are inserted for the sake of the tolerances. Those that merging needs
-    /// are inserted in any case.
+    /// The most spans along the edge to which knots are inserted for the sake of the tolerances. Those that merging
+    /// needs are inserted in any case.
     pub spans: usize,
-    /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent near
-    /// its edge, and many more spans are needed.
+    /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent
+    /// near its edge, and many more spans are needed.
     pub carry: bool,
-    /// Whether the degree along the edge is raised to that of the target and its knots are inserted first, so that the edge
-    /// is met exactly. [`Method::Exact`] does so in any case.
+    /// Whether the degree along the edge is raised to that of the target and its knots are inserted first, so that the
+    /// edge is met exactly. [`Method::Exact`] does so in any case.
     pub merge: bool,
 }
 
@@ -146,8 +152,8 @@ pub struct Splice<P: Point> {
     pub spans: usize,
     /// How often knots were inserted and the rows solved for.
     pub rounds: usize,
-    /// How far the rows moved, and so no point of the surface moved further: the larger distance of the edge and the one of
-    /// the second row.
+    /// How far the rows moved, and so no point of the surface moved further: the larger distance of the edge and the
+    /// one of the second row.
     pub change: f64,
 }
 
@@ -177,12 +183,12 @@ fn measured<P: Point3>(
 
 /// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
 ///
-/// Only the two rows of control points next to the edge are changed, over a net that is refined along the edge (and across
-/// it, if it has so few rows that the opposite edge and its tangent planes would move).
+/// Only the two rows of control points next to the edge are changed, over a net that is refined along the edge (and
+/// across it, if it has so few rows that the opposite edge and its tangent planes would move).
 ///
 /// # Errors
-/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is wrong
-/// with the input.
+/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is
+/// wrong with the input.
 pub fn splice<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
@@ -240,7 +246,7 @@ pub fn splice<P: Point3>(
             let change = change(&base, &strip);
             return Ok(Splice { surface: result, measure, spans, rounds, change });
         }
-        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, options.gap, angle);
+        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
         let stalled = rounds - best_round >= PATIENCE;
         if exact || stalled || middles.is_empty() || spans + middles.len() > options.spans {
             break;
@@ -252,7 +258,8 @@ pub fn splice<P: Point3>(
     Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
 }
 
-/// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent planes.
+/// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent
+/// planes.
 fn prepared<P: Point3>(surface: &BSplineSurface<P>, edge: Edge) -> Result<BSplineSurface<P>, SpliceError> {
     let mut surface = surface.clamped();
     let across = edge.across();

@@ -1,7 +1,7 @@
 //! The point of a surface that is nearest to a given one, with a proof that none is nearer.
 
-// All functions of these two are marked `#[inline]`, long as they are: not generic, they would else be compiled with this crate
-// for everybody, and are now where a nearest point is asked for.
+// All functions of these two are marked `#[inline]`, long as they are: not generic, they would else be compiled with
+// this crate for everybody, and are now where a nearest point is asked for.
 mod piece;
 mod search;
 
@@ -42,13 +42,15 @@ where
 {
     /// The point of the surface that is nearest to `point`, among those with parameters in the domain.
     ///
-    /// It is a global minimum: its distance exceeds [`at_least`](Projection::at_least), which no point of the surface is nearer
-    /// than, by no more than `accuracy`. An `accuracy` below some 64 `ε` times the greatest distance of a Bézier control point,
-    /// also zero or NaN, asks for what the scalar type can give. Where very many points are almost equally near, such as
-    /// around the centre of a sphere, the work ends earlier: the point is still a minimum, and `at_least` says how much is proved.
+    /// It is a global minimum: its distance exceeds [`at_least`](Projection::at_least), which no point of the surface
+    /// is nearer than, by no more than `accuracy`. An `accuracy` below some 64 `ε` times the greatest distance of a
+    /// Bézier control point, also zero or NaN, asks for what the scalar type can give. Where very many points are
+    /// almost equally near, such as around the centre of a sphere, the work ends earlier: the point is still a minimum,
+    /// and `at_least` says how much is proved.
     ///
-    /// Found by branch and bound on the Bézier form, from the box of a part and the Bernstein coefficients of its squared
-    /// distance, with Newton's method for the point. `None` if the point, the surface or the distance is not finite.
+    /// Found by branch and bound on the Bézier form, from the box of a part and the Bernstein coefficients of its
+    /// squared distance, with Newton's method for the point. `None` if the point, the surface or the distance is not
+    /// finite.
     ///
     /// ```
     /// use basis_runtime::{BernsteinBasis, TensorSurface};
@@ -75,8 +77,8 @@ where
     }
 }
 
-/// The parameters, from 0 to 1, at which a Bézier patch of those degrees is nearest to `point`, up to that accuracy, and a lower
-/// bound of its distance; a row of control points for each function of `v`.
+/// The parameters, from 0 to 1, at which a Bézier patch of those degrees is nearest to `point`, up to that accuracy,
+/// and a lower bound of its distance; a row of control points for each function of `v`.
 fn nearest_of_patch<P: Point>(
     degrees: [usize; 2],
     net: impl Iterator<Item = P> + Clone,

@@ -3,6 +3,8 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::binomial::Row;
+
 /// The most steps of Newton's method; it needs five or six unless the surface is singular there.
 const STEPS: usize = 60;
 
@@ -63,8 +65,8 @@ impl Piece {
         crate::Scalar::sqrt(square)
     }
 
-    /// The smallest Bernstein coefficient of the squared distance, as a distance; its error falls with the square of the
-    /// size of the patch.
+    /// The smallest Bernstein coefficient of the squared distance, as a distance; its error falls with the square of
+    /// the size of the patch.
     ///
     /// ```text
     /// |S|² = Σ B[a,2ku] B[b,2kv] c[a,b],
@@ -186,9 +188,9 @@ impl Piece {
         })
     }
 
-    /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it is
-    /// no descent, that of Gauss and Newton, and where that has no solution, one direction by itself. Returns the place
-    /// and its distance.
+    /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it
+    /// is no descent, that of Gauss and Newton, and where that has no solution, one direction by itself. Returns the
+    /// place and its distance.
     #[inline]
     pub(super) fn descend(&self, start: [f64; 2]) -> ([f64; 2], f64) {
         let (mut at, mut square) = (start, self.square(start));
@@ -230,14 +232,11 @@ fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The binomial coefficients of order `n`.
+/// The row `n` of Pascal's triangle.
 #[inline]
 fn binomials(n: usize) -> Vec<f64> {
-    let mut row = vec![1.0];
-    for i in 0..n {
-        row.push(row[i] * (n - i) as f64 / (i + 1) as f64);
-    }
-    row
+    let mut row = Row::new(n);
+    (0..=n).map(|_| row.next()).collect()
 }
 
 /// The derivatives of that order of the Bernstein polynomials of that degree.
@@ -260,7 +259,8 @@ fn bernstein(degree: usize, t: f64, order: usize) -> Vec<f64> {
     values
 }
 
-/// `-M⁻¹ gradient` in the free directions, for the symmetric matrix `[[a, b], [b, c]]` if it is positive definite there.
+/// `-M⁻¹ gradient` in the free directions, for the symmetric matrix `[[a, b], [b, c]]` if it is positive definite
+/// there.
 #[inline]
 fn newton_step([a, b, c]: [f64; 3], gradient: [f64; 2], free: [bool; 2]) -> Option<[f64; 2]> {
     let [x, y] = gradient;
