@@ -46,3 +46,7 @@ pub const SPECS: &[(&str, &str)] = specs![
 pub fn text(name: &str) -> Option<&'static str> {
     SPECS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("README.md")]
+struct Readme;

@@ -136,7 +136,7 @@ fn assemble(spec: &str, notes: &[(usize, String)]) -> String {
 fn of_a_text_that_cannot_be_decoded() {
     let error = source::read(&Bytes(b"family F {\n    // caf\xe9\n}"), "latin1.basis", &[]).unwrap_err();
     assert_eq!(error.message, "`latin1.basis` is not UTF-8: invalid byte 0xe9 in line 2");
-    assert_eq!(error.notes, ["save the file with the encoding UTF-8"]);
+    assert_eq!(error.help.as_deref(), Some("save the file with the encoding UTF-8"));
 }
 
 struct Bytes(&'static [u8]);
