@@ -8,7 +8,7 @@ mod input;
 use std::path::PathBuf;
 
 use basis_engine::source;
-use basis_engine::{Disk, Library};
+use basis_engine::{Disk, Library, Source};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
@@ -49,7 +49,10 @@ fn expand(input: Input, call_site: Span) -> TokenStream {
     let caller = call_site.local_file();
     let (library, place) = match input.spec {
         Spec::File(path) => match source::read(&Disk, &path.value(), &folders(caller)) {
-            Ok(source) => (Library::from_source(&Disk, source), path.span()),
+            Ok(mut source) => {
+                source.name = shown(&source);
+                (Library::from_source(&Disk, source), path.span())
+            }
             Err(error) => return syn::Error::new(path.span(), error).into_compile_error(),
         },
         Spec::Inline(tokens) => (Library::from_tokens(&Disk, tokens, caller), call_site),
@@ -59,6 +62,15 @@ fn expand(input: Input, call_site: Span) -> TokenStream {
     let errors = errors::compile_errors(&diagnostics, library.sources(), place);
     let watched = watch(&library);
     quote!(#code #errors #watched)
+}
+
+/// The path of a spec as a terminal or an editor opens it: relative to the folder in which the compiler runs, as its own
+/// messages are, or else absolute.
+fn shown(source: &Source) -> String {
+    let Some(path) = &source.path else { return source.name.clone() };
+    let here = std::env::current_dir().and_then(|folder| folder.canonicalize());
+    let relative = here.ok().and_then(|folder| path.strip_prefix(folder).ok().map(PathBuf::from));
+    relative.as_ref().unwrap_or(path).display().to_string()
 }
 
 /// Where relative paths start: next to the calling file, then next to `Cargo.toml`.

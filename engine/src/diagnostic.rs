@@ -21,8 +21,8 @@ pub enum Severity {
 pub enum Place {
     /// Bytes of a text.
     Text(SourceId, Range<usize>),
-    /// A token of a macro call.
-    Token(Span),
+    /// Tokens of a macro call, from the first to the last; of the compiler's own tokens stable Rust cannot join the spans.
+    Token(Span, Span),
 }
 
 /// One message about a spec.
@@ -185,7 +185,7 @@ impl Diagnostic {
     pub fn line_column(&self, sources: &Sources) -> Option<(usize, usize)> {
         match self.labels.first()? {
             (Place::Text(id, range), _) => Some(sources.get(*id).line_column(range.start)),
-            (Place::Token(_), _) => None,
+            (Place::Token(..), _) => None,
         }
     }
 

@@ -174,7 +174,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
                 items.push((item, requested.rename.clone(), Some(requested.span)));
             }
             Err(Some((message, help))) => {
-                let place = diagnostic::Place::Token(requested.span);
+                let place = diagnostic::Place::Token(requested.span, requested.span);
                 diagnostics.push(Diagnostic::error(place, message).help(help));
             }
             Err(None) => {}
@@ -185,7 +185,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         let names = library.names();
         let alone = names.iter().all(|(_, indexed)| *indexed) && !library.has_theorems();
         if let (true, Some((name, _))) = (alone, names.first()) {
-            let place = diagnostic::Place::Token(Span::call_site());
+            let place = diagnostic::Place::Token(Span::call_site(), Span::call_site());
             let message = "every family of the spec has index parameters, and no order is chosen";
             let help = format!(
                 "name the families with their orders: `basis!(\"…\", {name}(3))`; a spec in place has no room for them, a file has"

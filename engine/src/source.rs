@@ -32,6 +32,12 @@ impl Source {
         Self { name: String::from("<basis!>"), path, ..Self::default() }
     }
 
+    /// The same spec as if it were read at a path.
+    pub fn at(mut self, path: PathBuf) -> Self {
+        self.path = Some(path);
+        self
+    }
+
     /// Line and column of a byte offset, both counted from one, the column in characters.
     pub fn line_column(&self, offset: usize) -> (usize, usize) {
         let text = self.text.as_deref().unwrap_or_default();

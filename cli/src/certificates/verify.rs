@@ -197,7 +197,7 @@ pub(super) fn items(path: &Path) -> Result<Vec<Item>, String> {
         basis_engine::diagnostic::Place::Text(id, range) => {
             Some(library.sources().get(*id).line_column(range.start).0)
         }
-        basis_engine::diagnostic::Place::Token(_) => None,
+        basis_engine::diagnostic::Place::Token(..) => None,
     };
     let with_line = |question: Question| {
         let line = line(question.place());

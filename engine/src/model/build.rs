@@ -26,6 +26,7 @@ pub(super) fn family(
 }
 
 fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
+    scope.unread.clone_from(&written.unread);
     let shapes = shapes(scope, written);
     let domain = domain(scope, written);
     let budget = budget(scope, written);

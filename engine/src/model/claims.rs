@@ -39,7 +39,7 @@ pub(super) fn claims(
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
-                one(&mut scope, family, claim, statement.span, &mut all);
+                one(&mut scope, family, claim, statement, &mut all);
                 if !scope.settle(&region, family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
@@ -57,24 +57,33 @@ pub(super) fn claims(
 pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
     for statement in &written.statements {
         if let StatementKind::Claim(claim) = &statement.kind {
-            one(scope, family, claim, statement.span, &mut Vec::new());
+            one(scope, family, claim, statement, &mut Vec::new());
         }
     }
 }
 
 /// Appends the claims that one statement makes.
-fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
-    let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
+fn one(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    claim: &syntax::Claim,
+    statement: &syntax::Statement,
+    all: &mut Vec<Claim>,
+) {
+    let (span, last) = (statement.span, statement.last);
+    let mut push = |scope: &Scope<'_>, text: String, span: Span, last: Span, kind: ClaimKind| {
         let fine = scope.fits(counted(scope.budget.run(), &text, &kind), span).is_some();
         if fine {
-            let place = scope.place(span);
+            let place = scope.library.place_to(scope.source, span, last);
             all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place, kind });
         }
         fine
     };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
-            self::relation(scope, relation, &[], &mut |scope, text, kind| push(scope, text, span, kind));
+            self::relation(scope, relation, &[], &mut |scope, text, kind| {
+                push(scope, text, span, last, kind)
+            });
         }
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };
@@ -84,7 +93,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let at = parts.join(", ");
             for relation in relations {
                 self::relation(scope, relation, &fixed, &mut |scope, text, kind| {
-                    push(scope, format!("at {at}: {text}"), relation.span, kind)
+                    push(scope, format!("at {at}: {text}"), relation.span, relation.last, kind)
                 });
             }
         }
@@ -93,7 +102,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let fine = scope.each(&claim.loops, &mut |scope| {
                 any = true;
                 let made = self::property(scope, family, property, span);
-                made.is_some_and(|(text, kind)| push(scope, text, span, kind))
+                made.is_some_and(|(text, kind)| push(scope, text, span, last, kind))
             });
             // A condition may well hold for other orders.
             if fine && !any && scope.constants.is_empty() {
@@ -165,6 +174,9 @@ fn exceptions(
         for binding in exception {
             let value = scope.number(&binding.value, "an exceptional value")?;
             let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
+                if scope.is_mistaken(&binding.name.text) {
+                    return None;
+                }
                 let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
                 let error = scope
                     .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
@@ -381,6 +393,10 @@ fn differences(
         (Value::Scalar(l), Value::Scalar(r)) => (vec![(Vec::new(), l)], vec![(Vec::new(), r)], false),
         (Value::List(l), Value::List(r)) => {
             if l.len() != r.len() {
+                // A function whose formula went wrong is not there.
+                if scope.cut_short {
+                    return None;
+                }
                 let shown = if matches!(relation.right.kind, syntax::ExprKind::List(_)) {
                     relation.right.span
                 } else {

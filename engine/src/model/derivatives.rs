@@ -35,6 +35,7 @@ impl Scope<'_> {
                         return None;
                     }
                     Some(var) => steps.push((var, 1)),
+                    None if self.is_mistaken(name) => return None,
                     None => {
                         let error = self
                             .error(argument.span, format!("`{name}` is not a variable to differentiate by"));

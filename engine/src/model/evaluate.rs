@@ -293,6 +293,10 @@ impl Scope<'_> {
                 self.report(self.error(span, message).help(help));
                 return None;
             }
+            // It may be one whose definition went wrong.
+            if self.cut_short {
+                return None;
+            }
             let wanted = super::label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
             let known = self
@@ -449,7 +453,8 @@ impl Scope<'_> {
             return Some(f.clone());
         }
         let put = self.fits(self.budget.substitute(f, var, by), span)?;
-        if put.is_none() {
+        // An error about the denominator itself says more.
+        if put.is_none() && self.diagnostics.borrow().is_empty() {
             self.report(self.error(span, "a denominator becomes zero here"));
         }
         put

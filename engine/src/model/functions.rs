@@ -105,17 +105,28 @@ fn definitions(written: &syntax::Family) -> impl Iterator<Item = &FunctionDef> {
     })
 }
 
-/// All functions share the name of the first one.
+/// All functions share the name that most of them have.
 fn name_functions(scope: &mut Scope<'_>, written: &syntax::Family) {
+    let mut counts: SortedMap<&str, usize> = SortedMap::new();
+    for def in definitions(written) {
+        *counts.get_or_insert_with(&def.name.text, || 0) += 1;
+    }
+    let most = counts.values().max().copied().unwrap_or(0);
+    let usual = |def: &&FunctionDef| counts.get(&def.name.text.as_str()) == Some(&most);
+    if let Some(def) = definitions(written).find(usual)
+        && scope.check_free(&def.name)
+    {
+        scope.function_name.clone_from(&def.name.text);
+    }
     for def in definitions(written) {
         if scope.function_name.is_empty() {
-            if scope.check_free(&def.name) {
-                scope.function_name.clone_from(&def.name.text);
-            }
-        } else if def.name.text != scope.function_name {
+            return;
+        }
+        if def.name.text != scope.function_name {
             let message =
                 format!("the functions are called `{}`, not `{}`", scope.function_name, def.name.text);
             let error = scope.error(def.name.span, message);
+            scope.undeclared.borrow_mut().push(def.name.text.clone());
             scope.report(error.help("use one name for all functions of a family, `let` for anything else"));
         }
     }
@@ -125,7 +136,10 @@ fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
     let mut any = false;
     let fine = scope.each(&def.loops, &mut |scope| {
         any = true;
-        let Some(index) = index(scope, def) else { return false };
+        let Some(index) = index(scope, def) else {
+            scope.cut_short = true;
+            return false;
+        };
         let value = scope.scalar(&def.value);
         scope.cut_short |= value.is_none() && (def.permute || !def.loops.generators.is_empty());
         if def.permute {
@@ -156,6 +170,7 @@ fn insert(scope: &mut Scope<'_>, def: &FunctionDef, index: Vec<i64>, value: Opti
         } else {
             "remove one of the definitions"
         }));
+        scope.cut_short = true;
         return false;
     }
     let definition = Definition { place: scope.defined.len(), span: def.name.span, permuted: def.permute };

@@ -78,6 +78,10 @@ pub(super) struct Scope<'a> {
     pub(super) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
     pub(super) missing_is_zero: bool,
+    /// The names in statements that could not be read, sorted.
+    pub(super) unread: Vec<String>,
+    /// The unknown names that are reported already.
+    pub(super) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
     pub(super) cut_short: bool,
     /// Whether all functions are defined, so that the name alone means all of them.
@@ -178,16 +182,28 @@ impl Scope<'_> {
         names < MAX_NAMES
     }
 
+    /// Whether an error is known that can be the reason why a name has no meaning: it stands where nothing could be read,
+    /// a name is missing there, or it is reported already. Of `c[2]` the name is `c`.
+    pub(super) fn is_mistaken(&self, name: &str) -> bool {
+        let base = |name: &str| name.split('[').next().unwrap_or_default().len();
+        let name = &name[..base(name)];
+        self.unread.first().is_some_and(String::is_empty)
+            || self.unread.binary_search_by(|unread| unread.as_str().cmp(name)).is_ok()
+            || self.library.is_unread(self.unit, name)
+            || self.undeclared.borrow().iter().any(|known| known[..base(known)] == *name)
+    }
+
     /// Reports an unknown name, with the known name that it resembles.
     pub(super) fn unknown(&self, name: &str, span: Span) {
         // A declaration that could not be read may have been that of this name.
-        if self.cut_short && self.domain.is_empty() {
+        if self.cut_short && self.domain.is_empty() || self.is_mistaken(name) {
             return;
         }
         let error = self.error(span, format!("the name `{name}` is not declared"));
         if self.is_full() {
             return self.report(error);
         }
+        self.undeclared.borrow_mut().push(name.to_string());
         let mut known: Vec<&str> = BUILTINS.to_vec();
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
@@ -365,6 +381,8 @@ impl Scope<'_> {
             defined: SortedMap::new(),
             base: Vec::new(),
             missing_is_zero: false,
+            unread: Vec::new(),
+            undeclared: RefCell::default(),
             cut_short: false,
             complete: false,
             budget: Budget::new(library.run()),

@@ -150,15 +150,18 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     syn::braced!(content in input);
     let mut relations = Vec::new();
     while !content.is_empty() {
-        relations.push(relation(&content)?);
+        let mut relation = relation(&content)?;
         if content.peek(Token![;]) {
-            content.parse::<Token![;]>()?;
+            relation.last = content.parse::<Token![;]>()?.span;
+            relations.push(relation);
         } else if !content.is_empty() {
             return Err(error(
                 content.span(),
                 unexpected(&content, "`;`").to_string(),
                 "every equation in the block ends with `;`",
             ));
+        } else {
+            relations.push(relation);
         }
     }
     if relations.is_empty() {
@@ -203,5 +206,6 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
     }
     let loops = loops(input)?;
     let span = join(start, right.span);
-    Ok(Relation { left, comparison, right, loops, span })
+    let last = right.span;
+    Ok(Relation { left, comparison, right, loops, span, last })
 }

@@ -92,6 +92,12 @@ fn is_statement(word: &str) -> bool {
     ["prove", "refute", "curve", "surface", "scalar", "assume", "let"].contains(&word)
 }
 
+/// Whether what follows on the next line can be another statement: anything but a loop, which needs its `for`.
+fn begins_statement(input: ParseStream<'_>) -> bool {
+    let Some((_, after)) = input.cursor().token_tree() else { return false };
+    after.ident().is_none_or(|(word, _)| word != "in" && word != "for")
+}
+
 /// Two factors side by side, as papers write them, are an error with the place of the missing sign; on two lines it is
 /// the end of a statement that is missing.
 fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
@@ -105,7 +111,8 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
         _ => return Ok(()),
     };
-    if input.span().start().line > before.span.end().line || is_statement(&found) {
+    let next_line = input.span().start().line > before.span.end().line;
+    if is_statement(&found) || next_line && begins_statement(input) {
         return Err(missing_semicolon(before.span));
     }
     let help = match found.as_str() {

@@ -25,6 +25,8 @@ pub struct Spec {
     pub doc: Vec<String>,
     /// The items in the order in which they are written.
     pub items: Vec<Item>,
+    /// The names in items that could not be read, sorted: what they define is not known.
+    pub unread: Vec<String>,
 }
 
 /// What stands at the top of a spec.
@@ -69,6 +71,8 @@ pub struct Family {
     pub statements: Vec<Statement>,
     /// Whether a statement about the functions could not be read and is left out.
     pub incomplete: bool,
+    /// The names in statements that could not be read, sorted: what they declare is not known.
+    pub unread: Vec<String>,
 }
 
 /// One statement of a family, with its doc comment.
@@ -76,8 +80,10 @@ pub struct Family {
 pub struct Statement {
     /// The doc comment, one string a line.
     pub doc: Vec<String>,
-    /// The whole statement.
+    /// The whole statement; of tokens of the compiler the first one.
     pub span: Span,
+    /// Its last token.
+    pub last: Span,
     /// What it says.
     pub kind: StatementKind,
 }
@@ -129,6 +135,8 @@ pub struct Theorem {
     pub statements: Vec<TheoremStatement>,
     /// Whether a statement could not be read and is left out.
     pub incomplete: bool,
+    /// The names in statements that could not be read, sorted: what they declare is not known.
+    pub unread: Vec<String>,
 }
 
 /// What a theorem is for.
@@ -155,8 +163,10 @@ impl TheoremKind {
 pub struct TheoremStatement {
     /// The doc comment, one string a line.
     pub doc: Vec<String>,
-    /// The whole statement.
+    /// The whole statement; of tokens of the compiler the first one.
     pub span: Span,
+    /// Its last token.
+    pub last: Span,
     /// What it says.
     pub kind: TheoremStatementKind,
 }
@@ -377,8 +387,10 @@ pub struct Relation {
     pub right: Expr,
     /// What index variables run over.
     pub loops: Loops,
-    /// The whole relation.
+    /// The whole relation; of tokens of the compiler the first one.
     pub span: Span,
+    /// The last token of its statement.
+    pub last: Span,
 }
 
 /// An expression and where it stands.

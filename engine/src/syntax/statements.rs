@@ -11,6 +11,7 @@ use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
     StatementKind, SyntaxErrors,
 };
+use crate::collections::sort::sort_unique;
 use crate::words::did_you_mean;
 
 /// The words that begin a statement.
@@ -63,8 +64,10 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
     syn::braced!(content in input);
     let mut statements = Vec::new();
     let mut incomplete = false;
+    let mut unread = Vec::new();
     while !content.is_empty() {
         let about_functions = !begins_claim(&content);
+        let start = content.fork();
         match statement(&content) {
             Ok(statement) => statements.push(statement),
             Err(e) => {
@@ -75,10 +78,44 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
                 if !goes_on {
                     skip_statement(&content);
                 }
+                if about_functions {
+                    names_between(&start, &content, &mut unread);
+                }
             }
         }
     }
-    Ok(Family { doc, name, orders, statements, incomplete })
+    sort_unique(&mut unread);
+    Ok(Family { doc, name, orders, statements, incomplete, unread })
+}
+
+/// The names in the tokens from one place to a later one; an empty one stands for a name that is missing where a statement
+/// declares one.
+pub(super) fn names_between(start: ParseStream<'_>, end: ParseStream<'_>, names: &mut Vec<String>) {
+    // What went wrong in a doc comment has no names.
+    let _ = doc(start, false);
+    let before = names.len();
+    let named = ["let", "curve", "surface"].iter().any(|word| at_word(start, word));
+    let mut position = 0;
+    while start.cursor() != end.cursor()
+        && let Ok(token) = start.parse::<TokenTree>()
+    {
+        if named && position == 1 && !matches!(token, TokenTree::Ident(_)) {
+            names.push(String::new());
+        }
+        names_in(token, names);
+        position += 1;
+    }
+    if names.len() == before + 1 {
+        names.push(String::new());
+    }
+}
+
+fn names_in(token: TokenTree, names: &mut Vec<String>) {
+    match token {
+        TokenTree::Ident(ident) => names.push(ident.to_string()),
+        TokenTree::Group(group) => group.stream().into_iter().for_each(|token| names_in(token, names)),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+    }
 }
 
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
@@ -142,7 +179,8 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
             take_word(input)?;
             if let Some(names) = simplex(input)? {
                 let end = semicolon(input, None)?;
-                return Ok(Statement { doc, span: join(start, end), kind: StatementKind::Simplex(names) });
+                let kind = StatementKind::Simplex(names);
+                return Ok(Statement { doc, span: join(start, end), last: end, kind });
             }
             let mut ranges = vec![range(input, DOMAIN_HELP)?];
             while input.peek(Token![,]) {
@@ -196,7 +234,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         },
     };
     let end = semicolon(input, Some(&kind))?;
-    Ok(Statement { doc, span: join(start, end), kind })
+    Ok(Statement { doc, span: join(start, end), last: end, kind })
 }
 
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {

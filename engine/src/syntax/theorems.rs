@@ -6,11 +6,12 @@ use syn::{Result, Token};
 
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
-use super::statements::{SHAPE_HELP, at_word, bounds, doc, skip_statement, take_word};
+use super::statements::{SHAPE_HELP, at_word, bounds, doc, names_between, skip_statement, take_word};
 use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, SyntaxErrors, Theorem, TheoremKind, TheoremRelation,
     TheoremStatement, TheoremStatementKind,
 };
+use crate::collections::sort::sort_unique;
 use crate::words::did_you_mean;
 
 /// The words that begin a statement.
@@ -49,7 +50,9 @@ pub(super) fn theorem(
     syn::braced!(content in input);
     let mut statements = Vec::new();
     let mut incomplete = false;
+    let mut unread = Vec::new();
     while !content.is_empty() {
+        let start = content.fork();
         match statement(&content) {
             Ok(statement) => statements.push(statement),
             Err(e) => {
@@ -59,10 +62,12 @@ pub(super) fn theorem(
                 if !goes_on {
                     skip_statement(&content);
                 }
+                names_between(&start, &content, &mut unread);
             }
         }
     }
-    Ok(Theorem { doc, kind, name, statements, incomplete })
+    sort_unique(&mut unread);
+    Ok(Theorem { doc, kind, name, statements, incomplete, unread })
 }
 
 fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
@@ -137,7 +142,7 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         return Err(error(input.span(), message, help));
     }
     let end = input.parse::<Token![;]>()?.span;
-    Ok(TheoremStatement { doc, span: join(start, end), kind })
+    Ok(TheoremStatement { doc, span: join(start, end), last: end, kind })
 }
 
 /// A name, or a name with indices, that gets a value.

@@ -88,6 +88,7 @@ pub(in crate::model) fn theorem(
 
 impl Elaboration<'_> {
     fn theorem(&mut self, written: &syntax::Theorem) -> Option<Theorem> {
+        self.scope.unread.clone_from(&written.unread);
         let dimension = self.find_dimension(&written.statements);
         let mut fine = dimension.is_some();
         let mut budget = 1;
@@ -128,10 +129,10 @@ impl Elaboration<'_> {
         if written.kind == TheoremKind::Join && fine {
             self.check_join(written, dimension.flatten());
         }
-        self.scope.settle(&region, budget);
         if !fine {
             return None;
         }
+        self.scope.settle(&region, budget);
         let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).collect();
         self.scalars.retain(|p| !silent.contains(&p.var));
         Some(Theorem {
@@ -430,7 +431,9 @@ impl Elaboration<'_> {
         let patches = self.patches.mapped(|p| p.name.as_str());
         let written = Printer { constants: &[], component: None }.print(base);
         // A curve or surface that could not be read.
-        if self.vectors.iter().any(|(name, value)| *name == written && value.is_none()) {
+        if self.vectors.iter().any(|(name, value)| *name == written && value.is_none())
+            || self.scope.is_mistaken(&written)
+        {
             return None;
         }
         let error = self.scope.error(base.span, format!("there is no curve or surface `{written}`"));
@@ -439,6 +442,7 @@ impl Elaboration<'_> {
                 "declare it, `curve {written} = …;`, before its control point `{point}` is determined; other vectors have names without an index"
             )
         };
+        self.scope.undeclared.borrow_mut().push(written.clone());
         let other_case = patches.iter().find(|p| p.to_lowercase() == written.to_lowercase());
         self.scope.report(error.help(match other_case {
             Some(near) => format!("did you mean `{near}`?"),
@@ -466,7 +470,7 @@ impl Elaboration<'_> {
                 text: format!("{left} {} {right}", written.relation.symbol()),
                 doc: statement.doc.clone(),
                 expected: written.expected,
-                place: all.scope.place(statement.span),
+                place: all.scope.library.place_to(all.scope.source, statement.span, statement.last),
                 difference,
                 kind,
             });

@@ -181,13 +181,14 @@ impl Elaboration<'_> {
 
     /// Reports an unknown name, with the known name that it resembles; not while it could be that of a shape value.
     pub(super) fn unknown(&self, name: &str, span: Span) {
-        if self.incomplete {
+        if self.incomplete || self.scope.is_mistaken(name) {
             return;
         }
         let error = self.scope.error(span, format!("the name `{name}` is not declared"));
         if self.scope.is_full() {
             return self.scope.report(error);
         }
+        self.scope.undeclared.borrow_mut().push(name.to_string());
         if self.scope.library.knows(self.scope.unit, name) {
             self.scope.report(
                 error
@@ -416,8 +417,11 @@ impl Elaboration<'_> {
                     functions.join("`, `")
                 )
             });
-            self.scope
-                .report(self.scope.error(callee.span, format!("there is no function `{name}`")).help(help));
+            if !self.scope.is_mistaken(name) {
+                let error = self.scope.error(callee.span, format!("there is no function `{name}`"));
+                self.scope.report(error.help(help));
+                self.scope.undeclared.borrow_mut().push(name.clone());
+            }
             return None;
         }
         match self.value(callee)? {
