@@ -19,6 +19,7 @@
 //! assert_eq!(report.items[0].claims.len(), 1);
 //! ```
 
+mod advice;
 pub mod algebra;
 mod collections;
 pub mod decide;
@@ -27,23 +28,23 @@ pub mod diagnostic;
 pub mod explain;
 pub mod generate;
 pub mod model;
+pub mod plural;
 pub mod prove;
 pub mod source;
 pub mod syntax;
-mod words;
 
 use std::rc::Rc;
 
 use collections::list::Mapped;
 use proc_macro2::{Ident, Span, TokenStream};
 
+pub use advice::closest;
 pub use collections::map::SortedMap;
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
 pub use model::{Claim, Family, Item, Library, Selected};
 pub use prove::{Verdict, Witness};
 pub use source::{Disk, Files, Source, Sources};
-pub use words::closest;
 
 /// A family with the verdicts of its claims.
 #[derive(Clone, Debug)]

@@ -74,6 +74,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         return Some(family);
     }
     scope.complete = true;
+    scope.broken = true;
     super::claims::look_for_mistakes(scope, written, &family);
     None
 }

@@ -183,7 +183,7 @@ fn exceptions(
                 scope.report(if known.is_empty() {
                     error.help("the family has no shape parameters")
                 } else {
-                    error.help(format!("shape parameters are {}", crate::words::list(&known)))
+                    error.help(format!("shape parameters are {}", crate::plural::list(&known)))
                 });
                 return None;
             };
@@ -216,7 +216,7 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
                 scope.report(
-                    error.help(format!("an `at` block fixes one of {}", crate::words::list(&scope.names))),
+                    error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
                 );
             } else {
                 scope.unknown(name, binding.name.span);
@@ -414,8 +414,10 @@ fn differences(
                     matches!(relation.right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
                 scope.report(error.help(match l.len() {
                     0 => String::from("write the values of the left side"),
-                    n if family => format!("compare with a family of {}", crate::words::count(n, "function")),
-                    n => format!("write {}", crate::words::count(n, "value")),
+                    n if family => {
+                        format!("compare with a family of {}", crate::plural::count(n, "function"))
+                    }
+                    n => format!("write {}", crate::plural::count(n, "value")),
                 }));
                 return None;
             }

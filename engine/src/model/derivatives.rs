@@ -3,10 +3,10 @@
 use proc_macro2::Span;
 
 use super::scope::{Scope, Value};
+use crate::advice::along_edges;
 use crate::algebra::poly::Var;
 use crate::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind};
-use crate::words::along_edges;
 
 impl Scope<'_> {
     /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
@@ -39,7 +39,9 @@ impl Scope<'_> {
                     None => {
                         let error = self
                             .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
-                        self.report(error.help(format!("variables are {}", crate::words::list(&self.names))));
+                        self.report(
+                            error.help(format!("variables are {}", crate::plural::list(&self.names))),
+                        );
                         return None;
                     }
                 },

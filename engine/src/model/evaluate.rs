@@ -9,8 +9,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
 use crate::collections::list::Mapped;
-use crate::syntax::{Expr, ExprKind, Loops};
-use crate::words::{count, here};
+use crate::plural::{count, here};
+use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;
@@ -38,25 +38,26 @@ impl Scope<'_> {
             ExprKind::Neg(inner) => Some(map(self.value(inner)?, |f| -f)),
             ExprKind::Sum(parts) => {
                 let mut sum: Option<Value> = None;
-                for (minus, part) in parts {
+                for (sign, part) in parts {
                     let value = self.value(part)?;
-                    sum =
-                        Some(match sum {
-                            None => value,
-                            Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
-                                if *minus { b.sub(x, y) } else { b.add(x, y) }
-                            })?,
-                        });
+                    sum = Some(match sum {
+                        None => value,
+                        Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
+                            if *sign == Sign::Minus { b.sub(x, y) } else { b.add(x, y) }
+                        })?,
+                    });
                 }
                 sum
             }
             ExprKind::Product(parts) => {
                 let mut product: Option<Value> = None;
-                for (divides, part) in parts {
+                for (role, part) in parts {
                     let value = self.value(part)?;
                     product = Some(match product {
                         None => value,
-                        Some(product) if *divides => self.quotient(product, value, part.span)?,
+                        Some(product) if *role == Role::Divisor => {
+                            self.quotient(product, value, part.span)?
+                        }
                         Some(product) => self.product(product, value, part.span)?,
                     });
                 }
@@ -311,7 +312,7 @@ impl Scope<'_> {
                     } else {
                         format!(
                             "the functions have {}: from `{}` to `{last}`",
-                            crate::words::indices(first.len()),
+                            crate::plural::indices(first.len()),
                             super::label(name, first)
                         )
                     })
@@ -453,8 +454,8 @@ impl Scope<'_> {
             return Some(f.clone());
         }
         let put = self.fits(self.budget.substitute(f, var, by), span)?;
-        // An error about the denominator itself says more.
-        if put.is_none() && self.diagnostics.borrow().is_empty() {
+        // An error about the denominator of a function says more.
+        if put.is_none() && !self.broken {
             self.report(self.error(span, "a denominator becomes zero here"));
         }
         put

@@ -7,8 +7,8 @@ use super::scope::{Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::collections::list::Mapped;
+use crate::plural::{count, here};
 use crate::syntax::Expr;
-use crate::words::{count, here};
 
 impl Scope<'_> {
     /// The functions of another family, in this family's domain variables.

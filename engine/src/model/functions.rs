@@ -12,8 +12,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
+use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
-use crate::words::{count, indices};
 
 /// More functions than this are refused.
 pub(super) const MAX_FUNCTIONS: usize = 512;

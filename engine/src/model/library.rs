@@ -11,12 +11,12 @@ use super::budget::{Run, TooLarge};
 use super::theorem::{self, Theorem};
 use super::{Claim, Family, build, claims};
 use crate::SortedMap;
+use crate::advice::did_you_mean;
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_by;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{self, Files, Source, SourceId, Sources};
 use crate::syntax::{self, Name, Spec, SyntaxErrors};
-use crate::words::did_you_mean;
 
 /// Families that refer to one another through more levels than this are refused.
 const MAX_DEPTH: usize = 48;
@@ -367,8 +367,9 @@ impl<'f> Library<'f> {
             }
             let visible = self.visible(unit);
             let known: Vec<&str> = visible.mapped(String::as_str);
-            let help =
-                did_you_mean(name, &known, &|| format!("families here are {}", crate::words::list(&visible)));
+            let help = did_you_mean(name, &known, &|| {
+                format!("families here are {}", crate::plural::list(&visible))
+            });
             return Err(Some((format!("there is no family `{name}`"), help)));
         };
         if let Some([first, second]) = self.ambiguous(unit, name) {
@@ -388,8 +389,8 @@ impl<'f> Library<'f> {
             };
             let message = format!(
                 "`{name}` has {}, {}",
-                crate::words::count(wanted.len(), "index parameter"),
-                crate::words::here(order.len())
+                crate::plural::count(wanted.len(), "index parameter"),
+                crate::plural::here(order.len())
             );
             return Err(Some((message, help)));
         }

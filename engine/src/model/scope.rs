@@ -8,13 +8,13 @@ use super::budget::{Budget, SPLIT, TooLarge};
 use super::obligations::{Duty, Obligation};
 use super::{Family, Function, Library};
 use crate::SortedMap;
+use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::collections::list::Mapped;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
-use crate::words::did_you_mean;
 
 /// The most names that `let` gives in a family, and curves, surfaces and `let` in a theorem.
 const MAX_NAMES: usize = 5_000;
@@ -84,6 +84,8 @@ pub(super) struct Scope<'a> {
     pub(super) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
     pub(super) cut_short: bool,
+    /// Whether the family has errors, so that its claims are only looked at for more mistakes.
+    pub(super) broken: bool,
     /// Whether all functions are defined, so that the name alone means all of them.
     pub(super) complete: bool,
     pub(super) budget: Budget,
@@ -224,7 +226,7 @@ impl Scope<'_> {
                     );
                 }
                 if name.starts_with(|c: char| c.is_ascii_uppercase()) {
-                    format!("families here are {}", crate::words::list(&families))
+                    format!("families here are {}", crate::plural::list(&families))
                 } else {
                     format!(
                         "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
@@ -384,6 +386,7 @@ impl Scope<'_> {
             unread: Vec::new(),
             undeclared: RefCell::default(),
             cut_short: false,
+            broken: false,
             complete: false,
             budget: Budget::new(library.run()),
             obligations: Vec::new(),
@@ -413,9 +416,8 @@ impl Scope<'_> {
             ExprKind::Number(_) => false,
             ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
             ExprKind::Neg(inner) | ExprKind::Each(inner, _) => self.mentions_variable(inner),
-            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
-                parts.iter().any(|(_, e)| self.mentions_variable(e))
-            }
+            ExprKind::Sum(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
+            ExprKind::Product(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
             ExprKind::Power(base, exponent) => {
                 self.mentions_variable(base) || self.mentions_variable(exponent)
             }

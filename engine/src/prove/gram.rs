@@ -182,5 +182,5 @@ impl Gram {
 
 /// The method of proof in a few words.
 pub(super) fn method(squares: &[Square]) -> String {
-    format!("a sum of {}", crate::words::count(squares.len(), "square"))
+    format!("a sum of {}", crate::plural::count(squares.len(), "square"))
 }

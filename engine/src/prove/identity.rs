@@ -6,7 +6,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
 use crate::model::{ClaimKind, Family};
-use crate::words::abbreviated;
+use crate::plural::abbreviated;
 
 /// Σ bᵢ = 1.
 pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {

@@ -8,7 +8,7 @@ use super::error::error;
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{at_word, equals, take_word};
 use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
-use crate::words::did_you_mean;
+use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
 const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
@@ -62,7 +62,7 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
     let Some((word, after)) = input.cursor().ident() else { return unexpected(input, "a claim") };
     let text = word.to_string();
     let next = after.ident().map(|(word, _)| word.to_string()).unwrap_or_default();
-    let near = crate::words::closest(&text, &PROPERTIES)
+    let near = crate::advice::closest(&text, &PROPERTIES)
         .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text.as_str())));
     let help = match near {
         _ if text == "not" => format!("`refute {next};` claims that it is false"),

@@ -9,7 +9,7 @@ use syn::{Ident, Result, Token};
 
 use super::error::{error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
-use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
+use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name, Role, Sign};
 use crate::algebra::rational::Rational;
 
 /// Numbers with more digits than this are refused.
@@ -43,29 +43,31 @@ fn check_depth(input: ParseStream<'_>, depth: usize) -> Result<()> {
 fn sum(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
     check_depth(input, depth)?;
     let first = product(input, depth)?;
-    let mut terms = vec![(false, first)];
+    let mut terms = vec![(Sign::Plus, first)];
     while input.peek(Token![+]) || input.peek(Token![-]) {
-        let minus = input.parse::<Option<Token![+]>>()?.is_none();
-        if minus {
+        let sign = if input.parse::<Option<Token![+]>>()?.is_some() {
+            Sign::Plus
+        } else {
             input.parse::<Token![-]>()?;
-        }
-        terms.push((minus, product(input, depth)?));
+            Sign::Minus
+        };
+        terms.push((sign, product(input, depth)?));
     }
     Ok(flat(terms, ExprKind::Sum))
 }
 
 fn product(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
-    let mut factors = vec![(false, factor(input, depth)?)];
+    let mut factors = vec![(Role::Factor, factor(input, depth)?)];
     loop {
         if input.peek(Token![*]) {
             let star = input.parse::<Token![*]>()?;
             if input.peek(Token![*]) {
                 return Err(error(star.span, "`**` is not an operator", "write `^` for a power"));
             }
-            factors.push((false, factor(input, depth)?));
+            factors.push((Role::Factor, factor(input, depth)?));
         } else if input.peek(Token![/]) {
             input.parse::<Token![/]>()?;
-            factors.push((true, factor(input, depth)?));
+            factors.push((Role::Divisor, factor(input, depth)?));
         } else {
             break;
         }
@@ -75,7 +77,7 @@ fn product(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 }
 
 /// A single part stands for itself.
-fn flat(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) -> Expr {
+fn flat<T>(mut parts: Vec<(T, Expr)>, kind: fn(Vec<(T, Expr)>) -> ExprKind) -> Expr {
     let span = join(parts[0].1.span, parts[parts.len() - 1].1.span);
     match parts.pop() {
         Some((_, only)) if parts.is_empty() => only,

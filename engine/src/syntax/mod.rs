@@ -174,21 +174,29 @@ pub struct TheoremStatement {
 /// The kinds of statements of a theorem.
 #[derive(Debug)]
 pub enum TheoremStatementKind {
-    /// `curve P = Family(λ);`, `true`, or `surface S = F(λ)(u) * F(γ[i])(v);`, `false`; control points may follow in
-    /// brackets.
-    Patch(bool, Name, Expr),
+    /// `curve P = Family(λ);` or `surface S = F(λ)(u) * F(γ[i])(v);`; control points may follow in brackets.
+    Patch(PatchKind, Name, Expr),
     /// `scalar 0 < δ;`
     Scalar(Bounds, Loops),
     /// `assume λ > -2;`: a range is narrowed.
     Assume(Bounds, Loops),
     /// `let c = …;` or `let Q[1] = … for …;`
     Let(Expr, Expr, Loops),
-    /// `dimension 2;`: points have so many coordinates.
+    /// `dimension 2;`: the number of coordinates of points.
     Dimension(Expr),
     /// `prove …;` or `refute …;`
     Claim(Assertion),
     /// `budget 10;`
     Budget(Expr),
+}
+
+/// What a statement of a theorem declares over families.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PatchKind {
+    /// One parameter.
+    Curve,
+    /// Two parameters, or those of a family on a triangle or box.
+    Surface,
 }
 
 /// A name, perhaps with an index, and its range.
@@ -402,6 +410,24 @@ pub struct Expr {
     pub kind: ExprKind,
 }
 
+/// The sign in front of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// `+`
+    Plus,
+    /// `-`
+    Minus,
+}
+
+/// What a part of a product does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// It multiplies.
+    Factor,
+    /// It divides: it stands below the fraction line.
+    Divisor,
+}
+
 /// The kinds of expressions. Sums and products are flat, so that long formulas do not nest deeply.
 #[derive(Debug)]
 pub enum ExprKind {
@@ -411,10 +437,10 @@ pub enum ExprKind {
     Name(String),
     /// −x.
     Neg(Box<Expr>),
-    /// Terms with their signs, `true` for minus.
-    Sum(Vec<(bool, Expr)>),
-    /// Factors, `true` for divisors.
-    Product(Vec<(bool, Expr)>),
+    /// Terms with their signs; that of the first one is plus.
+    Sum(Vec<(Sign, Expr)>),
+    /// Factors and divisors; the first one is a factor.
+    Product(Vec<(Role, Expr)>),
     /// base ^ exponent.
     Power(Box<Expr>, Box<Expr>),
     /// x[i, j].

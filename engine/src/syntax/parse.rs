@@ -7,9 +7,9 @@ use syn::parse::{ParseStream, Parser};
 use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
 use super::{Family, Item, Spec, StatementKind, Theorem, Use, glyphs};
+use crate::advice::did_you_mean;
 use crate::collections::sort::sort_unique;
 use crate::source::MAX_BYTES;
-use crate::words::did_you_mean;
 
 /// The words that begin an item.
 const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];

@@ -11,8 +11,8 @@ use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
     StatementKind, SyntaxErrors,
 };
+use crate::advice::did_you_mean;
 use crate::collections::sort::sort_unique;
-use crate::words::did_you_mean;
 
 /// The words that begin a statement.
 pub(super) const STATEMENTS: [&str; 9] =
@@ -120,9 +120,11 @@ fn names_in(token: TokenTree, names: &mut Vec<String>) {
 
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
 fn begins_claim(input: ParseStream<'_>) -> bool {
-    let Some((word, _)) = input.cursor().ident() else { return false };
+    let ahead = input.fork();
+    let _ = doc(&ahead, false);
+    let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
-    ["prove", "refute", "budget"].contains(&crate::words::closest(&word, &STATEMENTS).unwrap_or(&word))
+    ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 /// Goes on after the next `;`, or after a block.
@@ -356,7 +358,7 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         }
     }
     if names.len() != corners {
-        let here = crate::words::here(names.len());
+        let here = crate::plural::here(names.len());
         let message = format!("a {text} has {corners} barycentric coordinates, {here}");
         let help = match names.len() {
             3 => String::from("write `domain tetrahedron (u, v, w, x);`, or `domain triangle (u, v, w);`"),

@@ -5,6 +5,7 @@ use proc_macro2::Span;
 use super::form::Form;
 use super::patch::PatchDef;
 use super::{GivenPoint, Origin, Theorem, TheoremClaim, TheoremClaimKind, TheoremKind, TheoremRelation};
+use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
@@ -14,11 +15,12 @@ use crate::model::budget::TooLarge;
 use crate::model::print::Printer;
 use crate::model::scope::{Scope, Subject};
 use crate::model::{Comparison, Library, Parameter, build, label};
+use crate::plural::count;
 use crate::source::SourceId;
 use crate::syntax::{
-    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind,
+    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, PatchKind, TheoremStatement,
+    TheoremStatementKind,
 };
-use crate::words::{count, did_you_mean};
 
 /// The first variables stand for the parameters of every patch, until arguments take their places.
 pub(super) const OWN: usize = 3;
@@ -203,8 +205,8 @@ impl Elaboration<'_> {
 
     fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
         match &statement.kind {
-            TheoremStatementKind::Patch(curve, name, value) => {
-                let done = self.patch(*curve, name, value);
+            TheoremStatementKind::Patch(kind, name, value) => {
+                let done = self.patch(*kind == PatchKind::Curve, name, value);
                 self.incomplete |= done.is_none();
                 if done.is_none() && self.taken(&name.text).is_none() {
                     // Known without a value, so that nothing more is said about it.
@@ -574,7 +576,8 @@ fn coordinates(expr: &Expr) -> Option<(usize, Span)> {
         ExprKind::Tuple(parts) => Some((parts.len(), expr.span)),
         ExprKind::Number(_) | ExprKind::Name(_) => None,
         ExprKind::Neg(inner) | ExprKind::Each(inner, _) => coordinates(inner),
-        ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Sum(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
         ExprKind::Power(base, _) => coordinates(base),
         ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
             coordinates(base).or_else(|| rest.iter().find_map(coordinates))

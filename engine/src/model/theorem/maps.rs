@@ -4,13 +4,14 @@ use proc_macro2::Span;
 
 use super::elaborate::{Elaboration, OWN, Value, kind};
 use super::form::Form;
+use crate::advice::along_edges;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::collections::list::Mapped;
 use crate::model::print::Printer;
+use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
-use crate::words::{along_edges, count, here};
 
 impl Elaboration<'_> {
     /// P(t), D(S, v, 2)(u, 0): Σ of the differentiated functions at the arguments, times the control points.
@@ -175,7 +176,7 @@ impl Elaboration<'_> {
                 error.help(format!(
                     "the parameters of `{}` are {}",
                     def.name,
-                    crate::words::list(&def.parameters)
+                    crate::plural::list(&def.parameters)
                 ))
             }
             _ => error.help("differentiate by a scalar"),
