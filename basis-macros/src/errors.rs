@@ -19,7 +19,8 @@ pub(crate) fn compile_errors(diagnostics: &[Diagnostic], sources: &Sources, file
         .collect()
 }
 
-/// An error on everything from one token to another: on stable Rust the tokens of `compile_error!` can do that, spans cannot.
+/// An error on everything from one token to another: on stable Rust the tokens of `compile_error!` can do that,
+/// joined spans cannot.
 fn between(first: Span, last: Span, message: String) -> syn::Error {
     let [first, last] = [first, last].map(|span| Ident::new("tokens", span));
     syn::Error::new_spanned(quote!(#first #last), message)

@@ -21,7 +21,8 @@ pub enum Severity {
 pub enum Place {
     /// Bytes of a text.
     Text(SourceId, Range<usize>),
-    /// Tokens of a macro call, from the first to the last; of the compiler's own tokens stable Rust cannot join the spans.
+    /// Tokens of a macro call, from the first to the last; of the compiler's own tokens stable Rust cannot join the
+    /// spans.
     Token(Span, Span),
 }
 

@@ -1,7 +1,8 @@
 //! One mistake, one error: what follows from a mistake is not said again.
 //!
 //! Every token of shipped specs is left out, one at a time, and every operator replaced; the errors are counted that
-//! reading and expanding gives, verdicts of claims apart. `BASIS_TESTS=list cargo test -p basis-engine --test one_mistake
+//! reading and expanding gives, verdicts of claims apart. `BASIS_TESTS=list cargo test -p basis-engine --test
+//! one_mistake
 //! -- --nocapture` prints the mutants with more than one error.
 
 use basis_engine::{Disk, Library, Selected, Source};

@@ -1,6 +1,6 @@
 //! No text makes the engine panic, and every text is answered within the work budgets.
 
-use basis_engine::{Report, Severity, Source, Verdict, check};
+use basis_engine::{Report, Source, check};
 use basis_tests::random::Random;
 
 const SHIPPED: [&str; 6] = [
@@ -174,7 +174,7 @@ fn names(count: usize) -> Vec<String> {
 fn a_hundred_errors_are_shown_and_the_others_counted() {
     for (statement, count) in [
         (";", 2000),
-        ("prove ", 2000),
+        ("prove ;", 2000),
         ("prove b[0] > 0;", 1000),
         ("prove b[2] > 0;", 1000),
         ("let a = 2 t;", 1000),
@@ -213,18 +213,6 @@ fn the_sum_of_all_loops_and_orders_is_limited() {
     assert_eq!(messages(&with(&names)), ["more than 5000 names are given"]);
     let shapes: String = names.replace("let ", "shape ").replace(" = t", "");
     assert_eq!(messages(&with(&shapes)), ["a family has at most 64 shape parameters and domain variables"]);
-}
-
-/// Each of these claims takes all the work of one claim; together they get that of a few.
-#[test]
-fn hard_claims_share_the_work_of_a_run() {
-    let hard = "prove (t^5 - t - x)^2 + (x^5 - x - 1/3)^2 + (t - x)^2 > 0;";
-    let report = check(Source::text("hard.basis", &with(&hard.repeat(40))));
-    assert!(report.diagnostics.iter().all(|d| d.severity == Severity::Error));
-    let left =
-        |verdict: &Verdict| matches!(verdict, Verdict::Undecided(left) if left.contains("a whole run"));
-    let left = report.items[0].claims.iter().filter(|(_, verdict)| left(verdict)).count();
-    assert!((20..40).contains(&left), "{left} claims are left to themselves");
 }
 
 /// A pipe may wait for ever for somebody who writes into it.

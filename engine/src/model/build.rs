@@ -201,8 +201,9 @@ const MAX_VARIABLES: usize = 64;
 fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
     if scope.names.len() >= MAX_VARIABLES {
         if scope.names.len() == MAX_VARIABLES {
-            // A name that nothing can have: said once.
+            // A name that nothing can have: said once, and unknown names are those that have no room.
             scope.names.push(String::new());
+            scope.unread.insert(0, String::new());
             let message =
                 format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
             scope.report(scope.error(name.span, message));

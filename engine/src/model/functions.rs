@@ -362,8 +362,8 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
     }
 }
 
-/// The family of the order before, expanded once for all orders above it; `None` where it may not be what the recursion runs
-/// through on its way to a higher order, and where its range begins later.
+/// The family of the order before, expanded once for all orders above it; `None` where it may not be what the
+/// recursion runs through on its way to a higher order, and where its range begins later.
 fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted: i64) -> Option<Rc<Family>> {
     // Other statements may depend on the order that is wanted.
     let own = |s: &syntax::Statement| matches!(s.kind, StatementKind::Let(..) | StatementKind::Function(_));
@@ -404,8 +404,8 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
     Some(indices)
 }
 
-/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the order
-/// before, which has no gap and whose functions are 0 elsewhere.
+/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the
+/// order before, which has no gap and whose functions are 0 elsewhere.
 pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
     let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
     if !corners || index.iter().any(|i| *i < 0) {

@@ -184,8 +184,8 @@ impl Scope<'_> {
         names < MAX_NAMES
     }
 
-    /// Whether an error is known that can be the reason why a name has no meaning: it stands where nothing could be read,
-    /// a name is missing there, or it is reported already. Of `c[2]` the name is `c`.
+    /// Whether an error is known that can be the reason why a name has no meaning: it stands where nothing could be
+    /// read, a name is missing there, or it is reported already. Of `c[2]` the name is `c`.
     pub(super) fn is_mistaken(&self, name: &str) -> bool {
         let base = |name: &str| name.split('[').next().unwrap_or_default().len();
         let name = &name[..base(name)];

@@ -20,8 +20,8 @@ pub(super) struct Readable<'a> {
     pub(super) gaps: Vec<usize>,
 }
 
-/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when brackets do
-/// not balance.
+/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when
+/// brackets do not balance.
 pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut errors = Vec::new();
     let mut gaps = Vec::new();

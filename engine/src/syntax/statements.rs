@@ -88,8 +88,8 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
     Ok(Family { doc, name, orders, statements, incomplete, unread })
 }
 
-/// The names in the tokens from one place to a later one; an empty one stands for a name that is missing where a statement
-/// declares one.
+/// The names in the tokens from one place to a later one; an empty one stands for a name that is missing where a
+/// statement declares one.
 pub(super) fn names_between(start: ParseStream<'_>, end: ParseStream<'_>, names: &mut Vec<String>) {
     // What went wrong in a doc comment has no names.
     let _ = doc(start, false);

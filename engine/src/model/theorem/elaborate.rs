@@ -25,7 +25,7 @@ use crate::syntax::{
 /// The first variables stand for the parameters of every patch, until arguments take their places.
 pub(super) const OWN: usize = 3;
 
-/// Points have at most so many coordinates.
+/// The most coordinates of a point.
 const MAX_DIMENSION: i64 = 8;
 
 /// The most variables of a theorem.
@@ -49,7 +49,8 @@ pub(super) struct Elaboration<'a> {
     pub(super) scalars: Vec<Parameter>,
     /// Parameters of patches that are scalars only if something mentions them.
     pub(super) implicit: Vec<(Var, bool)>,
-    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand for.
+    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand
+    /// for.
     pub(super) shape_values: Vec<Var>,
     /// Vectors that `let` defined.
     pub(super) vectors: Vec<(String, Option<Value>)>,
@@ -171,8 +172,8 @@ impl Elaboration<'_> {
         }
     }
 
-    /// Finds the number of coordinates: as declared, or that of the points that are written with coordinates; where that is
-    /// said. `None` if the number makes no sense.
+    /// Finds the number of coordinates: as declared, or that of the points that are written with coordinates; where
+    /// that is said. `None` if the number makes no sense.
     #[expect(clippy::option_option, reason = "it can be fine without coordinates")]
     fn find_dimension(&mut self, statements: &[TheoremStatement]) -> Option<Option<Span>> {
         let mut declared = None;
