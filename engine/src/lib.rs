@@ -205,7 +205,9 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
     for (item, rename, span) in items {
         let name = match generate::type_name(&item.family, rename.as_ref()) {
             Ok(mut name) => {
-                span.into_iter().for_each(|span| name.set_span(span));
+                if let Some(span) = span {
+                    name.set_span(span);
+                }
                 name
             }
             Err(error) => {

@@ -82,7 +82,7 @@ fn one_error_for_one_mistake() {
                         "{name} `{old}` -> `{new}`: {}",
                         text.lines().nth(line).unwrap_or_default().trim()
                     );
-                    found.iter().for_each(|error| println!("      {error}"));
+                    println!("      {}", found.join("\n      "));
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::scope::Scope;
+use super::scope::{Scope, Stage};
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
@@ -73,8 +73,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
     }
-    scope.complete = true;
-    scope.broken = true;
+    scope.stage = Stage::Broken;
     super::claims::look_for_mistakes(scope, written, &family);
     None
 }

@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::budget::TooLarge;
 use super::obligations::{Duty, Obligation};
-use super::scope::{BUILTINS, Scope, Value};
+use super::scope::{BUILTINS, Scope, Stage, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::{Rational, binomial};
@@ -118,7 +118,7 @@ impl Scope<'_> {
             return Some(Value::Scalar(value));
         }
         if name == self.function_name && !name.is_empty() {
-            if !self.complete {
+            if self.stage == Stage::Defining {
                 let error = self.error(
                     span,
                     format!("`{name}` alone means all functions, which are not all defined yet"),
@@ -300,8 +300,7 @@ impl Scope<'_> {
             }
             let wanted = super::label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
-            let known = self
-                .complete
+            let known = (self.stage != Stage::Defining)
                 .then(|| self.functions.keys())
                 .and_then(|mut keys| Some((keys.next()?, keys.next_back())));
             self.report(match known {
@@ -357,7 +356,7 @@ impl Scope<'_> {
             }
             ExprKind::Name(name) if *name != self.function_name => {
                 if !self.library.knows(self.unit, name) {
-                    self.unknown(name, callee.span);
+                    self.unknown_function(name, callee.span);
                     return None;
                 }
                 if self.library.order_count(self.unit, name) == 0 {
@@ -455,7 +454,7 @@ impl Scope<'_> {
         }
         let put = self.fits(self.budget.substitute(f, var, by), span)?;
         // An error about the denominator of a function says more.
-        if put.is_none() && !self.broken {
+        if put.is_none() && self.stage != Stage::Broken {
             self.report(self.error(span, "a denominator becomes zero here"));
         }
         put

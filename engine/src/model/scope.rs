@@ -8,7 +8,7 @@ use super::budget::{Budget, SPLIT, TooLarge};
 use super::obligations::{Duty, Obligation};
 use super::{Family, Function, Library};
 use crate::SortedMap;
-use crate::advice::did_you_mean;
+use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::collections::list::Mapped;
@@ -26,6 +26,12 @@ const MAX_ITERATIONS: i64 = 20_000;
 pub(super) const BUILTINS: [&str; 9] =
     ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
 
+/// Functions that are not polynomials.
+const ELSEWHERE: [&str; 10] = ["sin", "cos", "tan", "exp", "log", "ln", "sqrt", "abs", "sinh", "cosh"];
+
+/// Names that papers have for binomial coefficients.
+const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
+
 /// What an expression is.
 #[derive(Clone, Debug)]
 pub(super) enum Value {
@@ -33,6 +39,17 @@ pub(super) enum Value {
     Scalar(Fraction),
     /// Several, each with its index.
     List(Vec<(Vec<i64>, Fraction)>),
+}
+
+/// How far a family is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// Its functions are being defined: the name alone has no meaning yet.
+    Defining,
+    /// All functions are defined, so that the name alone means all of them.
+    Complete,
+    /// It has errors, and its claims are only looked at for more mistakes.
+    Broken,
 }
 
 /// What the names belong to.
@@ -84,10 +101,7 @@ pub(super) struct Scope<'a> {
     pub(super) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
     pub(super) cut_short: bool,
-    /// Whether the family has errors, so that its claims are only looked at for more mistakes.
-    pub(super) broken: bool,
-    /// Whether all functions are defined, so that the name alone means all of them.
-    pub(super) complete: bool,
+    pub(super) stage: Stage,
     pub(super) budget: Budget,
     /// What is still to be proved for the formulas to mean something.
     pub(super) obligations: Vec<Obligation>,
@@ -214,11 +228,11 @@ impl Scope<'_> {
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
         let help = match name {
-            "sin" | "cos" | "tan" | "exp" | "log" | "ln" | "sqrt" | "abs" | "sinh" | "cosh" => {
+            _ if ELSEWHERE.contains(&name) => {
                 String::from("formulas are polynomials: sums, products and whole powers")
             }
             "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
-            "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
+            _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
             _ => did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
@@ -235,6 +249,27 @@ impl Scope<'_> {
             }),
         };
         self.report(error.help(help));
+    }
+
+    /// Reports an unknown name in front of arguments: it is meant as a function.
+    pub(super) fn unknown_function(&self, name: &str, span: Span) {
+        if self.is_full() || self.is_mistaken(name) {
+            return self.unknown(name, span);
+        }
+        let families = self.library.visible(self.unit);
+        let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).collect();
+        let near = closest(name, &known).is_some();
+        let elsewhere = ELSEWHERE.contains(&name) || BINOMIALS.contains(&name);
+        let is_family = name.starts_with(|c: char| c.is_ascii_uppercase());
+        if near || elsewhere || is_family {
+            return self.unknown(name, span);
+        }
+        self.undeclared.borrow_mut().push(name.to_string());
+        let error = self.error(span, format!("there is no function `{name}`"));
+        self.report(error.help(format!(
+            "functions of the language are `{}`; write `{name}*(…)` for a product",
+            BUILTINS.join("`, `")
+        )));
     }
 
     /// The number that an expression is; reports anything else.
@@ -386,8 +421,7 @@ impl Scope<'_> {
             unread: Vec::new(),
             undeclared: RefCell::default(),
             cut_short: false,
-            broken: false,
-            complete: false,
+            stage: Stage::Defining,
             budget: Budget::new(library.run()),
             obligations: Vec::new(),
             settled: Vec::new(),
@@ -406,7 +440,7 @@ impl Scope<'_> {
         for f in &family.functions {
             scope.functions.insert(f.index.clone(), Some(f.value.clone()));
         }
-        scope.complete = true;
+        scope.stage = Stage::Complete;
         scope
     }
 

@@ -94,6 +94,15 @@ fn is_statement(word: &str) -> bool {
     ["prove", "refute", "curve", "surface", "scalar", "assume", "let"].contains(&word)
 }
 
+/// Whether `b[1] = …` follows: a definition, not a factor.
+fn begins_definition(input: ParseStream<'_>) -> bool {
+    let Some((_, after)) = input.cursor().ident() else { return false };
+    let Some((TokenTree::Group(index), after)) = after.token_tree() else { return false };
+    let Some((sign, after)) = after.punct() else { return false };
+    let equation = sign.as_char() == '=' && after.punct().is_none_or(|(next, _)| next.as_char() != '=');
+    index.delimiter() == Delimiter::Bracket && equation
+}
+
 /// Whether what follows on the next line can be another statement: anything but a loop, which needs its `for`.
 fn begins_statement(input: ParseStream<'_>) -> bool {
     let Some((_, after)) = input.cursor().token_tree() else { return false };
@@ -113,6 +122,9 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
         _ => return Ok(()),
     };
+    if begins_definition(input) {
+        return Err(missing_semicolon(before.span));
+    }
     let next_line = input.span().start().line > before.span.end().line;
     if is_statement(&found) || next_line && begins_statement(input) {
         return Err(missing_semicolon(before.span));
@@ -272,6 +284,10 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             "bars have no meaning around an expression",
             "a range is written `-1 <= λ <= 1`; the square of a length, in theorems, is `dot(x, x)`",
         )),
+        Some((TokenTree::Punct(p), after)) if p.as_char() == '.' && after.literal().is_some() => {
+            let found = unexpected(input, "a number, a name or `(`").to_string();
+            Err(error(span, found, "a number begins with a digit: write `0.5`"))
+        }
         _ => Err(unexpected(input, "a number, a name or `(`")),
     }
 }

@@ -50,7 +50,7 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
             let (mut spec, mut more) = parse(tokens, errors.is_empty());
             leave_out(&mut spec, &readable);
             let at_end = text.trim_end().len();
-            for e in more.iter_mut() {
+            for e in more.shown_mut() {
                 if let SyntaxPlace::Token(span) = e.place {
                     let range = span.byte_range();
                     // The end of the input has no token; show the end of the text.

@@ -260,7 +260,16 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Base(order, _)) => return Ok(order.name.span),
         _ => {}
     }
-    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), "a statement ends with `;`"))
+    let help = match kind {
+        Some(StatementKind::Shape(_)) if input.peek(Token![,]) => {
+            "every shape parameter has a statement of its own: `shape 0 <= λ <= 1; shape 0 <= μ <= 1;`"
+        }
+        Some(StatementKind::Claim(_)) if at_word(input, "except") => {
+            "`except` belongs to `independent`; for other claims narrow the range of the parameter"
+        }
+        _ => "a statement ends with `;`",
+    };
+    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
 }
 
 /// `=` between a name and its value.
