@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
-use super::error::error;
+use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{at_word, equals, take_word};
 use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
@@ -141,7 +141,14 @@ fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
 /// `at t = 0, λ = 1 { b = [1, 0]; D(b) = [-1, 1]; }`
 fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     take_word(input)?;
-    let fixed = bindings(input)?;
+    let fixed = bindings(input).map_err(|e| {
+        if !is_missing_semicolon(&e) {
+            return e;
+        }
+        // What follows on the right is meant to hold there.
+        let found = unexpected(input, "`{` with the equations that hold there").to_string();
+        error(input.span(), found, "write `prove at t = 0 { b[0] = 1; }`")
+    })?;
     if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
     {
         return Err(unexpected(input, "`{` with the equations that hold there"));

@@ -32,5 +32,5 @@ fn main() {
     assert_eq!(r#dyn::new().values(0.5), [0.5]);
     assert_eq!(union::new().values(0.5), [0.5]);
     let points: [f64; 2] = [0.0, 1.0];
-    assert_eq!(joins::r#gen(&points), Ok(1.0));
+    assert_eq!(joins::r#gen(&points), Ok([1.0]));
 }
