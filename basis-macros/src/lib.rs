@@ -9,7 +9,7 @@ mod path;
 use std::path::PathBuf;
 
 use basis_engine::source;
-use basis_engine::{Disk, Library, Prover};
+use basis_engine::{Disk, Library, Prover, Source};
 use proc_macro2::{Span, TokenStream};
 use quote::quote;
 
@@ -60,7 +60,10 @@ fn expand(input: Input, call_site: Span) -> TokenStream {
         Spec::File(path) => {
             variables = watch_variables(&path);
             match source::read(&Disk, &path.value, &folders(caller)) {
-                Ok(source) => (Library::from_source(&Disk, &Prover, source), path.span),
+                Ok(mut source) => {
+                    source.name = shown(&source);
+                    (Library::from_source(&Disk, &Prover, source), path.span)
+                }
                 Err(error) => {
                     let error = syn::Error::new(path.span, error).into_compile_error();
                     return quote!(#error #variables);
@@ -78,6 +81,15 @@ fn expand(input: Input, call_site: Span) -> TokenStream {
     let errors = errors::compile_errors(&diagnostics, library.sources(), place);
     let watched = watch(&library);
     quote!(#code #errors #watched #variables)
+}
+
+/// The path of a spec as a terminal or an editor opens it: relative to the folder in which the compiler runs, as its own
+/// messages are, or else absolute.
+fn shown(source: &Source) -> String {
+    let Some(path) = &source.path else { return source.name.clone() };
+    let here = std::env::current_dir().and_then(|folder| folder.canonicalize());
+    let relative = here.ok().and_then(|folder| path.strip_prefix(folder).ok().map(PathBuf::from));
+    relative.as_ref().unwrap_or(path).display().to_string()
 }
 
 /// Where relative paths start: next to the calling file, then next to `Cargo.toml`.

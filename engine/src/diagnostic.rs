@@ -21,8 +21,9 @@ pub enum Severity {
 pub enum Place {
     /// Bytes of a text.
     Text(SourceId, Range<usize>),
-    /// A token of a macro call.
-    Token(Span),
+    /// Tokens of a macro call, from the first to the last; of the compiler's own tokens stable Rust cannot join the
+    /// spans.
+    Token(Span, Span),
 }
 
 /// One message about a spec.
@@ -123,7 +124,7 @@ pub(crate) fn grouped(n: usize) -> String {
     let digits = n.to_string();
     let mut text = String::new();
     for (k, digit) in digits.chars().enumerate() {
-        if k > 0 && (digits.len() - k) % 3 == 0 && digits.len() > 4 {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) && digits.len() > 4 {
             text.push(' ');
         }
         text.push(digit);
@@ -185,7 +186,7 @@ impl Diagnostic {
     pub fn line_column(&self, sources: &Sources) -> Option<(usize, usize)> {
         match self.labels.first()? {
             (Place::Text(id, range), _) => Some(sources.get(*id).line_column(range.start)),
-            (Place::Token(_), _) => None,
+            (Place::Token(..), _) => None,
         }
     }
 

@@ -19,6 +19,7 @@
 //! assert_eq!(report.items[0].claims.len(), 1);
 //! ```
 
+mod advice;
 pub mod algebra;
 pub mod claim;
 pub mod diagnostic;
@@ -26,6 +27,7 @@ pub mod diagnostic;
 pub mod explain;
 pub mod generate;
 pub mod model;
+pub mod plural;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
 pub mod source;
@@ -33,10 +35,10 @@ pub mod state;
 pub mod subject;
 pub mod syntax;
 pub mod theorem;
-mod words;
 
 use proc_macro2::{Ident, Span, TokenStream};
 
+pub use advice::closest;
 pub use claim::{Claim, ClaimKind};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::{Family, Library, Selected};
@@ -44,7 +46,6 @@ pub use source::{Disk, Files, Source, Sources};
 pub use state::{Evidence, Prover, Verdict, Witness};
 pub use subject::{Item, Subject};
 pub use theorem::{Theorem, TheoremKind};
-pub use words::closest;
 
 /// A family, a theorem or a join with the verdicts of its claims.
 #[derive(Clone, Debug)]
@@ -142,7 +143,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
                 items.push((item, requested.rename.clone(), Some(requested.span)));
             }
             Err(Some((message, help))) => {
-                let place = diagnostic::Place::Token(requested.span);
+                let place = diagnostic::Place::Token(requested.span, requested.span);
                 diagnostics.push(Diagnostic::error(place, message).help(help));
             }
             Err(None) => {}
@@ -153,7 +154,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         let names = library.names();
         let alone = names.iter().all(|(_, indexed)| *indexed) && !library.has_theorems();
         if let (true, Some((name, _))) = (alone, names.first()) {
-            let place = diagnostic::Place::Token(Span::call_site());
+            let place = diagnostic::Place::Token(Span::call_site(), Span::call_site());
             let message = "every family of the spec has index parameters, and no order is chosen";
             let help = format!(
                 "name the families with their orders: `basis!(\"…\", {name}(3))`; a spec in place has no room for them, a file has"
@@ -173,7 +174,9 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         let Subject::Family(family) = &item.subject else { continue };
         let name = match generate::type_name(family, rename.as_ref()) {
             Ok(mut name) => {
-                span.into_iter().for_each(|span| name.set_span(span));
+                if let Some(span) = span {
+                    name.set_span(span);
+                }
                 name
             }
             Err(error) => {

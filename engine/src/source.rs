@@ -1,6 +1,7 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
-use crate::words::{closest, list};
+use crate::advice::closest;
+use crate::plural::list;
 use basis_kernel::collections::list::Mapped;
 use core::cell::OnceCell;
 use core::fmt;
@@ -33,6 +34,12 @@ impl Source {
     /// The tokens of a macro call; `path` is the file with the call, for `use` relative to it.
     pub fn tokens(path: Option<PathBuf>) -> Self {
         Self { name: String::from("<basis!>"), path, ..Self::default() }
+    }
+
+    /// The same spec as if it were read at a path.
+    pub fn at(mut self, path: PathBuf) -> Self {
+        self.path = Some(path);
+        self
     }
 
     /// Line and column of a byte offset, both counted from one, the column in characters.

@@ -58,7 +58,7 @@ fn are_as_written_in_the_specs() {
 fn annotated(path: &Path, text: &str) -> String {
     let spec: String = text.split_inclusive('\n').filter(|line| !line.starts_with(MARK)).collect();
     let name = path.file_name().unwrap().to_str().unwrap();
-    let report = check(Source { path: Some(path.canonicalize().unwrap()), ..Source::text(name, &spec) });
+    let report = check(Source::text(name, &spec).at(path.canonicalize().unwrap()));
     assert!(!report.diagnostics.is_empty(), "{name} is accepted");
 
     let main = report.sources.iter().next().unwrap().0;

@@ -84,6 +84,8 @@ fn follows_every_edit_of_a_spec() {
     rebuilt.write("src/specs/line.basis", &line("2*t"));
     let message = rebuilt.refusal(&[]);
     assert!(message.contains("the claim `b[1] = Used[0]` is false"), "{message}");
+    // The place is one that a terminal opens from the folder in which Cargo runs.
+    assert!(message.contains("--> src/specs/line.basis:2:"), "{message}");
 
     // A file that it uses, after an error.
     rebuilt.write("src/specs/used.basis", &used("t + t"));

@@ -93,7 +93,7 @@ pub(super) fn items(path: &Path) -> Result<Vec<Stated>, String> {
     }
     let line = |place: &Place| match place {
         Place::Text(id, range) => Some(library.sources().get(*id).line_column(range.start).0),
-        Place::Token(_) => None,
+        Place::Token(..) => None,
     };
     let families = library.items(Selected::EveryOrder).into_iter();
     let all = families.chain(theorems(&library)).map(|item| {

@@ -97,7 +97,7 @@ impl Outcome {
     pub(crate) fn line(&self, place: &Place) -> Option<usize> {
         match place {
             Place::Text(id, range) => Some(self.sources.get(*id).line(range.start)),
-            Place::Token(_) => None,
+            Place::Token(..) => None,
         }
     }
 }

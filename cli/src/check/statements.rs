@@ -54,7 +54,7 @@ pub(crate) fn statements(items: &[Decided]) -> Vec<BTreeMap<Kind, Vec<Entry<'_>>
         for decided in &item.claims {
             let place = match &decided.claim.place {
                 Place::Text(_, range) => (range.start, range.end),
-                Place::Token(_) => (0, 0),
+                Place::Token(..) => (0, 0),
             };
             let verdicts = statements.entry(place).or_default();
             verdicts.entry(Kind::of(decided)).or_default().push(Entry { item, decided });

@@ -43,7 +43,8 @@ pub(super) fn misses_a_number(code: &TokenStream) -> bool {
     })
 }
 
-/// The error for a family that is written with a number for which there is no float, at the range or function that has it.
+/// The error for a family that is written with a number for which there is no float, at the range or function that
+/// has it.
 pub(super) fn direct(family: &Family) -> Option<Diagnostic> {
     let has_no_float = |value: &Rational| nearest(&value.abs()).is_none();
     for parameter in family.shapes.iter().chain(&family.domain) {

@@ -2,8 +2,8 @@
 //!
 //! The code is small: the shape values, the functions in factored form, the tables that bind control points.
 //! Everything that does not depend on the family is in the runtime. What kind of numbers stand in the code is
-//! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for those on
-//! simplices and boxes, which other targets can share.
+//! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for
+//! those on simplices and boxes, which other targets can share.
 
 mod docs;
 mod ends;
@@ -82,8 +82,8 @@ pub fn module_name(file: &str) -> String {
     names::module(file).map_or_else(|| String::from("joins"), |name| name.to_string())
 }
 
-/// Warnings about families that are exact as they are, but have numbers beyond floats: no code can be generated for them.
-/// One for each name.
+/// Warnings about families that are exact as they are, but have numbers beyond floats: no code can be generated for
+/// them. One for each name.
 pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     /// The families whose code is generated to find out; the macro looks at every one.
     const TRIED: usize = 16;
@@ -126,8 +126,8 @@ pub fn joins(file: &str, functions: &TokenStream) -> TokenStream {
     }
 }
 
-/// Puts the code of a type into a module of its own, in which no name of the caller has a meaning: a constant `t`, a type
-/// `f64` or a macro-made `Result` of the caller would otherwise change what the code says.
+/// Puts the code of a type into a module of its own, in which no name of the caller has a meaning: a constant `t`, a
+/// type `f64` or a macro-made `Result` of the caller would otherwise change what the code says.
 fn in_module(name: &Ident, code: &TokenStream) -> TokenStream {
     let module = Ident::new(&format!("__basis_{}", name.to_string().trim_start_matches("r#")), site());
     quote_spanned! {site()=>

@@ -91,13 +91,14 @@ impl Run {
         self.take(&self.families, 1, RUN_FAMILIES, "families, each order counted")
     }
 
-    /// Counts the work of the provers for what is needed for formulas to have a meaning, with 1 for the decision itself.
+    /// Counts the work of the provers for what is needed for formulas to have a meaning, with 1 for the decision
+    /// itself.
     pub(crate) fn decision(&self, units: u64) -> Result<(), TooLarge> {
         let what = "units of work to prove that its denominators vanish nowhere and its shape values stay in their ranges";
         self.take(&self.decisions, 1 + units, RUN_DECISIONS, what)
     }
 
-    /// Counts a claim with a text of so many bytes.
+    /// Counts a claim, whose text takes a number of bytes.
     pub(crate) fn claim(&self, text: usize) -> Result<(), TooLarge> {
         self.take(
             &self.claims,
@@ -109,7 +110,7 @@ impl Run {
         self.text(text)
     }
 
-    /// Counts a text of so many bytes that is kept.
+    /// Counts the bytes of a text that is kept.
     pub(crate) fn text(&self, bytes: usize) -> Result<(), TooLarge> {
         self.words(bytes as u64 / 8)
     }
@@ -142,7 +143,8 @@ fn formula(reason: impl Into<String>) -> TooLarge {
     TooLarge::Formula(reason.into())
 }
 
-/// How much an operation on coefficients of so many bits costs, compared with one on machine words: mostly for common divisors.
+/// The cost of an operation on coefficients by their bits, compared with one on machine words: mostly of common
+/// divisors.
 const fn weight(bits: u64) -> u64 {
     if bits <= 128 { 1 } else { 6 + bits / 64 + (bits / 512) * (bits / 512) }
 }

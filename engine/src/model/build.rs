@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::scope::Scope;
+use super::scope::{Scope, Stage};
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
@@ -26,6 +26,7 @@ pub(crate) fn family(
 }
 
 fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
+    scope.unread.clone_from(&written.unread);
     let shapes = shapes(scope, written);
     let domain = domain(scope, written);
     let budget = budget(scope, written);
@@ -74,7 +75,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
     }
-    scope.complete = true;
+    scope.stage = Stage::Broken;
     super::claims::look_for_mistakes(scope, written, &family);
     None
 }
@@ -201,8 +202,9 @@ const MAX_VARIABLES: usize = 64;
 fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
     if scope.names.len() >= MAX_VARIABLES {
         if scope.names.len() == MAX_VARIABLES {
-            // A name that nothing can have: said once.
+            // A name that nothing can have: said once, and unknown names are those that have no room.
             scope.names.push(String::new());
+            scope.unread.insert(0, String::new());
             let message =
                 format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
             scope.report(scope.error(name.span, message));

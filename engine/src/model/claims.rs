@@ -42,7 +42,7 @@ pub(crate) fn claims(
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
-                one(&mut scope, family, claim, statement.span, &mut all);
+                one(&mut scope, family, claim, statement, &mut all);
                 if !scope.settle(&region, family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
@@ -60,19 +60,26 @@ pub(crate) fn claims(
 pub(crate) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
     for statement in &written.statements {
         if let StatementKind::Claim(claim) = &statement.kind {
-            one(scope, family, claim, statement.span, &mut Vec::new());
+            one(scope, family, claim, statement, &mut Vec::new());
         }
     }
 }
 
 /// Appends the claims that one statement makes.
-fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
-    let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
+fn one(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    claim: &syntax::Claim,
+    statement: &syntax::Statement,
+    all: &mut Vec<Claim>,
+) {
+    let (span, last) = (statement.span, statement.last);
+    let mut push = |scope: &Scope<'_>, text: String, span: Span, last: Span, kind: ClaimKind| {
         let run = scope.budget.run();
         let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
         let fine = scope.fits(counted, span).is_some();
         if fine {
-            let place = scope.place(span);
+            let place = scope.library.place_to(scope.source, span, last);
             all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place, kind });
         }
         fine
@@ -80,7 +87,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
             self::relation(scope, relation, &[], None, &mut |scope, text, kind| {
-                push(scope, text, span, kind)
+                push(scope, text, span, last, kind)
             });
         }
         syntax::ClaimKind::At(bindings, relations) => {
@@ -91,7 +98,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let at = parts.join(", ");
             for relation in relations {
                 self::relation(scope, relation, &fixed, Some(&at), &mut |scope, text, kind| {
-                    push(scope, format!("at {at}: {text}"), relation.span, kind)
+                    push(scope, format!("at {at}: {text}"), relation.span, relation.last, kind)
                 });
             }
         }
@@ -100,7 +107,7 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let fine = scope.each(&claim.loops, &mut |scope| {
                 any = true;
                 let made = self::property(scope, family, property, span);
-                made.is_some_and(|(text, kind)| push(scope, text, span, kind))
+                made.is_some_and(|(text, kind)| push(scope, text, span, last, kind))
             });
             // A condition may well hold for other orders.
             if fine && !any && scope.constants.is_empty() {
@@ -172,13 +179,16 @@ fn exceptions(
         for binding in exception {
             let value = scope.number(&binding.value, "an exceptional value")?;
             let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
+                if scope.is_mistaken(&binding.name.text) {
+                    return None;
+                }
                 let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
                 let error = scope
                     .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
                 scope.report(if known.is_empty() {
                     error.help("the family has no shape parameters")
                 } else {
-                    error.help(format!("shape parameters are {}", crate::words::list(&known)))
+                    error.help(format!("shape parameters are {}", crate::plural::list(&known)))
                 });
                 return None;
             };
@@ -211,7 +221,7 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
                 scope.report(
-                    error.help(format!("an `at` block fixes one of {}", crate::words::list(&scope.names))),
+                    error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
                 );
             } else {
                 scope.unknown(name, binding.name.span);
@@ -383,6 +393,10 @@ fn differences(
         (Value::Scalar(l), Value::Scalar(r)) => (vec![(Vec::new(), l)], vec![(Vec::new(), r)], false),
         (Value::List(l), Value::List(r)) => {
             if l.len() != r.len() {
+                // A function whose formula went wrong is not there.
+                if scope.cut_short {
+                    return None;
+                }
                 let shown = if matches!(relation.right.kind, syntax::ExprKind::List(_)) {
                     relation.right.span
                 } else {
@@ -400,8 +414,10 @@ fn differences(
                     matches!(relation.right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
                 scope.report(error.help(match l.len() {
                     0 => String::from("write the values of the left side"),
-                    n if family => format!("compare with a family of {}", crate::words::count(n, "function")),
-                    n => format!("write {}", crate::words::count(n, "value")),
+                    n if family => {
+                        format!("compare with a family of {}", crate::plural::count(n, "function"))
+                    }
+                    n => format!("write {}", crate::plural::count(n, "value")),
                 }));
                 return None;
             }

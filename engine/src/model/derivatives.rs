@@ -3,9 +3,9 @@
 use proc_macro2::Span;
 
 use super::scope::{Scope, Value};
+use crate::advice::along_edges;
 use crate::algebra::poly::Var;
 use crate::syntax::{Expr, ExprKind};
-use crate::words::along_edges;
 use basis_kernel::collections::list::Mapped;
 
 impl Scope<'_> {
@@ -35,10 +35,13 @@ impl Scope<'_> {
                         return None;
                     }
                     Some(var) => steps.push((var, 1)),
+                    None if self.is_mistaken(name) => return None,
                     None => {
                         let error = self
                             .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
-                        self.report(error.help(format!("variables are {}", crate::words::list(&self.names))));
+                        self.report(
+                            error.help(format!("variables are {}", crate::plural::list(&self.names))),
+                        );
                         return None;
                     }
                 },

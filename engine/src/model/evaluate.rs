@@ -4,13 +4,13 @@ use proc_macro2::Span;
 
 use super::budget::TooLarge;
 use super::obligations::{Duty, Pending};
-use super::scope::{BUILTINS, Scope, Value};
+use super::scope::{BUILTINS, Scope, Stage, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::syntax::{Expr, ExprKind, Loops};
-use crate::words::{count, here};
+use crate::plural::{count, here};
+use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
 use basis_kernel::collections::list::Mapped;
 
 /// factorial and binomial of larger numbers are refused.
@@ -39,25 +39,26 @@ impl Scope<'_> {
             ExprKind::Neg(inner) => Some(map(self.value(inner)?, |f| -f)),
             ExprKind::Sum(parts) => {
                 let mut sum: Option<Value> = None;
-                for (minus, part) in parts {
+                for (sign, part) in parts {
                     let value = self.value(part)?;
-                    sum =
-                        Some(match sum {
-                            None => value,
-                            Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
-                                if *minus { b.sub(x, y) } else { b.add(x, y) }
-                            })?,
-                        });
+                    sum = Some(match sum {
+                        None => value,
+                        Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
+                            if *sign == Sign::Minus { b.sub(x, y) } else { b.add(x, y) }
+                        })?,
+                    });
                 }
                 sum
             }
             ExprKind::Product(parts) => {
                 let mut product: Option<Value> = None;
-                for (divides, part) in parts {
+                for (role, part) in parts {
                     let value = self.value(part)?;
                     product = Some(match product {
                         None => value,
-                        Some(product) if *divides => self.quotient(product, value, part.span)?,
+                        Some(product) if *role == Role::Divisor => {
+                            self.quotient(product, value, part.span)?
+                        }
                         Some(product) => self.product(product, value, part.span)?,
                     });
                 }
@@ -118,7 +119,7 @@ impl Scope<'_> {
             return Some(Value::Scalar(value));
         }
         if name == self.function_name && !name.is_empty() {
-            if !self.complete {
+            if self.stage == Stage::Defining {
                 let error = self.error(
                     span,
                     format!("`{name}` alone means all functions, which are not all defined yet"),
@@ -294,10 +295,13 @@ impl Scope<'_> {
                 self.report(self.error(span, message).help(help));
                 return None;
             }
+            // It may be one whose definition went wrong.
+            if self.cut_short {
+                return None;
+            }
             let wanted = super::label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
-            let known = self
-                .complete
+            let known = (self.stage != Stage::Defining)
                 .then(|| self.functions.keys())
                 .and_then(|mut keys| Some((keys.next()?, keys.next_back())));
             self.report(match known {
@@ -308,7 +312,7 @@ impl Scope<'_> {
                     } else {
                         format!(
                             "the functions have {}: from `{}` to `{last}`",
-                            crate::words::indices(first.len()),
+                            crate::plural::indices(first.len()),
                             super::label(name, first)
                         )
                     })
@@ -353,7 +357,7 @@ impl Scope<'_> {
             }
             ExprKind::Name(name) if *name != self.function_name => {
                 if !self.library.knows(self.unit, name) {
-                    self.unknown(name, callee.span);
+                    self.unknown_function(name, callee.span);
                     return None;
                 }
                 if self.library.order_count(self.unit, name) == 0 {
@@ -450,7 +454,8 @@ impl Scope<'_> {
             return Some(f.clone());
         }
         let put = self.fits(self.budget.substitute(f, var, by), span)?;
-        if put.is_none() {
+        // An error about the denominator of a function says more.
+        if put.is_none() && self.stage != Stage::Broken {
             self.report(self.error(span, "a denominator becomes zero here"));
         }
         put

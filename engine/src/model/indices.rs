@@ -4,8 +4,8 @@ use super::functions::MAX_FUNCTIONS;
 use super::label;
 use super::scope::{Scope, multi_indices};
 use crate::diagnostic::Diagnostic;
+use crate::plural::list;
 use crate::syntax;
-use crate::words::list;
 
 /// Whether indices run from 0 without a gap: on a simplex with one index for each corner all tuples of one sum, else
 /// every place on its own. Reports what is missing.

@@ -10,11 +10,11 @@ use proc_macro2::{Span, TokenStream};
 use super::budget::{Run, TooLarge};
 use super::obligation::Judge;
 use super::{Family, build, claims};
+use crate::advice::did_you_mean;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
 use crate::subject::{Item, Subject};
 use crate::syntax::{self, Home, Name, Spec, SyntaxErrors};
-use crate::words::did_you_mean;
 use basis_kernel::collections::list::Mapped;
 use basis_kernel::collections::sort::sort_by;
 use basis_prover::map::SortedMap;
@@ -364,6 +364,15 @@ impl<'f> Library<'f> {
         self.search(unit).into_iter().flat_map(|u| self.families_of(u)).map(|f| f.name.text.clone()).collect()
     }
 
+    /// Whether a name may be that of an item that could not be read: it stands there, or the name is missing.
+    pub(super) fn is_unread(&self, unit: usize, name: &str) -> bool {
+        self.search(unit).into_iter().any(|u| {
+            let unread = &self.units[u].spec.unread;
+            unread.first().is_some_and(String::is_empty)
+                || unread.binary_search_by(|other| other.as_str().cmp(name)).is_ok()
+        })
+    }
+
     /// Whether a spec can name this family.
     pub(crate) fn knows(&self, unit: usize, name: &str) -> bool {
         self.find(unit, name).is_some()
@@ -387,13 +396,17 @@ impl<'f> Library<'f> {
         order: &[i64],
     ) -> Result<Rc<Family>, Option<(String, String)>> {
         let Some((home, position)) = self.find(unit, name) else {
+            if self.is_unread(unit, name) {
+                return Err(None);
+            }
             if self.is_full() {
                 return Err(Some((String::new(), String::new()))); // only counted
             }
             let visible = self.visible(unit);
             let known: Vec<&str> = visible.mapped(String::as_str);
-            let help =
-                did_you_mean(name, &known, &|| format!("families here are {}", crate::words::list(&visible)));
+            let help = did_you_mean(name, &known, &|| {
+                format!("families here are {}", crate::plural::list(&visible))
+            });
             return Err(Some((format!("there is no family `{name}`"), help)));
         };
         if let Some([first, second]) = self.ambiguous(unit, name) {
@@ -413,8 +426,8 @@ impl<'f> Library<'f> {
             };
             let message = format!(
                 "`{name}` has {}, {}",
-                crate::words::count(wanted.len(), "index parameter"),
-                crate::words::here(order.len())
+                crate::plural::count(wanted.len(), "index parameter"),
+                crate::plural::here(order.len())
             );
             return Err(Some((message, help)));
         }
@@ -602,7 +615,15 @@ impl<'f> Library<'f> {
         if self.sources.get(source).text.is_some() {
             Place::Text(source, span.byte_range())
         } else {
-            Place::Token(span)
+            Place::Token(span, span)
+        }
+    }
+
+    /// The place of everything from the first token of a span to a last token.
+    pub(crate) fn place_to(&self, source: SourceId, span: Span, last: Span) -> Place {
+        match self.place(source, span) {
+            Place::Token(first, _) => Place::Token(first, last),
+            text @ Place::Text(..) => text,
         }
     }
 
@@ -611,7 +632,9 @@ impl<'f> Library<'f> {
     fn report(&self, new: Diagnostic) {
         let same_place = |a: &Diagnostic, b: &Diagnostic| match (a.labels.first(), b.labels.first()) {
             (Some((Place::Text(s, r), _)), Some((Place::Text(t, q), _))) => s == t && r == q,
-            (Some((Place::Token(a), _)), Some((Place::Token(b), _))) => format!("{a:?}") == format!("{b:?}"),
+            (Some((Place::Token(a, _), _)), Some((Place::Token(b, _), _))) => {
+                format!("{a:?}") == format!("{b:?}")
+            }
             (None, None) => true,
             _ => false,
         };

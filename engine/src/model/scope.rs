@@ -8,12 +8,12 @@ use super::budget::{Budget, SPLIT, TooLarge};
 use super::obligation::Obligation;
 use super::obligations::{Duty, Pending};
 use super::{Family, Function, Library};
+use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
-use crate::words::did_you_mean;
 use basis_kernel::collections::list::Mapped;
 use basis_prover::map::SortedMap;
 
@@ -27,6 +27,12 @@ const MAX_ITERATIONS: i64 = 20_000;
 pub(crate) const BUILTINS: [&str; 9] =
     ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
 
+/// Functions that are not polynomials.
+const ELSEWHERE: [&str; 10] = ["sin", "cos", "tan", "exp", "log", "ln", "sqrt", "abs", "sinh", "cosh"];
+
+/// Names that papers have for binomial coefficients.
+const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
+
 /// What an expression is.
 #[derive(Clone, Debug)]
 pub(crate) enum Value {
@@ -34,6 +40,17 @@ pub(crate) enum Value {
     Scalar(Fraction),
     /// Several, each with its index.
     List(Vec<(Vec<i64>, Fraction)>),
+}
+
+/// How far a family is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// Its functions are being defined: the name alone has no meaning yet.
+    Defining,
+    /// All functions are defined, so that the name alone means all of them.
+    Complete,
+    /// It has errors, and its claims are only looked at for more mistakes.
+    Broken,
 }
 
 /// What the names belong to.
@@ -79,10 +96,13 @@ pub(crate) struct Scope<'a> {
     pub(crate) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
     pub(crate) missing_is_zero: bool,
+    /// The names in statements that could not be read, sorted.
+    pub(crate) unread: Vec<String>,
+    /// The unknown names that are reported already.
+    pub(crate) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
     pub(crate) cut_short: bool,
-    /// Whether all functions are defined, so that the name alone means all of them.
-    pub(crate) complete: bool,
+    pub(crate) stage: Stage,
     pub(crate) budget: Budget,
     /// What is still to be proved for the formulas to mean something.
     pub(crate) pending: Vec<Pending>,
@@ -181,16 +201,28 @@ impl Scope<'_> {
         names < MAX_NAMES
     }
 
+    /// Whether an error is known that can be the reason why a name has no meaning: it stands where nothing could be
+    /// read, a name is missing there, or it is reported already. Of `c[2]` the name is `c`.
+    pub(crate) fn is_mistaken(&self, name: &str) -> bool {
+        let base = |name: &str| name.split('[').next().unwrap_or_default().len();
+        let name = &name[..base(name)];
+        self.unread.first().is_some_and(String::is_empty)
+            || self.unread.binary_search_by(|unread| unread.as_str().cmp(name)).is_ok()
+            || self.library.is_unread(self.unit, name)
+            || self.undeclared.borrow().iter().any(|known| known[..base(known)] == *name)
+    }
+
     /// Reports an unknown name, with the known name that it resembles.
     pub(crate) fn unknown(&self, name: &str, span: Span) {
         // A declaration that could not be read may have been that of this name.
-        if self.cut_short && self.domain.is_empty() {
+        if self.cut_short && self.domain.is_empty() || self.is_mistaken(name) {
             return;
         }
         let error = self.error(span, format!("the name `{name}` is not declared"));
         if self.is_full() {
             return self.report(error);
         }
+        self.undeclared.borrow_mut().push(name.to_string());
         let mut known: Vec<&str> = BUILTINS.to_vec();
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
@@ -199,11 +231,11 @@ impl Scope<'_> {
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
         let help = match name {
-            "sin" | "cos" | "tan" | "exp" | "log" | "ln" | "sqrt" | "abs" | "sinh" | "cosh" => {
+            _ if ELSEWHERE.contains(&name) => {
                 String::from("formulas are polynomials: sums, products and whole powers")
             }
             "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
-            "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
+            _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
             _ => did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
@@ -211,7 +243,7 @@ impl Scope<'_> {
                     );
                 }
                 if name.starts_with(|c: char| c.is_ascii_uppercase()) {
-                    format!("families here are {}", crate::words::list(&families))
+                    format!("families here are {}", crate::plural::list(&families))
                 } else {
                     format!(
                         "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
@@ -220,6 +252,27 @@ impl Scope<'_> {
             }),
         };
         self.report(error.help(help));
+    }
+
+    /// Reports an unknown name in front of arguments: it is meant as a function.
+    pub(super) fn unknown_function(&self, name: &str, span: Span) {
+        if self.is_full() || self.is_mistaken(name) {
+            return self.unknown(name, span);
+        }
+        let families = self.library.visible(self.unit);
+        let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).collect();
+        let near = closest(name, &known).is_some();
+        let elsewhere = ELSEWHERE.contains(&name) || BINOMIALS.contains(&name);
+        let is_family = name.starts_with(|c: char| c.is_ascii_uppercase());
+        if near || elsewhere || is_family {
+            return self.unknown(name, span);
+        }
+        self.undeclared.borrow_mut().push(name.to_string());
+        let error = self.error(span, format!("there is no function `{name}`"));
+        self.report(error.help(format!(
+            "functions of the language are `{}`; write `{name}*(…)` for a product",
+            BUILTINS.join("`, `")
+        )));
     }
 
     /// The number that an expression is; reports anything else.
@@ -368,8 +421,10 @@ impl Scope<'_> {
             defined: SortedMap::new(),
             base: Vec::new(),
             missing_is_zero: false,
+            unread: Vec::new(),
+            undeclared: RefCell::default(),
             cut_short: false,
-            complete: false,
+            stage: Stage::Defining,
             budget: Budget::new(library.run()),
             pending: Vec::new(),
             obligations: Vec::new(),
@@ -389,7 +444,7 @@ impl Scope<'_> {
         for f in &family.functions {
             scope.functions.insert(f.index.clone(), Some(f.value.clone()));
         }
-        scope.complete = true;
+        scope.stage = Stage::Complete;
         scope
     }
 
@@ -399,9 +454,8 @@ impl Scope<'_> {
             ExprKind::Number(_) => false,
             ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
             ExprKind::Neg(inner) | ExprKind::Each(inner, _) => self.mentions_variable(inner),
-            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
-                parts.iter().any(|(_, e)| self.mentions_variable(e))
-            }
+            ExprKind::Sum(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
+            ExprKind::Product(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
             ExprKind::Power(base, exponent) => {
                 self.mentions_variable(base) || self.mentions_variable(exponent)
             }

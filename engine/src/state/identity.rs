@@ -9,7 +9,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::claim::ClaimKind;
 use crate::model::Family;
-use crate::words::abbreviated;
+use crate::plural::abbreviated;
 
 /// Σ bᵢ = 1.
 pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {

@@ -46,3 +46,31 @@ impl Run {
         result
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Library, Selected, Source};
+
+    #[test]
+    fn claims_share_the_work_of_a_run() {
+        let hard = "prove (t^5 - t - x)^2 + (x^5 - x - 1/3)^2 + (t - x)^2 > 0;";
+        let spec =
+            format!("family F {{ domain 0 <= t <= 1; shape 0 < x <= 1; b[0] = t; {} }}", hard.repeat(9));
+        let library = Library::from_source(&crate::Disk, &crate::Prover, Source::text("hard.basis", &spec));
+        let items = library.items(Selected::EveryOrder);
+        let item = &items[0];
+        let decide =
+            |run: &mut Run| item.claims.iter().map(|c| run.decide(&item.subject, c)).collect::<Vec<_>>();
+        let mut whole = Run::default();
+        assert!(decide(&mut whole).iter().all(|v| matches!(v, Verdict::Proved(_))));
+        let one = (UNITS - whole.left) / 9;
+        assert!(one > 1000, "a claim takes {one} units");
+        let mut short = Run { left: 3 * one };
+        let verdicts = decide(&mut short);
+        let left =
+            verdicts.iter().filter(|v| matches!(v, Verdict::Undecided(why) if why.contains("a whole run")));
+        assert_eq!(left.count(), 6);
+        assert!(verdicts[..3].iter().all(|v| matches!(v, Verdict::Proved(_))) && short.is_spent());
+    }
+}

@@ -56,8 +56,8 @@ impl SyntaxErrors {
     }
 
     /// The mistakes that are shown.
-    pub(super) fn iter_mut(&mut self) -> core::slice::IterMut<'_, SyntaxError> {
-        self.list.iter_mut()
+    pub(super) fn shown_mut(&mut self) -> &mut [SyntaxError] {
+        &mut self.list
     }
 
     /// Puts mistakes that were found earlier before these.

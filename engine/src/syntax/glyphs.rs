@@ -20,8 +20,8 @@ pub(super) struct Readable<'a> {
     pub(super) gaps: Vec<usize>,
 }
 
-/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when brackets do
-/// not balance.
+/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when
+/// brackets do not balance.
 pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut errors = Vec::new();
     let mut gaps = Vec::new();
@@ -147,35 +147,57 @@ fn close(
     open: &mut Vec<(char, usize)>,
     errors: &mut Vec<SyntaxError>,
 ) -> bool {
-    match open.last() {
-        Some((o, _)) if partner(*o) == c => {
-            open.pop();
-            return true;
-        }
+    let Some(&(o, start)) = open.last() else {
+        errors.push(closes_nothing(text, c, at));
+        return false;
+    };
+    if partner(o) == c {
+        open.pop();
+        return true;
+    }
+    let in_block = open.iter().rposition(|(o, _)| *o == '{').map_or(0, |k| k + 1);
+    if c == '}' && in_block > 0 {
         // A brace ends everything that is open inside of it.
-        Some(_) if c == '}' && open.iter().any(|(o, _)| *o == '{') => {
-            while let Some((o, start)) = open.pop().filter(|(o, _)| *o != '{') {
-                errors.push(never_closed(text, o, start));
-            }
+        while let Some((o, start)) = open.pop().filter(|(o, _)| *o != '{') {
+            errors.push(never_closed(text, o, start));
         }
+    } else if o == '{' || closes_later(&text[at + 1..], partner(o)) {
+        errors.push(closes_nothing(text, c, at));
+    } else {
+        let message = format!("`{o}` is closed by `{c}`");
+        let inside = text.get(start + 1..at).unwrap_or_default();
+        // What is open around it and closed here was meant to be closed here.
+        let outer = open[in_block..].iter().rposition(|(o, _)| partner(*o) == c);
         // A range in interval notation is the usual reason.
-        Some((o, start)) if *o != '{' => {
-            let message = format!("`{o}` is closed by `{c}`");
-            let inside = text.get(start + 1..at).unwrap_or_default();
-            let help = if inside.contains(',') && !inside.contains('\n') {
-                String::from("brackets must balance; write a range as inequalities, such as `0 < λ <= 4`")
-            } else {
-                format!("write `{}`", partner(*o))
-            };
-            errors.push(new(text, at, &message, &help));
-            open.pop();
+        let help = if outer.is_none() && inside.contains(',') && !inside.contains('\n') {
+            String::from("brackets must balance; write a range as inequalities, such as `0 < λ <= 4`")
+        } else if outer.is_some() {
+            format!("add the missing `{}`", partner(o))
+        } else {
+            format!("write `{}`", partner(o))
+        };
+        errors.push(new(text, at, &message, &help));
+        open.truncate(outer.map_or(open.len() - 1, |k| in_block + k));
+    }
+    false
+}
+
+fn closes_nothing(text: &str, c: char, at: usize) -> SyntaxError {
+    new(text, at, &format!("this `{c}` closes nothing"), "remove it, or add the opening bracket")
+}
+
+/// Whether a bracket is closed in the rest of a statement.
+fn closes_later(rest: &str, close: char) -> bool {
+    let mut depth = 0;
+    for c in rest.chars() {
+        match c {
+            ';' | '{' | '}' => return false,
+            '(' | '[' => depth += 1,
+            _ if c == close && depth == 0 => return true,
+            ')' | ']' if depth == 0 => return false,
+            ')' | ']' => depth -= 1,
+            _ => {}
         }
-        _ => errors.push(new(
-            text,
-            at,
-            &format!("this `{c}` closes nothing"),
-            "remove it, or add the opening bracket",
-        )),
     }
     false
 }

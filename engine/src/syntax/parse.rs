@@ -7,8 +7,9 @@ use syn::parse::{ParseStream, Parser};
 use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
 use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
+use crate::advice::did_you_mean;
 use crate::source::MAX_BYTES;
-use crate::words::did_you_mean;
+use basis_kernel::collections::sort::sort_unique;
 
 /// The words that begin an item.
 const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];
@@ -47,9 +48,9 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
     match readable.text.parse::<TokenStream>() {
         Ok(tokens) => {
             let (mut spec, mut more) = parse(tokens, errors.is_empty());
-            leave_out(&mut spec, &readable.gaps);
+            leave_out(&mut spec, &readable);
             let at_end = text.trim_end().len();
-            for e in more.iter_mut() {
+            for e in more.shown_mut() {
                 if let SyntaxPlace::Token(span) = e.place {
                     let range = span.byte_range();
                     // The end of the input has no token; show the end of the text.
@@ -86,7 +87,15 @@ fn alone(errors: Vec<SyntaxError>) -> (Spec, SyntaxErrors) {
 }
 
 /// Leaves out the statements in which something is missing; every one goes from its first token to the next statement.
-fn leave_out(spec: &mut Spec, gaps: &[usize]) {
+fn leave_out(spec: &mut Spec, readable: &glyphs::Readable<'_>) {
+    let gaps = &readable.gaps;
+    // The words of a statement, some of which may be names that it declares.
+    let words = |span: proc_macro2::Span, unread: &mut Vec<String>| {
+        let text = readable.text.get(span.byte_range()).unwrap_or_default();
+        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+        unread.extend(words.map(String::from));
+        sort_unique(unread);
+    };
     let start = |span: proc_macro2::Span| span.byte_range().start;
     let mut end = usize::MAX;
     let mut whole = |from: usize| {
@@ -98,18 +107,22 @@ fn leave_out(spec: &mut Spec, gaps: &[usize]) {
             Item::Use(written) => {
                 whole(start(written.span));
             }
-            Item::Family(Family { name, statements, incomplete, .. }) => {
+            Item::Family(Family { name, statements, incomplete, unread, .. }) => {
                 for k in (0..statements.len()).rev() {
                     if !whole(start(statements[k].span)) {
-                        *incomplete |= !matches!(statements.remove(k).kind, StatementKind::Claim(_));
+                        let left_out = statements.remove(k);
+                        if !matches!(left_out.kind, StatementKind::Claim(_)) {
+                            *incomplete = true;
+                            words(left_out.span, unread);
+                        }
                     }
                 }
                 whole(start(name.span));
             }
-            Item::Theorem(Theorem { name, statements, incomplete, .. }) => {
+            Item::Theorem(Theorem { name, statements, incomplete, unread, .. }) => {
                 for k in (0..statements.len()).rev() {
                     if !whole(start(statements[k].span)) {
-                        statements.remove(k);
+                        words(statements.remove(k).span, unread);
                         *incomplete = true;
                     }
                 }
@@ -133,14 +146,28 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, SyntaxErrors) {
             return Err(error(input.span(), "the spec is empty", "write `family Name { … }`"));
         }
         while !input.is_empty() {
+            let start = input.fork();
             match item(input, &mut errors) {
                 Ok(item) => spec.items.push(item),
                 Err(e) => {
                     errors.push(e);
                     skip_item(input);
+                    // Names of items stand outside of brackets; an empty one stands for a name that is missing.
+                    let before = spec.unread.len();
+                    while start.cursor() != input.cursor()
+                        && let Ok(token) = start.parse::<TokenTree>()
+                    {
+                        if let TokenTree::Ident(name) = token {
+                            spec.unread.push(name.to_string());
+                        }
+                    }
+                    if spec.unread.len() == before + 1 {
+                        spec.unread.push(String::new());
+                    }
                 }
             }
         }
+        sort_unique(&mut spec.unread);
         Ok(())
     };
     // What an error has left unread inside of brackets is not another error.

@@ -11,7 +11,8 @@ use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
     StatementKind, SyntaxErrors,
 };
-use crate::words::did_you_mean;
+use crate::advice::did_you_mean;
+use basis_kernel::collections::sort::sort_unique;
 
 /// The words that begin a statement.
 pub(super) const STATEMENTS: [&str; 9] =
@@ -63,8 +64,10 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
     syn::braced!(content in input);
     let mut statements = Vec::new();
     let mut incomplete = false;
+    let mut unread = Vec::new();
     while !content.is_empty() {
         let about_functions = !begins_claim(&content);
+        let start = content.fork();
         match statement(&content) {
             Ok(statement) => statements.push(statement),
             Err(e) => {
@@ -75,17 +78,53 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
                 if !goes_on {
                     skip_statement(&content);
                 }
+                if about_functions {
+                    names_between(&start, &content, &mut unread);
+                }
             }
         }
     }
-    Ok(Family { doc, name, orders, statements, incomplete })
+    sort_unique(&mut unread);
+    Ok(Family { doc, name, orders, statements, incomplete, unread })
+}
+
+/// The names in the tokens from one place to a later one; an empty one stands for a name that is missing where a
+/// statement declares one.
+pub(super) fn names_between(start: ParseStream<'_>, end: ParseStream<'_>, names: &mut Vec<String>) {
+    // What went wrong in a doc comment has no names.
+    let _ = doc(start, false);
+    let before = names.len();
+    let named = ["let", "curve", "surface"].iter().any(|word| at_word(start, word));
+    let mut position = 0;
+    while start.cursor() != end.cursor()
+        && let Ok(token) = start.parse::<TokenTree>()
+    {
+        if named && position == 1 && !matches!(token, TokenTree::Ident(_)) {
+            names.push(String::new());
+        }
+        names_in(token, names);
+        position += 1;
+    }
+    if names.len() == before + 1 {
+        names.push(String::new());
+    }
+}
+
+fn names_in(token: TokenTree, names: &mut Vec<String>) {
+    match token {
+        TokenTree::Ident(ident) => names.push(ident.to_string()),
+        TokenTree::Group(group) => group.stream().into_iter().for_each(|token| names_in(token, names)),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+    }
 }
 
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
 fn begins_claim(input: ParseStream<'_>) -> bool {
-    let Some((word, _)) = input.cursor().ident() else { return false };
+    let ahead = input.fork();
+    let _ = doc(&ahead, false);
+    let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
-    ["prove", "refute", "budget"].contains(&crate::words::closest(&word, &STATEMENTS).unwrap_or(&word))
+    ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 /// Goes on after the next `;`, or after a block.
@@ -142,7 +181,8 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
             take_word(input)?;
             if let Some(names) = simplex(input)? {
                 let end = semicolon(input, None)?;
-                return Ok(Statement { doc, span: join(start, end), kind: StatementKind::Simplex(names) });
+                let kind = StatementKind::Simplex(names);
+                return Ok(Statement { doc, span: join(start, end), last: end, kind });
             }
             let mut ranges = vec![range(input, DOMAIN_HELP)?];
             while input.peek(Token![,]) {
@@ -196,7 +236,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         },
     };
     let end = semicolon(input, Some(&kind))?;
-    Ok(Statement { doc, span: join(start, end), kind })
+    Ok(Statement { doc, span: join(start, end), last: end, kind })
 }
 
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
@@ -220,7 +260,16 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Base(order, _)) => return Ok(order.name.span),
         _ => {}
     }
-    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), "a statement ends with `;`"))
+    let help = match kind {
+        Some(StatementKind::Shape(_)) if input.peek(Token![,]) => {
+            "every shape parameter has a statement of its own: `shape 0 <= λ <= 1; shape 0 <= μ <= 1;`"
+        }
+        Some(StatementKind::Claim(_)) if at_word(input, "except") => {
+            "`except` belongs to `independent`; for other claims narrow the range of the parameter"
+        }
+        _ => "a statement ends with `;`",
+    };
+    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
 }
 
 /// `=` between a name and its value.
@@ -318,7 +367,7 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         }
     }
     if names.len() != corners {
-        let here = crate::words::here(names.len());
+        let here = crate::plural::here(names.len());
         let message = format!("a {text} has {corners} barycentric coordinates, {here}");
         let help = match names.len() {
             3 => String::from("write `domain tetrahedron (u, v, w, x);`, or `domain triangle (u, v, w);`"),

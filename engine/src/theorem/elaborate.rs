@@ -7,6 +7,7 @@ use proc_macro2::Span;
 use super::form::Form;
 use super::patch::PatchDef;
 use super::{GivenPoint, Origin, Theorem, TheoremKind, TheoremRelation};
+use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
@@ -16,18 +17,19 @@ use crate::model::budget::TooLarge;
 use crate::model::print::Printer;
 use crate::model::scope::{Scope, Subject};
 use crate::model::{Library, Parameter, build, label};
+use crate::plural::count;
 use crate::source::SourceId;
 use crate::subject::{Item, Subject as About};
 use crate::syntax::{
-    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, TheoremStatement, TheoremStatementKind,
+    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, PatchKind, TheoremStatement,
+    TheoremStatementKind,
 };
-use crate::words::{count, did_you_mean};
 use basis_kernel::collections::list::Mapped;
 
 /// The first variables stand for the parameters of every patch, until arguments take their places.
 pub(super) const OWN: usize = 3;
 
-/// Points have at most so many coordinates.
+/// The most coordinates of a point.
 const MAX_DIMENSION: i64 = 8;
 
 /// The most variables of a theorem.
@@ -51,7 +53,8 @@ pub(super) struct Elaboration<'a> {
     pub(super) scalars: Vec<Parameter>,
     /// Parameters of patches that are scalars only if something mentions them.
     pub(super) implicit: Vec<(Var, bool)>,
-    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand for.
+    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand
+    /// for.
     pub(super) shape_values: Vec<Var>,
     /// Vectors that `let` defined.
     pub(super) vectors: Vec<(String, Option<Value>)>,
@@ -103,6 +106,7 @@ fn theorem(
 
 impl Elaboration<'_> {
     fn theorem(&mut self, written: &syntax::Theorem) -> Option<Item> {
+        self.scope.unread.clone_from(&written.unread);
         let dimension = self.find_dimension(&written.statements);
         let mut fine = dimension.is_some();
         let mut budget = 1;
@@ -143,10 +147,10 @@ impl Elaboration<'_> {
         if written.kind == TheoremKind::Join && fine {
             self.check_join(written, dimension.flatten());
         }
-        self.scope.settle(&region, budget);
         if !fine {
             return None;
         }
+        self.scope.settle(&region, budget);
         let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).collect();
         self.scalars.retain(|p| !silent.contains(&p.var));
         let theorem = Theorem {
@@ -184,8 +188,8 @@ impl Elaboration<'_> {
         }
     }
 
-    /// Finds the number of coordinates: as declared, or that of the points that are written with coordinates; where that is
-    /// said. `None` if the number makes no sense.
+    /// Finds the number of coordinates: as declared, or that of the points that are written with coordinates; where
+    /// that is said. `None` if the number makes no sense.
     #[expect(clippy::option_option, reason = "it can be fine without coordinates")]
     fn find_dimension(&mut self, statements: &[TheoremStatement]) -> Option<Option<Span>> {
         let mut declared = None;
@@ -218,8 +222,8 @@ impl Elaboration<'_> {
 
     fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
         match &statement.kind {
-            TheoremStatementKind::Patch(curve, name, value) => {
-                let done = self.patch(*curve, name, value);
+            TheoremStatementKind::Patch(kind, name, value) => {
+                let done = self.patch(*kind == PatchKind::Curve, name, value);
                 self.incomplete |= done.is_none();
                 if done.is_none() && self.taken(&name.text).is_none() {
                     // Known without a value, so that nothing more is said about it.
@@ -446,7 +450,9 @@ impl Elaboration<'_> {
         let patches = self.patches.mapped(|p| p.name.as_str());
         let written = Printer { constants: &[], component: None }.print(base);
         // A curve or surface that could not be read.
-        if self.vectors.iter().any(|(name, value)| *name == written && value.is_none()) {
+        if self.vectors.iter().any(|(name, value)| *name == written && value.is_none())
+            || self.scope.is_mistaken(&written)
+        {
             return None;
         }
         let error = self.scope.error(base.span, format!("there is no curve or surface `{written}`"));
@@ -455,6 +461,7 @@ impl Elaboration<'_> {
                 "declare it, `curve {written} = …;`, before its control point `{point}` is determined; other vectors have names without an index"
             )
         };
+        self.scope.undeclared.borrow_mut().push(written.clone());
         let other_case = patches.iter().find(|p| p.to_lowercase() == written.to_lowercase());
         self.scope.report(error.help(match other_case {
             Some(near) => format!("did you mean `{near}`?"),
@@ -478,7 +485,7 @@ impl Elaboration<'_> {
             let run = all.scope.budget.run();
             let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
             all.fits(counted, statement.span)?;
-            let place = all.scope.place(statement.span);
+            let place = all.scope.library.place_to(all.scope.source, statement.span, statement.last);
             claims.push(Claim { text, doc: statement.doc.clone(), expected: written.expected, place, kind });
             Some(())
         })
@@ -587,7 +594,8 @@ fn coordinates(expr: &Expr) -> Option<(usize, Span)> {
         ExprKind::Tuple(parts) => Some((parts.len(), expr.span)),
         ExprKind::Number(_) | ExprKind::Name(_) => None,
         ExprKind::Neg(inner) | ExprKind::Each(inner, _) => coordinates(inner),
-        ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Sum(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
         ExprKind::Power(base, _) => coordinates(base),
         ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
             coordinates(base).or_else(|| rest.iter().find_map(coordinates))

@@ -4,14 +4,15 @@ use proc_macro2::Span;
 
 use super::elaborate::{Elaboration, Value, kind};
 use super::form::{Form, Unit};
+use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
 use crate::model::print::Printer;
 use crate::model::scope::BUILTINS;
-use crate::syntax::{Expr, ExprKind, TheoremKind};
-use crate::words::{did_you_mean, here};
+use crate::plural::here;
+use crate::syntax::{Expr, ExprKind, Role, Sign, TheoremKind};
 
 /// The functions of theorems that families do not have.
 const PRODUCTS: [&str; 2] = ["cross", "dot"];
@@ -63,22 +64,24 @@ impl Elaboration<'_> {
             }
             ExprKind::Sum(parts) => {
                 let mut sum: Option<Value> = None;
-                for (minus, part) in parts {
+                for (sign, part) in parts {
                     let value = self.definite(part)?;
                     sum = Some(match sum {
                         None => value,
-                        Some(sum) => self.add(sum, value, *minus, part.span)?,
+                        Some(sum) => self.add(sum, value, *sign, part.span)?,
                     });
                 }
                 sum
             }
             ExprKind::Product(parts) => {
                 let mut product: Option<Value> = None;
-                for (divides, part) in parts {
+                for (role, part) in parts {
                     let value = self.definite(part)?;
                     product = Some(match product {
                         None => value,
-                        Some(product) if *divides => self.quotient(product, &value, part.span)?,
+                        Some(product) if *role == Role::Divisor => {
+                            self.quotient(product, &value, part.span)?
+                        }
                         Some(product) => self.product(product, value, part.span)?,
                     });
                 }
@@ -181,13 +184,14 @@ impl Elaboration<'_> {
 
     /// Reports an unknown name, with the known name that it resembles; not while it could be that of a shape value.
     pub(super) fn unknown(&self, name: &str, span: Span) {
-        if self.incomplete {
+        if self.incomplete || self.scope.is_mistaken(name) {
             return;
         }
         let error = self.scope.error(span, format!("the name `{name}` is not declared"));
         if self.scope.is_full() {
             return self.scope.report(error);
         }
+        self.scope.undeclared.borrow_mut().push(name.to_string());
         if self.scope.library.knows(self.scope.unit, name) {
             self.scope.report(
                 error
@@ -251,18 +255,18 @@ impl Elaboration<'_> {
         Some(Value::Vector(form))
     }
 
-    fn add(&self, a: Value, b: Value, minus: bool, span: Span) -> Option<Value> {
+    fn add(&self, a: Value, b: Value, sign: Sign, span: Span) -> Option<Value> {
         let budget = &self.scope.budget;
         match (a, b) {
             (Value::Scalar(x), Value::Scalar(y)) => {
-                let sum = if minus { budget.sub(&x, &y) } else { budget.add(&x, &y) };
+                let sum = if sign == Sign::Minus { budget.sub(&x, &y) } else { budget.add(&x, &y) };
                 Some(Value::Scalar(self.fits(sum, span)?))
             }
-            (Value::Vector(x), Value::Vector(y)) => Some(Value::Vector(self.add_forms(x, &y, minus, span)?)),
-            (Value::Outer(x), Value::Outer(y)) => Some(Value::Outer(self.add_forms(x, &y, minus, span)?)),
+            (Value::Vector(x), Value::Vector(y)) => Some(Value::Vector(self.add_forms(x, &y, sign, span)?)),
+            (Value::Outer(x), Value::Outer(y)) => Some(Value::Outer(self.add_forms(x, &y, sign, span)?)),
             (a, b) => {
                 let (a, b) = (kind(&a), kind(&b));
-                let verb = if minus { "subtracted from" } else { "added to" };
+                let verb = if sign == Sign::Minus { "subtracted from" } else { "added to" };
                 let error = self.scope.error(span, format!("{b} cannot be {verb} {a}"));
                 self.scope.report(error.help("both sides of a sum are scalars, or both are vectors"));
                 None
@@ -270,9 +274,9 @@ impl Elaboration<'_> {
         }
     }
 
-    fn add_forms(&self, mut a: Form, b: &Form, minus: bool, span: Span) -> Option<Form> {
+    fn add_forms(&self, mut a: Form, b: &Form, sign: Sign, span: Span) -> Option<Form> {
         let one = Fraction::constant(Rational::ONE);
-        let done = a.add_scaled(b, &if minus { -&one } else { one }, &self.scope.budget);
+        let done = a.add_scaled(b, &if sign == Sign::Minus { -&one } else { one }, &self.scope.budget);
         self.fits(done, span)?;
         Some(a)
     }
@@ -416,8 +420,11 @@ impl Elaboration<'_> {
                     functions.join("`, `")
                 )
             });
-            self.scope
-                .report(self.scope.error(callee.span, format!("there is no function `{name}`")).help(help));
+            if !self.scope.is_mistaken(name) {
+                let error = self.scope.error(callee.span, format!("there is no function `{name}`"));
+                self.scope.report(error.help(help));
+                self.scope.undeclared.borrow_mut().push(name.clone());
+            }
             return None;
         }
         match self.value(callee)? {
@@ -444,7 +451,7 @@ impl Elaboration<'_> {
             let value = all.value(body)?;
             total = Some(match total.take() {
                 None => value,
-                Some(sum) => all.add(sum, value, false, body.span)?,
+                Some(sum) => all.add(sum, value, Sign::Plus, body.span)?,
             });
             Some(())
         })?;

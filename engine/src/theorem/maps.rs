@@ -4,12 +4,13 @@ use proc_macro2::Span;
 
 use super::elaborate::{Elaboration, OWN, Value, kind};
 use super::form::Form;
+use crate::advice::along_edges;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::print::Printer;
+use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
-use crate::words::{along_edges, count, here};
 use basis_kernel::collections::list::Mapped;
 
 impl Elaboration<'_> {
@@ -175,7 +176,7 @@ impl Elaboration<'_> {
                 error.help(format!(
                     "the parameters of `{}` are {}",
                     def.name,
-                    crate::words::list(&def.parameters)
+                    crate::plural::list(&def.parameters)
                 ))
             }
             _ => error.help("differentiate by a scalar"),

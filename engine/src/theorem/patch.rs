@@ -13,8 +13,8 @@ use crate::algebra::range::Range;
 use crate::model::obligations::Inside;
 use crate::model::print::Printer;
 use crate::model::{Family, Parameter, label};
-use crate::syntax::{Expr, ExprKind, Name};
-use crate::words::{count, here};
+use crate::plural::{count, here};
+use crate::syntax::{Expr, ExprKind, Name, Role};
 use basis_kernel::collections::list::Mapped;
 
 /// A patch while the theorem is read.
@@ -461,7 +461,7 @@ impl Elaboration<'_> {
             Some(last) if last.index.len() != index.len() => {
                 let first =
                     def.points.first().map_or_else(String::new, |first| label(&def.name, &first.index));
-                let has = crate::words::indices(last.index.len());
+                let has = crate::plural::indices(last.index.len());
                 error.help(format!(
                     "its control points have {has}, from `{first}` to `{}`",
                     label(&def.name, &last.index)
@@ -548,7 +548,7 @@ impl Elaboration<'_> {
 /// The factors of a product, and the list of control points that stands after the last one.
 fn split_points(value: &Expr) -> (Option<Vec<&Expr>>, Option<&[Expr]>) {
     let (mut factors, last) = match &value.kind {
-        ExprKind::Product(parts) if parts.iter().all(|(divides, _)| !divides) => {
+        ExprKind::Product(parts) if parts.iter().all(|(role, _)| *role == Role::Factor) => {
             let mut factors: Vec<&Expr> = parts.mapped(|(_, e)| e);
             let Some(last) = factors.pop() else { return (None, None) };
             (factors, last)
