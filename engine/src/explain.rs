@@ -12,7 +12,7 @@ use std::rc::Rc;
 use basis_kernel::{Chart, Relation, Statement, with};
 use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
-use basis_prover::{Budget, Coordinate, Decision, decide, typical};
+use basis_prover::{Budget, Coordinate, decide, typical};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::{gcd, square_free};
@@ -205,7 +205,7 @@ fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> boo
     family.functions.iter().all(|f| {
         let (value, domain) = (f.value.quotient(), Rc::clone(&domain));
         let sign = Statement::Sign { value, relation: Relation::NonNegative, domain };
-        matches!(decide(sign, &Vec::new(), family.budget), Decision::Proved(_))
+        decide(sign, &Vec::new(), family.budget).is_ok()
     })
 }
 
@@ -229,7 +229,7 @@ pub fn exceptional_set(family: &Family) -> ExceptionalSet {
     }
     if rational && set.open.is_none() {
         let statement = Statement::Independent { rows, except, region: family.shape_region() };
-        if !matches!(decide(statement, &symmetries, family.budget), Decision::Proved(_)) {
+        if decide(statement, &symmetries, family.budget).is_err() {
             set.open = Some(String::from("that there are no others is not proved"));
         }
     }

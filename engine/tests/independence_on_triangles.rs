@@ -7,7 +7,7 @@ use basis_engine::algebra::rational::Rational;
 use basis_engine::algebra::work::Work;
 use basis_engine::{Disk, Library, Prover, Source, Subject, state};
 use basis_kernel::{Certificate, Proof, Statement};
-use basis_prover::{Decision, decide};
+use basis_prover::{Failure, decide};
 
 #[test]
 fn symmetric_families_fall_apart() {
@@ -19,7 +19,7 @@ fn symmetric_families_fall_apart() {
         let state::Table { rows, symmetries } = state::coefficient_table(family);
         let statement = Statement::Independent { rows, except: Vec::new(), region: family.shape_region() };
         match decide(statement.clone(), &symmetries, 1) {
-            Decision::Proved(shown) => {
+            Ok(shown) => {
                 // A change of one number of the bases shows.
                 if let Certificate::Rank(rank) = shown.proof.certificate() {
                     let mut wrong = rank.clone();
@@ -32,12 +32,12 @@ fn symmetric_families_fall_apart() {
                 }
                 String::from("proved")
             }
-            Decision::Refuted(found) => {
+            Err(Failure::Refuted(found)) => {
                 let point: Vec<String> =
                     found.point.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
                 point.join(", ")
             }
-            Decision::Undecided(left) => format!("undecided: {left}"),
+            Err(Failure::Undecided(left)) => format!("undecided: {left}"),
         }
     };
     for n in [2, 3, 5, 8] {

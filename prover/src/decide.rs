@@ -28,11 +28,9 @@ pub struct Shown {
     pub method: Method,
 }
 
-/// What is known about a statement.
+/// Why there is no proof of a statement.
 #[derive(Clone, Debug)]
-pub enum Decision {
-    /// It is true.
-    Proved(Shown),
+pub enum Failure {
     /// It is false.
     Refuted(Box<Counterexample>),
     /// The budget is spent; what is left to decide, in words.
@@ -43,19 +41,22 @@ pub enum Decision {
 const EXPLICIT: u64 = 20_000_000;
 
 /// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it unchanged.
-pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Decision {
+///
+/// # Errors
+/// The statement is false, or the budget is spent.
+pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Result<Shown, Failure> {
     let statement = Rc::new(statement);
     if let Ok(proof) = checked(&statement, Certificate::Direct, first(budget)) {
         let method = direct(&statement);
-        return Decision::Proved(Shown { proof, method });
+        return Ok(Shown { proof, method });
     }
     match &*statement {
         Statement::Zero { value, domain } => {
             let found = nonzero(value, domain);
             let found = found.and_then(|point| crate::refute(&statement, &point, &mut Work::new(EXPLICIT)));
             found.map_or_else(
-                || Decision::Undecided(String::from("no point was found at which the two sides differ")),
-                |c| Decision::Refuted(Box::new(c)),
+                || Err(Failure::Undecided(String::from("no point was found at which the two sides differ"))),
+                |c| Err(Failure::Refuted(Box::new(c))),
             )
         }
         Statement::Sign { value, relation, .. } => sign(&statement, value, *relation, budget),
@@ -96,15 +97,25 @@ fn checked(statement: &Rc<Statement>, certificate: Certificate, mut work: Work) 
 }
 
 /// Proposes a certificate to the kernel.
-fn propose(statement: &Rc<Statement>, certificate: Certificate, method: Method, budget: u32) -> Decision {
+fn propose(
+    statement: &Rc<Statement>,
+    certificate: Certificate,
+    method: Method,
+    budget: u32,
+) -> Result<Shown, Failure> {
     match checked(statement, certificate, Work::usual(budget)) {
-        Ok(proof) => Decision::Proved(Shown { proof, method }),
-        Err(refusal) => Decision::Undecided(format!("a proof was found, but not accepted: {refusal}")),
+        Ok(proof) => Ok(Shown { proof, method }),
+        Err(refusal) => Err(Failure::Undecided(format!("a proof was found, but not accepted: {refusal}"))),
     }
 }
 
 /// A quotient: the sign of the denominator, which vanishes nowhere, and then that of the numerator.
-fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget: u32) -> Decision {
+fn sign(
+    statement: &Rc<Statement>,
+    value: &Quotient,
+    relation: Relation,
+    budget: u32,
+) -> Result<Shown, Failure> {
     let Statement::Sign { domain, .. } = &**statement else { return unfit() };
     let Ok(chart) = Chart::new(domain, [&value.numerator, &value.denominator]) else { return unfit() };
     let region = chart.region();
@@ -124,9 +135,9 @@ fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget:
                     (Some(signed), negative)
                 }
                 Found::Point(_) => {
-                    return Decision::Undecided(String::from("the denominator changes its sign"));
+                    return Err(Failure::Undecided(String::from("the denominator changes its sign")));
                 }
-                Found::Nothing(left) => return Decision::Undecided(format!("the denominator: {left}")),
+                Found::Nothing(left) => return Err(Failure::Undecided(format!("the denominator: {left}"))),
             }
         }
     };
@@ -157,27 +168,27 @@ fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget:
             });
             found.map_or_else(
                 || {
-                    Decision::Undecided(String::from(
+                    Err(Failure::Undecided(String::from(
                         "it fails, but at a point that could not be made explicit",
-                    ))
+                    )))
                 },
-                |c| Decision::Refuted(Box::new(c)),
+                |c| Err(Failure::Refuted(Box::new(c))),
             )
         }
-        Found::Nothing(left) => Decision::Undecided(left),
+        Found::Nothing(left) => Err(Failure::Undecided(left)),
     }
 }
 
-fn unfit() -> Decision {
-    Decision::Undecided(String::from("the statement is not one that the search knows"))
+fn unfit() -> Result<Shown, Failure> {
+    Err(Failure::Undecided(String::from("the statement is not one that the search knows")))
 }
 
 /// Sums of dot products: the signs of sums of minors.
-fn products(statement: &Rc<Statement>, budget: u32) -> Decision {
+fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     let Statement::Products { value, relation, products, domain } = &**statement else { return unfit() };
     let signs = match basis_kernel::minor_signs(value, *relation, products, &mut Work::usual(budget)) {
         Ok(signs) => signs,
-        Err(refusal) => return Decision::Undecided(refusal.to_string()),
+        Err(refusal) => return Err(Failure::Undecided(refusal.to_string())),
     };
     let mut hardest = Method::Constant;
     let mut proofs: Vec<SignProof> = Vec::new();
@@ -187,15 +198,15 @@ fn products(statement: &Rc<Statement>, budget: u32) -> Decision {
                 hardest = hardest.max(method);
                 proofs.push(proof);
             }
-            Found::Point(_) => return Decision::Undecided(String::from("it fails for some points")),
-            Found::Nothing(left) => return Decision::Undecided(left),
+            Found::Point(_) => return Err(Failure::Undecided(String::from("it fails for some points"))),
+            Found::Nothing(left) => return Err(Failure::Undecided(left)),
         }
     }
     propose(statement, Certificate::Minors(proofs), hardest, budget)
 }
 
 /// Independence: combinations at the exceptions, and minors elsewhere.
-fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Decision {
+fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Result<Shown, Failure> {
     let Statement::Independent { rows, except, region } = &**statement else { return unfit() };
     match rank::independent(Table { rows, symmetries }, except, region, budget) {
         Independence::Proved(proof) => propose(statement, Certificate::Rank(proof), Method::Minors, budget),
@@ -208,17 +219,21 @@ fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Deci
                 Some(Counterexample { refutation, point: coordinates, exact })
             });
             found.map_or_else(
-                || Decision::Undecided(String::from("the budget is spent on the rank at an exception")),
-                |c| Decision::Refuted(Box::new(c)),
+                || Err(Failure::Undecided(String::from("the budget is spent on the rank at an exception"))),
+                |c| Err(Failure::Refuted(Box::new(c))),
             )
         }
         Independence::Dependent(point) => dependent(statement, Table { rows, symmetries }, &point),
-        Independence::Undecided(left) => Decision::Undecided(left),
+        Independence::Undecided(left) => Err(Failure::Undecided(left)),
     }
 }
 
 /// The refutation by a combination of the rows that vanishes at a point.
-fn dependent(statement: &Rc<Statement>, table: Table<'_>, point: &[(Var, Coordinate)]) -> Decision {
+fn dependent(
+    statement: &Rc<Statement>,
+    table: Table<'_>,
+    point: &[(Var, Coordinate)],
+) -> Result<Shown, Failure> {
     let work = &mut Work::new(EXPLICIT);
     let found = Exact::new(point, work).and_then(|mut exact| {
         let combination = rank::combination(&mut exact, table, work)?;
@@ -227,8 +242,8 @@ fn dependent(statement: &Rc<Statement>, table: Table<'_>, point: &[(Var, Coordin
         Some(Counterexample { refutation, point: point.to_vec(), exact })
     });
     found.map_or_else(
-        || Decision::Undecided(String::from("the budget is spent on a combination that vanishes")),
-        |c| Decision::Refuted(Box::new(c)),
+        || Err(Failure::Undecided(String::from("the budget is spent on a combination that vanishes"))),
+        |c| Err(Failure::Refuted(Box::new(c))),
     )
 }
 

@@ -26,7 +26,7 @@ pub use basis_kernel::{Proof, Refutation};
 pub use budget::{Budget, spent};
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};
-pub use decide::{Decision, Shown, decide, simple};
+pub use decide::{Failure, Shown, decide, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};

@@ -6,9 +6,10 @@ use basis_kernel::{Domain, Quotient, Relation, Statement};
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
 use crate::budget::Budget;
 use crate::coordinate::Coordinate;
-use crate::decide::{Decision, Shown, decide};
+use crate::decide::{Failure, Shown, decide};
 use crate::sign::{Found, search};
 
 /// Whether and where a polynomial vanishes.
@@ -29,10 +30,10 @@ pub fn zero_free(polynomial: &Poly, domain: &Rc<Domain>, budget: u32) -> ZeroFre
         let value = Quotient::from(p);
         let statement = Statement::Sign { value, relation: Relation::Positive, domain: Rc::clone(domain) };
         match decide(statement, &Vec::new(), budget) {
-            Decision::Proved(shown) => return ZeroFree::Proved(shown),
-            Decision::Undecided(left) => return ZeroFree::Undecided(left),
-            Decision::Refuted(found) => {
-                if found.refutation.value().is_some_and(|value| value.is_zero()) {
+            Ok(shown) => return ZeroFree::Proved(shown),
+            Err(Failure::Undecided(left)) => return ZeroFree::Undecided(left),
+            Err(Failure::Refuted(found)) => {
+                if found.refutation.value().is_some_and(Rational::is_zero) {
                     return ZeroFree::Zero(found.point);
                 }
                 signs.push(found.point);

@@ -41,13 +41,9 @@ impl Goal {
     }
 }
 
-/// What a judge says.
+/// Why a judge has no proof of a goal.
 #[derive(Clone, Debug)]
-pub enum Judgement {
-    /// It is true.
-    Proved(Proof),
-    /// It is taken for true: somebody else checks it.
-    Deferred,
+pub enum Open {
     /// It fails at this point.
     Fails(Vec<(Var, Coordinate)>),
     /// The budget is spent; what is left to decide, in words.
@@ -56,8 +52,12 @@ pub enum Judgement {
 
 /// Decides what has to hold while formulas are read, so that the model knows nothing of proofs.
 pub trait Judge {
-    /// Decides a goal with `budget` times the usual work.
-    fn judge(&self, goal: &Goal, budget: u32) -> Judgement;
+    /// Decides a goal with `budget` times the usual work. `None` in place of a proof: it is taken for true, and somebody else
+    /// checks it.
+    ///
+    /// # Errors
+    /// The goal is false, or undecided.
+    fn judge(&self, goal: &Goal, budget: u32) -> Result<Option<Proof>, Open>;
 }
 
 /// Takes everything for true: for reading a spec whose obligations are checked later, by certificates.
@@ -65,7 +65,7 @@ pub trait Judge {
 pub struct Later;
 
 impl Judge for Later {
-    fn judge(&self, _: &Goal, _: u32) -> Judgement {
-        Judgement::Deferred
+    fn judge(&self, _: &Goal, _: u32) -> Result<Option<Proof>, Open> {
+        Ok(None)
     }
 }

@@ -7,7 +7,7 @@ use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::Coordinate;
 
 use super::budget::{SPLIT, TooLarge};
-use super::obligation::{Goal, Judgement, Obligation};
+use super::obligation::{Goal, Obligation, Open};
 use super::scope::{Scope, Subject};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -156,13 +156,8 @@ impl Scope<'_> {
     }
 
     /// Has a goal decided; what the error is about if it does not hold.
-    fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Judgement> {
-        let judgement = self.library.judge().judge(&goal, budget);
-        let proof = match judgement {
-            Judgement::Proved(proof) => Some(proof),
-            Judgement::Deferred => None,
-            other => return Err(other),
-        };
+    fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Open> {
+        let proof = self.library.judge().judge(&goal, budget)?;
         self.inherit(&[Obligation { of, goal, proof }]);
         Ok(())
     }
@@ -178,7 +173,7 @@ impl Scope<'_> {
         let shown = divisor.display(&self.names).to_string();
         let goal = Goal::Nonzero(divisor.clone(), Rc::clone(domain));
         Some(match self.judge(format!("{shown} != 0"), goal, budget) {
-            Err(Judgement::Fails(point)) => {
+            Err(Open::Fails(point)) => {
                 // A value at which the denominator is zero, whatever the others are, says it best.
                 let alone = point.iter().find_map(|(var, c)| match c {
                     Coordinate::Rational(x) if divisor.at(*var, x).is_zero() => Some((*var, x)),
@@ -198,14 +193,14 @@ impl Scope<'_> {
                     .label(format!("this is {shown}"))
                     .help(help)
             }
-            Err(Judgement::Undecided(left)) => Diagnostic::error(
+            Err(Open::Undecided(left)) => Diagnostic::error(
                 place,
                 "it is undecided whether the denominator vanishes on the declared ranges",
             )
             .label(format!("this is {shown}"))
             .note(left)
             .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
-            Ok(()) | Err(_) => return None,
+            Ok(()) => return None,
         })
     }
 
@@ -263,7 +258,7 @@ impl Scope<'_> {
                 (false, Relation::Positive) => ">",
             };
             match self.judge(format!("{shown} {symbol} {bound}"), goal, budget) {
-                Err(Judgement::Fails(point)) => {
+                Err(Open::Fails(point)) => {
                     return Some(
                         Diagnostic::error(
                             place,
@@ -273,7 +268,7 @@ impl Scope<'_> {
                         .help(inside.help(&shown, end, above)),
                     );
                 }
-                Err(Judgement::Undecided(left)) => {
+                Err(Open::Undecided(left)) => {
                     return Some(
                         Diagnostic::error(
                             place,
@@ -285,7 +280,7 @@ impl Scope<'_> {
                         .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
                     );
                 }
-                Ok(()) | Err(_) => {}
+                Ok(()) => {}
             }
         }
         None

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Statement};
-use basis_prover::{Coordinate, Counterexample, Decision, Method, Shown, typical};
+use basis_prover::{Coordinate, Counterexample, Failure, Method, Shown, typical};
 
 use super::verdict::{Evidence, Stated, Verdict, Witness};
 use super::{all, identity, independent, inequality, steps};
@@ -61,14 +61,13 @@ pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Dom
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     match all(statements(family, claim), family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
-        Err((of, Decision::Refuted(found))) => {
+        Err((of, Failure::Refuted(found))) => {
             Verdict::Refuted(Box::new(witness(family, &claim.kind, of, &found)))
         }
-        Err((of, Decision::Undecided(left))) => Verdict::Undecided(match &claim.kind {
+        Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
             ClaimKind::Independent(_) => left,
             _ => format!("`{of}`: {left}"),
         }),
-        Err((_, Decision::Proved(_))) => Verdict::Undecided(String::new()),
     }
 }
 

@@ -17,7 +17,7 @@ mod theorem;
 mod verdict;
 
 use basis_kernel::Proof;
-use basis_prover::{Decision, Shown, decide as decide_statement};
+use basis_prover::{Failure, Shown, decide as decide_statement};
 
 pub use family::statements as family_statements;
 #[cfg(any(test, feature = "tools"))]
@@ -69,14 +69,14 @@ pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
 
 /// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is known
 /// about it, one that is refuted before one that is undecided.
-fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Decision)> {
+fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
     let mut proofs = Vec::new();
     let mut undecided = None;
     for Stated { of, statement, symmetries } in stated {
         match decide_statement(statement, &symmetries, budget) {
-            Decision::Proved(shown) => proofs.push((of, shown)),
-            refuted @ Decision::Refuted(_) => return Err((of, refuted)),
-            left @ Decision::Undecided(_) => undecided = undecided.or(Some((of, left))),
+            Ok(shown) => proofs.push((of, shown)),
+            Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),
+            Err(left) => undecided = undecided.or(Some((of, left))),
         }
     }
     undecided.map_or(Ok(proofs), Err)

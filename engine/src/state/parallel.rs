@@ -7,7 +7,7 @@
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation};
-use basis_prover::{Coordinate, Decision, Symmetries, candidates, decide as decide_statement, refute};
+use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide as decide_statement, refute};
 
 use super::net::{Net, nets, parts_of_both};
 use super::theorem::{explained, sign, witness, witness_nets};
@@ -146,7 +146,7 @@ fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
 fn nonzero(theorem: &Theorem, p: &Poly) -> Option<Vec<Rational>> {
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
     let zero = family::compared(&Fraction::from(p.clone()), Comparison::Equal, &domain);
-    let Decision::Refuted(found) = decide_statement(zero, &Symmetries::new(), 1) else { return None };
+    let Err(Failure::Refuted(found)) = decide_statement(zero, &Symmetries::new(), 1) else { return None };
     let mut at = vec![Rational::ZERO; theorem.names.len()];
     for (var, c) in &found.point {
         if let (Some(slot), Coordinate::Rational(x)) = (at.get_mut(var.0), c) {
@@ -232,11 +232,11 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side
     let mut open = None;
     for Stated { of, statement, .. } in statements(theorem, left, right) {
         match decide_statement(statement, &Symmetries::new(), theorem.budget) {
-            Decision::Proved(proved) => shown.push((of, proved)),
-            Decision::Refuted(_) => {
+            Ok(proved) => shown.push((of, proved)),
+            Err(Failure::Refuted(_)) => {
                 open.get_or_insert_with(|| String::from(BOTH_ZERO));
             }
-            Decision::Undecided(left) => open = Some(left),
+            Err(Failure::Undecided(left)) => open = Some(left),
         }
     }
     let Some(found) = found else {
@@ -302,8 +302,8 @@ fn points<'a>(
     let domain = Rc::new(Domain::of(theorem.region()));
     let decided = attempts.into_iter().filter_map(move |(polynomial, relation)| {
         match decide_statement(sign(&polynomial, relation, &domain), &Symmetries::new(), theorem.budget) {
-            Decision::Refuted(found) => Some(found.point),
-            Decision::Proved(_) | Decision::Undecided(_) => None,
+            Err(Failure::Refuted(found)) => Some(found.point),
+            Ok(_) | Err(Failure::Undecided(_)) => None,
         }
     });
     let common = found.common.clone();
@@ -345,11 +345,11 @@ fn zeros<'a>(
         }
         let domain = Rc::new(Domain::of(theorem.region()));
         match decide_statement(sign(&rest, Relation::Positive, &domain), &Symmetries::new(), 1) {
-            Decision::Refuted(found) => {
+            Err(Failure::Refuted(found)) => {
                 point.extend(found.point.into_iter().filter(|(var, _)| *var == unknown));
                 Some(point)
             }
-            Decision::Proved(_) | Decision::Undecided(_) => None,
+            Ok(_) | Err(Failure::Undecided(_)) => None,
         }
     })
 }
@@ -403,7 +403,8 @@ fn not_proportional(theorem: &Theorem, claim: &Claim, sides: [&Side; 2]) -> Verd
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
     for net in witness_nets(theorem, claim) {
         for Stated { of, statement, .. } in on_points(theorem, sides, &net, &domain).into_iter().skip(1) {
-            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget)
+            if let Err(Failure::Refuted(found)) =
+                decide_statement(statement, &Symmetries::new(), theorem.budget)
             {
                 let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the directions differ:");

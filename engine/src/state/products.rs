@@ -9,7 +9,7 @@ use basis_kernel::collections::sort::sort_unique;
 use basis_kernel::{Domain, Products, Relation, Statement, minor_signs};
 use basis_prover::map::SortedMap;
 use basis_prover::semidefinite;
-use basis_prover::{Coordinate, Decision, Symmetries, decide};
+use basis_prover::{Coordinate, Failure, Symmetries, decide};
 
 use super::net::Net;
 use crate::algebra::fraction::Fraction;
@@ -80,7 +80,7 @@ pub(super) fn counterexample(
     for (sum, relation) in signs {
         let value = Fraction::from(sum).quotient();
         let sign = Statement::Sign { value, relation, domain: Rc::clone(domain) };
-        let Decision::Refuted(found) = decide(sign, &Symmetries::new(), budget) else { continue };
+        let Err(Failure::Refuted(found)) = decide(sign, &Symmetries::new(), budget) else { continue };
         let mut at = vec![Rational::ZERO; theorem.names.len() + products.len()];
         let mut rational = true;
         for (var, c) in &found.point {

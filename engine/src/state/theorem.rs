@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{
-    Coordinate, Counterexample, Decision, Shown, Symmetries, decide as decide_statement, typical,
+    Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical,
 };
 
 use super::net::{Net, evaluated, nets, on_net, parts, sparse};
@@ -36,7 +36,7 @@ pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
             let domain = Rc::new(Domain::of(theorem.scalar_region()));
             let zero = |f: &Fraction| family::compared(f, Comparison::Equal, &domain);
             let mut all = Vec::new();
-            for (unit, coefficient) in value.terms.iter() {
+            for (unit, coefficient) in &value.terms {
                 all.push(Stated::new(coefficient_of(theorem, text, *unit), zero(coefficient)));
             }
             if all.is_empty() {
@@ -167,7 +167,8 @@ fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
     let kind = settled(theorem, &claim.kind);
     for net in witness_nets(theorem, claim) {
         for Stated { of, statement, .. } in on_points(theorem, &kind, &net, &domain) {
-            if let Decision::Refuted(found) = decide_statement(statement, &Symmetries::new(), theorem.budget)
+            if let Err(Failure::Refuted(found)) =
+                decide_statement(statement, &Symmetries::new(), theorem.budget)
             {
                 let witness = witness(theorem, of, Some(&net), &found, false);
                 return explained(theorem, claim, witness, "the two sides differ by");
@@ -183,7 +184,7 @@ fn inequality(
     claim: &Claim,
     difference: &Difference,
     of: String,
-    decision: Decision,
+    failure: Failure,
 ) -> Verdict {
     let ClaimKind::Scalar { comparison, .. } = &claim.kind else { return Verdict::Undecided(of) };
     let negate = inequality::relation(*comparison).is_some_and(|(_, negate)| negate);
@@ -202,7 +203,7 @@ fn inequality(
                     Box::new(basis_prover::refute(&Rc::new(statement), &scalars, work)?)
                 }
                 None => match decide_statement(statement, &Symmetries::new(), theorem.budget) {
-                    Decision::Refuted(found) => found,
+                    Err(Failure::Refuted(found)) => found,
                     _ => continue,
                 },
             };
@@ -218,20 +219,20 @@ fn inequality(
         {
             return verdict;
         }
-        return Verdict::Undecided(match decision {
-            Decision::Undecided(left) => format!("`{of}`: {left}"),
-            _ => format!("`{of}` fails for some points, but at irrational values only"),
+        return Verdict::Undecided(match failure {
+            Failure::Undecided(left) => format!("`{of}`: {left}"),
+            Failure::Refuted(_) => format!("`{of}` fails for some points, but at irrational values only"),
         });
     }
     let vague = theorem.products.iter().any(|(var, _)| difference.value.depends_on(*var));
-    match decision {
-        Decision::Undecided(left) => {
+    match failure {
+        Failure::Undecided(left) => {
             // With definite points in place of coordinates the question is a smaller one.
             let attempts = if theorem.dimension.is_some() { ATTEMPTS } else { 0 };
             let found = nets(theorem).take(attempts).find_map(|net| on_net(&net, None));
             found.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {left}")))
         }
-        Decision::Refuted(_) if vague => {
+        Failure::Refuted(_) if vague => {
             // Dot products are not any numbers: the claim must fail for a net.
             let found = nets(theorem).find_map(|net| on_net(&net, None));
             found.unwrap_or_else(|| {
@@ -240,10 +241,9 @@ fn inequality(
                 ))
             })
         }
-        Decision::Refuted(found) => {
+        Failure::Refuted(found) => {
             explained(theorem, claim, witness(theorem, of, None, &found, negate), "the value is")
         }
-        Decision::Proved(_) => Verdict::Undecided(of),
     }
 }
 

@@ -231,11 +231,10 @@ impl Field {
 
     /// Factors with which the sum of some rows of a matrix is zero: of the first row that depends on those before it, 1, and of
     /// these the others; nothing when all rows are independent. Rows are asked for one after the other.
-    #[expect(clippy::option_option, reason = "the work may be spent")]
     pub fn vanishing_combination(
         &mut self,
         count: usize,
-        row: &dyn Fn(&Self, usize, &mut Work) -> Option<Vec<Element>>,
+        row: &RowOf<'_>,
         work: &mut Work,
     ) -> Option<Option<Vec<Element>>> {
         // Rows that are 1 in a column in which all later ones are made zero, each with what it is a combination of.
@@ -273,6 +272,9 @@ impl Field {
         Some(None)
     }
 }
+
+/// A row of a matrix over a field, by its number; `None` when the work is spent.
+pub type RowOf<'a> = dyn Fn(&Field, usize, &mut Work) -> Option<Vec<Element>> + 'a;
 
 /// A field that contains all of some numbers, and what they are in it; `None` for no numbers, or when the work is spent.
 pub fn field_of(numbers: &[Algebraic], work: &mut Work) -> Option<(Field, Vec<Element>)> {
