@@ -81,7 +81,6 @@ pub(crate) fn bonnet() -> Result<Bonnet, Box<dyn Error>> {
         ("distance from the constraints", deformed.miss),
         ("change of the right net", deformed.change),
         ("spans along the centre line", follows.spans as f64),
-        ("samples of the joint", follows.measure.samples as f64),
     ];
     Ok(Bonnet {
         before: [left.clone(), right],
