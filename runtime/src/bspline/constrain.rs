@@ -6,6 +6,8 @@ use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
 use super::{BSplineSurface, Direction, KnotError, Net};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};
 
 /// A row that the earlier ones determine up to this part of its length says nothing new.
@@ -17,13 +19,7 @@ const ROUNDING: f64 = 32.0;
 /// A point through which a surface is to pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub enum PointConstraint<P: Point> {
     /// `S(u, v) = point` at these parameters `[u, v]`.
     At([P::Scalar; 2], P),
@@ -34,13 +30,7 @@ pub enum PointConstraint<P: Point> {
 /// A surface that was deformed, and how.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Constrained<P: Point> {
     /// The surface, over the same knots.
     pub surface: BSplineSurface<P>,

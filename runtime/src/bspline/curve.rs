@@ -4,6 +4,8 @@ use alloc::vec::Vec;
 
 use super::rows::{self, Rows};
 use super::{KnotError, KnotVector, SplineError};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};
 
 /// The curve `C(t) = Σ N[i,k](t) P[i]` over a knot vector.
@@ -30,13 +32,7 @@ use crate::{Point, Scalar};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Curve<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BSplineCurve<P: Point> {
     knots: KnotVector<P::Scalar>,
     points: Vec<P>,
@@ -45,13 +41,7 @@ pub struct BSplineCurve<P: Point> {
 /// One polynomial piece of a curve.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BezierPiece<P: Point> {
     /// The ends of its span.
     pub domain: [P::Scalar; 2],

@@ -5,6 +5,8 @@ use alloc::vec::Vec;
 use super::homogeneous::check_weights;
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
 use crate::binomial::binomial;
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::length;
 use crate::{Point, Scalar};
 
@@ -26,13 +28,7 @@ use crate::{Point, Scalar};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::RationalCurve<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct NurbsCurve<P: Point> {
     homogeneous: BSplineCurve<Homogeneous<P>>,
 }

@@ -9,6 +9,8 @@ use super::{
     SplineError,
 };
 use crate::binomial::binomial;
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar, Surface};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
@@ -17,13 +19,7 @@ use crate::{Point, Scalar, Surface};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::RationalSurface<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct NurbsSurface<P: Point> {
     homogeneous: BSplineSurface<Homogeneous<P>>,
 }

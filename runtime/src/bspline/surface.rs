@@ -5,6 +5,8 @@ use alloc::vec::Vec;
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
 use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Edge, Point, Surface};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
@@ -27,13 +29,7 @@ use crate::{Edge, Point, Surface};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Surface<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BSplineSurface<P: Point> {
     u: KnotVector<P::Scalar>,
     v: KnotVector<P::Scalar>,
@@ -43,13 +39,7 @@ pub struct BSplineSurface<P: Point> {
 /// One polynomial piece of a surface.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BezierPatch<P: Point> {
     /// The ends of its spans, in `u` and in `v`.
     pub domain: [[P::Scalar; 2]; 2],

@@ -21,6 +21,16 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{Array, Basis, BernsteinBasis, Curve, Point, Scalar, TensorSurface};
 
+/// A point that can be written with its components: the bound of derived implementations.
+pub trait Written: Point<Scalar: Serialize> + Serialize {}
+
+impl<P: Point<Scalar: Serialize> + Serialize> Written for P {}
+
+/// A point that can be read with its components: the bound of derived implementations.
+pub trait Read<'de>: Point<Scalar: Deserialize<'de>> + Deserialize<'de> {}
+
+impl<'de, P: Point<Scalar: Deserialize<'de>> + Deserialize<'de>> Read<'de> for P {}
+
 /// Implements serde's traits for a generated type: a struct of its shape values, which are checked when they are read.
 #[doc(hidden)]
 #[macro_export]
@@ -181,7 +191,7 @@ impl<'de, S: Scalar, const N: usize> Deserialize<'de> for BernsteinBasis<S, N> {
 
 #[derive(Serialize)]
 #[serde(rename = "Curve")]
-struct Written<'a, B, P> {
+struct WrittenCurve<'a, B, P> {
     basis: &'a B,
     points: &'a [P],
 }
@@ -192,14 +202,14 @@ struct Written<'a, B, P> {
     expecting = "struct Curve",
     bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>")
 )]
-struct Read<B: Basis, P: Copy> {
+struct ReadCurve<B: Basis, P: Copy> {
     basis: B,
     points: Elements<B::Points<P>, P>,
 }
 
 impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for Curve<B, P> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
-        Written { basis: &self.basis(), points: self.control_points() }.serialize(serializer)
+        WrittenCurve { basis: &self.basis(), points: self.control_points() }.serialize(serializer)
     }
 }
 
@@ -209,7 +219,7 @@ where
     P: Point<Scalar = B::Scalar> + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Read { basis, points } = Read::deserialize(deserializer)?;
+        let ReadCurve { basis, points } = ReadCurve::deserialize(deserializer)?;
         Ok(Self::new(basis, points.0))
     }
 }

@@ -1,5 +1,7 @@
 //! Curvatures of a surface at a point, from its first and second partial derivatives.
 
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::{cross, direction, dot, length};
 use crate::{Point3, Scalar};
 
@@ -24,13 +26,7 @@ use crate::{Point3, Scalar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Curvature<P: Point3> {
     /// The unit normal `S_u × S_v / |S_u × S_v|`.
     pub normal: P,

@@ -10,6 +10,8 @@ use alloc::vec::Vec;
 pub use error::NetworkError;
 
 use super::{BSplineSurface, Direction, Edge, Joint, JointMeasure, measure_joint};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Point3};
 
 /// Two edges of patches that are one curve.
@@ -37,10 +39,7 @@ impl Seam {
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Patches<P>"))]
 #[cfg_attr(
     feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: crate::Point3 + serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
+    serde(bound(serialize = "P: Written", deserialize = "P: crate::Point3 + Read<'de>"))
 )]
 pub struct Network<P: Point> {
     patches: Vec<BSplineSurface<P>>,
@@ -71,10 +70,7 @@ impl Default for FollowOptions {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: crate::Point3 + serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
+    serde(bound(serialize = "P: Written", deserialize = "P: crate::Point3 + Read<'de>"))
 )]
 pub struct Followed<P: Point> {
     /// The network.

@@ -28,6 +28,8 @@ use measure::measure;
 use strip::{Strip, along, place};
 
 use super::{BSplineSurface, Edge};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
@@ -136,13 +138,7 @@ impl Default for SpliceOptions {
 /// A surface that was joined to another one.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Splice<P: Point> {
     /// The adjusted surface.
     pub surface: BSplineSurface<P>,

@@ -10,19 +10,15 @@ pub(crate) use search::{length_unit, search};
 
 use super::TensorSurface;
 use crate::domain::from_unit;
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::{distance, length};
 use crate::{Basis, Point, Scalar, Surface};
 
 /// A point of a surface with its parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Projection<P: Point> {
     /// The parameters `[u, v]`.
     pub parameters: [P::Scalar; 2],
