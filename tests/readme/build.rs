@@ -2,7 +2,7 @@
 //! block as it stands, and what has to be true after it.
 
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs};
 
 /// A block of the README.
@@ -78,11 +78,10 @@ const BLOCKS: [Block; 4] = [
 ];
 
 fn main() {
-    let root = Path::new("../..");
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("Cargo sets it"));
-    let readme = root.join("README.md");
-    let text = fs::read_to_string(&readme).expect("the README can be read");
-    println!("cargo::rerun-if-changed={}", readme.display());
+    let text = fs::read_to_string("README.md").expect("the README can be read");
+    println!("cargo::rerun-if-changed=README.md");
+    println!("cargo::rerun-if-changed=build.rs");
 
     let found: Vec<&str> =
         text.split("\n```rust\n").skip(1).filter_map(|rest| rest.split("\n```").next()).collect();
@@ -106,12 +105,7 @@ fn main() {
 
     // Beside the code, as the README names them.
     fs::create_dir_all(out.join("specs")).expect("a folder can be made");
-    for entry in fs::read_dir(root.join("specs")).expect("the specs can be read") {
-        let path = entry.expect("an entry").path();
-        if path.extension().is_some_and(|e| e == "basis") {
-            println!("cargo::rerun-if-changed={}", path.display());
-            let name = path.file_name().expect("a file has a name");
-            fs::copy(&path, out.join("specs").join(name)).expect("a spec can be copied");
-        }
+    for (name, text) in basis_specs::SPECS.iter().filter(|(name, _)| !name.contains('/')) {
+        fs::write(out.join("specs").join(format!("{name}.basis")), text).expect("the folder can be written");
     }
 }

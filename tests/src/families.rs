@@ -8,7 +8,7 @@ basis!(library "ball");
 basis!(library "ball", SaidBallOdd(3), WangBall(3));
 // Above degree 12 curves are evaluated in another form.
 basis!(
-    "../../specs/bernstein.basis",
+    library "bernstein",
     Bernstein(1) as Linear,
     Bernstein(3) as Cubic,
     Bernstein(12) as Bernstein12,
