@@ -1,9 +1,8 @@
 //! One mistake, one error: what follows from a mistake is not said again.
 //!
 //! Tokens of shipped specs are left out, one at a time, and operators replaced; the errors are counted that
-//! reading and expanding gives, verdicts of claims apart. `BASIS_TESTS=list cargo test -p basis-engine --test
-//! one_mistake
-//! -- --nocapture` prints the mutants with more than one error.
+//! reading and expanding gives, verdicts of claims apart. With `BASIS_TESTS=list` and `--nocapture` all tokens are
+//! taken, and the mutants with more than one error printed.
 
 use basis_engine::{Disk, Library, Selected, Source};
 
