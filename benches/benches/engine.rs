@@ -47,7 +47,7 @@ fn whole_library() {
     let mut files: Vec<_> = std::fs::read_dir(basis_benches::specs())
         .expect("the specs are there")
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .filter(|name| name.ends_with(".basis"))
+        .filter(|name| std::path::Path::new(name).extension().is_some_and(|e| e == "basis"))
         .collect();
     files.sort();
     for name in files {
