@@ -1,4 +1,5 @@
-//! Says whether the compiler has AVX-512 outside of nightly: since 1.89, one version after the oldest that is supported.
+//! Says whether the compiler has AVX-512 outside of nightly: since 1.89, one version after the oldest that is
+//! supported.
 
 use std::env;
 use std::process::Command;

@@ -7,6 +7,8 @@ use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Ident, LitInt, LitStr, Result, Token};
 
+use crate::path::{SpecPath, is_macro_call};
+
 /// The spec, which families are wanted, and where the runtime is.
 pub(crate) struct Input {
     pub(crate) spec: Spec,
@@ -17,7 +19,9 @@ pub(crate) struct Input {
 /// Where the spec is.
 pub(crate) enum Spec {
     /// In a file.
-    File(LitStr),
+    File(SpecPath),
+    /// In the library, under this name.
+    Library(LitStr),
     /// In the macro call itself.
     Inline(TokenStream),
 }
@@ -33,15 +37,17 @@ impl Parse for Input {
                 input.parse::<Token![;]>()?;
             }
         }
-        if !input.peek(LitStr) {
-            if is_path(input) {
-                let help = "the path of a spec stands in quotation marks: `basis!(\"specs/name.basis\")`";
-                return Err(input.error(help));
-            }
+        let spec = if input.peek(LitStr) || is_macro_call(input) {
+            Spec::File(input.parse()?)
+        } else if input.peek(library) {
+            Spec::Library(in_library(input)?)
+        } else if is_path(input) {
+            let help = "the path of a spec stands in quotation marks: `basis!(\"specs/name.basis\")`";
+            return Err(input.error(help));
+        } else {
             let spec = Spec::Inline(input.parse()?);
             return Ok(Self { spec, families: Vec::new(), runtime: runtime.unwrap_or_else(default_runtime) });
-        }
-        let path: LitStr = input.parse()?;
+        };
         let mut families = Vec::new();
         while !input.is_empty() {
             input.parse::<Token![,]>()?;
@@ -63,8 +69,20 @@ impl Parse for Input {
                 families.push(new);
             }
         }
-        Ok(Self { spec: Spec::File(path), families, runtime: runtime.unwrap_or_else(default_runtime) })
+        Ok(Self { spec, families, runtime: runtime.unwrap_or_else(default_runtime) })
     }
+}
+
+syn::custom_keyword!(library);
+
+/// `library "quartic"`
+fn in_library(input: ParseStream<'_>) -> Result<LitStr> {
+    input.parse::<library>()?;
+    input.parse().map_err(|e| {
+        let help =
+            "the name of a spec of the library stands in quotation marks: `basis!(library \"quartic\")`";
+        syn::Error::new(e.span(), help)
+    })
 }
 
 /// Whether this looks like a path without quotation marks, `specs/name.basis`.

@@ -4,7 +4,7 @@
 //! `cargo bench -p basis-benches --bench engine --profile dev`.
 
 use basis_benches::spec;
-use basis_engine::{Disk, Library, Selected, Source, decide_claims};
+use basis_engine::{Disk, Library, Prover, Selected, Source, decide};
 use divan::Bencher;
 
 fn main() {
@@ -17,15 +17,15 @@ const SPECS: [&str; 4] = ["quadratic.basis", "quartic.basis", "beta_spline.basis
 #[divan::bench(args = SPECS)]
 fn expand(bencher: Bencher<'_, '_>, name: &str) {
     let source = spec(name);
-    bencher.bench_local(|| Library::from_source(&Disk, source.clone()).items(Selected::EveryOrder));
+    bencher.bench_local(|| Library::from_source(&Disk, &Prover, source.clone()).items(Selected::EveryOrder));
 }
 
 /// All claims of a spec, from its families to verdicts.
 #[divan::bench(args = SPECS)]
 fn prove(bencher: Bencher<'_, '_>, name: &str) {
-    let library = Library::from_source(&Disk, spec(name));
+    let library = Library::from_source(&Disk, &Prover, spec(name));
     let items = library.items(Selected::EveryOrder);
-    bencher.bench_local(|| items.iter().cloned().map(decide_claims).count());
+    bencher.bench_local(|| items.iter().cloned().map(decide).count());
 }
 
 /// From text to verdicts: what the macro does before it emits code.
@@ -33,10 +33,10 @@ fn prove(bencher: Bencher<'_, '_>, name: &str) {
 fn expand_and_prove(bencher: Bencher<'_, '_>, name: &str) {
     let source = spec(name);
     bencher.bench_local(|| {
-        Library::from_source(&Disk, source.clone())
+        Library::from_source(&Disk, &Prover, source.clone())
             .items(Selected::EveryOrder)
             .into_iter()
-            .map(decide_claims)
+            .map(decide)
             .count()
     });
 }
@@ -47,12 +47,12 @@ fn whole_library() {
     let mut files: Vec<_> = std::fs::read_dir(basis_benches::specs())
         .expect("the specs are there")
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .filter(|name| name.ends_with(".basis"))
+        .filter(|name| std::path::Path::new(name).extension().is_some_and(|e| e == "basis"))
         .collect();
     files.sort();
     for name in files {
-        let library = Library::from_source(&Disk, spec(&name));
-        library.items(Selected::EveryOrder).into_iter().map(decide_claims).for_each(drop);
+        let library = Library::from_source(&Disk, &Prover, spec(&name));
+        library.items(Selected::EveryOrder).into_iter().map(decide).for_each(drop);
     }
 }
 
@@ -69,9 +69,9 @@ fn whole_library() {
 ])]
 fn inequality(bencher: Bencher<'_, '_>, claim: &str) {
     let text = format!("family F {{ domain 0 <= t <= 1; shape 0 <= λ <= 1; b[0] = t + λ; prove {claim}; }}");
-    let library = Library::from_source(&Disk, Source::text("inequality.basis", &text));
+    let library = Library::from_source(&Disk, &Prover, Source::text("inequality.basis", &text));
     let items = library.items(Selected::EveryOrder);
-    bencher.bench_local(|| items.iter().cloned().map(decide_claims).count());
+    bencher.bench_local(|| items.iter().cloned().map(decide).count());
 }
 
 /// Specs that ask for too much must be refused soon.

@@ -1,10 +1,11 @@
 //! Grids of surfaces beside the naive sum and curvo, on the same work in the same run:
 //! `cargo bench -p basis-benches --bench surfaces`.
 //!
-//! Prints a table in Markdown. The surface is bicubic, three dimensions in f64, on a grid of 1000 × 1000 parameters; ours is the
-//! generated family `Bernstein(3)`, and the quartic surface with five shape parameters. All contestants take turns; the fastest
-//! of several rounds counts. A million points are 24 megabytes, so that `eval_grid` waits for the memory: filling the grid with
-//! one point takes as long. What the arithmetic costs shows where each row goes to the same place, which stays in the cache.
+//! Prints a table in Markdown. The surface is bicubic, three dimensions in f64, on a grid of 1000 × 1000 parameters;
+//! ours is the generated family `Bernstein(3)`, and the quartic surface with five shape parameters. All contestants
+//! take turns; the fastest of several rounds counts. A million points are 24 megabytes, so that `eval_grid` waits for
+//! the memory: filling the grid with one point takes as long. What the arithmetic costs shows where each row goes to
+//! the same place, which stays in the cache.
 
 use std::time::Instant;
 

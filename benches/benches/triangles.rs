@@ -1,5 +1,5 @@
-//! The two ways of evaluating a recursive family on a triangle: its lowest order, raised, beside expanded polynomials; and
-//! a bound patch beside de Casteljau steps on the control points followed by the lowest order.
+//! The two ways of evaluating a recursive family on a triangle: its lowest order, raised, beside expanded polynomials;
+//! and a bound patch beside de Casteljau steps on the control points followed by the lowest order.
 
 use basis_benches::barycentric;
 use basis_runtime::{SimplexBasis, TriangularPatch, basis};

@@ -28,6 +28,7 @@ pub(crate) struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   basis check specs
+  basis explain library:quartic
   basis eval quartic.basis QuarticBernstein --shape λ=1/2 --at t=1/3";
 
 /// The commands.
@@ -68,12 +69,6 @@ pub(crate) enum Command {
     /// search that found them.
     #[command(after_help = VERIFY_HELP)]
     Verify(VerifyArguments),
-    /// Draw the figures of the papers, with their claims and verdicts
-    ///
-    /// Curves with their control polygons as SVG, shaded surfaces with their nets as PNG, an `index.html` that shows them
-    /// beside the published claims, and `figures.json` with their parameters and what was measured in them.
-    #[command(after_help = GALLERY_HELP)]
-    Gallery(GalleryArguments),
 }
 
 /// What can be typed after `basis check`.
@@ -85,7 +80,7 @@ pub(crate) struct CheckArguments {
     /// Write a certificate for every family and order into this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) certificates: Option<PathBuf>,
-    /// Spec files, and folders in which every file *.basis is checked
+    /// Spec files, and folders in which every file *.basis is checked; library:NAME is a spec of the library, library: all
     #[arg(required = true, value_name = "PATH")]
     pub(crate) paths: Vec<PathBuf>,
 }
@@ -98,12 +93,13 @@ Exit status:
 
 Examples:
   basis check quartic.basis
+  basis check library:quartic
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
 
 /// What can be typed after `basis table`.
 #[derive(Debug, Args)]
 pub(crate) struct TableArguments {
-    /// Spec files, and folders in which every file *.basis is read
+    /// Spec files, and folders in which every file *.basis is read; library:NAME is a spec of the library, library: all
     #[arg(required = true, value_name = "PATH")]
     pub(crate) paths: Vec<PathBuf>,
 }
@@ -115,7 +111,8 @@ Exit status:
   2  a file cannot be read, or the command is used wrongly
 
 Examples:
-  basis table specs";
+  basis table specs
+  basis table library:";
 
 /// What can be typed after `basis verify`.
 #[derive(Debug, Args)]
@@ -145,7 +142,7 @@ Examples:
 /// What can be typed after `basis eval`.
 #[derive(Debug, Args)]
 pub(crate) struct EvalArguments {
-    /// The spec file
+    /// The spec file, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
     /// The family, with its order if it has index parameters: 'Bernstein(3)' or 'Bernstein(n=3)'
     pub(crate) family: String,
@@ -176,7 +173,7 @@ Examples:
 /// What can be typed after `basis explain`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
-    /// The spec file
+    /// The spec file, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of the
     /// file, families in their lowest orders
@@ -190,36 +187,17 @@ Exit status:
 
 Examples:
   basis explain quartic.basis
+  basis explain library:papers/quartic
   basis explain bernstein.basis 'Bernstein(n=3)'
   basis explain quadratic.basis G1
   basis explain papers/quartic.basis | less";
 
-/// What can be typed after `basis gallery`.
-#[derive(Debug, Args)]
-pub(crate) struct GalleryArguments {
-    /// The folder for the pictures and the page; it is made if it does not exist
-    #[arg(value_name = "DIR")]
-    pub(crate) folder: PathBuf,
-    /// Draw only the figures whose identifier contains this text
-    #[arg(long, value_name = "TEXT")]
-    pub(crate) only: Option<String>,
-}
-
-const GALLERY_HELP: &str = "\
-Exit status:
-  0  everything is drawn
-  2  a file cannot be written, or the command is used wrongly
-
-Examples:
-  basis gallery figures
-  basis gallery figures --only quart-fig-join";
-
 /// How to print results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// Tables for people
+    /// Tables
     Text,
-    /// One JSON object for programs
+    /// One JSON object
     Json,
 }
 

@@ -1,11 +1,13 @@
 //! `basis table`: the families of spec files with what is known of them, as a table in Markdown.
 
+use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeMap;
 
-use basis_engine::{Family, Verdict};
+use basis_engine::{ClaimKind, Family, Subject, Verdict};
+use basis_kernel::Values;
 
 use crate::args::TableArguments;
-use crate::check::prove::{self, Decided, Subject};
+use crate::check::prove::{self, Decided};
 use crate::check::{files, orders};
 use crate::domain;
 use crate::output::{self, Status};
@@ -53,9 +55,9 @@ fn row(path: &str, items: &[Decided]) -> Option<String> {
     let cells = [
         format!("[{}]({path}){orders}", family.name),
         domain,
-        cell(items, |item| known(item, "partition_of_unity")),
-        cell(items, |item| known(item, "nonnegative")),
-        cell(items, |item| known(item, "symmetric")),
+        cell(items, |item| known(item, |kind| matches!(kind, ClaimKind::PartitionOfUnity))),
+        cell(items, |item| known(item, |kind| matches!(kind, ClaimKind::Nonnegative))),
+        cell(items, |item| known(item, |kind| matches!(kind, ClaimKind::Symmetric))),
         cell(items, independent),
         joins(items),
         others(items),
@@ -64,8 +66,8 @@ fn row(path: &str, items: &[Decided]) -> Option<String> {
 }
 
 /// ✓ for a claim that is proved, ✗ for one that is refuted.
-fn known(item: &Decided, text: &str) -> Option<String> {
-    let claim = item.claims.iter().find(|c| c.question.text() == text)?;
+fn known(item: &Decided, is: impl Fn(&ClaimKind) -> bool) -> Option<String> {
+    let claim = item.claims.iter().find(|c| is(&c.claim.kind))?;
     Some(String::from(match claim.verdict {
         Verdict::Proved(_) => "✓",
         Verdict::Refuted(_) => "✗",
@@ -75,11 +77,20 @@ fn known(item: &Decided, text: &str) -> Option<String> {
 
 /// Independent, or independent but for some shape values.
 fn independent(item: &Decided) -> Option<String> {
-    let except = item.claims.iter().find_map(|c| {
-        let values = c.question.text().strip_prefix("independent except ")?;
-        matches!(c.verdict, Verdict::Proved(_)).then(|| format!("✓ except `{values}`"))
+    let except = item.claims.iter().find_map(|c| match &c.claim.kind {
+        ClaimKind::Independent(except) if !except.is_empty() && matches!(c.verdict, Verdict::Proved(_)) => {
+            let names = item.subject.names();
+            let one = |values: &Values| {
+                let parts: Vec<String> =
+                    values.iter().map(|(v, x)| format!("{} = {x}", names[v.0])).collect();
+                if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) }
+            };
+            let all: Vec<String> = except.iter().map(one).collect();
+            Some(format!("✓ except `{}`", all.join(", ")))
+        }
+        _ => None,
     });
-    except.or_else(|| known(item, "independent"))
+    except.or_else(|| known(item, |kind| matches!(kind, ClaimKind::Independent(e) if e.is_empty())))
 }
 
 /// What is known in all orders, or what is known in which.
@@ -107,8 +118,9 @@ fn joins(items: &[Decided]) -> String {
     let order = |item: &Decided| {
         let proved = item.claims.iter().filter(|c| matches!(c.verdict, Verdict::Proved(_)));
         proved
-            .filter_map(|c| {
-                c.question.text().strip_prefix("continuity(")?.strip_suffix(')')?.parse::<u32>().ok()
+            .filter_map(|c| match c.claim.kind {
+                ClaimKind::Continuity(order) => Some(order),
+                _ => None,
             })
             .max()
     };
@@ -122,13 +134,9 @@ fn joins(items: &[Decided]) -> String {
 
 /// How many claims besides the properties are proved and refuted, in all orders together.
 fn others(items: &[Decided]) -> String {
-    let property = |text: &str| {
-        ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity("]
-            .iter()
-            .any(|p| text.starts_with(p))
-    };
+    let other = |kind: &ClaimKind| matches!(kind, ClaimKind::Relation { .. });
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    for claim in items.iter().flat_map(|item| &item.claims).filter(|c| !property(c.question.text())) {
+    for claim in items.iter().flat_map(|item| &item.claims).filter(|c| other(&c.claim.kind)) {
         let verdict = match claim.verdict {
             Verdict::Proved(_) => "proved",
             Verdict::Refuted(_) => "refuted",

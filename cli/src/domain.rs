@@ -1,7 +1,8 @@
 //! Domains as the spec writes them, degrees on them, and what theorems are about.
 
 use basis_engine::Family;
-use basis_engine::model::theorem::Theorem;
+use basis_engine::Theorem;
+use basis_engine::algebra::range::DisplayRange as _;
 
 /// The domain, such as `0 <= t <= 1` or `triangle (u, v, w)`.
 pub(crate) fn describe(family: &Family) -> String {

@@ -2,8 +2,12 @@
 
 use std::rc::Rc;
 
-use basis_engine::prove::Verdict;
-use basis_engine::{CheckedTheorem, Disk, Family, Library, Selected, Severity, decide_theorem, explain};
+use basis_engine::state::Run;
+use basis_engine::theorem::theorems;
+use basis_engine::{
+    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, Verdict, decide_within,
+    explain,
+};
 
 use crate::args::ExplainArguments;
 use crate::output::{self, Status, complain};
@@ -15,19 +19,19 @@ const ORDER: u32 = 2;
 /// Explains the family, join or theorem that the arguments name, or all of the file, families in their lowest orders.
 pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     let library = match spec::read(&arguments.file) {
-        Ok(source) => Library::from_source(&Disk, source),
+        Ok(source) => Library::from_source(&Disk, &Prover, source),
         Err(error) => {
             complain(&(error.render(&basis_engine::Sources::default(), true) + "\n"));
             return Status::Unusable;
         }
     };
-    let theorems = library.theorems();
-    let named = arguments.name.as_ref().and_then(|name| theorems.iter().find(|t| t.name == *name));
+    let theorems: Vec<Item> = theorems(&library);
+    let named = arguments.name.as_ref().and_then(|name| theorems.iter().find(|t| t.subject.name() == name));
     let (families, theorems) = match (&arguments.name, named) {
         (Some(_), Some(theorem)) => (Ok(Vec::new()), vec![theorem.clone()]),
         (Some(name), None) => {
             let mut found = eval::find_family(&library, name).map(|family| vec![family]);
-            let known: Vec<&str> = theorems.iter().map(|t| t.name.as_str()).collect();
+            let known: Vec<&str> = theorems.iter().map(|t| t.subject.name()).collect();
             if let (Err(errors), false) = (&mut found, known.is_empty()) {
                 let known = format!("joins and theorems here: {}", known.join(", "));
                 errors.iter_mut().take(1).for_each(|error| error.notes.push(known.clone()));
@@ -44,17 +48,39 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     for error in &errors {
         complain(&(error.render(library.sources(), true) + "\n\n"));
     }
-    let mut texts: Vec<String> = families.unwrap_or_default().iter().map(|family| text(family)).collect();
-    texts.extend(theorems.into_iter().map(|theorem| theorem_text(&decide_theorem(theorem))));
+    let run = &mut Run::default();
+    let mut texts = Vec::new();
+    let mut left_out = 0;
+    for family in families.unwrap_or_default() {
+        if run.is_spent() {
+            left_out += 1;
+        } else {
+            texts.push(run.counted_work(family.budget, &mut || text(&family)));
+        }
+    }
+    texts.extend(theorems.into_iter().map(|theorem| theorem_text(&decide_within(theorem, run))));
     let printed = output::print(&texts.join("\n"));
-    if errors.is_empty() { printed } else { Status::Unusable }
+    if left_out > 0 {
+        let message = format!("{} not explained: the others take too much work", count_are(left_out));
+        let error = output::error(message).help("name one of them: `basis explain FILE Family`");
+        complain(&(error.render(library.sources(), true) + "\n\n"));
+    }
+    if errors.is_empty() && left_out == 0 { printed } else { Status::Unusable }
+}
+
+/// `1 family is`, `2 families are`.
+fn count_are(families: usize) -> String {
+    format!("{} {}", crate::name::count(families, "family"), if families == 1 { "is" } else { "are" })
 }
 
 fn lowest_orders(library: &Library<'_>) -> Vec<Rc<Family>> {
     let mut families: Vec<Rc<Family>> = Vec::new();
+    // The orders of a family are neighbours.
     for item in library.items(Selected::EveryOrder) {
-        if !families.iter().any(|f| f.name == item.family.name) {
-            families.push(item.family);
+        if let Subject::Family(family) = item.subject
+            && families.last().is_none_or(|f| f.name != family.name)
+        {
+            families.push(family);
         }
     }
     families
@@ -104,17 +130,17 @@ fn text(family: &Family) -> String {
 }
 
 /// The curves and surfaces of a theorem, the points that it determines, and its claims with their verdicts.
-fn theorem_text(checked: &CheckedTheorem) -> String {
-    let CheckedTheorem { theorem, verdicts } = checked;
+fn theorem_text(checked: &Checked) -> String {
+    let Subject::Theorem(theorem) = &checked.subject else { return String::new() };
     let mut text = domain::theorem_heading(theorem, &theorem.title());
     for line in &theorem.doc {
         text += &format!("    {line}\n");
     }
     section(&mut text, "Determined control points", explain::determined_points(theorem).into_iter());
     text += "\n  Claims\n";
-    for (claim, verdict) in theorem.claims.iter().zip(verdicts) {
+    for (claim, verdict) in &checked.claims {
         let (word, why) = match verdict {
-            Verdict::Proved(evidence) => ("proved", evidence.method.clone()),
+            Verdict::Proved(evidence) => ("proved", evidence.method().to_string()),
             Verdict::Refuted(witness) => ("refuted", witness.notes.join("; ")),
             Verdict::Undecided(left) => ("undecided", left.clone()),
         };

@@ -2,18 +2,15 @@
 //!
 //! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly, `basis explain` shows what
 //! follows from its formulas, `basis table` lists families with their proved properties, `basis verify` checks certificates
-//! of proofs, `basis gallery` draws the figures of the papers. All are thin: the mathematics is in basis-engine; here are
-//! arguments, files, clocks and tables.
+//! of proofs. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and tables.
 
 mod args;
-mod bonnet;
 mod catalogue;
 mod certificates;
 mod check;
 mod domain;
 mod eval;
 mod explain;
-mod gallery;
 mod name;
 mod output;
 mod spec;
@@ -32,7 +29,6 @@ fn main() -> ExitCode {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Table(arguments) => catalogue::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
-        Command::Gallery(arguments) => gallery::run(&arguments),
     };
     status.into()
 }

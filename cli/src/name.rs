@@ -1,6 +1,8 @@
 //! Names as they are typed and as they stand in the spec.
 
 use basis_engine::generate::ascii;
+use basis_engine::plural;
+pub(crate) use basis_engine::plural::count;
 
 /// Which of the names is meant: the same name, or else the only one with the same spelling in ASCII, such as
 /// `lambda1` for `λ1`.
@@ -24,23 +26,10 @@ pub(crate) fn closest<'n>(word: &str, names: &[&'n str]) -> Option<&'n str> {
     })
 }
 
-/// `a`, `b` and `c`.
+/// `a`, `b` and `c`, in the marks of code.
 pub(crate) fn list(names: &[&str]) -> String {
     let quoted: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
-    match quoted.as_slice() {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
-}
-
-/// A count with its noun: `1 claim`, `4 claims`, `2 families`.
-pub(crate) fn count(n: usize, noun: &str) -> String {
-    match noun.strip_suffix('y') {
-        _ if n == 1 => format!("1 {noun}"),
-        Some(stem) => format!("{n} {stem}ies"),
-        None => format!("{n} {noun}s"),
-    }
+    plural::list(&quoted)
 }
 
 #[cfg(test)]

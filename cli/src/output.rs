@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::process::ExitCode;
 
-use basis_engine::{Diagnostic, Severity};
+use basis_engine::Diagnostic;
 
 /// How a run ends; of several outcomes the last one counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -49,13 +49,7 @@ pub(crate) fn width() -> Option<u16> {
 
 /// An error that is not about a place in a spec.
 pub(crate) fn error(message: impl Into<String>) -> Diagnostic {
-    Diagnostic {
-        severity: Severity::Error,
-        message: message.into(),
-        labels: Vec::new(),
-        notes: Vec::new(),
-        help: None,
-    }
+    Diagnostic::unplaced(message)
 }
 
 /// Prints one JSON value on one line to standard output.

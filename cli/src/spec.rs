@@ -1,9 +1,10 @@
-//! Reads a spec file that a command names.
+//! Reads a spec that a command names: a file, or one of the library.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use basis_engine::{Diagnostic, Disk, Source, source};
+use basis_engine::source::{self, LIBRARY};
+use basis_engine::{Diagnostic, Disk, Files, Source};
 
 use crate::name::closest;
 use crate::output::error;
@@ -11,18 +12,45 @@ use crate::output::error;
 /// The end of the name of a spec file.
 pub(crate) const EXTENSION: &str = "basis";
 
-/// The spec in a file, shown in messages by the path as the user wrote it.
+/// The name in the library that a path such as `library:quartic` has.
+pub(crate) fn in_library(path: &Path) -> Option<&str> {
+    path.to_str()?.strip_prefix(LIBRARY)
+}
+
+/// The paths of all specs of the library whose names are in the folder `name`; those of the whole library for the empty name.
+pub(crate) fn library_folder(name: &str) -> Vec<PathBuf> {
+    let folder = name.trim_end_matches('/');
+    let names = Disk.library().iter().map(|(known, _)| *known);
+    let inside = |known: &&str| {
+        folder.is_empty() || known.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
+    };
+    names.filter(inside).map(|known| PathBuf::from(format!("{LIBRARY}{known}"))).collect()
+}
+
+/// The spec in a file or in the library, shown in messages by the path as the user wrote it.
 ///
 /// # Errors
-/// Why the file cannot be read, and which file may be meant.
+/// Why it cannot be read, and which one may be meant.
 pub(crate) fn read(path: &Path) -> Result<Source, Diagnostic> {
     let Some(name) = path.to_str() else {
         return Err(error(format!("the path `{}` is not Unicode", path.display())).help("rename the file"));
     };
+    if let Some(name) = in_library(path) {
+        return source::library(&Disk, name).map_err(|problem| {
+            let mut error = error(problem.message);
+            error.notes = problem.notes;
+            error.notes.push(format!(
+                "`basis check {LIBRARY}` checks all of them, `basis table {LIBRARY}` lists their families"
+            ));
+            error.help = problem.help;
+            error
+        });
+    }
     source::read(&Disk, name, &[]).map_err(|problem| {
         let mut error = error(problem.message);
         // The only place that was tried is the one in the message.
         error.notes = problem.notes.into_iter().filter(|note| *note != format!("tried {name}")).collect();
+        error.help = problem.help;
         match neighbour(path) {
             Some(near) if !path.exists() => error.help(format!("did you mean `{near}`?")),
             _ => error,

@@ -21,8 +21,9 @@ pub enum Severity {
 pub enum Place {
     /// Bytes of a text.
     Text(SourceId, Range<usize>),
-    /// A token of a macro call.
-    Token(Span),
+    /// Tokens of a macro call, from the first to the last; of the compiler's own tokens stable Rust cannot join the
+    /// spans.
+    Token(Span, Span),
 }
 
 /// One message about a spec.
@@ -38,17 +39,114 @@ pub struct Diagnostic {
     pub notes: Vec<String>,
     /// What to write instead.
     pub help: Option<String>,
+    /// The number of errors that this message stands for and that are not shown; 0 for a message about one mistake.
+    pub unshown: usize,
+}
+
+/// The most errors of a run that are shown.
+pub const MAX_ERRORS: usize = 100;
+
+/// The messages of a run: warnings, the first errors, and how many errors there are beyond those.
+#[derive(Clone, Debug, Default)]
+pub struct Diagnostics {
+    all: Vec<Diagnostic>,
+    errors: usize,
+    unshown: usize,
+}
+
+impl Diagnostics {
+    /// Adds a message; of an error beyond [`MAX_ERRORS`] only the number is kept.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        if diagnostic.unshown > 0 {
+            self.unshown += diagnostic.unshown;
+        } else if self.errors >= MAX_ERRORS {
+            // Warnings are few, but there is no reason to keep more of them.
+            self.unshown += usize::from(diagnostic.severity == Severity::Error);
+        } else {
+            self.errors += usize::from(diagnostic.severity == Severity::Error);
+            self.all.push(diagnostic);
+        }
+    }
+
+    /// Adds messages.
+    pub fn extend(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
+        diagnostics.into_iter().for_each(|diagnostic| self.push(diagnostic));
+    }
+
+    /// Whether nothing was added.
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty() && self.unshown == 0
+    }
+
+    /// Whether a further error is only counted: the words about it need not be found.
+    pub const fn is_full(&self) -> bool {
+        self.errors >= MAX_ERRORS
+    }
+
+    /// Counts errors of which nothing else is known.
+    pub(crate) const fn leave_out(&mut self, errors: usize) {
+        self.unshown += errors;
+    }
+
+    /// The messages that are kept.
+    pub fn shown(&self) -> &[Diagnostic] {
+        &self.all
+    }
+
+    /// The messages that are kept, to add to them.
+    pub(crate) fn shown_mut(&mut self) -> &mut [Diagnostic] {
+        &mut self.all
+    }
+
+    /// The messages, the last one being about the errors that are not shown.
+    pub fn into_list(self) -> Vec<Diagnostic> {
+        let Self { mut all, unshown, .. } = self;
+        if unshown > 0 {
+            let (errors, verb) = if unshown == 1 { ("error", "is") } else { ("errors", "are") };
+            let error = Diagnostic::unplaced(format!("{} more {errors} {verb} not shown", grouped(unshown)));
+            let error = error.help("correct the first ones; others may follow from them");
+            all.push(Diagnostic { unshown, ..error });
+        }
+        all
+    }
+}
+
+impl FromIterator<Diagnostic> for Diagnostics {
+    fn from_iter<I: IntoIterator<Item = Diagnostic>>(diagnostics: I) -> Self {
+        let mut all = Self::default();
+        all.extend(diagnostics);
+        all
+    }
+}
+
+/// A number with its thousands apart, `31 900`.
+pub(crate) fn grouped(n: usize) -> String {
+    let digits = n.to_string();
+    let mut text = String::new();
+    for (k, digit) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) && digits.len() > 4 {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 impl Diagnostic {
     /// An error at a place.
     pub fn error(place: Place, message: impl Into<String>) -> Self {
+        Self { labels: vec![(place, String::new())], ..Self::unplaced(message) }
+    }
+
+    /// An error that is not about a place in a spec.
+    pub fn unplaced(message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Error,
             message: message.into(),
-            labels: vec![(place, String::new())],
+            labels: Vec::new(),
             notes: Vec::new(),
             help: None,
+            unshown: 0,
         }
     }
 
@@ -88,7 +186,7 @@ impl Diagnostic {
     pub fn line_column(&self, sources: &Sources) -> Option<(usize, usize)> {
         match self.labels.first()? {
             (Place::Text(id, range), _) => Some(sources.get(*id).line_column(range.start)),
-            (Place::Token(_), _) => None,
+            (Place::Token(..), _) => None,
         }
     }
 
@@ -123,12 +221,22 @@ impl Diagnostic {
             let source = sources.get(*id);
             let (false, Some(text)) = (seen.contains(id), source.text.as_deref()) else { continue };
             seen.push(*id);
-            let annotations = self.labels.iter().enumerate().filter_map(|(k, (place, label))| {
-                let Place::Text(other, range) = place else { return None };
+            // The renderer looks at all that it is given: only the lines from the first place to the last.
+            let own = || {
+                self.labels.iter().enumerate().filter_map(|(k, (place, label))| match place {
+                    Place::Text(other, range) if other == id => Some((k, visible(text, range), label)),
+                    _ => None,
+                })
+            };
+            let first = own().map(|(_, range, _)| source.line(range.start)).min().unwrap_or(1);
+            let last = own().map(|(_, range, _)| source.line(range.end)).max().unwrap_or(first);
+            let (start, end) = (source.line_range(first).start, source.line_range(last).end);
+            let annotations = own().map(|(k, range, label)| {
                 let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
-                (other == id).then(|| kind.span(visible(text, range)).label(label.as_str()))
+                kind.span(range.start - start..range.end - start).label(label.as_str())
             });
-            group = group.element(Snippet::source(text).path(source.name.as_str()).annotations(annotations));
+            let snippet = Snippet::source(&text[start..end]).line_start(first);
+            group = group.element(snippet.path(source.name.as_str()).annotations(annotations));
         }
         for note in &self.notes {
             group = group.element(Level::NOTE.message(note.as_str()));

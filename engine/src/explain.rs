@@ -7,18 +7,25 @@ mod theorems;
 pub use contacts::{Contact, contacts};
 pub use theorems::determined_points;
 
+use std::rc::Rc;
+
+use basis_kernel::{Chart, Relation, Statement, with};
+use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
+use basis_prover::rank::{Exceptional, ExceptionalSet};
+use basis_prover::{Budget, Coordinate, decide, typical};
+
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::{gcd, square_free};
 use crate::algebra::poly::Poly;
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
-use crate::decide::{self, Budget, Coordinate, ExceptionalSet, LargestRange, Part};
 use crate::generate::form::IntervalForm;
 use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
-use crate::prove;
+use crate::state;
 
 /// The work for the factors of denominators.
 const DENOMINATORS: u64 = 1_000_000;
@@ -89,7 +96,7 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
 /// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative somewhere on the
 /// declared ranges, the largest ranges that meet the declared one.
 pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
-    let (polys, region) = prove::function_signs(family);
+    let (polys, region) = function_signs(family);
     let mut denominators: Vec<Poly> = Vec::new();
     for f in &family.functions {
         let denom = f.value.denom();
@@ -105,16 +112,22 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         else {
             return format!("{name}: undecided: the denominators are too large");
         };
-        let poles = match decide::largest_range(&defined, shape.var, &region, &mut budget) {
+        let poles = match largest_range(&defined, shape.var, &region, &mut budget) {
             LargestRange::Between(low, high) => (low, high),
             _ => (None, None),
         };
         let all = [&polys[..], &defined].concat();
-        match decide::largest_range(&all, shape.var, &region, &mut budget) {
+        match largest_range(&all, shape.var, &region, &mut budget) {
+            LargestRange::Between(low, high)
+                if !is_nonnegative(family, shape, &(low.clone(), high.clone())) =>
+            {
+                let range = range_text(name, &(low, high), &poles);
+                format!("{name}: undecided: {range} is not seen to be enough")
+            }
             LargestRange::Between(low, high) => range_text(name, &(low, high), &poles),
             LargestRange::Negative => {
                 let negative = "a function is negative somewhere on the declared ranges";
-                match decide::nonnegative_parts(&all, shape.var, &region, &mut budget) {
+                match nonnegative_parts(&all, shape.var, &region, &mut budget) {
                     Ok(parts) if parts.is_empty() => {
                         format!("{name}: {negative}, whatever {name} is in its range")
                     }
@@ -159,14 +172,72 @@ fn with_simple_zeros(family: &Family, denom: &Poly) -> Option<Poly> {
     Some(if product.eval(&start).is_negative() { -&product } else { product })
 }
 
-/// The shape values at which the functions of a family are dependent, and what is left open.
+/// Polynomials with the signs of the functions, and the box on which to look at them.
+fn function_signs(family: &Family) -> (Vec<Poly>, Region) {
+    let domain = state::family_domain(family, &[]);
+    let start: Vec<Rational> = family.shapes.iter().map(|p| typical(&p.range)).collect();
+    let mut polys = Vec::new();
+    let mut region = domain.region.clone();
+    for f in &family.functions {
+        let (numer, denom) = (f.value.numer(), f.value.denom());
+        let Ok(chart) = Chart::new(&domain, [numer, denom]) else { continue };
+        let signed = if denom.eval(&start).is_negative() { -numer } else { numer.clone() };
+        polys.push(chart.pull_back(&signed));
+        region = chart.region().clone();
+    }
+    (polys, region)
+}
+
+/// Whether it is proved that all functions are ≥ 0 where a shape parameter is between two ends; of an irrational end, up to
+/// a rational number next to it.
+fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> bool {
+    let end = |c: &Option<Coordinate>, upper: bool| match c {
+        None => End::Infinite,
+        Some(Coordinate::Rational(x)) => End::Included(x.clone()),
+        Some(Coordinate::Algebraic(x)) => {
+            End::Included(if upper { x.low().clone() } else { x.high().clone() })
+        }
+    };
+    let mut domain = state::family_domain(family, &[]);
+    let range = Range { low: end(low, false), high: end(high, true) };
+    domain.region = with(&domain.region, shape.var, range);
+    let domain = Rc::new(domain);
+    family.functions.iter().all(|f| {
+        let (value, domain) = (f.value.quotient(), Rc::clone(&domain));
+        let sign = Statement::Sign { value, relation: Relation::NonNegative, domain };
+        decide(sign, &Vec::new(), family.budget).is_ok()
+    })
+}
+
+/// The shape values at which the functions of a family are dependent, and what is left open: nothing only if it is proved that
+/// they are independent everywhere else.
 pub fn exceptional_set(family: &Family) -> ExceptionalSet {
-    let table = prove::coefficient_table(family);
-    decide::exceptional_set(&table, &family.shape_region(), &mut Budget::scaled(family.budget))
+    let state::Table { rows, symmetries } = state::coefficient_table(family);
+    let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };
+    let mut set = basis_prover::rank::exceptional_set(table, &family.shape_region(), family.budget);
+    let mut except = Vec::new();
+    let mut rational = !set.exceptions.iter().any(|e| e.values.is_empty());
+    for exception in &set.exceptions {
+        let mut values = Vec::new();
+        for (var, c) in &exception.values {
+            match c {
+                Coordinate::Rational(x) => values.push((*var, x.clone())),
+                Coordinate::Algebraic(_) => rational = false,
+            }
+        }
+        except.push(values);
+    }
+    if rational && set.open.is_none() {
+        let statement = Statement::Independent { rows, except, region: family.shape_region() };
+        if decide(statement, &symmetries, family.budget).is_err() {
+            set.open = Some(String::from("that there are no others is not proved"));
+        }
+    }
+    set
 }
 
 /// What an element of the exceptional set says, such as `λ = -3: b[1] - b[2] = 0`.
-pub fn describe_exception(family: &Family, exception: &decide::Exceptional) -> String {
+pub fn describe_exception(family: &Family, exception: &Exceptional) -> String {
     let values: Vec<String> = exception.values.iter().map(|(v, c)| c.describe(&family.names[v.0])).collect();
     let at = if values.is_empty() { String::from("all shape values") } else { values.join(", ") };
     let Some(combination) = &exception.combination else { return at };
@@ -178,7 +249,7 @@ pub fn describe_exception(family: &Family, exception: &decide::Exceptional) -> S
     };
     let scaled: Vec<Poly> =
         combination.iter().zip(&family.functions).map(|(c, f)| c * &fixed(f.value.denom())).collect();
-    format!("{at}: {} = 0", prove::combination_text(family, &scaled))
+    format!("{at}: {} = 0", state::combination_text(family, &scaled))
 }
 
 /// Σ weight·P[i] with common factors taken out.

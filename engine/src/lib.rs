@@ -19,58 +19,49 @@
 //! assert_eq!(report.items[0].claims.len(), 1);
 //! ```
 
+mod advice;
 pub mod algebra;
-mod collections;
-pub mod decide;
+pub mod claim;
 pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
 pub mod explain;
 pub mod generate;
 pub mod model;
-pub mod prove;
+pub mod plural;
+#[cfg(any(test, feature = "tools"))]
+pub mod published;
 pub mod source;
+pub mod state;
+pub mod subject;
 pub mod syntax;
-mod words;
+pub mod theorem;
 
-use std::rc::Rc;
-
-use collections::list::Mapped;
 use proc_macro2::{Ident, Span, TokenStream};
 
-pub use collections::map::SortedMap;
-pub use diagnostic::{Diagnostic, Severity};
-pub use model::theorem::{Theorem, TheoremClaim, TheoremKind};
-pub use model::{Claim, Family, Item, Library, Selected};
-pub use prove::{Verdict, Witness};
+pub use advice::closest;
+pub use claim::{Claim, ClaimKind};
+pub use diagnostic::{Diagnostic, Diagnostics, Severity};
+pub use model::{Family, Library, Selected};
 pub use source::{Disk, Files, Source, Sources};
-pub use words::closest;
+pub use state::{Evidence, Prover, Verdict, Witness};
+pub use subject::{Item, Subject};
+pub use theorem::{Theorem, TheoremKind};
 
-/// A family with the verdicts of its claims.
+/// A family, a theorem or a join with the verdicts of its claims.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// The family.
-    pub family: Rc<Family>,
-    /// Its claims, in the order in which they are written.
+    /// What the claims are about.
+    pub subject: Subject,
+    /// The claims, in the order in which they are written.
     pub claims: Vec<(Claim, Verdict)>,
-}
-
-/// A theorem or a join with the verdicts of its claims.
-#[derive(Clone, Debug)]
-pub struct CheckedTheorem {
-    /// The theorem.
-    pub theorem: Theorem,
-    /// A verdict for each of its claims.
-    pub verdicts: Vec<Verdict>,
 }
 
 /// Everything that checking a spec gives.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// The families without errors, in every order of their declared ranges.
+    /// The families without errors in every order of their declared ranges, then the theorems and joins.
     pub items: Vec<Checked>,
-    /// The theorems and joins without errors.
-    pub theorems: Vec<CheckedTheorem>,
-    /// Errors and warnings, also for claims whose verdict is not the declared one.
+    /// Errors and warnings, also for claims whose verdict is not the declared one; of very many errors the first.
     pub diagnostics: Vec<Diagnostic>,
     /// The specs that were read, for showing places.
     pub sources: Sources,
@@ -78,48 +69,40 @@ pub struct Report {
 
 /// Checks a spec and everything that it uses from the disk.
 pub fn check(source: Source) -> Report {
-    let library = Library::from_source(&Disk, source);
-    let items: Vec<Checked> = library.items(Selected::EveryOrder).into_iter().map(decide_claims).collect();
-    let theorems: Vec<CheckedTheorem> = library.theorems().into_iter().map(decide_theorem).collect();
-    let mut diagnostics = library.diagnostics();
+    let library = Library::from_source(&Disk, &Prover, source);
+    let run = &mut state::Run::default();
+    let families = library.items(Selected::EveryOrder);
+    let warnings = generate::no_floats(&families);
+    let items = families.into_iter().chain(theorem::theorems(&library));
+    let items: Vec<Checked> = items.map(|item| decide_within(item, run)).collect();
+    let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
+    diagnostics.extend(warnings);
     diagnostics.extend(items.iter().flat_map(contradictions));
-    diagnostics.extend(theorems.iter().flat_map(theorem_contradictions));
-    Report { items, theorems, diagnostics, sources: library.sources().clone() }
+    Report { items, diagnostics: diagnostics.into_list(), sources: library.sources().clone() }
 }
 
-/// Decides all claims of a theorem.
-pub fn decide_theorem(theorem: Theorem) -> CheckedTheorem {
-    let verdicts = theorem.claims.mapped(|claim| prove::theorem_claim(&theorem, claim));
-    CheckedTheorem { theorem, verdicts }
+/// Decides all claims of an item.
+pub fn decide(item: Item) -> Checked {
+    decide_within(item, &mut state::Run::default())
 }
 
-/// The errors for the claims of a theorem whose verdict is not the declared one.
-pub fn theorem_contradictions(checked: &CheckedTheorem) -> Vec<Diagnostic> {
-    let CheckedTheorem { theorem, verdicts } = checked;
-    let claims = theorem.claims.iter().zip(verdicts);
-    claims.filter_map(|(claim, verdict)| prove::diagnose_theorem(theorem, claim, verdict)).collect()
-}
-
-/// Decides all claims of a family.
-pub fn decide_claims(item: Item) -> Checked {
-    let Item { family, claims } = item;
+/// Decides all claims of an item with the work that is left of a run.
+pub fn decide_within(item: Item, run: &mut state::Run) -> Checked {
+    let Item { subject, claims, .. } = item;
     let claims = claims
         .into_iter()
         .map(|claim| {
-            let verdict = prove::claim(&family, &claim);
+            let verdict = run.decide(&subject, &claim);
             (claim, verdict)
         })
         .collect();
-    Checked { family, claims }
+    Checked { subject, claims }
 }
 
 /// The errors for the claims whose verdict is not the declared one.
 pub fn contradictions(checked: &Checked) -> Vec<Diagnostic> {
-    checked
-        .claims
-        .iter()
-        .filter_map(|(claim, verdict)| prove::diagnose(&checked.family, claim, verdict))
-        .collect()
+    let claims = checked.claims.iter();
+    claims.filter_map(|(claim, verdict)| state::diagnose(&checked.subject, claim, verdict)).collect()
 }
 
 /// What is to be generated from a spec.
@@ -148,7 +131,7 @@ pub struct Requested {
 pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Diagnostic>) {
     let mut code = TokenStream::new();
     let mut diagnostics = Vec::new();
-    let mut items: Vec<(Item, Option<Ident>)> = Vec::new();
+    let mut items: Vec<(Item, Option<Ident>, Option<Span>)> = Vec::new();
     let mut wanted: Vec<(&Requested, &str)> = Vec::new();
     for requested in &request.families {
         if let Some(join) = library.join_name(&requested.name) {
@@ -157,26 +140,21 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
         match library.item(&requested.name, &requested.order) {
             Ok(item) => {
-                let name = requested.rename.clone().or_else(|| {
-                    let mut name: Ident = syn::parse_str(&requested.name).ok()?;
-                    name.set_span(requested.span);
-                    requested.name.is_ascii().then_some(name)
-                });
-                items.push((item, name));
+                items.push((item, requested.rename.clone(), Some(requested.span)));
             }
             Err(Some((message, help))) => {
-                let place = diagnostic::Place::Token(requested.span);
+                let place = diagnostic::Place::Token(requested.span, requested.span);
                 diagnostics.push(Diagnostic::error(place, message).help(help));
             }
             Err(None) => {}
         }
     }
     if request.families.is_empty() {
-        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None)));
+        items.extend(library.items(Selected::WithoutOrder).into_iter().map(|item| (item, None, None)));
         let names = library.names();
         let alone = names.iter().all(|(_, indexed)| *indexed) && !library.has_theorems();
         if let (true, Some((name, _))) = (alone, names.first()) {
-            let place = diagnostic::Place::Token(Span::call_site());
+            let place = diagnostic::Place::Token(Span::call_site(), Span::call_site());
             let message = "every family of the spec has index parameters, and no order is chosen";
             let help = format!(
                 "name the families with their orders: `basis!(\"…\", {name}(3))`; a spec in place has no room for them, a file has"
@@ -184,20 +162,52 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
             diagnostics.push(Diagnostic::error(place, message).help(help));
         }
     }
-    let joins = joins(library, request, &wanted, &mut diagnostics);
-    for (item, name) in items {
-        let checked = decide_claims(item);
+    let run = &mut state::Run::default();
+    let joins = joins(library, request, &wanted, run, &mut diagnostics);
+    // The names of the types so far, each with what has it.
+    let mut types: Vec<(String, String)> = Vec::new();
+    if !joins.is_empty() {
+        let module = generate::module_name(library.file());
+        types.push((module, String::from("the module of the joins")));
+    }
+    for (item, rename, span) in items {
+        let Subject::Family(family) = &item.subject else { continue };
+        let name = match generate::type_name(family, rename.as_ref()) {
+            Ok(mut name) => {
+                if let Some(span) = span {
+                    name.set_span(span);
+                }
+                name
+            }
+            Err(error) => {
+                diagnostics.push(error);
+                continue;
+            }
+        };
+        let (place, shown) = (family.place.clone(), format!("the family `{}`", family.title()));
+        let text = name.to_string();
+        if let Some((_, other)) = types.iter().find(|(other, _)| *other == text) {
+            let error =
+                Diagnostic::error(place, format!("{other} and {shown} are both called `{text}` in Rust"));
+            let help = "choose another name for one of them, or give one to the macro: `Family as OtherName`";
+            diagnostics.push(error.help(help));
+            continue;
+        }
+        types.push((text, shown));
+        let name = Some(name);
+        let checked = decide_within(item, run);
         diagnostics.extend(contradictions(&checked));
+        let Subject::Family(family) = &checked.subject else { continue };
         let options = generate::Options { runtime: request.runtime.clone(), name };
-        match generate::family(&checked.family, &checked.claims, &options) {
+        match generate::family(family, &checked.claims, &options) {
             Ok(tokens) => code.extend(tokens),
             Err(errors) => diagnostics.extend(errors),
         }
     }
     code.extend(joins);
-    let mut all = library.diagnostics();
+    let mut all: Diagnostics = library.diagnostics().into_iter().collect();
     all.extend(diagnostics);
-    (code, all)
+    (code, all.into_list())
 }
 
 /// The functions of the joins: of all, or of those in the list. A list is about what it names only; without one every
@@ -206,24 +216,37 @@ fn joins(
     library: &Library<'_>,
     request: &Request,
     wanted: &[(&Requested, &str)],
+    run: &mut state::Run,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> TokenStream {
     let mut functions = TokenStream::new();
+    // The names of the functions so far, each with its join.
+    let mut names: Vec<(String, String)> = Vec::new();
     if !request.families.is_empty() && wanted.is_empty() {
         return functions;
     }
-    for theorem in library.theorems() {
-        let requested = wanted.iter().find(|(_, name)| *name == theorem.name).map(|(requested, _)| requested);
+    for item in theorem::theorems(library) {
+        let requested = wanted.iter().find(|(_, name)| *name == item.subject.name()).map(|(r, _)| r);
         if requested.is_none() && !request.families.is_empty() {
             continue;
         }
-        let checked = decide_theorem(theorem);
-        diagnostics.extend(theorem_contradictions(&checked));
-        if checked.theorem.kind != TheoremKind::Join {
+        let checked = decide_within(item, run);
+        diagnostics.extend(contradictions(&checked));
+        let Subject::Theorem(theorem) = &checked.subject else { continue };
+        if theorem.kind != TheoremKind::Join {
             continue;
         }
         let rename = requested.and_then(|r| r.rename.as_ref());
-        match generate::join::join(&checked.theorem, &checked.verdicts, &request.runtime, rename) {
+        let name = rename.map_or_else(|| generate::join::name(theorem), Ident::to_string);
+        if let Some((_, other)) = names.iter().find(|(other, _)| *other == name && !name.is_empty()) {
+            let message =
+                format!("the joins `{other}` and `{}` are both called `{name}` in Rust", theorem.name);
+            let error = Diagnostic::error(theorem.place.clone(), message);
+            diagnostics.push(error.help("choose another name for one of them"));
+            continue;
+        }
+        names.push((name, theorem.name.clone()));
+        match generate::join::join(theorem, &checked.claims, &request.runtime, rename) {
             Ok(function) => functions.extend(function),
             Err(error) => diagnostics.push(error),
         }

@@ -1,40 +1,81 @@
 //! Texts of specs and where they came from; the only place in the engine that reads files.
 
-use crate::collections::list::Mapped;
+use crate::advice::closest;
+use crate::plural::list;
+use basis_kernel::collections::list::Mapped;
+use core::cell::OnceCell;
 use core::fmt;
+use core::ops::Range;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// A spec as the engine reads it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Source {
     /// The name to show in messages: a path as the user wrote it.
     pub name: String,
-    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory.
+    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory and in the library.
     pub path: Option<PathBuf>,
+    /// The name of a spec of the library, such as `papers/quartic`, for `use` relative to it; such a spec has no path.
+    pub library: Option<String>,
     /// The text, with `\n` line ends and no byte order mark; `None` for tokens of a macro call, which the
     /// compiler shows itself.
     pub text: Option<String>,
+    /// Where the lines of the text begin, found when a line is asked for.
+    lines: OnceCell<Vec<usize>>,
 }
 
 impl Source {
     /// A text in memory.
     pub fn text(name: impl Into<String>, text: &str) -> Self {
-        Self { name: name.into(), path: None, text: Some(normalize(text)) }
+        Self { name: name.into(), text: Some(normalize(text)), ..Self::default() }
     }
 
     /// The tokens of a macro call; `path` is the file with the call, for `use` relative to it.
     pub fn tokens(path: Option<PathBuf>) -> Self {
-        Self { name: String::from("<basis!>"), path, text: None }
+        Self { name: String::from("<basis!>"), path, ..Self::default() }
+    }
+
+    /// The same spec as if it were read at a path.
+    pub fn at(mut self, path: PathBuf) -> Self {
+        self.path = Some(path);
+        self
     }
 
     /// Line and column of a byte offset, both counted from one, the column in characters.
     pub fn line_column(&self, offset: usize) -> (usize, usize) {
         let text = self.text.as_deref().unwrap_or_default();
         let inside = (0..=offset.min(text.len())).rev().find(|at| text.is_char_boundary(*at));
-        let before = &text[..inside.unwrap_or_default()];
-        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+        let inside = inside.unwrap_or_default();
+        let line = self.line(inside);
+        let start = self.starts()[line - 1];
+        (line, text[start..inside].chars().count() + 1)
+    }
+
+    /// The line of a byte offset, counted from one.
+    pub fn line(&self, offset: usize) -> usize {
+        self.starts().partition_point(|start| *start <= offset).max(1)
+    }
+
+    /// The bytes of a line, which is counted from one, without its end; empty after the last line.
+    pub fn line_range(&self, line: usize) -> Range<usize> {
+        let end = self.text.as_deref().unwrap_or_default().len();
+        let starts = self.starts();
+        let start = line.checked_sub(1).and_then(|k| starts.get(k)).copied().unwrap_or(end);
+        start..starts.get(line).map_or(end, |next| next - 1).max(start)
+    }
+
+    /// Where the lines begin; there is always a first one.
+    fn starts(&self) -> &[usize] {
+        self.lines.get_or_init(|| {
+            let mut starts = vec![0];
+            for (at, byte) in self.text.as_deref().unwrap_or_default().bytes().enumerate() {
+                if byte == b'\n' {
+                    starts.push(at + 1);
+                }
+            }
+            starts
+        })
     }
 }
 
@@ -70,9 +111,12 @@ impl Sources {
         self.all.iter().enumerate().map(|(i, s)| (SourceId(i), s))
     }
 
-    /// The source that was read from this path.
-    pub fn find(&self, path: &Path) -> Option<SourceId> {
-        self.iter().find(|(_, s)| s.path.as_deref() == Some(path)).map(|(id, _)| id)
+    /// The source that was read from the same file, or is the same spec of the library.
+    pub fn find(&self, new: &Source) -> Option<SourceId> {
+        let is_same = |s: &Source| {
+            (s.path.is_some() && s.path == new.path) || (s.library.is_some() && s.library == new.library)
+        };
+        self.iter().find(|(_, s)| is_same(s)).map(|(id, _)| id)
     }
 }
 
@@ -81,14 +125,17 @@ impl Sources {
 pub struct ReadError {
     /// What is wrong, in one clause.
     pub message: String,
-    /// Every place that was tried, and what to do instead.
+    /// Every place that was tried, or what there is.
     pub notes: Vec<String>,
+    /// What to write instead.
+    pub help: Option<String>,
 }
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.message)?;
-        self.notes.iter().try_for_each(|n| write!(f, "\n{n}"))
+        self.notes.iter().try_for_each(|n| write!(f, "\n{n}"))?;
+        self.help.iter().try_for_each(|help| write!(f, "\n{help}"))
     }
 }
 
@@ -99,7 +146,7 @@ pub trait Files {
     /// The bytes of a file; of a very large one only the first, as many as are needed to refuse it.
     ///
     /// # Errors
-    /// As for [`std::fs::read`].
+    /// As for [`std::fs::read`], and for what is not a regular file: a pipe may never end, or never begin.
     fn read(&self, path: &Path) -> io::Result<Vec<u8>>;
 
     /// One name for one file, so that a file reached by two paths is read once.
@@ -111,6 +158,12 @@ pub trait Files {
     fn is_dir(&self, _path: &Path) -> bool {
         false
     }
+
+    /// The specs that `use library "…"` can name, as names with their texts: those of basis-specs, unless the caller keeps
+    /// others.
+    fn library(&self) -> &[(&str, &str)] {
+        basis_specs::SPECS
+    }
 }
 
 /// The files of this machine.
@@ -119,7 +172,11 @@ pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        // A device may have no end.
+        // Before it is opened: opening a pipe waits for somebody who writes into it.
+        if !std::fs::metadata(path)?.is_file() {
+            let message = "it is not a regular file, but a pipe or a device";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        }
         let mut bytes = Vec::new();
         std::fs::File::open(path)?.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
         Ok(bytes)
@@ -134,8 +191,8 @@ impl Files for Disk {
     }
 }
 
-/// Specs larger than this are refused.
-const MAX_BYTES: usize = 4 << 20;
+/// The longest text of a spec, in bytes.
+pub(crate) const MAX_BYTES: usize = 1 << 20;
 
 /// Reads the spec that `name` denotes, trying the folders in order; an absolute `name` is taken as it is.
 ///
@@ -152,7 +209,8 @@ pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source
         if files.is_dir(path) {
             return Err(ReadError {
                 message: format!("`{name}` is a folder, not a spec file"),
-                notes: vec![String::from("name one file, such as \"specs/quartic.basis\"")],
+                notes: Vec::new(),
+                help: Some(String::from("name one file, such as \"specs/quartic.basis\"")),
             });
         }
         match files.read(path) {
@@ -161,19 +219,73 @@ pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source
                 tried.push(format!("tried {}", path.display()));
             }
             Err(e) => {
-                return Err(ReadError { message: format!("cannot read `{name}`: {e}"), notes: Vec::new() });
+                let message = format!("cannot read `{name}`: {e}");
+                return Err(ReadError { message, notes: Vec::new(), help: None });
             }
         }
     }
     tried.dedup();
-    Err(ReadError { message: format!("there is no spec file `{name}`"), notes: tried })
+    Err(ReadError { message: format!("there is no spec file `{name}`"), notes: tried, help: None })
+}
+
+/// What stands before the name of a spec of the library where paths are typed: `library:quartic`.
+pub const LIBRARY: &str = "library:";
+
+/// The spec of the library with this name, `quartic` or `papers/quartic`.
+///
+/// # Errors
+/// When there is no such spec: which name is meant, and all names.
+pub fn library(files: &dyn Files, name: &str) -> Result<Source, ReadError> {
+    let specs = files.library();
+    if let Some((_, text)) = specs.iter().find(|(known, _)| *known == name) {
+        let mut source = Source::text(format!("{LIBRARY}{name}"), text);
+        source.library = Some(name.to_string());
+        return Ok(source);
+    }
+    let names: Vec<&str> = specs.mapped(|(known, _)| *known);
+    let typed = name.strip_suffix(".basis").unwrap_or(name);
+    let (_, last) = typed.rsplit_once('/').unwrap_or(("", typed));
+    let same = names.iter().copied().find(|known| *known == last);
+    let near = same.or_else(|| closest(typed, &names)).or_else(|| closest(last, &names));
+    Err(ReadError {
+        message: format!("there is no spec `{name}` in the library"),
+        notes: vec![format!("the library has {}", list(&names.mapped(|name| format!("`{name}`"))))],
+        help: near.map(|near| format!("did you mean `{near}`?")),
+    })
+}
+
+/// The name in the library of `path`, which a spec of the library with the name `from` uses: `bspline.basis` is `bspline`
+/// beside `beta_spline`, and `papers/bspline` beside `papers/quartic`.
+///
+/// # Errors
+/// When the path does not name a spec file, or leaves the library.
+pub(crate) fn beside(from: &str, path: &str) -> Result<String, ReadError> {
+    let refuse = |why: &str| ReadError {
+        message: format!("there is no spec file `{path}` in the library"),
+        notes: vec![String::from(why)],
+        help: None,
+    };
+    let file = path.strip_suffix(".basis").ok_or_else(|| refuse("its files are called `*.basis`"))?;
+    let mut parts: Vec<&str> = from.split('/').collect();
+    parts.pop();
+    for part in file.split('/') {
+        match part {
+            "." => {}
+            ".." => {
+                parts.pop().ok_or_else(|| refuse("the path leads out of the library"))?;
+            }
+            _ => parts.push(part),
+        }
+    }
+    Ok(parts.join("/"))
 }
 
 fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(ReadError {
             message: format!("`{name}` is larger than {} MiB", MAX_BYTES >> 20),
-            notes: vec![String::from("split it into several specs")],
+            notes: Vec::new(),
+            help: Some(String::from("split it into several specs")),
         });
     }
     let text = String::from_utf8(bytes).map_err(|e| {
@@ -184,8 +296,9 @@ fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError
                 "`{name}` is not UTF-8: invalid byte 0x{:02x} in line {line}",
                 e.as_bytes()[valid]
             ),
-            notes: vec![String::from("save the file with the encoding UTF-8")],
+            notes: Vec::new(),
+            help: Some(String::from("save the file with the encoding UTF-8")),
         }
     })?;
-    Ok(Source { name: name.to_string(), path: Some(path), text: Some(normalize(&text)) })
+    Ok(Source { path: Some(path), ..Source::text(name, &text) })
 }

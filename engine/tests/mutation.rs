@@ -4,13 +4,15 @@
 //! `cargo test` looks at every 71st mutant; all of them, with their numbers:
 //! `cargo test --release -p basis-engine --features tools --test mutation -- --ignored --nocapture`.
 
+mod support;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use basis_engine::model::Expected;
-use basis_engine::prove::{self, check};
-use basis_engine::{Disk, Library, Selected, Severity, Source, Verdict};
+use basis_engine::theorem::theorems;
+use basis_engine::{Disk, Item, Library, Prover, Selected, Severity, Source, Subject, Verdict, state};
+use support::recheck;
 
 /// Mutants that are refused without a witness, with the reason, one by one.
 const EXPLAINED: [(&str, &str); 2] = [
@@ -101,69 +103,46 @@ fn mutations(text: &str) -> Vec<Mutation> {
 
 /// Everything that a spec says, for comparison; places left out.
 fn meaning(library: &Library<'_>) -> String {
-    let families = library.items(Selected::EveryOrder).into_iter().map(|item| {
-        let f = &item.family;
+    let said = |item: &Item| {
         let claims: Vec<String> =
             item.claims.iter().map(|c| format!("{:?}{:?}", c.expected, c.kind)).collect();
-        format!("{}{:?}{:?}{:?}{:?}{claims:?}", f.name, f.order, f.shapes, f.domain, f.functions)
-    });
-    let theorems = library.theorems().into_iter().map(|t| {
-        let claims: Vec<String> = t.claims.iter().map(|c| format!("{:?}{:?}", c.expected, c.kind)).collect();
-        format!("{}{:?}{claims:?}", t.name, t.scalars)
-    });
-    families.chain(theorems).collect()
+        match &item.subject {
+            Subject::Family(f) => {
+                format!("{}{:?}{:?}{:?}{:?}{claims:?}", f.name, f.order, f.shapes, f.domain, f.functions)
+            }
+            Subject::Theorem(t) => format!("{}{:?}{claims:?}", t.name, t.scalars),
+        }
+    };
+    items(library).iter().map(said).collect()
+}
+
+/// The families in all orders, the theorems and the joins.
+fn items(library: &Library<'_>) -> Vec<Item> {
+    library.items(Selected::EveryOrder).into_iter().chain(theorems(library)).collect()
 }
 
 /// What becomes of a spec; the first claim that is not as declared decides.
 fn fate(text: &str, path: &Path, original: &str) -> Result<Fate, String> {
     let mut source = Source::text("mutant.basis", text);
     source.path = Some(path.to_path_buf());
-    let library = Library::from_source(&Disk, source);
+    let library = Library::from_source(&Disk, &Prover, source);
     let mut fate = Fate::StillTrue;
-    let mut note = |expected: Expected, verdict: &Verdict, checked: Result<(), String>| {
-        checked?;
-        match verdict {
-            Verdict::Undecided(_) => fate = Fate::Undecided,
-            _ if prove::as_declared(expected, verdict) => {}
-            _ => return Ok(true),
-        }
-        Ok::<bool, String>(false)
-    };
-    let items = library.items(Selected::EveryOrder);
-    let theorems = library.theorems();
+    let items = items(&library);
     if library.diagnostics().iter().any(|d| d.severity == Severity::Error) {
         return Ok(Fate::Malformed);
     }
     if meaning(&library) == original {
         return Ok(Fate::Unchanged);
     }
-    for item in items {
-        for claim in &item.claims {
-            let verdict = prove::claim(&item.family, claim);
-            let checked = match &verdict {
-                Verdict::Proved(evidence) => check::evidence(&item.family, claim, evidence),
-                Verdict::Refuted(witness) => check::witness(&item.family, claim, witness),
-                Verdict::Undecided(_) => Ok(()),
-            };
-            let checked = checked.map_err(|e| format!("{}: `{}`: {e}", item.family.title(), claim.text));
-            if note(claim.expected, &verdict, checked)? {
-                return Ok(Fate::Rejected);
-            }
-        }
-    }
-    for theorem in theorems {
-        for claim in &theorem.claims {
-            let verdict = prove::theorem_claim(&theorem, claim);
-            let checked = match &verdict {
-                Verdict::Proved(evidence) => {
-                    check::steps(&prove::theorem_statements(&theorem, claim), evidence)
-                }
-                Verdict::Refuted(witness) => check::theorem_witness(&theorem, claim, witness),
-                Verdict::Undecided(_) => Ok(()),
-            };
-            let checked = checked.map_err(|e| format!("{}: `{}`: {e}", theorem.title(), claim.text));
-            if note(claim.expected, &verdict, checked)? {
-                return Ok(Fate::Rejected);
+    for Item { subject, claims, .. } in items {
+        for claim in &claims {
+            let verdict = state::decide(&subject, claim);
+            let checked = recheck(&subject, claim, &verdict);
+            checked.map_err(|e| format!("{}: `{}`: {e}", subject.title(), claim.text))?;
+            match &verdict {
+                Verdict::Undecided(_) => fate = Fate::Undecided,
+                _ if state::as_declared(claim.expected, &verdict) => {}
+                _ => return Ok(Fate::Rejected),
             }
         }
     }
@@ -196,7 +175,7 @@ fn run(every: usize) -> (BTreeMap<Fate, usize>, Vec<String>) {
         let text = fs::read_to_string(&path).expect("a spec");
         let mut source = Source::text("original.basis", &text);
         source.path = Some(path.clone());
-        let original = meaning(&Library::from_source(&Disk, source));
+        let original = meaning(&Library::from_source(&Disk, &Prover, source));
         for Mutation { start, end, new } in mutations(&text) {
             number += 1;
             if number % every != 0 {

@@ -1,7 +1,9 @@
 //! Claims of theorems have exact verdicts, and counterexamples name scalars and control points.
 
-use basis_engine::prove::{check as checker, theorem_statements};
+mod support;
+
 use basis_engine::{Report, Source, Verdict, check};
+use support::recheck;
 
 const QUADRATIC: &str = "family Quadratic {
     domain 0 <= t <= 1;
@@ -28,18 +30,11 @@ fn verdicts(theorem: &str) -> Vec<String> {
         Verdict::Refuted(witness) => format!("{} at {}", witness.value, witness.point()),
         Verdict::Undecided(_) => String::from("?"),
     };
-    let checked = &report.theorems[0];
-    for (claim, verdict) in checked.theorem.claims.iter().zip(&checked.verdicts) {
-        let fine = match verdict {
-            Verdict::Proved(evidence) => {
-                checker::steps(&theorem_statements(&checked.theorem, claim), evidence)
-            }
-            Verdict::Refuted(witness) => checker::theorem_witness(&checked.theorem, claim, witness),
-            Verdict::Undecided(_) => Ok(()),
-        };
-        assert_eq!(fine, Ok(()), "{}", claim.text);
+    let checked = report.items.last().expect("the theorem");
+    for (claim, verdict) in &checked.claims {
+        assert_eq!(recheck(&checked.subject, claim, verdict), Ok(()), "{}", claim.text);
     }
-    checked.verdicts.iter().map(shown).collect()
+    checked.claims.iter().map(|(_, verdict)| shown(verdict)).collect()
 }
 
 #[test]
@@ -376,7 +371,7 @@ fn barycentric_coordinates_sum_to_one() {
         }",
     ));
     assert!(report.diagnostics.is_empty());
-    assert_eq!(report.theorems[0].verdicts.len(), 3);
+    assert_eq!(report.items.last().map(|item| item.claims.len()).unwrap_or(0), 3);
 }
 
 #[test]

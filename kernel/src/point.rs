@@ -113,7 +113,7 @@ impl Point {
         match (low.is_positive(), high.is_negative()) {
             (true, _) => Ok(1),
             (_, true) => Ok(-1),
-            _ => Err(Refusal::Unproved("the sign of a value is not seen in the interval of the root")),
+            _ => Err(Refusal::Vague),
         }
     }
 
@@ -145,14 +145,20 @@ impl Point {
         Ok(if both { above.leading().checked_div(&below.leading()) } else { None })
     }
 
-    /// Checks that the point lies in a domain; what is not restricted can be anywhere.
+    /// Checks that the point lies in a domain, or can be completed to one that does: a variable without a coordinate has any
+    /// value of its range, and is 0 on a simplex.
     pub(crate) fn lies_in(&self, domain: &Domain, work: &mut Work) -> Result<(), Refusal> {
         for (var, range) in &domain.region.ranges {
-            self.is_in_range(*var, range, work)?;
+            if self.coordinate(*var).is_ok() {
+                self.is_in_range(*var, range, work)?;
+            } else {
+                let once = domain.region.ranges.iter().filter(|(v, _)| v == var).count() == 1;
+                shown(once && !range.is_empty(), "a range is empty")?;
+            }
         }
         for simplex in &domain.simplices {
             let mut rest = Poly::constant(simplex.sum.clone());
-            for var in &simplex.variables {
+            for var in simplex.variables.iter().filter(|v| self.coordinate(**v).is_ok()) {
                 shown(self.sign(self.coordinate(*var)?, work)? >= 0, "a point lies outside of its simplex")?;
                 rest = &rest - &Poly::var(*var);
             }

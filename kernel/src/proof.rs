@@ -193,7 +193,12 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
             point.check(work)?;
             point.lies_in(domain, work)?;
             let twice = |k: usize| products[..k].iter().any(|(v, _)| *v == products[k].0);
-            let known = |(v, _): &(Var, _)| point.coordinates.iter().any(|(w, _)| v == w);
+            let ranges = &domain.region.ranges;
+            let known = |(v, _): &(Var, _)| {
+                point.coordinates.iter().any(|(w, _)| v == w)
+                    || ranges.iter().any(|(w, _)| v == w)
+                    || domain.simplices.iter().any(|s| s.variables.contains(v))
+            };
             let proper = !(0..products.len()).any(twice) && !products.iter().any(known);
             fits(proper, "a dot product is given twice")?;
             let number = |p| numbers.iter().find(|(q, _)| *q == p).map_or(Rational::ZERO, |(_, x)| x.clone());

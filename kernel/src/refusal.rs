@@ -12,12 +12,15 @@ pub enum Refusal {
     Unfit(&'static str),
     /// It has the right form, but a step of it does not hold.
     Unproved(&'static str),
+    /// The interval of an irrational number is too wide for a sign to be seen.
+    Vague,
 }
 
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Spent => f.write_str("it takes more work to check than the budget of the spec allows"),
+            Self::Vague => f.write_str("the sign of a value is not seen in the interval of the root"),
             Self::Unfit(reason) | Self::Unproved(reason) => f.write_str(reason),
         }
     }

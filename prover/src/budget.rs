@@ -1,18 +1,43 @@
 //! How much work a decision may take.
 
-use super::Method;
+use core::cell::Cell;
+
 use crate::algebra::work::Work;
+use crate::method::Method;
 
 /// Units of work for one decision: about a second of an unoptimised build.
 const UNITS: u64 = 5_000_000;
 
 /// The work that a decision may still do, counted in operations and never in time, so that one claim gets one
 /// verdict on every machine.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Budget {
     pub(crate) work: Work,
     /// Methods that are left out: how the tests compare the later steps of the cascade with the earlier ones.
     disabled: Vec<Method>,
+    /// What there was at the beginning; 0 for a part, which counts with the whole.
+    units: u64,
+}
+
+thread_local! {
+    /// The units of all decisions so far. Nothing depends on it but the difference over a claim.
+    static SPENT: Cell<u64> = const { Cell::new(0) };
+}
+
+/// The units that all decisions on this thread have taken so far: what one claim takes is the difference.
+pub fn spent() -> u64 {
+    SPENT.get()
+}
+
+/// Counts work of the kernel.
+pub(crate) fn charge(units: u64) {
+    SPENT.set(SPENT.get().saturating_add(units));
+}
+
+impl Drop for Budget {
+    fn drop(&mut self) {
+        SPENT.set(SPENT.get() + self.units.saturating_sub(self.work.left()));
+    }
 }
 
 impl Default for Budget {
@@ -24,7 +49,8 @@ impl Default for Budget {
 impl Budget {
     /// The usual work times a factor.
     pub fn scaled(factor: u32) -> Self {
-        Self { work: Work::new(UNITS.saturating_mul(u64::from(factor))), disabled: Vec::new() }
+        let units = UNITS.saturating_mul(u64::from(factor));
+        Self { work: Work::new(units), disabled: Vec::new(), units }
     }
 
     /// The same without one of the methods; what the others cannot decide is undecided.
@@ -47,7 +73,7 @@ impl Budget {
     pub(super) fn take(&mut self, units: u64) -> Self {
         let part = self.left().min(units);
         let _ = self.work.spend(part);
-        Self { work: Work::new(part), disabled: self.disabled.clone() }
+        Self { work: Work::new(part), disabled: self.disabled.clone(), units: 0 }
     }
 
     /// Puts back what a part has left over.

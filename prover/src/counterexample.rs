@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Point, Refusal, Refutation, Root, Statement, Witness};
+use basis_kernel::{Point, Quotient, Refusal, Refutation, Root, Statement, Witness};
 
 use crate::algebra::field::{Element, Field, field_of};
 use crate::algebra::poly::{Poly, Var};
@@ -18,12 +18,38 @@ pub struct Counterexample {
     pub refutation: Refutation,
     /// The coordinates of the point, each as a number of its own.
     pub point: Vec<(Var, Coordinate)>,
+    /// The same in one field.
+    pub(crate) exact: Exact,
 }
+
+impl Counterexample {
+    /// The value of a quotient at the point; `None` where it has none, or the work is spent.
+    pub fn evaluate(&self, value: &Quotient) -> Option<Coordinate> {
+        let work = &mut Work::new(EVALUATING);
+        let mut exact = self.exact.clone();
+        let below = exact.value(&value.denominator, work)?;
+        if exact.is_zero(&below, work)? {
+            return None;
+        }
+        let above = exact.value(&value.numerator, work)?;
+        let Some(field) = &exact.field else {
+            return Some(Coordinate::Rational(above.leading().checked_div(&below.leading())?));
+        };
+        let mut field = field.clone();
+        let inverse = field.inverse(&below, work)?;
+        let quotient = field.mul(&above, &inverse, work)?;
+        number(Some(&field), &quotient, work)
+    }
+}
+
+/// The work for a value at a point.
+const EVALUATING: u64 = 5_000_000;
 
 /// How often the interval of an irrational number is shortened to a sixteenth until the kernel sees all signs.
 const ROUNDS: usize = 40;
 
 /// A point with coordinates in one field.
+#[derive(Clone, Debug)]
 pub(crate) struct Exact {
     /// The field; `None` when all coordinates are rational.
     pub(crate) field: Option<Field>,
@@ -119,14 +145,7 @@ impl Exact {
     fn numbers(&self, work: &mut Work) -> Option<Vec<(Var, Coordinate)>> {
         let mut numbers = Vec::new();
         for (var, x) in &self.coordinates {
-            let number = match &self.field {
-                Some(field) => match field.number(&field.reduce(x, work)?, work)? {
-                    Ok(x) => Coordinate::Rational(x),
-                    Err(x) => Coordinate::Algebraic(x),
-                },
-                None => Coordinate::Rational(x.leading()),
-            };
-            numbers.push((*var, number));
+            numbers.push((*var, number(self.field.as_ref(), x, work)?));
         }
         Some(numbers)
     }
@@ -141,9 +160,9 @@ impl Exact {
     ) -> Option<Refutation> {
         for _ in 0..ROUNDS {
             let witness = witness(self.point(work)?);
-            match Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)) {
+            match Refutation::new(Rc::clone(statement), witness, work) {
                 Ok(refutation) => return Some(refutation),
-                Err(Refusal::Unproved(_)) if self.field.is_some() => {}
+                Err(Refusal::Vague) => {}
                 Err(_) => return None,
             }
             let mut root = self.field.as_ref()?.root().clone();
@@ -153,6 +172,17 @@ impl Exact {
         }
         None
     }
+}
+
+/// An element of a field as a number.
+fn number(field: Option<&Field>, x: &Element, work: &mut Work) -> Option<Coordinate> {
+    Some(match field {
+        Some(field) => match field.number(&field.reduce(x, work)?, work)? {
+            Ok(x) => Coordinate::Rational(x),
+            Err(x) => Coordinate::Algebraic(x),
+        },
+        None => Coordinate::Rational(x.leading()),
+    })
 }
 
 /// The refutation of a statement about a value at a point that has a coordinate for each of its variables; `None` when it does
@@ -174,6 +204,10 @@ pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) 
         exact.is_zero(&above, work)?;
     }
     if let Statement::Sign { domain, .. } = &**statement {
+        for (premise, _) in &domain.premises {
+            let own = exact.value(premise, work)?;
+            exact.is_zero(&own, work)?;
+        }
         for simplex in &domain.simplices {
             let mut rest = Poly::constant(simplex.sum.clone());
             for var in &simplex.variables {
@@ -185,6 +219,18 @@ pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) 
             exact.is_zero(&left, work)?;
         }
     }
-    let refutation = exact.refute(statement, &Witness::At, work)?;
-    Some(Counterexample { refutation, point: exact.numbers(work)? })
+    // What plays no part has no place in the witness.
+    let matters = |var: Var| match &**statement {
+        Statement::Zero { value, domain } | Statement::Sign { value, domain, .. } => {
+            let premises = domain.premises.iter().map(|(p, _)| p);
+            [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(var))
+        }
+        _ => true,
+    };
+    let mut own = exact.clone();
+    own.coordinates.retain(|(var, _)| matters(*var));
+    let refutation = own.refute(statement, &Witness::At, work)?;
+    exact.field = own.field;
+    let point = exact.numbers(work)?;
+    Some(Counterexample { refutation, point, exact: exact.clone() })
 }

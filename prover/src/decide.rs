@@ -3,15 +3,15 @@
 use std::rc::Rc;
 
 use basis_kernel::{
-    Certificate, Chart, Point, Proof, Quotient, Refutation, Relation, SignProof, Signed, Statement, Witness,
+    Certificate, Chart, Point, Proof, Quotient, Refusal, Refutation, Relation, SignProof, Signed, Statement,
+    Witness,
 };
 
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::budget::Budget;
+use crate::budget::{Budget, charge};
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
@@ -32,11 +32,9 @@ pub struct Shown {
     pub method: Method,
 }
 
-/// What is known about a statement.
+/// Why there is no proof of a statement.
 #[derive(Clone, Debug)]
-pub enum Decision {
-    /// It is true.
-    Proved(Shown),
+pub enum Failure {
     /// It is false.
     Refuted(Box<Counterexample>),
     /// The budget is spent; what is left to decide, in words.
@@ -47,19 +45,22 @@ pub enum Decision {
 const EXPLICIT: u64 = 20_000_000;
 
 /// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it unchanged.
-pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Decision {
+///
+/// # Errors
+/// The statement is false, or the budget is spent.
+pub fn decide(statement: Statement, symmetries: &Symmetries, budget: u32) -> Result<Shown, Failure> {
     let statement = Rc::new(statement);
-    if let Ok(proof) = Proof::new(Rc::clone(&statement), Certificate::Direct, &mut first(budget)) {
+    if let Ok(proof) = checked(&statement, Certificate::Direct, first(budget)) {
         let method = direct(&statement);
-        return Decision::Proved(Shown { proof, method });
+        return Ok(Shown { proof, method });
     }
     match &*statement {
         Statement::Zero { value, domain } => {
             let found = nonzero(value, domain);
             let found = found.and_then(|point| crate::refute(&statement, &point, &mut Work::new(EXPLICIT)));
             found.map_or_else(
-                || Decision::Undecided(String::from("no point was found at which the two sides differ")),
-                |c| Decision::Refuted(Box::new(c)),
+                || Err(Failure::Undecided(String::from("no point was found at which the two sides differ"))),
+                |c| Err(Failure::Refuted(Box::new(c))),
             )
         }
         Statement::Sign { value, relation, .. } => sign(&statement, value, *relation, budget),
@@ -91,16 +92,34 @@ fn direct(statement: &Statement) -> Method {
     }
 }
 
+/// Has the kernel check a certificate, and counts its work.
+fn checked(statement: &Rc<Statement>, certificate: Certificate, mut work: Work) -> Result<Proof, Refusal> {
+    let before = work.left();
+    let proof = Proof::new(Rc::clone(statement), certificate, &mut work);
+    charge(before - work.left());
+    proof
+}
+
 /// Proposes a certificate to the kernel.
-fn propose(statement: &Rc<Statement>, certificate: Certificate, method: Method, budget: u32) -> Decision {
-    match Proof::new(Rc::clone(statement), certificate, &mut Work::usual(budget)) {
-        Ok(proof) => Decision::Proved(Shown { proof, method }),
-        Err(refusal) => Decision::Undecided(format!("a proof was found, but not accepted: {refusal}")),
+fn propose(
+    statement: &Rc<Statement>,
+    certificate: Certificate,
+    method: Method,
+    budget: u32,
+) -> Result<Shown, Failure> {
+    match checked(statement, certificate, Work::usual(budget)) {
+        Ok(proof) => Ok(Shown { proof, method }),
+        Err(refusal) => Err(Failure::Undecided(format!("a proof was found, but not accepted: {refusal}"))),
     }
 }
 
 /// A quotient: the sign of the denominator, which vanishes nowhere, and then that of the numerator.
-fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget: u32) -> Decision {
+fn sign(
+    statement: &Rc<Statement>,
+    value: &Quotient,
+    relation: Relation,
+    budget: u32,
+) -> Result<Shown, Failure> {
     let Statement::Sign { domain, .. } = &**statement else { return unfit() };
     let Ok(chart) = Chart::new(domain, [&value.numerator, &value.denominator]) else { return unfit() };
     let region = chart.region();
@@ -120,9 +139,9 @@ fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget:
                     (Some(signed), negative)
                 }
                 Found::Point(_) => {
-                    return Decision::Undecided(String::from("the denominator changes its sign"));
+                    return Err(Failure::Undecided(String::from("the denominator changes its sign")));
                 }
-                Found::Nothing(left) => return Decision::Undecided(format!("the denominator: {left}")),
+                Found::Nothing(left) => return Err(Failure::Undecided(format!("the denominator: {left}"))),
             }
         }
     };
@@ -153,27 +172,27 @@ fn sign(statement: &Rc<Statement>, value: &Quotient, relation: Relation, budget:
             });
             found.map_or_else(
                 || {
-                    Decision::Undecided(String::from(
+                    Err(Failure::Undecided(String::from(
                         "it fails, but at a point that could not be made explicit",
-                    ))
+                    )))
                 },
-                |c| Decision::Refuted(Box::new(c)),
+                |c| Err(Failure::Refuted(Box::new(c))),
             )
         }
-        Found::Nothing(left) => Decision::Undecided(left),
+        Found::Nothing(left) => Err(Failure::Undecided(left)),
     }
 }
 
-fn unfit() -> Decision {
-    Decision::Undecided(String::from("the statement is not one that the search knows"))
+fn unfit() -> Result<Shown, Failure> {
+    Err(Failure::Undecided(String::from("the statement is not one that the search knows")))
 }
 
 /// Sums of dot products: the signs of sums of minors. Where one of them is negative, so is the matrix for some vector.
-fn products(statement: &Rc<Statement>, budget: u32) -> Decision {
+fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     let Statement::Products { value, relation, products, domain } = &**statement else { return unfit() };
     let signs = match basis_kernel::minor_signs(value, *relation, products, &mut Work::usual(budget)) {
         Ok(signs) => signs,
-        Err(refusal) => return Decision::Undecided(refusal.to_string()),
+        Err(refusal) => return Err(Failure::Undecided(refusal.to_string())),
     };
     let mut hardest = Method::Constant;
     let mut proofs: Vec<SignProof> = Vec::new();
@@ -187,16 +206,15 @@ fn products(statement: &Rc<Statement>, budget: u32) -> Decision {
             }
             Found::Point(point) => {
                 let found = on_line(statement, &chart, &point, &mut budget.work);
-                return found.map_or_else(
+                return Err(found.map_or_else(
                     || {
-                        Decision::Undecided(String::from(
-                            "it fails, but at points that could not be made explicit",
-                        ))
+                        let left = "it fails, but at points that could not be made explicit";
+                        Failure::Undecided(String::from(left))
                     },
-                    |c| Decision::Refuted(Box::new(c)),
-                );
+                    |c| Failure::Refuted(Box::new(c)),
+                ));
             }
-            Found::Nothing(left) => return Decision::Undecided(left),
+            Found::Nothing(left) => return Err(Failure::Undecided(left)),
         }
     }
     propose(statement, Certificate::Minors(proofs), hardest, budget)
@@ -260,63 +278,51 @@ fn on_line(
         points.into_iter().zip(direction).filter(|(_, x)| !x.is_zero()).collect(),
     );
     let refutation = Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)).ok()?;
-    Some(Counterexample { refutation, point: problem::rational(at) })
+    let point = problem::rational(at);
+    let exact = Exact::new(&point, work)?;
+    Some(Counterexample { refutation, point, exact })
 }
 
 /// Independence: combinations at the exceptions, and minors elsewhere.
-fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Decision {
+fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Result<Shown, Failure> {
     let Statement::Independent { rows, except, region } = &**statement else { return unfit() };
     match rank::independent(Table { rows, symmetries }, except, region, budget) {
         Independence::Proved(proof) => propose(statement, Certificate::Rank(proof), Method::Minors, budget),
         Independence::NoException(number, point) => {
-            let coordinates = point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
-            let witness = Witness::Independent(basis_kernel::Point::rational(point), number);
-            match Refutation::new(Rc::clone(statement), witness, &mut Work::usual(budget)) {
-                Ok(refutation) => {
-                    Decision::Refuted(Box::new(Counterexample { refutation, point: coordinates }))
-                }
-                Err(refusal) => Decision::Undecided(refusal.to_string()),
-            }
+            let coordinates: Vec<(Var, Coordinate)> =
+                point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
+            let work = &mut Work::new(EXPLICIT);
+            let found = Exact::new(&coordinates, work).and_then(|mut exact| {
+                let refutation = exact.refute(statement, &|p| Witness::Independent(p, number), work)?;
+                Some(Counterexample { refutation, point: coordinates, exact })
+            });
+            found.map_or_else(
+                || Err(Failure::Undecided(String::from("the budget is spent on the rank at an exception"))),
+                |c| Err(Failure::Refuted(Box::new(c))),
+            )
         }
-        Independence::Dependent(point) => dependent(statement, rows, &point),
-        Independence::Undecided(left) => Decision::Undecided(left),
+        Independence::Dependent(point) => dependent(statement, Table { rows, symmetries }, &point),
+        Independence::Undecided(left) => Err(Failure::Undecided(left)),
     }
 }
 
 /// The refutation by a combination of the rows that vanishes at a point.
-fn dependent(statement: &Rc<Statement>, rows: &[Vec<Poly>], point: &[(Var, Coordinate)]) -> Decision {
+fn dependent(
+    statement: &Rc<Statement>,
+    table: Table<'_>,
+    point: &[(Var, Coordinate)],
+) -> Result<Shown, Failure> {
     let work = &mut Work::new(EXPLICIT);
     let found = Exact::new(point, work).and_then(|mut exact| {
-        let combination = combination(&mut exact, rows, work)?;
+        let combination = rank::combination(&mut exact, table, work)?;
         let witness = |point| Witness::Dependent(point, combination.clone());
         let refutation = exact.refute(statement, &witness, work)?;
-        Some(Counterexample { refutation, point: point.to_vec() })
+        Some(Counterexample { refutation, point: point.to_vec(), exact })
     });
     found.map_or_else(
-        || Decision::Undecided(String::from("the budget is spent on a combination that vanishes")),
-        |c| Decision::Refuted(Box::new(c)),
+        || Err(Failure::Undecided(String::from("the budget is spent on a combination that vanishes"))),
+        |c| Err(Failure::Refuted(Box::new(c))),
     )
-}
-
-/// Factors of the rows with which their sum is zero at a point: whole numbers without common factor at a rational one.
-fn combination(exact: &mut Exact, rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Univariate>> {
-    let mut values = Vec::new();
-    for row in rows {
-        let mut own = Vec::new();
-        for p in row {
-            own.push(exact.value(p, work)?);
-        }
-        values.push(own);
-    }
-    match &mut exact.field {
-        Some(field) => field.vanishing_combination(&values, work)?,
-        None => {
-            let numbers: Vec<Vec<Rational>> =
-                values.iter().map(|row| row.iter().map(Univariate::leading).collect()).collect();
-            let found = crate::algebra::matrix::vanishing_combination(&numbers, work).ok()??;
-            Some(found.into_iter().map(|c| Univariate::new(vec![c])).collect())
-        }
-    }
 }
 
 /// A simple number of a range that is not empty, an inner one if there is any.

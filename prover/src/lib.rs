@@ -15,14 +15,16 @@ mod semidefinite;
 pub mod sign;
 #[cfg(test)]
 mod tests;
+mod zero_free;
 
 pub(crate) use basis_kernel::collections;
 pub use basis_kernel::{Proof, Refutation};
-pub use budget::Budget;
+pub use budget::{Budget, spent};
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};
-pub use decide::{Decision, Shown, decide, simple};
+pub use decide::{Failure, Shown, decide, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};
 pub use semidefinite::semidefinite;
+pub use zero_free::{ZeroFree, zero_free};

@@ -55,6 +55,14 @@ impl<K, V> SortedMap<K, V> {
     }
 }
 
+impl<V> SortedMap<String, V> {
+    /// The value of a name.
+    pub fn named(&self, name: &str) -> Option<&V> {
+        let position = self.keys.binary_search_by(|key| key.as_str().cmp(name)).ok()?;
+        self.values.get(position)
+    }
+}
+
 impl<K: Ord, V> SortedMap<K, V> {
     /// The value of a key.
     pub fn get(&self, key: &K) -> Option<&V> {

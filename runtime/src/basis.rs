@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use crate::curve::{eliminate, touching};
+use crate::curve::{End, eliminate, touching};
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
 use crate::{
@@ -23,8 +23,8 @@ pub trait Array<T>: Copy + AsRef<[T]> + AsMut<[T]> + sealed::Sealed {
     /// The Bernstein basis on a triangle with as many functions as the array has elements, `N` of them on each edge.
     type Triangle<S: Scalar, const N: usize>: TriangularBasis<Scalar = S> + Default;
 
-    /// The Bernstein basis on a triangle with as many functions on each edge as this array has elements, in all as many as the
-    /// array `A`.
+    /// The Bernstein basis on a triangle with as many functions on each edge as this array has elements, in all as many
+    /// as the array `A`.
     type OnTriangle<S: Scalar, A: Array<()>>: TriangularBasis<Scalar = S> + Default;
 
     /// The array `[element(0), …, element(LEN - 1)]`.
@@ -118,22 +118,22 @@ pub trait Basis: Copy + PartialEq + Debug {
         })
     }
 
-    /// The control points of a curve with the derivatives `[C, C', …]` at the start of the domain: the first points, as many as
-    /// there are derivatives, are replaced by the solution of `Σ_i b[i]⁽ᵏ⁾(lo) points[i] = derivatives[k]`.
+    /// The control points of a curve with the derivatives `[C, C', …]` at the start of the domain: the first points, as
+    /// many as there are derivatives, are replaced by the solution of `Σ_i b[i]⁽ᵏ⁾(lo) points[i] = derivatives[k]`.
     ///
-    /// A generated family has the solution up to the second derivative as formulas, in which other points than the first are
-    /// replaced where those do not matter; all else is solved by elimination.
+    /// A generated family has the solution up to the second derivative as formulas, in which other points than the
+    /// first are replaced where those do not matter; all else is solved by elimination.
     ///
     /// # Errors
-    /// [`CurveError::Join`] if these control points do not determine the derivatives: some families have shape values at which
-    /// their derivative at the start is zero.
+    /// [`CurveError::Join`] if these control points do not determine the derivatives: some families have shape values
+    /// at which their derivative at the start is zero.
     #[inline]
     fn start_points<P: Point<Scalar = Self::Scalar>>(
         &self,
         derivatives: &[P],
         points: Self::Points<P>,
     ) -> Result<Self::Points<P>, CurveError> {
-        eliminate(self, derivatives, points, false)
+        eliminate(self, derivatives, points, End::Start)
     }
 
     /// As [`start_points`](Self::start_points) for the derivatives at the end of the domain and the last points.
@@ -146,11 +146,12 @@ pub trait Basis: Copy + PartialEq + Debug {
         derivatives: &[P],
         points: Self::Points<P>,
     ) -> Result<Self::Points<P>, CurveError> {
-        eliminate(self, derivatives, points, true)
+        eliminate(self, derivatives, points, End::Last)
     }
 
-    /// The curve Q over this family that continues a curve P of any family where that ends: the first control points, one
-    /// more than the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
+    /// The curve Q over this family that continues a curve P of any family where that ends: the first control points,
+    /// one more than the order of the contact, are computed from the derivatives of P, the others are taken from
+    /// `points`.
     ///
     /// ```
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -166,9 +167,9 @@ pub trait Basis: Copy + PartialEq + Debug {
     /// ```
     ///
     /// # Errors
-    /// [`CurveError::Factor`] if `f` is not positive or a factor not finite, [`CurveError::Contact`] if the order of the contact
-    /// is not below the number of control points, [`CurveError::NotFinite`] if a computed point is not finite,
-    /// [`CurveError::Join`] if the first control points do not determine the derivatives, see
+    /// [`CurveError::Factor`] if `f` is not positive or a factor not finite, [`CurveError::Contact`] if the order of
+    /// the contact is not below the number of control points, [`CurveError::NotFinite`] if a computed point is not
+    /// finite, [`CurveError::Join`] if the first control points do not determine the derivatives, see
     /// [`start_points`](Self::start_points).
     fn curve_after<B: Basis<Scalar = Self::Scalar>, P: Point<Scalar = Self::Scalar>>(
         &self,
@@ -176,11 +177,11 @@ pub trait Basis: Copy + PartialEq + Debug {
         contact: Contact<Self::Scalar>,
         points: Self::Points<P>,
     ) -> Result<Curve<Self, P>, CurveError> {
-        Ok(Curve::new(*self, touching(self, curve, contact, points, false)?))
+        Ok(Curve::new(*self, touching(self, curve, contact, points, End::Start)?))
     }
 
-    /// The curve Q over this family that ends where a curve P of any family starts: the last control points, one more than
-    /// the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
+    /// The curve Q over this family that ends where a curve P of any family starts: the last control points, one more
+    /// than the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
     ///
     /// ```
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -203,7 +204,7 @@ pub trait Basis: Copy + PartialEq + Debug {
         contact: Contact<Self::Scalar>,
         points: Self::Points<P>,
     ) -> Result<Curve<Self, P>, CurveError> {
-        Ok(Curve::new(*self, touching(self, curve, contact, points, true)?))
+        Ok(Curve::new(*self, touching(self, curve, contact, points, End::Last)?))
     }
 }
 

@@ -4,7 +4,8 @@ use crate::Scalar;
 
 /// The barycentric coordinates `[s, x] = [(hi - t) / (hi - lo), (t - lo) / (hi - lo)]` of `t` in the domain.
 ///
-/// Both are exact at both ends, and each has a small relative error where it is small. On `[0, 1]` they are `[1 - t, t]`.
+/// Both are exact at both ends, and each has a small relative error where it is small. On `[0, 1]` they are
+/// `[1 - t, t]`.
 #[inline]
 pub fn unit<S: Scalar>([lo, hi]: [S; 2], t: S) -> [S; 2] {
     // Divided, not multiplied by the inverse: (hi - lo) · (1 / (hi - lo)) need not be 1.

@@ -1,8 +1,8 @@
 //! Laws of families of basis functions, checked with numbers: for families that were not written as a spec.
 //!
-//! What [`basis!`](crate::basis!) generates is proved. A [`Basis`] that was written by hand, or that wraps another library, is
-//! not; these checks find its mistakes in a test. They draw parameters and control points from a generator with a fixed seed,
-//! so that every run checks the same numbers.
+//! What [`basis!`](crate::basis!) generates is proved. A [`Basis`] that was written by hand, or that wraps another
+//! library, is not; these checks find its mistakes in a test. They draw parameters and control points from a generator
+//! with a fixed seed, so that every run checks the same numbers.
 //!
 //! ```
 //! # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -39,11 +39,13 @@ use crate::{Array, Basis, Curve, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Checks {
-    /// The number of parameters, and of sets of control points; both ends of the domain are always among the parameters.
+    /// The number of parameters, and of sets of control points; both ends of the domain are always among the
+    /// parameters.
     pub samples: usize,
     /// Where the generator of numbers starts.
     pub seed: u64,
-    /// The error that is allowed, in units of `ε (n + 1)` times the size of the numbers that are added up, for degree `n`.
+    /// The error that is allowed, in units of `ε (n + 1)` times the size of the numbers that are added up, for degree
+    /// `n`.
     pub tolerance: f64,
 }
 
@@ -157,8 +159,8 @@ pub fn form<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation> {
     Ok(())
 }
 
-/// The derivative of each order is the limit of differences of the order below it; zero above the degree. Derivatives of
-/// curves are `Σ dᵏb[i]/dtᵏ P[i]`.
+/// The derivative of each order is the limit of differences of the order below it; zero above the degree. Derivatives
+/// of curves are `Σ dᵏb[i]/dtᵏ P[i]`.
 ///
 /// # Errors
 /// The first violation.
@@ -244,7 +246,8 @@ pub fn nonnegative<B: Basis>(basis: &B, checks: &Checks) -> Result<(), Violation
     Ok(())
 }
 
-/// Curves stay in the convex hull of their control points: in every direction between the smallest and the largest of them.
+/// Curves stay in the convex hull of their control points: in every direction between the smallest and the largest of
+/// them.
 ///
 /// # Errors
 /// The first violation.

@@ -1,8 +1,8 @@
 //! Curves and surfaces over families of polynomial basis functions, with or without shape parameters.
 //!
-//! A family is written down as a spec; [`basis!`] proves its claims while the crate that uses it is compiled and turns it
-//! into a small type that implements [`Basis`]. This crate holds everything that does not depend on the family: the types
-//! of points and scalars, the curves and the surfaces.
+//! A family is written down as a spec; [`basis!`] proves its claims while the crate that uses it is compiled and turns
+//! it into a small type that implements [`Basis`]. This crate holds everything that does not depend on the family: the
+//! types of points and scalars, the curves and the surfaces.
 //!
 //! ```
 //! # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -25,14 +25,30 @@
 //!
 //! # Domains
 //!
-//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a triangle
-//! or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on a box of several
-//! variables implements [`BoxBasis`] and makes a [`BoxPatch`].
+//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a
+//! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
+//! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
+//!
+//! # Where things are
+//!
+//! | for | look at |
+//! | --- | --- |
+//! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
+//! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
+//! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
+//! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
+//! | a patch on a triangle, a tetrahedron, a box | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`] |
+//! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
+//! | how smoothly two surfaces meet | [`edge_continuity`] |
+//! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
+//! | B-splines | [`bspline`] |
+//! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
+//! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
 //!
 //! # Points
 //!
-//! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam, the
-//! vectors and points of nalgebra, or a type of your own.
+//! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
+//! the vectors and points of nalgebra, or a type of your own.
 //!
 //! # Accuracy
 //!
@@ -42,18 +58,39 @@
 //!
 //! # Features
 //!
+//! `basis-runtime = "0.1"` has everything but the exchange with other crates and file formats. With
+//! `default-features = false, features = ["std"]` it is built alone, without the engine behind [`basis!`] and without
+//! glam; one of `std` and `libm` has to be there, for square roots and angles.
+//!
 //! | feature | default | |
 //! | --- | --- | --- |
-//! | `std` | yes | fused multiply-add and vector instructions where there are any; the crate is `no_std` without; enables `alloc` |
-//! | `alloc` | yes | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, meshes, rational patches of surfaces of revolution, [`bspline`] |
+//! | `std` | yes | fused multiply-add, and vector instructions where the processor has them; implies `alloc`. Without it the crate is `no_std` |
+//! | `libm` | no | square roots and angles without `std`; with `std` it changes nothing |
+//! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
+//! | `macros` | yes | [`basis!`] |
+//! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `alloc` |
+//! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `alloc` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
-//! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points |
-//! | `obj`, `stl`, `gltf` | no | meshes are written as Wavefront OBJ, binary STL, binary glTF |
-//! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree |
+//! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
+//! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree. `lyon_geom` implies `std` |
+//! | `gltf`, `obj`, `stl` | no | meshes are written as binary glTF, Wavefront OBJ, binary STL; imply `std` and `mesh` |
 //! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
 //! | `serde` | no | public data can be written and read; what is read is checked as by the constructors |
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+// items say which feature they need
+// This page links to everything; with fewer features some of it is not there.
+#![cfg_attr(
+    not(all(feature = "alloc", feature = "macros", feature = "bspline", feature = "mesh")),
+    allow(rustdoc::broken_intra_doc_links)
+)]
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!(
+    "basis-runtime computes square roots and angles with the feature `std` or, without it, the feature `libm`: \
+    switch one of them on"
+);
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
@@ -61,12 +98,13 @@ extern crate alloc;
 extern crate std;
 
 #[doc(hidden)]
-#[path = "private.rs"]
+#[path = "macro_support.rs"]
 pub mod __private;
 mod basis;
 pub mod bernstein;
+mod binomial;
 mod boxes;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "bspline")]
 pub mod bspline;
 #[cfg(any(feature = "kurbo", feature = "lyon_geom"))]
 mod convert;
@@ -76,7 +114,7 @@ mod error;
 mod form;
 #[cfg(feature = "laws")]
 pub mod laws;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "mesh")]
 mod mesh;
 mod point;
 mod revolution;
@@ -90,7 +128,20 @@ mod surface;
 mod vector;
 
 pub use basis::{Array, Basis};
+#[cfg(feature = "macros")]
 pub use basis_macros::basis;
+
+/// Stands for the macro of the feature `macros`, and says that the feature is off.
+#[cfg(not(feature = "macros"))]
+#[macro_export]
+macro_rules! basis {
+    ($($input:tt)*) => {
+        $crate::__private::core::compile_error!(
+            "`basis!` needs the feature `macros` of basis-runtime, which is one of its default features"
+        );
+    };
+}
+#[doc(inline)]
 pub use bernstein::{BernsteinBasis, BernsteinOf};
 pub use boxes::{BoxBasis, BoxPatch};
 pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
@@ -98,7 +149,7 @@ pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samp
 pub use curve::{Nearest, PiecewiseCurve};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
-#[cfg(feature = "alloc")]
+#[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 pub use point::Point;
 #[cfg(feature = "alloc")]
@@ -110,10 +161,14 @@ pub use simplex::{
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
     TriangularPatch,
 };
-#[cfg(feature = "alloc")]
-pub use surface::BoundedSurface;
 pub use surface::{
-    BezierPatchOf, Curvature, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface, ScalarOf,
-    Surface, TensorSurface, edge_continuity,
+    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface,
+    ScalarOf, Surface, TensorSurface, edge_continuity,
 };
+#[cfg(feature = "alloc")]
+pub use surface::{BoundedSurface, Projection};
 pub use vector::Point3;
+
+#[cfg(all(doctest, feature = "macros"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

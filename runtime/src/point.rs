@@ -6,9 +6,9 @@ use crate::scalar::{FUSED_HERE, Scalar};
 
 /// A point of an affine space, as components: what control points and points of a curve are.
 ///
-/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the feature `glam` for its float vectors, and with the
-/// feature `nalgebra` for its vectors and points. Sums of points are formed component by component, derivatives of curves
-/// have the type of their points.
+/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the feature `glam` for its float vectors, and with
+/// the feature `nalgebra` for its vectors and points. Sums of points are formed component by component, derivatives of
+/// curves have the type of their points.
 ///
 /// Two functions make a type of your own a point:
 ///

@@ -153,24 +153,30 @@ macro_rules! scalars {
             fn sqrt(self) -> Self {
                 #[cfg(feature = "std")]
                 return self.sqrt();
-                #[cfg(not(feature = "std"))]
+                #[cfg(all(feature = "libm", not(feature = "std")))]
                 return libm::$sqrt(self);
+                #[cfg(not(any(feature = "std", feature = "libm")))]
+                return Self::NAN; // such a build is refused in lib.rs
             }
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
                 #[cfg(feature = "std")]
                 return self.sin_cos();
-                #[cfg(not(feature = "std"))]
+                #[cfg(all(feature = "libm", not(feature = "std")))]
                 return libm::$sincos(self);
+                #[cfg(not(any(feature = "std", feature = "libm")))]
+                return (Self::NAN, Self::NAN); // such a build is refused in lib.rs
             }
 
             #[inline]
             fn atan2(self, x: Self) -> Self {
                 #[cfg(feature = "std")]
                 return self.atan2(x);
-                #[cfg(not(feature = "std"))]
+                #[cfg(all(feature = "libm", not(feature = "std")))]
                 return libm::$atan2(self, x);
+                #[cfg(not(any(feature = "std", feature = "libm")))]
+                return self * x; // such a build is refused in lib.rs
             }
 
             #[inline]

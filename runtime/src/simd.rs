@@ -1,17 +1,18 @@
 //! Runs a loop over a slice with the widest vector instructions that the processor has.
 //!
-//! Loops are written once, in portable code; the compiler vectorises them, once for each set of instructions. This is the
-//! only place of the crate with `unsafe` code.
+//! Loops are written once, in portable code; the compiler vectorises them, once for each set of instructions. This is
+//! the only place of the crate with `unsafe` code.
 
-/// From so many points on, choosing the instructions costs less than it saves.
+/// The number of points from which on choosing the instructions costs less than it saves.
 pub(crate) const WORTHWHILE: usize = 16;
 
 /// A loop over a slice.
 pub(crate) trait Kernel {
-    /// Runs the loop. `FUSED` says that `a * b + c` is one instruction; pass it on to [`Scalar::fma`](crate::Scalar::fma).
+    /// Runs the loop. `FUSED` says that `a * b + c` is one instruction; pass it on to
+    /// [`Scalar::fma`](crate::Scalar::fma).
     ///
-    /// An implementation is marked `#[inline(always)]` and so is all that it calls: only what is inlined into the functions
-    /// of this module is compiled for their instructions.
+    /// An implementation is marked `#[inline(always)]` and so is all that it calls: only what is inlined into the
+    /// functions of this module is compiled for their instructions.
     fn run<const FUSED: bool>(self);
 }
 

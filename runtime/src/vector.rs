@@ -4,8 +4,8 @@ use crate::{Point, Scalar};
 
 /// A point of three-dimensional space, where surfaces have normals.
 ///
-/// Implemented for `[S; 3]`, with the feature `glam` for `Vec3`, `Vec3A` and `DVec3`, and with the feature `nalgebra` for
-/// `Vector3` and `Point3`. A type of your own needs one line, and `DIM = 3`:
+/// Implemented for `[S; 3]`, with the feature `glam` for `Vec3`, `Vec3A` and `DVec3`, and with the feature `nalgebra`
+/// for `Vector3` and `Point3`. A type of your own needs one line, and `DIM = 3`:
 ///
 /// ```
 /// use basis_runtime::{Point, Point3};
@@ -64,8 +64,8 @@ pub(crate) fn cross<P: Point3>(a: P, b: P) -> P {
     })
 }
 
-/// The Euclidean length; infinite or NaN if a component is. Neither the square of a large component overflows nor that of
-/// a small one vanishes.
+/// The Euclidean length; infinite or NaN if a component is. Neither the square of a large component overflows nor that
+/// of a small one vanishes.
 #[inline]
 pub(crate) fn length<P: Point>(vector: P) -> P::Scalar {
     let square = dot(vector, vector);
@@ -110,8 +110,9 @@ pub(crate) fn lerp<P: Point>(a: P, b: P, x: P::Scalar) -> P {
     a.scale(P::Scalar::ONE - x).add_scaled(b, x)
 }
 
-/// The unit in which to measure things of that size: 1 if their power with the exponent `2^squarings` neither overflows nor
-/// vanishes, with a margin of `ε²` on both sides, and otherwise their size. A scale of 1 leaves exact numbers exact.
+/// The unit in which to measure things of that size: 1 if their power with the exponent `2^squarings` neither overflows
+/// nor vanishes, with a margin of `ε²` on both sides, and otherwise their size. A scale of 1 leaves exact numbers
+/// exact.
 pub(crate) fn safe_unit<S: Scalar>(size: S, squarings: usize) -> S {
     let power = (0..squarings).fold(size, |power, _| power * power);
     let margin = S::EPSILON * S::EPSILON;
@@ -125,7 +126,8 @@ pub(crate) fn is_finite<P: Point>(point: P) -> bool {
     (0..P::DIM).all(|i| point.component(i).is_finite())
 }
 
-/// The smallest axis-parallel box around points, as its two extreme corners; NaN in a component in which a point is NaN.
+/// The smallest axis-parallel box around points, as its two extreme corners; NaN in a component in which a point is
+/// NaN.
 pub(crate) fn box_of<P: Point>(points: &[P]) -> [P; 2] {
     let extreme = |of: fn(P::Scalar, P::Scalar) -> P::Scalar| {
         P::from_components(|c| {

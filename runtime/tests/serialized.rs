@@ -188,7 +188,7 @@ fn joints_and_networks_of_splines() {
     again(seam);
     again(network.clone());
     refused(&network, |json| json["seams"][0]["patches"] = serde_json::json!([0, 2]));
-    let measure = JointMeasure { gap: 0.5, gap_at: 0.25, angle: 1.0, angle_at: 0.0, samples: 13 };
+    let measure = JointMeasure { gap: 0.5, gap_at: 0.25, angle: 1.0, angle_at: 0.0 };
     again(measure);
     again(Followed { network, changed: [1].to_vec(), seams: [(0, measure)].to_vec() });
     again(FollowOptions::default());
@@ -242,7 +242,8 @@ fn all_else_is_shared() {
     shared::<Samples<P, EndpointForm<P, 3>>>();
 }
 
-/// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any kind.
+/// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any
+/// kind.
 #[test]
 fn none_is_forgotten() {
     let tests = include_str!("serialized.rs");

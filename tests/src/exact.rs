@@ -2,10 +2,12 @@
 
 use std::rc::Rc;
 
+use basis_engine::algebra::number::binomial;
 use basis_engine::algebra::poly::Poly;
-use basis_engine::algebra::rational::{Rational, binomial};
-use basis_engine::{Disk, Family, Library, source};
+use basis_engine::algebra::rational::Rational;
+use basis_engine::{Disk, Family, Library, Prover, Subject, source};
 use basis_runtime::Scalar;
+use num_rational::BigRational;
 
 use crate::random::Random;
 
@@ -14,7 +16,8 @@ use crate::random::Random;
 /// # Panics
 /// When it is infinite or NaN.
 pub fn fraction(value: impl Scalar) -> Rational {
-    Rational::from_f64(value.to_f64()).unwrap_or_else(|| panic!("{value} is not a number"))
+    let exact = BigRational::from_float(value.to_f64());
+    exact.map_or_else(|| panic!("{value} is not a number"), Rational::from_big)
 }
 
 /// The fractions that floats are.
@@ -47,9 +50,12 @@ impl Reference {
     pub fn new(file: &str, name: &str, order: &[i64]) -> Self {
         let path = crate::spec(file).to_string_lossy().into_owned();
         let source = source::read(&Disk, &path, &[]).unwrap_or_else(|e| panic!("{e}"));
-        let library = Library::from_source(&Disk, source);
+        let library = Library::from_source(&Disk, &Prover, source);
         let item = library.item(name, order).unwrap_or_else(|e| panic!("{name}{order:?}: {e:?}"));
-        Self { family: item.family }
+        match item.subject {
+            Subject::Family(family) => Self { family },
+            Subject::Theorem(_) => panic!("{name} is a theorem"),
+        }
     }
 
     /// Shape values inside the declared ranges, often at an end; between -30 and 30 where a range has no end.

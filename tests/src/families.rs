@@ -4,28 +4,28 @@ use basis_runtime::{Basis, Scalar, ShapeError, basis};
 
 use crate::exact::Reference;
 
-basis!("../../specs/ball.basis");
-basis!("../../specs/ball.basis", SaidBallOdd(3), WangBall(3));
+basis!(library "ball");
+basis!(library "ball", SaidBallOdd(3), WangBall(3));
 // Above degree 12 curves are evaluated in another form.
 basis!(
-    "../../specs/bernstein.basis",
+    library "bernstein",
     Bernstein(1) as Linear,
     Bernstein(3) as Cubic,
     Bernstein(12) as Bernstein12,
     Bernstein(13) as Bernstein13,
     Bernstein(30) as Bernstein30
 );
-basis!("../../specs/beta_spline.basis");
-basis!("../../specs/bspline.basis");
-basis!("../../specs/bspline.basis", UniformBSpline(5));
-basis!("../../specs/cardinal.basis");
-basis!("../../specs/delgado_pena.basis", DelgadoPenaEven(3), DelgadoPenaOdd(2));
-basis!("../../specs/hermite.basis");
-basis!("../../specs/kochanek_bartels.basis");
-basis!("../../specs/lagrange.basis", Lagrange(8));
-basis!("../../specs/quadratic.basis");
-basis!("../../specs/quartic.basis");
-basis!("../../specs/smoothstep.basis", Smoothstep(0), Smoothstep(5) as Smootheststep);
+basis!(library "beta_spline");
+basis!(library "bspline");
+basis!(library "bspline", UniformBSpline(5));
+basis!(library "cardinal");
+basis!(library "delgado_pena", DelgadoPenaEven(3), DelgadoPenaOdd(2));
+basis!(library "hermite");
+basis!(library "kochanek_bartels");
+basis!(library "lagrange", Lagrange(8));
+basis!(library "quadratic");
+basis!(library "quartic");
+basis!(library "smoothstep", Smoothstep(0), Smoothstep(5) as Smootheststep);
 basis!("../specs/good/quadric.basis");
 basis!("../specs/good/tenths.basis");
 

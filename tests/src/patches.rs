@@ -7,23 +7,23 @@ use basis_runtime::{BoxBasis, Scalar, ShapeError, SimplexBasis, basis};
 use crate::exact::{Reference, fraction};
 use crate::random::Random;
 
-basis!("../../specs/elements.basis");
-basis!("../../specs/lagrange.basis", Bilinear, Serendipity);
-basis!("../../specs/lagrange.basis", TriangularLagrange(1) as P1, TriangularLagrange(4) as P4);
+basis!(library "elements");
+basis!(library "lagrange", Bilinear, Serendipity);
+basis!(library "lagrange", TriangularLagrange(1) as P1, TriangularLagrange(4) as P4);
 basis!(
-    "../../specs/lagrange.basis",
+    library "lagrange",
     TetrahedralLagrange(1) as Tetrahedral1,
     TetrahedralLagrange(2) as Tetrahedral2
 );
-basis!("../../specs/triangular.basis", TriangularBernstein(1) as TriangularLinear, TriangularBernstein(3));
+basis!(library "triangular", TriangularBernstein(1) as TriangularLinear, TriangularBernstein(3));
 basis!(
-    "../../specs/triangular.basis",
+    library "triangular",
     TriangularI(2),
     TriangularI(3) as TriangularI3,
     TriangularI(8) as TriangularI8
 );
 basis!(
-    "../../specs/triangular.basis",
+    library "triangular",
     TriangularII(3),
     TriangularII(5) as TriangularII5,
     TriangularII(8) as TriangularII8

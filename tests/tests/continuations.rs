@@ -1,5 +1,5 @@
-//! Curves that continue a curve: the formulas that the engine derives for each family, beside elimination, which knows nothing of
-//! them, and beside the derivatives of the curves that they make.
+//! Curves that continue a curve: the formulas that the engine derives for each family, beside elimination, which knows
+//! nothing of them, and beside the derivatives of the curves that they make.
 
 use basis_runtime::{__private::end_points, Array, Contact, Curve, CurveError, Point, Scalar};
 use basis_tests::each_family;

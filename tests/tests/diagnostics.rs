@@ -58,7 +58,7 @@ fn are_as_written_in_the_specs() {
 fn annotated(path: &Path, text: &str) -> String {
     let spec: String = text.split_inclusive('\n').filter(|line| !line.starts_with(MARK)).collect();
     let name = path.file_name().unwrap().to_str().unwrap();
-    let report = check(Source { path: Some(path.canonicalize().unwrap()), ..Source::text(name, &spec) });
+    let report = check(Source::text(name, &spec).at(path.canonicalize().unwrap()));
     assert!(!report.diagnostics.is_empty(), "{name} is accepted");
 
     let main = report.sources.iter().next().unwrap().0;
@@ -136,7 +136,7 @@ fn assemble(spec: &str, notes: &[(usize, String)]) -> String {
 fn of_a_text_that_cannot_be_decoded() {
     let error = source::read(&Bytes(b"family F {\n    // caf\xe9\n}"), "latin1.basis", &[]).unwrap_err();
     assert_eq!(error.message, "`latin1.basis` is not UTF-8: invalid byte 0xe9 in line 2");
-    assert_eq!(error.notes, ["save the file with the encoding UTF-8"]);
+    assert_eq!(error.help.as_deref(), Some("save the file with the encoding UTF-8"));
 }
 
 struct Bytes(&'static [u8]);

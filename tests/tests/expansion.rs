@@ -1,13 +1,13 @@
 //! The generated code of a few families, to be read whenever it changes: `INSTA_UPDATE=always cargo test -p
 //! basis-tests --test expansion` writes the code of today into `snapshots`.
 
-use basis_engine::{Disk, Library, Request, Requested, expand, source};
+use basis_engine::{Disk, Library, Prover, Request, Requested, expand, source};
 use proc_macro2::Span;
 
 /// The formatted code of one family of a file.
 fn code(file: &str, family: &str, order: &[i64]) -> String {
     let path = basis_tests::spec(file).to_string_lossy().into_owned();
-    let library = Library::from_source(&Disk, source::read(&Disk, &path, &[]).unwrap());
+    let library = Library::from_source(&Disk, &Prover, source::read(&Disk, &path, &[]).unwrap());
     let family =
         Requested { name: family.to_string(), span: Span::call_site(), order: order.to_vec(), rename: None };
     let runtime = "::basis_runtime".parse().unwrap();

@@ -1,5 +1,5 @@
-//! Functions of joins: the control points that they compute make curves and surfaces join, measured on the evaluated curves
-//! and surfaces, which know nothing of the formulas.
+//! Functions of joins: the control points that they compute make curves and surfaces join, measured on the evaluated
+//! curves and surfaces, which know nothing of the formulas.
 
 use basis_runtime::{
     Contact, Curve, CurveError, Edge, EdgeContinuity, TensorSurface, basis, edge_continuity,
@@ -250,8 +250,8 @@ fn missed(p: [[f64; 3]; 3], q: [[f64; 3]; 3], f: f64, c: f64) -> [f64; 2] {
     [size(first) / scale, size(second) / scale]
 }
 
-/// A G2 contact leaves two scalars free, f and c: the derivatives say that these are the ones that were asked for, which
-/// tangents and curvatures do not.
+/// A G2 contact leaves two scalars free, f and c: the derivatives say that these are the ones that were asked for,
+/// which tangents and curvatures do not.
 #[test]
 fn the_scalars_of_a_contact_are_those_that_were_asked_for() {
     let mut random = Random::new(7);

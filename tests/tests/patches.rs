@@ -1,13 +1,13 @@
-//! Values, derivatives and Bernstein coefficients of families on triangles, tetrahedra and boxes against the exact fractions
-//! of their specs.
+//! Values, derivatives and Bernstein coefficients of families on triangles, tetrahedra and boxes against the exact
+//! fractions of their specs.
 
 use std::collections::BTreeSet;
 
+use basis_engine::Verdict;
 use basis_engine::algebra::poly::Poly;
 use basis_engine::algebra::rational::Rational;
 use basis_engine::generate::patch_form::PatchForm;
-use basis_engine::prove::Verdict;
-use basis_engine::{Disk, Library, Selected, source};
+use basis_engine::{Disk, Library, Prover, Selected, Subject, source};
 use basis_runtime::Scalar;
 use basis_tests::each_patch;
 use basis_tests::exact::{Reference, epsilon, fraction};
@@ -80,8 +80,8 @@ fn have_exact_derivatives_up_to_rounding() {
     each_patch!(f32, derivatives);
 }
 
-/// Bernstein coefficients against those of the engine, which knows nothing of the recursion; with their exact sign, so that
-/// what is proved holds for the floats.
+/// Bernstein coefficients against those of the engine, which knows nothing of the recursion; with their exact sign, so
+/// that what is proved holds for the floats.
 fn coefficients<B: ShippedPatch>() {
     let reference = B::reference();
     let family = &reference.family;
@@ -165,9 +165,13 @@ fn every_shipped_family_is_tested() {
             continue;
         }
         let source = source::read(&Disk, &path.to_string_lossy(), &[]).expect("readable");
-        let library = Library::from_source(&Disk, source);
+        let library = Library::from_source(&Disk, &Prover, source);
         let items = library.items(Selected::EveryOrder);
-        for family in items.iter().map(|item| &item.family).filter(|f| f.interval().is_none()) {
+        let families = items.iter().filter_map(|item| match &item.subject {
+            Subject::Family(family) => Some(family),
+            Subject::Theorem(_) => None,
+        });
+        for family in families.filter(|f| f.interval().is_none()) {
             assert!(tested.contains(&family.name), "{} has a family {}", path.display(), family.name);
         }
     }
@@ -179,16 +183,17 @@ fn proved_families_have_nonnegative_factors() {
     for name in ["triangular.basis", "lagrange.basis"] {
         let path = basis_tests::spec(name).to_string_lossy().into_owned();
         let report = basis_engine::check(source::read(&Disk, &path, &[]).expect("readable"));
-        for item in report.items.iter().filter(|item| item.family.interval().is_none()) {
+        for item in &report.items {
+            let Subject::Family(family) = &item.subject else { continue };
             let proved = item
                 .claims
                 .iter()
                 .any(|(claim, verdict)| claim.text == "nonnegative" && matches!(verdict, Verdict::Proved(_)));
-            if proved && item.family.functions.len() <= 21 {
-                let form = PatchForm::new(&item.family).expect("a patch");
-                let corner: Vec<Rational> = item.family.names.iter().map(|_| Rational::ONE).collect();
+            if proved && family.interval().is_none() && family.functions.len() <= 21 {
+                let form = PatchForm::new(family).expect("a patch");
+                let corner: Vec<Rational> = family.names.iter().map(|_| Rational::ONE).collect();
                 for p in form.functions.iter().flat_map(|f| &f.inner) {
-                    assert!(!p.eval(&corner).is_negative(), "{}", item.family.title());
+                    assert!(!p.eval(&corner).is_negative(), "{}", family.title());
                 }
             }
         }

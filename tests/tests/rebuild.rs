@@ -1,4 +1,5 @@
-//! An edit of a spec file, or of a file that it uses, makes Cargo build the crate anew, also after an error.
+//! An edit of a spec file, of a file that it uses, or of an environment variable in its path makes Cargo build the crate
+//! anew, also after an error.
 
 use std::fs;
 use std::path::Path;
@@ -19,56 +20,91 @@ fn used(function: &str) -> String {
     format!("family Used {{ domain 0 <= t <= 1; b[0] = {function}; }}")
 }
 
-fn run(folder: &Path) -> Output {
-    // One target folder for all runs of the test: the dependencies are built once.
-    let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rebuild");
-    Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--offline"])
-        .current_dir(folder)
-        .env("CARGO_TARGET_DIR", target)
-        .output()
-        .expect("cargo can be started")
-}
+/// A crate that depends on the runtime.
+struct Crate(tempfile::TempDir);
 
-fn output(folder: &Path) -> String {
-    let output = run(folder);
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    text.trim().to_string()
+impl Crate {
+    fn new(name: &str, main: &str) -> Self {
+        let root =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the workspace is there");
+        let folder = Self(tempfile::tempdir().expect("a temporary folder can be made"));
+        let runtime = root.join("runtime").display().to_string();
+        let manifest = format!(
+            "[package]\nname = {name:?}\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
+             basis-runtime = {{ path = {runtime:?}, default-features = false, features = [\"macros\", \"std\"] }}\n"
+        );
+        folder.write("Cargo.toml", &manifest);
+        fs::copy(root.join("Cargo.lock"), folder.0.path().join("Cargo.lock"))
+            .expect("the lock file is there");
+        folder.write("src/main.rs", main);
+        folder
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        let path = self.0.path().join(name);
+        fs::create_dir_all(path.parent().expect("inside the folder")).expect("a folder can be made");
+        fs::write(path, text).expect("a file can be written");
+    }
+
+    fn run(&self, variables: &[(&str, &str)]) -> Output {
+        // One target folder for all runs of the tests: the dependencies are built once.
+        let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("rebuild");
+        Command::new(env!("CARGO"))
+            .args(["run", "--quiet", "--offline"])
+            .current_dir(self.0.path())
+            .env("CARGO_TARGET_DIR", target)
+            .envs(variables.iter().copied())
+            .output()
+            .expect("cargo can be started")
+    }
+
+    fn output(&self, variables: &[(&str, &str)]) -> String {
+        let output = self.run(variables);
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        text.trim().to_string()
+    }
+
+    /// What the compiler says when it refuses.
+    fn refusal(&self, variables: &[(&str, &str)]) -> String {
+        let refused = self.run(variables);
+        assert!(!refused.status.success());
+        String::from_utf8_lossy(&refused.stderr).into_owned()
+    }
 }
 
 #[test]
 fn follows_every_edit_of_a_spec() {
-    let root =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the workspace is there");
-    let folder = tempfile::tempdir().expect("a temporary folder can be made");
-    let write = |name: &str, text: &str| {
-        let path = folder.path().join(name);
-        fs::create_dir_all(path.parent().expect("inside the folder")).expect("a folder can be made");
-        fs::write(path, text).expect("a file can be written");
-    };
-    let runtime = root.join("runtime");
-    let manifest = format!(
-        "[package]\nname = \"rebuilt\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-         basis-runtime = {{ path = {runtime:?}, default-features = false }}\n"
-    );
-    write("Cargo.toml", &manifest);
-    fs::copy(root.join("Cargo.lock"), folder.path().join("Cargo.lock")).expect("the lock file is there");
-    write("src/main.rs", MAIN);
-    write("src/specs/line.basis", &line("t"));
-    write("src/specs/used.basis", &used("t"));
-    assert_eq!(output(folder.path()), "[0.0, 1.0]");
+    let rebuilt = Crate::new("rebuilt", MAIN);
+    rebuilt.write("src/specs/line.basis", &line("t"));
+    rebuilt.write("src/specs/used.basis", &used("t"));
+    assert_eq!(rebuilt.output(&[]), "[0.0, 1.0]");
 
     // The spec itself.
-    write("src/specs/line.basis", &line("2*t"));
-    let refused = run(folder.path());
-    let message = String::from_utf8_lossy(&refused.stderr).into_owned();
-    assert!(
-        !refused.status.success() && message.contains("the claim `b[1] = Used[0]` is false"),
-        "{message}"
-    );
+    rebuilt.write("src/specs/line.basis", &line("2*t"));
+    let message = rebuilt.refusal(&[]);
+    assert!(message.contains("the claim `b[1] = Used[0]` is false"), "{message}");
+    // The place is one that a terminal opens from the folder in which Cargo runs.
+    assert!(message.contains("--> src/specs/line.basis:2:"), "{message}");
 
     // A file that it uses, after an error.
-    write("src/specs/used.basis", &used("t + t"));
-    assert_eq!(output(folder.path()), "[0.0, 2.0]");
+    rebuilt.write("src/specs/used.basis", &used("t + t"));
+    assert_eq!(rebuilt.output(&[]), "[0.0, 2.0]");
+}
+
+#[test]
+fn follows_an_environment_variable() {
+    let main = MAIN.replace("\"specs/line.basis\"", "concat!(env!(\"BASIS_TEST_FOLDER\"), \"/line.basis\")");
+    let moved = Crate::new("moved", &main);
+    for (folder, second) in [("one", "t"), ("two", "3*t")] {
+        moved.write(&format!("src/{folder}/line.basis"), &line(second));
+        moved.write(&format!("src/{folder}/used.basis"), &used(second));
+    }
+    let message = moved.refusal(&[]);
+    assert!(message.contains("`BASIS_TEST_FOLDER` is not set"), "{message}");
+    assert_eq!(moved.output(&[("BASIS_TEST_FOLDER", "one")]), "[0.0, 1.0]");
+    assert_eq!(moved.output(&[("BASIS_TEST_FOLDER", "two")]), "[0.0, 3.0]");
+    let message = moved.refusal(&[("BASIS_TEST_FOLDER", "three")]);
+    assert!(message.contains("there is no spec file `three/line.basis`"), "{message}");
+    assert_eq!(moved.output(&[("BASIS_TEST_FOLDER", "one")]), "[0.0, 1.0]");
 }

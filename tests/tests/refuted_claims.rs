@@ -1,5 +1,5 @@
-//! Every published claim that is refuted fails on floats, too, and its correction holds; the claims are stated and decided in
-//! `specs/papers`.
+//! Every published claim that is refuted fails on floats, too, and its correction holds; the claims are stated and
+//! decided in `specs/papers`.
 
 use basis_runtime::{Curve, Edge, Surface, SurfaceOfRevolution, TensorSurface, basis, edge_continuity};
 use basis_tests::random::Random;
@@ -390,8 +390,8 @@ fn tri_c1() {
     assert!(quasi > plain, "{quasi} {plain}");
 }
 
-/// tri-6.1: the degree along a line, by differences of one order more; type I has the degree 5 for n = 3, but 3 where it is the
-/// Bernstein basis.
+/// tri-6.1: the degree along a line, by differences of one order more; type I has the degree 5 for n = 3, but 3 where
+/// it is the Bernstein basis.
 #[test]
 fn tri_6_1() {
     let difference = |l1: f64, l2: f64, order: usize| {

@@ -128,7 +128,8 @@ fn boundary_curves_are_the_edges() {
     edges::<Quotients<f64>, _>(false);
 }
 
-/// The edge of a patch of type II does not know the second shape parameter, and is a curve of one family over four points.
+/// The edge of a patch of type II does not know the second shape parameter, and is a curve of one family over four
+/// points.
 #[test]
 fn an_edge_of_type_ii_is_a_curve_over_its_own_points() {
     let points: [[f64; 2]; 10] = core::array::from_fn(|i| [i as f64, (i * i % 7) as f64]);

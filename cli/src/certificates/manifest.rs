@@ -10,8 +10,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Map, Value, json};
 
 use super::fields::Fields;
-use super::verify::Specs;
-use super::write::title;
+use super::specs::Specs;
 use crate::check::prove::Outcome;
 
 /// The first field.
@@ -40,7 +39,7 @@ impl Manifest {
 
     /// Adds a spec.
     pub(crate) fn add(&mut self, outcome: &Outcome) {
-        let items = outcome.items.iter().map(|d| (title(&d.subject), d.claims.len()));
+        let items = outcome.items.iter().map(|d| (d.subject.title(), d.claims.len()));
         self.specs.insert(outcome.path.clone(), items.collect());
     }
 
@@ -108,7 +107,7 @@ pub(super) fn verify(folder: &Path, asked: &[PathBuf], specs: &mut Specs) -> Vec
     }
     for spec in expected.iter().chain(manifest.specs.keys()).collect::<BTreeSet<_>>() {
         let says = match specs.items(spec) {
-            Ok(items) => items.iter().map(|item| (title(&item.subject), item.claims.len())).collect(),
+            Ok(items) => items.iter().map(|s| (s.item.subject.title(), s.item.claims.len())).collect(),
             Err(problem) => {
                 problems.push(problem);
                 continue;

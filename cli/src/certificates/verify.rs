@@ -3,23 +3,25 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 use std::time::Instant;
 
 use basis_engine::algebra::rational::Rational;
-use basis_engine::prove::{Witness, as_declared, check};
-use basis_engine::{Diagnostic, Disk, Library, Selected, Severity, Sources, Theorem, Verdict, prove};
+use basis_engine::algebra::work::Work;
+use basis_engine::claim::Expected;
+use basis_engine::model::obligation::Obligation;
+use basis_engine::state::{self, Stated as Statements};
+use basis_engine::{Claim, Sources, Subject};
+use basis_kernel::{Certificate, Proof, Refutation, Statement, text as kernel};
 use serde::Serialize;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
-use super::fields::Fields;
-use super::text::{coordinate, number};
-use super::{FORMAT, manifest, proofs, statements, write};
+use super::fields::{Fields, list, text as word};
+use super::specs::{Specs, Stated};
+use super::{FORMAT, manifest, write};
 use crate::args::{Format, VerifyArguments};
-use crate::check::files;
-use crate::check::prove::{Question, Subject};
 use crate::name::count;
 use crate::output::{self, Status, complain, error};
-use crate::spec;
 
 /// What verifying a folder gives.
 #[derive(Debug, Serialize)]
@@ -121,101 +123,6 @@ fn text(report: &Report, start: Instant) -> String {
     text + &format!("\n{all}, {}: {outcome}; {seconds:.2} s\n", count(claims, "claim"))
 }
 
-/// The specs that certificates are about, each read once.
-pub(super) struct Specs {
-    folder: PathBuf,
-    known: BTreeMap<String, Result<Vec<Item>, String>>,
-}
-
-/// A family of one order, a theorem or a join, with what the spec says of it.
-#[derive(Debug)]
-pub(super) struct Item {
-    pub(super) subject: Subject,
-    /// The claims with their lines.
-    pub(super) claims: Vec<(Question, Option<usize>)>,
-    /// Whether a certificate was found.
-    pub(super) found: bool,
-}
-
-impl Specs {
-    /// The folders in which the paths of specs may begin: where `check` was run, or around the certificates.
-    fn bases(folder: &Path) -> Vec<PathBuf> {
-        let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_path_buf());
-        std::iter::once(PathBuf::new()).chain(folder.ancestors().map(Path::to_path_buf)).collect()
-    }
-
-    /// What a spec says.
-    pub(super) fn items(&mut self, path: &str) -> Result<&mut Vec<Item>, String> {
-        let folder = &self.folder;
-        let items = self.known.entry(path.to_string()).or_insert_with(|| {
-            let places = Self::bases(folder).into_iter().map(|base| base.join(path));
-            let place = places.into_iter().find(|p| p.is_file());
-            let place = place.ok_or(format!("there is no spec `{path}` here or around the certificates"))?;
-            items(&place)
-        });
-        items.as_mut().map_err(|e| e.clone())
-    }
-
-    /// The specs that a path of the command line stands for, as `check` names them.
-    pub(super) fn under(&self, path: &Path) -> Vec<String> {
-        for base in Self::bases(&self.folder) {
-            let place = base.join(path);
-            if !place.exists() {
-                continue;
-            }
-            let named = |file: &Path| match file.strip_prefix(&place) {
-                Ok(rest) if !rest.as_os_str().is_empty() => path.join(rest),
-                _ => path.to_path_buf(),
-            };
-            let found =
-                files::find(std::slice::from_ref(&place)).into_iter().filter(|entry| entry.problem.is_none());
-            let found: Vec<String> = found.map(|entry| named(&entry.path).display().to_string()).collect();
-            // A folder of certificates can have the same name.
-            if !found.is_empty() {
-                return found;
-            }
-        }
-        vec![path.display().to_string()]
-    }
-
-    fn missing(&self) -> Vec<String> {
-        let items = self.known.iter().filter_map(|(path, items)| Some((path, items.as_ref().ok()?)));
-        let lost = items.flat_map(|(path, items)| items.iter().filter(|i| !i.found).map(move |i| (path, i)));
-        lost.map(|(path, item)| format!("{path}: {}", write::title(&item.subject))).collect()
-    }
-}
-
-/// Everything that a spec says.
-pub(super) fn items(path: &Path) -> Result<Vec<Item>, String> {
-    let source = spec::read(path).map_err(|e| e.text())?;
-    let library = Library::from_source(&Disk, source);
-    let diagnostics = library.diagnostics();
-    if let Some(error) = diagnostics.iter().find(|d| d.severity == Severity::Error) {
-        return Err(format!("the spec `{}` has errors: {}", path.display(), Diagnostic::text(error)));
-    }
-    let line = |place: &basis_engine::diagnostic::Place| match place {
-        basis_engine::diagnostic::Place::Text(id, range) => {
-            Some(library.sources().get(*id).line_column(range.start).0)
-        }
-        basis_engine::diagnostic::Place::Token(_) => None,
-    };
-    let with_line = |question: Question| {
-        let line = line(question.place());
-        (question, line)
-    };
-    let families = library.items(Selected::EveryOrder).into_iter().map(|item| Item {
-        claims: item.claims.into_iter().map(|c| with_line(Question::Family(c))).collect(),
-        subject: Subject::Family(item.family),
-        found: false,
-    });
-    let theorems = library.theorems().into_iter().map(|theorem: Theorem| Item {
-        claims: theorem.claims.iter().map(|c| with_line(Question::Theorem(c.clone()))).collect(),
-        subject: Subject::Theorem(Box::new(theorem)),
-        found: false,
-    });
-    Ok(families.chain(theorems).collect())
-}
-
 /// Verifies one certificate.
 fn one(path: &Path, specs: &mut Specs) -> Verified {
     let mut verified = Verified {
@@ -258,23 +165,23 @@ fn one(path: &Path, specs: &mut Specs) -> Verified {
 }
 
 /// What is wrong with a certificate about one of the items of a spec.
-pub(super) fn certificate(value: &Value, spec: &str, items: &mut [Item]) -> Vec<String> {
-    let of = |item: &Item| {
-        let subject = statements::subject(&item.subject);
+pub(super) fn certificate(value: &Value, spec: &str, items: &mut [Stated]) -> Vec<String> {
+    let of = |stated: &Stated| {
+        let subject = write::subject(&stated.item.subject);
         ["kind", "name", "order"].iter().all(|key| value.get(*key) == subject.get(*key))
     };
-    let Some(item) = items.iter_mut().find(|item| of(item)) else {
+    let Some(stated) = items.iter_mut().find(|stated| of(stated)) else {
         return vec![String::from("the spec has no such family, theorem or join")];
     };
-    item.found = true;
-    match against(value, spec, item) {
+    stated.found = true;
+    match against(value, spec, stated) {
         Ok(problems) => problems,
         Err(problem) => vec![problem],
     }
 }
 
-/// Everything but the claims must be as the spec says; then the claims one by one.
-fn against(value: &Value, spec: &str, item: &Item) -> Result<Vec<String>, String> {
+/// Everything but the proofs must be as the spec says; then the obligations and claims one by one.
+fn against(value: &Value, spec: &str, stated: &Stated) -> Result<Vec<String>, String> {
     let mut fields = Fields::of(value)?;
     if fields.text("format")? != FORMAT {
         return Err(format!("the format is not `{FORMAT}`"));
@@ -282,118 +189,146 @@ fn against(value: &Value, spec: &str, item: &Item) -> Result<Vec<String>, String
     if fields.text("spec")? != spec {
         return Err(String::from("the spec is another one"));
     }
-    for (key, expected) in statements::subject(&item.subject) {
+    let item = &stated.item;
+    for (key, expected) in write::subject(&item.subject) {
         if *fields.take(&key)? != expected {
             return Err(format!("`{key}` is not what the spec says"));
         }
     }
+    let obligations = fields.list("obligations")?;
     let claims = fields.list("claims")?;
     fields.end()?;
+    if obligations.len() != item.obligations.len() {
+        return Err(format!(
+            "there are {} obligations, and not {}",
+            item.obligations.len(),
+            obligations.len()
+        ));
+    }
     if claims.len() != item.claims.len() {
         return Err(format!("there are {} claims, and the spec makes {}", claims.len(), item.claims.len()));
     }
-    let names = statements::names(&item.subject);
+    let budget = item.subject.budget();
     let mut problems = Vec::new();
-    for (value, (question, line)) in claims.iter().zip(&item.claims) {
-        if let Err(problem) = claim(value, question, *line, &item.subject, &names) {
-            problems.push(format!("`{}`: {problem}", question.text()));
+    for (value, known) in obligations.iter().zip(&item.obligations) {
+        if let Err(problem) = obligation(value, known, budget) {
+            problems.push(format!("`{}`: {problem}", known.of));
+        }
+    }
+    for ((value, claim), line) in claims.iter().zip(&item.claims).zip(&stated.lines) {
+        if let Err(problem) = self::claim(value, &item.subject, claim, *line) {
+            problems.push(format!("`{}`: {problem}", claim.text));
         }
     }
     Ok(problems)
 }
 
+/// Checks something that must be true for the formulas to mean something.
+fn obligation(value: &Value, known: &Obligation, budget: u32) -> Result<(), String> {
+    let mut fields = Fields::of(value)?;
+    if fields.text("of")? != known.of {
+        return Err(String::from("this is not what the spec needs"));
+    }
+    let negative = match fields.take_if_any("negative") {
+        None => false,
+        Some(Value::Bool(true)) => true,
+        Some(_) => return Err(String::from("`negative` is `true` or not there")),
+    };
+    let proof = fields.take_if_any("proof");
+    fields.end()?;
+    let alternative = known.goal.alternatives().into_iter().nth(usize::from(negative));
+    let statement = alternative.ok_or("it cannot be negative")?;
+    shown(statement, proof, budget)
+}
+
+/// Has the kernel check a proof; without one, whether computing is enough.
+fn shown(statement: Statement, proof: Option<&Value>, budget: u32) -> Result<(), String> {
+    let certificate = match proof {
+        None => Certificate::Direct,
+        Some(proof) => match kernel::certificate(word(proof)?).map_err(|e| e.to_string())? {
+            Certificate::Direct => return Err(String::from("a proof that only computes is not written")),
+            other => other,
+        },
+    };
+    let proof = Proof::new(Rc::new(statement), certificate, &mut Work::usual(budget));
+    proof.map(|_| ()).map_err(|e| e.to_string())
+}
+
 /// What a certificate says of one claim.
 pub(super) fn claim(
     value: &Value,
-    question: &Question,
-    line: Option<usize>,
     subject: &Subject,
-    names: &[String],
+    claim: &Claim,
+    line: Option<usize>,
 ) -> Result<(), String> {
     let mut fields = Fields::of(value)?;
-    for (key, expected) in write::head(question, line) {
+    for (key, expected) in write::head(claim, line) {
         if *fields.take(&key)? != expected {
             return Err(format!("`{key}` is not what the spec says"));
         }
     }
-    let verdict = match fields.text("verdict")? {
-        "proved" => {
-            steps(fields.list("steps")?, &subject.statements(question), names)?;
-            Verdict::Proved(prove::Evidence { method: String::new(), steps: Vec::new() })
+    if let Some(steps) = fields.take_if_any("steps") {
+        let statements = state::statements(subject, claim);
+        if steps.as_u64() != Some(statements.len() as u64) {
+            return Err(format!("the claim makes {}", count(statements.len(), "statement")));
         }
-        "refuted" => {
-            let witness = witness(fields.take("witness")?)?;
-            subject.check_witness(question, &witness)?;
-            Verdict::Refuted(witness)
-        }
-        "undecided" => return Err(String::from("the claim is undecided")),
-        other => return Err(format!("`{other}` is not a verdict")),
+        proofs(statements, fields.take_if_any("proofs"), subject.budget())?;
+        fields.end()?;
+        return declared(claim, Expected::True);
+    }
+    if fields.take_if_any("left").is_some() {
+        return Err(String::from("the claim is undecided"));
+    }
+    let of = fields.text("of")?;
+    let witness = kernel::witness(fields.text("witness")?).map_err(|e| e.to_string())?;
+    let given = match fields.take_if_any("given") {
+        None => Vec::new(),
+        Some(given) => list(given)?.iter().map(place).collect::<Result<_, _>>()?,
     };
+    let value = fields.take_if_any("value");
     fields.end()?;
-    if as_declared(question.expected(), &verdict) {
+    let instances = state::instances(subject, claim, &given)?;
+    let found = instances.into_iter().find(|stated| stated.of == of);
+    let Statements { statement, .. } = found.ok_or_else(|| format!("the claim says nothing of `{of}`"))?;
+    let refutation = Refutation::new(Rc::new(statement), witness, &mut Work::usual(subject.budget()));
+    let refutation = refutation.map_err(|e| e.to_string())?;
+    if value.map(Value::as_str) != refutation.value().map(Rational::to_string).as_deref().map(Some) {
+        return Err(String::from("the value is another one"));
+    }
+    declared(claim, Expected::False)
+}
+
+/// Whether a claim is declared as it was found to be.
+fn declared(claim: &Claim, found: Expected) -> Result<(), String> {
+    if claim.expected == found {
         Ok(())
     } else {
         Err(String::from("the verdict contradicts what the spec declares"))
     }
 }
 
-/// Every statement must be what the spec says, and its proof must show the statement as it stands in the certificate.
-fn steps(values: &[Value], expected: &[prove::Statement], names: &[String]) -> Result<(), String> {
-    if values.len() != expected.len() {
-        return Err(format!("there are {} proofs for {} statements", values.len(), expected.len()));
-    }
-    for (value, expected) in values.iter().zip(expected) {
-        let of = &expected.of;
-        step(value, expected, names).map_err(|e| format!("`{of}`: {e}"))?;
-    }
-    Ok(())
-}
-
-fn step(value: &Value, expected: &prove::Statement, names: &[String]) -> Result<(), String> {
-    for (key, expected) in statements::statement(names, expected) {
-        if value.get(&key) != Some(&expected) {
-            return Err(format!("`{key}` is not what the spec says"));
+/// Checks the statements of a claim with the proofs that are written, by their places.
+fn proofs(statements: Vec<Statements>, written: Option<&Value>, budget: u32) -> Result<(), String> {
+    let mut fields = match written {
+        None => None,
+        Some(Value::Object(object)) if object.is_empty() => {
+            return Err(String::from("an empty list of proofs is not written"));
         }
-    }
-    let mut fields = Fields::of(value)?;
-    let statement = statements::read(&mut fields, names, expected.budget)?;
-    let (proof, written) = proofs::read(&statement, fields.take("proof")?, names)?;
-    fields.end()?;
-    // Here nothing is known but the statement and the proof.
-    if check::proof(&statement, &proof)? == written {
-        Ok(())
-    } else {
-        Err(String::from("a Bernstein coefficient or a minor has another value"))
-    }
-}
-
-fn witness(value: &Value) -> Result<Witness, String> {
-    let mut fields = Fields::of(value)?;
-    let of = fields.text("of")?.to_string();
-    let named = |value: &Value| -> Result<Map<String, Value>, String> {
-        value.as_object().cloned().ok_or_else(|| String::from("a point is not an object"))
+        Some(written) => Some(Fields::of(written)?),
     };
-    let mut at = Vec::new();
-    for (name, value) in named(fields.take("at")?)? {
-        let value = coordinate(value.as_str().ok_or("a coordinate is not a text")?, &name)?;
-        at.push((name, value));
+    for (place, Statements { of, statement, .. }) in statements.into_iter().enumerate() {
+        let proof = fields.as_mut().and_then(|f| f.take_if_any(&place.to_string()));
+        shown(statement, proof, budget).map_err(|e| format!("`{of}`: {e}"))?;
     }
-    let mut net = Vec::new();
-    for (name, value) in named(fields.take("net")?)? {
-        let place = place(value.as_str().ok_or("a point is not a text")?)?;
-        net.push((name, place));
-    }
-    let value = number(fields.text("value")?)?;
-    fields.end()?;
-    Ok(Witness { of, at, idle: Vec::new(), net, value, notes: Vec::new() })
+    fields.map_or(Ok(()), Fields::end)
 }
 
-/// A point such as `(1, 1/2)`.
-fn place(text: &str) -> Result<Vec<Rational>, String> {
-    let inner = text.strip_prefix('(').and_then(|t| t.strip_suffix(')'));
-    if inner == Some("") {
-        return Ok(Vec::new());
-    }
-    let inner = inner.ok_or_else(|| format!("`{text}` is not a point such as `(1, 1/2)`"))?;
-    inner.split(", ").map(number).collect()
+/// The coordinates of a point.
+fn place(value: &Value) -> Result<Vec<Rational>, String> {
+    let number = |value: &Value| {
+        let text = word(value)?;
+        let number = Rational::parse(text).filter(|x| x.to_string() == text);
+        number.ok_or_else(|| format!("`{text}` is not a number in lowest terms"))
+    };
+    list(value)?.iter().map(number).collect()
 }

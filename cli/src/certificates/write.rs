@@ -3,12 +3,15 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use basis_engine::prove::point_text;
-use basis_engine::{Diagnostic, Verdict};
-use serde_json::{Map, Value, json};
+use basis_engine::algebra::rational::Rational;
+use basis_engine::model::obligation::Obligation;
+use basis_engine::source::LIBRARY;
+use basis_engine::{Claim, Diagnostic, Subject, Verdict};
+use basis_kernel::{Certificate, Proof, text};
+use serde_json::{Map, Value};
 
-use super::{FORMAT, coordinate_text, proofs, statements};
-use crate::check::prove::{Decided, DecidedClaim, Outcome, Question, Subject};
+use super::FORMAT;
+use crate::check::prove::{Decided, DecidedClaim, Outcome};
 use crate::output::error;
 
 /// Writes the certificates of one file; what stands in the way.
@@ -16,13 +19,8 @@ pub(crate) fn write(folder: &Path, outcome: &Outcome) -> Vec<Diagnostic> {
     let mut problems = Vec::new();
     for decided in &outcome.items {
         let path = folder.join(place(&outcome.path, &decided.subject));
-        let written = item(outcome, decided).and_then(|value| {
-            let text = serde_json::to_string_pretty(&value).map_err(|e| e.to_string())?;
-            if let Some(parent) = path.parent() {
-                fs::create_dir_all(parent).map_err(|e| e.to_string())?;
-            }
-            fs::write(&path, text + "\n").map_err(|e| e.to_string())
-        });
+        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+        let written = folder.and_then(|()| fs::write(&path, item(outcome, decided)));
         if let Err(e) = written {
             problems.push(error(format!("cannot write the certificate `{}`: {e}", path.display())));
         }
@@ -30,18 +28,12 @@ pub(crate) fn write(folder: &Path, outcome: &Outcome) -> Vec<Diagnostic> {
     problems
 }
 
-/// `Bernstein(3)`, `join G1`.
-pub(super) fn title(subject: &Subject) -> String {
-    match subject {
-        Subject::Family(family) => family.title(),
-        Subject::Theorem(theorem) => theorem.title(),
-    }
-}
-
-/// `specs/quartic.basis`, `Bernstein(3)` → `specs/quartic/Bernstein-3.json`; always inside of the folder.
+/// `specs/quartic.basis`, `Bernstein(3)` → `specs/quartic/Bernstein-3.json`, `library:quartic` → `library/quartic/…`; always
+/// inside of the folder.
 fn place(spec: &str, subject: &Subject) -> PathBuf {
     let mut place = PathBuf::new();
-    for part in Path::new(spec).with_extension("").components() {
+    let spec = spec.strip_prefix(LIBRARY).map_or_else(|| spec.to_string(), |name| format!("library/{name}"));
+    for part in Path::new(&spec).with_extension("").components() {
         match part {
             Component::Normal(name) => place.push(name),
             Component::ParentDir => place.push("up"),
@@ -52,63 +44,98 @@ fn place(spec: &str, subject: &Subject) -> PathBuf {
     place.join(format!("{}{}.json", subject.name(), order.collect::<String>()))
 }
 
-/// The certificate of a family of one order, a theorem or a join.
-///
-/// # Errors
-/// A proof that does not check; that would be a mistake in the search.
-pub(crate) fn item(outcome: &Outcome, decided: &Decided) -> Result<Value, String> {
-    let claims = decided.claims.iter().map(|c| claim(outcome, &decided.subject, c));
-    let claims = claims.collect::<Result<Vec<Value>, String>>()?;
-    let mut fields = Map::new();
-    fields.insert(String::from("format"), Value::from(FORMAT));
-    fields.insert(String::from("spec"), Value::from(outcome.path.clone()));
-    fields.extend(statements::subject(&decided.subject));
-    fields.insert(String::from("claims"), Value::from(claims));
-    Ok(Value::Object(fields))
+/// The certificate of a family of one order, a theorem or a join: a line for each claim.
+pub(super) fn item(outcome: &Outcome, decided: &Decided) -> String {
+    let mut lines =
+        vec![field("format", &Value::from(FORMAT)), field("spec", &Value::from(outcome.path.as_str()))];
+    lines.extend(subject(&decided.subject).iter().map(|(key, value)| field(key, value)));
+    lines.push(each("obligations", decided.obligations.iter().map(obligation)));
+    lines.push(each("claims", decided.claims.iter().map(|c| claim(outcome, c))));
+    format!("{{\n{}\n}}\n", lines.join(",\n"))
 }
 
-fn claim(outcome: &Outcome, subject: &Subject, decided: &DecidedClaim) -> Result<Value, String> {
-    let mut fields = head(&decided.question, outcome.line(decided.question.place()));
+fn field(key: &str, value: &Value) -> String {
+    format!("  {}: {value}", Value::from(key))
+}
+
+/// A list with a line for each element.
+fn each(key: &str, values: impl Iterator<Item = Value>) -> String {
+    let lines: Vec<String> = values.map(|value| format!("    {value}")).collect();
+    let list = if lines.is_empty() { String::from("[]") } else { format!("[\n{}\n  ]", lines.join(",\n")) };
+    format!("  {}: {list}", Value::from(key))
+}
+
+/// What the claims are about.
+pub(super) fn subject(subject: &Subject) -> Map<String, Value> {
+    let order: Map<String, Value> =
+        subject.order().iter().map(|(n, v)| (n.clone(), Value::from(*v))).collect();
+    Map::from_iter([
+        (String::from("kind"), Value::from(subject.kind())),
+        (String::from("name"), Value::from(subject.name())),
+        (String::from("order"), if order.is_empty() { Value::Null } else { Value::Object(order) }),
+        (String::from("variables"), Value::from(subject.names())),
+    ])
+}
+
+/// A proof as text, unless it only computes.
+fn proof(proof: &Proof) -> Option<Value> {
+    match proof.certificate() {
+        Certificate::Direct => None,
+        certificate => Some(Value::from(text::certificate_text(certificate))),
+    }
+}
+
+fn obligation(obligation: &Obligation) -> Value {
+    let mut fields = Map::new();
+    fields.insert(String::from("of"), Value::from(obligation.of.clone()));
+    if let Some(known) = &obligation.proof {
+        let alternatives = obligation.goal.alternatives();
+        if alternatives.iter().position(|s| s == known.statement()) == Some(1) {
+            fields.insert(String::from("negative"), Value::from(true));
+        }
+        fields.extend(proof(known).map(|text| (String::from("proof"), text)));
+    }
+    Value::Object(fields)
+}
+
+fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Value {
+    let mut fields = head(&decided.claim, outcome.line(&decided.claim.place));
     let mut put = |key: &str, value: Value| fields.insert(String::from(key), value);
     match &decided.verdict {
         Verdict::Proved(evidence) => {
-            put("verdict", Value::from("proved"));
-            let names = statements::names(subject);
-            let all = subject.statements(&decided.question);
-            let steps = all.iter().zip(&evidence.steps).map(|(statement, step)| {
-                let mut fields = statements::statement(&names, statement);
-                let proof = proofs::proof(statement, &step.proof, &names);
-                let proof =
-                    proof.map_err(|e| format!("the proof of `{}` is wrong: {e}", decided.question.text()))?;
-                fields.insert(String::from("proof"), proof);
-                Ok(Value::Object(fields))
-            });
-            put("steps", Value::from(steps.collect::<Result<Vec<_>, String>>()?));
+            put("steps", Value::from(evidence.steps().len()));
+            let proofs = evidence.steps().iter().enumerate();
+            let proofs: Map<String, Value> =
+                proofs.filter_map(|(k, (_, step))| Some((k.to_string(), proof(step)?))).collect();
+            if !proofs.is_empty() {
+                put("proofs", Value::Object(proofs));
+            }
         }
         Verdict::Refuted(witness) => {
-            put("verdict", Value::from("refuted"));
-            let at: Map<String, Value> =
-                witness.at.iter().map(|(n, c)| (n.clone(), Value::from(coordinate_text(c, n)))).collect();
-            let net: Map<String, Value> =
-                witness.net.iter().map(|(n, place)| (n.clone(), Value::from(point_text(place)))).collect();
-            put(
-                "witness",
-                json!({"of": witness.of, "at": at, "net": net, "value": witness.value.to_string()}),
-            );
+            put("of", Value::from(witness.of_statement()));
+            put("witness", Value::from(text::witness_text(witness.refutation().witness())));
+            if let Some(value) = witness.refutation().value() {
+                put("value", Value::from(value.to_string()));
+            }
+            if !witness.given.is_empty() {
+                let place = |place: &Vec<Rational>| {
+                    Value::from(place.iter().map(Rational::to_string).collect::<Vec<_>>())
+                };
+                put("given", Value::from(witness.given.iter().map(place).collect::<Vec<_>>()));
+            }
         }
         Verdict::Undecided(left) => {
-            put("verdict", Value::from("undecided"));
             put("left", Value::from(left.clone()));
         }
     }
-    Ok(Value::Object(fields))
+    Value::Object(fields)
 }
 
 /// What a claim says.
-pub(super) fn head(question: &Question, line: Option<usize>) -> Map<String, Value> {
+pub(super) fn head(claim: &Claim, line: Option<usize>) -> Map<String, Value> {
     Map::from_iter([
-        (String::from("claim"), Value::from(question.text())),
+        (String::from("claim"), Value::from(claim.text.as_str())),
         (String::from("line"), Value::from(line)),
-        (String::from("declared"), Value::from(question.expected().keyword())),
+        (String::from("declared"), Value::from(claim.expected.keyword())),
     ])
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use basis_engine::Diagnostic;
 
 use crate::output::error;
-use crate::spec::EXTENSION;
+use crate::spec::{self, EXTENSION};
 
 /// A file to check, or what stands in the way.
 #[derive(Debug)]
@@ -22,8 +22,11 @@ pub(crate) struct Entry {
 pub(crate) fn find(paths: &[PathBuf]) -> Vec<Entry> {
     let mut all: Vec<Entry> = Vec::new();
     for path in paths {
-        let entries =
-            if path.is_dir() { folder(path) } else { vec![Entry { path: path.clone(), problem: None }] };
+        let entries = match spec::in_library(path) {
+            Some(name) => shelf(path, name),
+            None if path.is_dir() => folder(path),
+            None => vec![Entry { path: path.clone(), problem: None }],
+        };
         for entry in entries {
             if all.iter().all(|other| other.path != entry.path) {
                 all.push(entry);
@@ -31,6 +34,15 @@ pub(crate) fn find(paths: &[PathBuf]) -> Vec<Entry> {
         }
     }
     all
+}
+
+/// One spec of the library, or all in one of its folders.
+fn shelf(path: &Path, name: &str) -> Vec<Entry> {
+    let mut paths = spec::library_folder(name);
+    if paths.is_empty() {
+        paths.push(path.to_path_buf());
+    }
+    paths.into_iter().map(|path| Entry { path, problem: None }).collect()
 }
 
 /// All spec files in a folder and the folders in it.

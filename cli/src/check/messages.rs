@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use basis_engine::Diagnostic;
+use basis_engine::{Diagnostic, Diagnostics};
 
 use super::orders;
 use super::prove::Outcome;
@@ -19,7 +19,8 @@ impl Printer {
     /// The messages about one file that are new.
     pub(crate) fn render(&mut self, outcome: &Outcome) -> String {
         let mut text = String::new();
-        for diagnostic in outcome.diagnostics.iter().cloned().chain(claims(outcome)) {
+        let all: Diagnostics = outcome.diagnostics.iter().cloned().chain(claims(outcome)).collect();
+        for diagnostic in all.into_list() {
             let rendered = diagnostic.render(&outcome.sources, true);
             if self.printed.insert(rendered.clone()) {
                 text += &rendered;

@@ -18,7 +18,6 @@ use basis_engine::{Diagnostic, Sources};
 use crate::args::{CheckArguments, Format};
 use crate::certificates::{self, Manifest};
 use crate::output::{self, Status};
-pub(crate) use published::Published;
 
 /// Checks everything that the arguments name, and prints it.
 pub(crate) fn run(arguments: &CheckArguments) -> Status {
@@ -108,12 +107,8 @@ fn as_json(entries: Vec<files::Entry>, certificates: &mut Option<Certificates<'_
         published::collect(&outcome, &mut statements);
         files.push(report::File::new(&outcome));
     }
-    status.max(output::print_json(&report::Report::new(files, statements)))
-}
-
-/// The published statements of a spec given as text, with what is known about them.
-pub(crate) fn published(name: &str, text: &str) -> Vec<Published> {
-    let mut statements = Vec::new();
-    published::collect(&prove::text(name, text), &mut statements);
-    statements
+    status.max(output::print_json(&report::Report::new(
+        files,
+        statements.into_iter().map(Into::into).collect(),
+    )))
 }

@@ -1,14 +1,14 @@
 //! Decides every claim of a file, with the time that each takes.
 
-use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use basis_engine::diagnostic::Place;
-use basis_engine::model::Expected;
-use basis_engine::prove::{Statement, check};
+use basis_engine::model::obligation::Obligation;
+use basis_engine::state;
+use basis_engine::theorem::theorems;
 use basis_engine::{
-    Claim, Diagnostic, Disk, Family, Library, Selected, Severity, Source, Sources, Theorem, TheoremClaim,
-    Verdict, Witness, prove,
+    Claim, Diagnostic, Diagnostics, Disk, Item, Library, Prover, Selected, Severity, Sources, Subject,
+    Verdict, generate,
 };
 
 use super::files::Entry;
@@ -37,129 +37,17 @@ pub(crate) struct Outcome {
 pub(crate) struct Decided {
     /// What the claims are about.
     pub(crate) subject: Subject,
+    /// What holds, so that its formulas and claims mean something.
+    pub(crate) obligations: Vec<Obligation>,
     /// The claims in the order in which they are written.
     pub(crate) claims: Vec<DecidedClaim>,
-}
-
-/// What claims are about.
-#[derive(Debug)]
-pub(crate) enum Subject {
-    /// A family of one order.
-    Family(Rc<Family>),
-    /// A theorem or a join.
-    Theorem(Box<Theorem>),
-}
-
-impl Subject {
-    /// `family`, `theorem` or `join`.
-    pub(crate) const fn kind(&self) -> &'static str {
-        match self {
-            Self::Family(_) => "family",
-            Self::Theorem(theorem) => theorem.kind.keyword(),
-        }
-    }
-
-    /// The doc comment.
-    pub(crate) fn doc(&self) -> &[String] {
-        match self {
-            Self::Family(family) => &family.doc,
-            Self::Theorem(theorem) => &theorem.doc,
-        }
-    }
-
-    /// The name.
-    pub(crate) fn name(&self) -> &str {
-        match self {
-            Self::Family(family) => &family.name,
-            Self::Theorem(theorem) => &theorem.name,
-        }
-    }
-
-    /// The values of the index parameters; theorems have none.
-    pub(crate) fn order(&self) -> &[(String, i64)] {
-        match self {
-            Self::Family(family) => &family.order,
-            Self::Theorem(_) => &[],
-        }
-    }
-
-    /// What has to be shown for a claim about the subject to be true.
-    pub(crate) fn statements(&self, question: &Question) -> Vec<Statement> {
-        match (self, question) {
-            (Self::Family(family), Question::Family(claim)) => prove::statements(family, claim),
-            (Self::Theorem(theorem), Question::Theorem(claim)) => prove::theorem_statements(theorem, claim),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Checks that a claim about the subject fails at a witness as it says.
-    ///
-    /// # Errors
-    /// What is wrong with the witness.
-    pub(crate) fn check_witness(&self, question: &Question, witness: &Witness) -> Result<(), String> {
-        match (self, question) {
-            (Self::Family(family), Question::Family(claim)) => check::witness(family, claim, witness),
-            (Self::Theorem(theorem), Question::Theorem(claim)) => {
-                check::theorem_witness(theorem, claim, witness)
-            }
-            _ => Err(String::from("the claim is about something else")),
-        }
-    }
-
-    /// Whether two subjects are the same family in perhaps different orders.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        self.kind() == other.kind() && self.name() == other.name()
-    }
-}
-
-/// What is claimed.
-#[derive(Debug)]
-pub(crate) enum Question {
-    /// Of a family.
-    Family(Claim),
-    /// Of a theorem or a join.
-    Theorem(TheoremClaim),
-}
-
-impl Question {
-    /// The claim as text.
-    pub(crate) fn text(&self) -> &str {
-        match self {
-            Self::Family(claim) => &claim.text,
-            Self::Theorem(claim) => &claim.text,
-        }
-    }
-
-    /// Its doc comment.
-    pub(crate) fn doc(&self) -> &[String] {
-        match self {
-            Self::Family(claim) => &claim.doc,
-            Self::Theorem(claim) => &claim.doc,
-        }
-    }
-
-    /// Whether it is declared true or false.
-    pub(crate) const fn expected(&self) -> Expected {
-        match self {
-            Self::Family(claim) => claim.expected,
-            Self::Theorem(claim) => claim.expected,
-        }
-    }
-
-    /// Where it stands.
-    pub(crate) const fn place(&self) -> &Place {
-        match self {
-            Self::Family(claim) => &claim.place,
-            Self::Theorem(claim) => &claim.place,
-        }
-    }
 }
 
 /// A claim with its verdict.
 #[derive(Debug)]
 pub(crate) struct DecidedClaim {
     /// The claim.
-    pub(crate) question: Question,
+    pub(crate) claim: Claim,
     /// Whether it is true.
     pub(crate) verdict: Verdict,
     /// The error, if the verdict is not the declared one.
@@ -171,7 +59,7 @@ pub(crate) struct DecidedClaim {
 impl DecidedClaim {
     /// Whether the verdict is the declared one.
     pub(crate) fn as_declared(&self) -> bool {
-        prove::as_declared(self.question.expected(), &self.verdict)
+        state::as_declared(self.claim.expected, &self.verdict)
     }
 }
 
@@ -192,7 +80,8 @@ impl Outcome {
     /// Everything that is wrong, claims that are not as declared included.
     pub(crate) fn all_diagnostics(&self) -> Vec<Diagnostic> {
         let claims = self.items.iter().flat_map(|item| &item.claims).filter_map(|c| c.error.clone());
-        self.diagnostics.iter().cloned().chain(claims).collect()
+        let all: Diagnostics = self.diagnostics.iter().cloned().chain(claims).collect();
+        all.into_list()
     }
 
     /// The name of the file of a place, if it is another one than the file that was asked for.
@@ -207,8 +96,8 @@ impl Outcome {
     /// The line of a place, counted from one; `None` where a place is not in a text.
     pub(crate) fn line(&self, place: &Place) -> Option<usize> {
         match place {
-            Place::Text(id, range) => Some(self.sources.get(*id).line_column(range.start).0),
-            Place::Token(_) => None,
+            Place::Text(id, range) => Some(self.sources.get(*id).line(range.start)),
+            Place::Token(..) => None,
         }
     }
 }
@@ -223,47 +112,31 @@ pub(crate) fn file(entry: Entry) -> Outcome {
             return Outcome { path, items, doc, diagnostics: vec![problem], sources, readable: false };
         }
     };
-    decided(path, source)
-}
-
-/// Checks a text in memory.
-pub(crate) fn text(name: &str, text: &str) -> Outcome {
-    decided(name.to_owned(), Source::text(name, text))
-}
-
-fn decided(path: String, source: Source) -> Outcome {
-    let library = Library::from_source(&Disk, source);
-    let families = library.items(Selected::EveryOrder).into_iter().map(|item| {
-        let claims = item.claims.into_iter().map(|claim| decide(&item.family, claim)).collect();
-        Decided { subject: Subject::Family(item.family), claims }
-    });
-    let mut items: Vec<Decided> = families.collect();
-    items.extend(library.theorems().into_iter().map(|theorem| {
-        let claims = theorem.claims.iter().map(|claim| decide_theorem(&theorem, claim)).collect();
-        Decided { subject: Subject::Theorem(Box::new(theorem)), claims }
-    }));
+    let library = Library::from_source(&Disk, &Prover, source);
+    let run = &mut state::Run::default();
+    let families = library.items(Selected::EveryOrder);
+    let warnings = generate::no_floats(&families);
+    let items = families.into_iter().chain(theorems(&library));
+    let items: Vec<Decided> = items.map(|i| item(i, run)).collect();
     Outcome {
         path,
         items,
         doc: library.doc().to_vec(),
-        diagnostics: library.diagnostics(),
+        diagnostics: library.diagnostics().into_iter().chain(warnings).collect(),
         sources: library.sources().clone(),
         readable: true,
     }
 }
 
-fn decide(family: &Family, claim: Claim) -> DecidedClaim {
-    let start = Instant::now();
-    let verdict = prove::claim(family, &claim);
-    let time = start.elapsed();
-    let error = prove::diagnose(family, &claim, &verdict);
-    DecidedClaim { question: Question::Family(claim), verdict, error, time }
-}
-
-fn decide_theorem(theorem: &Theorem, claim: &TheoremClaim) -> DecidedClaim {
-    let start = Instant::now();
-    let verdict = prove::theorem_claim(theorem, claim);
-    let time = start.elapsed();
-    let error = prove::diagnose_theorem(theorem, claim, &verdict);
-    DecidedClaim { question: Question::Theorem(claim.clone()), verdict, error, time }
+fn item(item: Item, run: &mut state::Run) -> Decided {
+    let Item { subject, obligations, claims } = item;
+    let decide = |claim: Claim| {
+        let start = Instant::now();
+        let verdict = run.decide(&subject, &claim);
+        let time = start.elapsed();
+        let error = state::diagnose(&subject, &claim, &verdict);
+        DecidedClaim { claim, verdict, error, time }
+    };
+    let claims = claims.into_iter().map(decide).collect();
+    Decided { subject, obligations, claims }
 }

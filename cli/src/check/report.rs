@@ -1,11 +1,12 @@
 //! The verdicts as JSON.
 
-use basis_engine::{Diagnostic, Severity, Verdict, Witness, prove};
+use basis_engine::state::point_text;
+use basis_engine::{Diagnostic, Severity, Verdict, Witness};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::prove::{Decided, DecidedClaim, Outcome};
-use super::published::Published;
+use super::published::Record;
 use crate::output::Status;
 
 /// What `basis check --format json` prints.
@@ -15,7 +16,7 @@ pub(crate) struct Report {
     pub(crate) files: Vec<File>,
     /// What became of published statements that comments name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(crate) published: Vec<Published>,
+    pub(crate) published: Vec<Record>,
     /// Whether every file was read and everything in it is as declared.
     pub(crate) ok: bool,
 }
@@ -76,7 +77,7 @@ struct Message {
 
 impl Report {
     /// The report on several files.
-    pub(crate) fn new(files: Vec<File>, published: Vec<Published>) -> Self {
+    pub(crate) fn new(files: Vec<File>, published: Vec<Record>) -> Self {
         let ok = files.iter().all(|file| file.status == Status::Fine);
         Self { files, published, ok }
     }
@@ -106,16 +107,16 @@ fn item(outcome: &Outcome, decided: &Decided) -> Item {
 
 fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
     let (verdict, method, witness) = match &decided.verdict {
-        Verdict::Proved(evidence) => ("proved", Some(evidence.method.clone()), None),
+        Verdict::Proved(evidence) => ("proved", Some(evidence.method().to_string()), None),
         Verdict::Refuted(witness) => {
             ("refuted", Some(String::from("counterexample")), Some(counterexample(witness)))
         }
         Verdict::Undecided(_) => ("undecided", None, None),
     };
     Claim {
-        text: decided.question.text().to_string(),
-        line: outcome.line(decided.question.place()),
-        declared: decided.question.expected().keyword(),
+        text: decided.claim.text.to_string(),
+        line: outcome.line(&decided.claim.place),
+        declared: decided.claim.expected.keyword(),
         verdict,
         method,
         witness,
@@ -130,7 +131,7 @@ fn counterexample(witness: &Witness) -> Counterexample {
         let value = text.strip_prefix(&format!("{name} = ")).unwrap_or(&text);
         (name.clone(), Value::from(value))
     });
-    let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(prove::point_text(place))));
+    let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(point_text(place))));
     Counterexample { at: at.chain(net).collect(), value: witness.value.to_string(), of: witness.of.clone() }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use basis_engine::diagnostic::Place;
-use basis_engine::{Sources, Verdict, Witness};
+use basis_engine::{ClaimKind, Sources, Verdict, Witness};
 
 use super::orders;
 use super::prove::{Decided, DecidedClaim};
@@ -44,7 +44,7 @@ pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
             if items.len() == 1 && part.len() <= FEW {
                 rows.extend(
                     part.iter()
-                        .map(|e| row(kind, e.decided.question.text().to_string(), reason(e.decided), &[*e])),
+                        .map(|e| row(kind, e.decided.claim.text.to_string(), reason(e.decided), &[*e])),
                 );
             } else {
                 let claim = describe(items, &common_text(&statement, sources), &part);
@@ -82,20 +82,15 @@ fn describe(items: &[Decided], text: &str, part: &[Entry<'_>]) -> String {
 /// The text that the claims of a statement share, or else the statement as it is written.
 fn common_text(statement: &[Entry<'_>], sources: &Sources) -> String {
     let Some(first) = statement.first() else { return String::new() };
-    let text = first.decided.question.text();
-    if statement.iter().all(|e| e.decided.question.text() == text) {
+    let text = &first.decided.claim.text;
+    if statement.iter().all(|e| e.decided.claim.text == *text) {
         return text.to_string();
     }
-    let written = as_written(first.decided.question.place(), sources).unwrap_or_else(|| format!("{text}, …"));
+    let written = as_written(&first.decided.claim.place, sources).unwrap_or_else(|| format!("{text}, …"));
     // An equation in an `at` block stands alone in the file.
-    let at = |entry: &Entry<'_>| {
-        entry
-            .decided
-            .question
-            .text()
-            .strip_prefix("at ")
-            .and_then(|t| t.split_once(": "))
-            .map(|t| t.0.to_string())
+    let at = |entry: &Entry<'_>| match &entry.decided.claim.kind {
+        ClaimKind::Relation { at, .. } => at.clone(),
+        _ => None,
     };
     match at(first) {
         Some(point) if statement.iter().all(|e| at(e).as_ref() == Some(&point)) => {
@@ -120,7 +115,7 @@ fn as_written(place: &Place, sources: &Sources) -> Option<String> {
 /// Why the verdict is what it is.
 fn reason(decided: &DecidedClaim) -> String {
     match &decided.verdict {
-        Verdict::Proved(evidence) => evidence.method.clone(),
+        Verdict::Proved(evidence) => evidence.method().to_string(),
         Verdict::Refuted(witness) => {
             let point = short_point(witness);
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
@@ -158,7 +153,8 @@ fn short_point(witness: &Witness) -> String {
     if points <= MAX_POINTS {
         return witness.point();
     }
-    let short = Witness { net: Vec::new(), ..witness.clone() };
+    let mut short = witness.clone();
+    short.net.clear();
     let more = format!("a net of {}", crate::name::count(points, "point"));
     let mut point = short.point();
     if !point.is_empty() {

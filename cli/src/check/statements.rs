@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 
 use basis_engine::Verdict;
+use basis_engine::claim::Expected;
 use basis_engine::diagnostic::Place;
-use basis_engine::model::Expected;
 
 use super::prove::{Decided, DecidedClaim};
 
@@ -36,7 +36,7 @@ pub(crate) enum Kind {
 impl Kind {
     /// The verdict of a claim beside its declaration.
     pub(crate) const fn of(decided: &DecidedClaim) -> Self {
-        match (decided.question.expected(), &decided.verdict) {
+        match (decided.claim.expected, &decided.verdict) {
             (Expected::True, Verdict::Proved(_)) => Self::Proved,
             (Expected::False, Verdict::Refuted(_)) => Self::Refuted,
             (Expected::True, Verdict::Refuted(_)) => Self::False,
@@ -52,9 +52,9 @@ pub(crate) fn statements(items: &[Decided]) -> Vec<BTreeMap<Kind, Vec<Entry<'_>>
     let mut statements: BTreeMap<(usize, usize), BTreeMap<Kind, Vec<Entry<'_>>>> = BTreeMap::new();
     for item in items {
         for decided in &item.claims {
-            let place = match decided.question.place() {
+            let place = match &decided.claim.place {
                 Place::Text(_, range) => (range.start, range.end),
-                Place::Token(_) => (0, 0),
+                Place::Token(..) => (0, 0),
             };
             let verdicts = statements.entry(place).or_default();
             verdicts.entry(Kind::of(decided)).or_default().push(Entry { item, decided });

@@ -1,12 +1,13 @@
 //! The verdicts as tables.
 
+use basis_engine::algebra::range::DisplayRange as _;
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use basis_engine::Family;
+use basis_engine::{Family, Subject};
 
 use super::orders;
-use super::prove::{Decided, Outcome, Subject};
+use super::prove::{Decided, Outcome};
 use super::rows::rows;
 use super::statements::Kind;
 use crate::domain;

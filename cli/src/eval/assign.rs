@@ -1,5 +1,6 @@
 //! The values that a command gives, checked against the declared ranges.
 
+use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::Parameter;
 use basis_engine::{Diagnostic, Family};

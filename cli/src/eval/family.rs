@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use basis_engine::{Diagnostic, Family, Library};
+use basis_engine::{Diagnostic, Family, Library, Subject};
 
 use super::errors;
 use crate::name;
@@ -31,7 +31,10 @@ pub(super) fn find(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<
     // A spec with errors is not what its author means, even if this family can be expanded.
     let problems = errors(library.diagnostics());
     match item {
-        Ok(item) if problems.is_empty() => Ok(item.family),
+        Ok(item) if problems.is_empty() => match item.subject {
+            Subject::Family(family) => Ok(family),
+            Subject::Theorem(_) => Err(problems),
+        },
         Ok(_) | Err(None) => Err(problems),
         Err(Some(error)) => Err(problems.into_iter().chain([error]).collect()),
     }

@@ -8,7 +8,7 @@ mod report;
 
 use std::rc::Rc;
 
-use basis_engine::{Diagnostic, Disk, Family, Library, Severity, Sources};
+use basis_engine::{Diagnostic, Disk, Family, Library, Prover, Severity, Sources};
 
 use crate::args::{EvalArguments, Format};
 use crate::output::{self, Status, complain};
@@ -18,7 +18,7 @@ use report::Values;
 /// Evaluates the family that the arguments name, and prints the values.
 pub(crate) fn run(arguments: &EvalArguments) -> Status {
     let library = match spec::read(&arguments.file) {
-        Ok(source) => Library::from_source(&Disk, source),
+        Ok(source) => Library::from_source(&Disk, &Prover, source),
         Err(error) => return refuse(&Sources::default(), &[error]),
     };
     match evaluate(arguments, &library) {

@@ -2,6 +2,8 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
+use basis_kernel::Quotient;
+
 use super::gcd::checked_gcd;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
@@ -73,6 +75,11 @@ impl Fraction {
         &self.denom
     }
 
+    /// As the kernel has it.
+    pub fn quotient(&self) -> Quotient {
+        Quotient { numerator: self.numer().clone(), denominator: self.denom().clone() }
+    }
+
     /// Whether the function is 0.
     pub fn is_zero(&self) -> bool {
         self.numer.is_zero()
@@ -110,11 +117,11 @@ impl Fraction {
     /// # Errors
     /// When the work is spent.
     pub fn div_within(&self, other: &Self, work: &mut Work) -> Result<Option<Self>, Spent> {
-        Self::quotient((&self.numer, &self.denom), (&other.numer, &other.denom), work)
+        Self::divided((&self.numer, &self.denom), (&other.numer, &other.denom), work)
     }
 
     /// (a/b) / (c/d); `None` when c is 0.
-    fn quotient(
+    fn divided(
         (a, b): (&Poly, &Poly),
         (c, d): (&Poly, &Poly),
         work: &mut Work,
@@ -208,7 +215,7 @@ impl Fraction {
             }
         };
         let ((n, below_n), (d, below_d)) = (put(&self.numer), put(&self.denom));
-        Self::quotient((&n, &below_n), (&d, &below_d), work)
+        Self::divided((&n, &below_n), (&d, &below_d), work)
     }
 
     /// The function with variables renamed, by their index; no two may get the same name.

@@ -1,21 +1,6 @@
-//! Exact algebra: rational numbers, polynomials, rational functions, and what is computed with them.
-//!
-//! Nothing here knows of specs, and no number is ever a float.
+//! The kernel's numbers and polynomials, and quotients of polynomials.
 
-pub mod algebraic;
-pub mod bernstein;
-pub mod factor;
-pub mod fibre;
+pub use basis_kernel::algebra::{fibre, poly, rational, univariate, work};
+pub use basis_prover::algebra::{algebraic, factor, gcd, number, range, simplest};
+
 pub mod fraction;
-pub mod gcd;
-pub mod matrix;
-pub mod modular;
-mod monomial;
-pub mod poly;
-pub mod range;
-pub mod rational;
-pub mod resultant;
-pub mod roots;
-pub mod simplest;
-pub mod univariate;
-pub mod work;

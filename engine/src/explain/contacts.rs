@@ -7,7 +7,7 @@ use crate::algebra::rational::Rational;
 use crate::generate::{combination, zero, zeros};
 use crate::model::Family;
 use crate::model::continuation::{Side, continuation};
-use crate::model::theorem::Unit;
+use crate::theorem::Unit;
 
 /// A contact of two curves of a family and the control points that it determines.
 #[derive(Clone, Debug, PartialEq, Eq)]

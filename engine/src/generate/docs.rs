@@ -1,8 +1,10 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
-use crate::collections::list::Mapped;
-use crate::model::{Claim, Family};
-use crate::prove::Verdict;
+use crate::algebra::range::DisplayRange as _;
+use crate::claim::Claim;
+use crate::model::Family;
+use crate::state::Verdict;
+use basis_kernel::collections::list::Mapped;
 
 /// The lines of the doc comment; one formula a line.
 pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, Verdict)]) -> Vec<String> {
@@ -43,7 +45,7 @@ pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, V
 /// A row of the table of claims.
 pub(super) fn row(claim: &str, verdict: &Verdict) -> String {
     let verdict = match verdict {
-        Verdict::Proved(evidence) => format!("proved by {}", evidence.method),
+        Verdict::Proved(evidence) => format!("proved by {}", evidence.method()),
         Verdict::Refuted(witness) => {
             let point = witness.point();
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };

@@ -10,9 +10,9 @@ use super::{doc, site};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
-use crate::collections::list::Mapped;
 use crate::model::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
+use basis_kernel::collections::list::Mapped;
 
 /// Derivatives up to this order are solved for by formulas.
 const ORDER: u32 = 2;

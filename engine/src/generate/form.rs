@@ -1,11 +1,12 @@
 //! The formulas that are emitted, still exact: factored values, Bernstein tables, the endpoint form.
 
-use crate::SortedMap;
-use crate::algebra::fibre;
-use crate::algebra::poly::{Monomial, Poly, Var};
-use crate::algebra::rational::{Rational, binomial};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
+
+use crate::algebra::number::binomial;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
 use crate::model::Family;
+use crate::model::bernstein::{affine, to_bernstein};
 
 /// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form: there the rounding error
 /// of the endpoint form would exceed a few ε times the largest control point.
@@ -77,14 +78,6 @@ impl IntervalForm {
     }
 }
 
-/// The Bernstein coefficients of all functions of a family on an interval, one row for each; without denominators.
-pub fn bernstein_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
-    let (var, low, high) = family.interval()?;
-    let (degree, width) = (family.degree(var), high - low);
-    let row = |numer: &Poly| to_bernstein(&affine(&numer.coefficients_in(var), low, &width), degree);
-    Some(family.functions.mapped(|f| row(f.value.numer())))
-}
-
 impl FunctionForm {
     fn new(numer: &Poly, denom: &Poly, var: Var, low: &Rational, high: &Rational, degree: u32) -> Self {
         let terms = degree as usize + 1;
@@ -98,60 +91,6 @@ impl FunctionForm {
         let endpoint = if degree <= MAX_ENDPOINT_DEGREE { endpoint(&unit, degree) } else { Vec::new() };
         Self { denom: denom.clone(), monomial, bernstein, factored, endpoint }
     }
-}
-
-/// The coefficients of p(low + width·x).
-fn affine(coefficients: &[Poly], low: &Rational, width: &Rational) -> Vec<Poly> {
-    let mut result = coefficients.to_vec();
-    shift(&mut result, low);
-    if !width.is_one() {
-        let mut power = Rational::ONE;
-        for c in &mut result {
-            *c = c.scale(&power);
-            power *= width;
-        }
-    }
-    result
-}
-
-/// The coefficients of p(by + x).
-fn shift(coefficients: &mut [Poly], by: &Rational) {
-    if by.is_zero() {
-        return;
-    }
-    // By monomial, its coefficients for the powers of x.
-    let mut fibres: SortedMap<Monomial, Vec<Rational>> = SortedMap::new();
-    for (k, coefficient) in coefficients.iter().enumerate() {
-        for (m, c) in coefficient.terms() {
-            fibres.get_or_insert_with(m.clone(), || vec![Rational::ZERO; coefficients.len()])[k] = c.clone();
-        }
-    }
-    let mut terms = coefficients.mapped(|_| Vec::new());
-    for (m, mut fibre) in fibres {
-        fibre::shift(&mut fibre, by);
-        for (k, c) in fibre.into_iter().enumerate() {
-            terms[k].push((m.clone(), c));
-        }
-    }
-    for (k, terms) in terms.into_iter().enumerate() {
-        coefficients[k] = Poly::from_terms(terms);
-    }
-}
-
-/// The Bernstein coefficients of degree n: c_j binomial(n, j) are the coefficients of (1 + x)^n p(x/(1 + x)) = x^n r(1 + 1/x),
-/// where r has the coefficients of p in reverse.
-fn to_bernstein(coefficients: &[Poly], n: u32) -> Vec<Poly> {
-    let mut result = coefficients.to_vec();
-    result.resize(n as usize + 1, Poly::zero());
-    result.reverse();
-    shift(&mut result, &Rational::ONE);
-    result.reverse();
-    let mut binomial = Rational::ONE;
-    for (j, c) in (0_i64..).zip(&mut result) {
-        *c = c.scale(&binomial.recip().unwrap_or(Rational::ONE));
-        binomial *= &Rational::new(i64::from(n) - j, j + 1);
-    }
-    result
 }
 
 impl Factored {

@@ -11,9 +11,10 @@ use super::shell::Shell;
 use super::{doc, docs, number, scalar, site};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
-use crate::model::{Claim, Family};
-use crate::prove::Verdict;
+use crate::claim::Claim;
+use crate::model::Family;
+use crate::state::Verdict;
+use basis_kernel::collections::list::Mapped;
 use scalar::ScalarCode;
 
 /// The type of a family on an interval.

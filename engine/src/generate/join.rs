@@ -1,16 +1,18 @@
 //! From a join to a function that computes the control points that it determines.
 
+use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::{ScalarCode, Variable};
-use super::{doc, docs, names, shell, site, weights};
-use crate::SortedMap;
-use crate::collections::list::Mapped;
+use super::{doc, docs, floats, names, shell, site, weights};
+use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use crate::model::{Parameter, label};
-use crate::prove::Verdict;
+use crate::state::Verdict;
+use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …
 struct ScalarArgument<'a> {
@@ -29,13 +31,18 @@ struct PointArgument<'a> {
 /// A patch with the points that are determined, by their indices.
 type Determined<'a> = (&'a Patch, Vec<(&'a [i64], &'a Form)>);
 
+/// The name of the function of a join; empty where it cannot be one.
+pub(crate) fn name(theorem: &Theorem) -> String {
+    names::function(&theorem.name).map_or_else(String::new, |name| name.to_string())
+}
+
 /// The function of a join, with its documentation.
 ///
 /// # Errors
 /// When names of the spec cannot become names of Rust, two of them are the same, or the points depend on dot products.
 pub(crate) fn join(
     theorem: &Theorem,
-    verdicts: &[Verdict],
+    verdicts: &[(Claim, Verdict)],
     runtime: &TokenStream,
     rename: Option<&Ident>,
 ) -> Result<TokenStream, Diagnostic> {
@@ -111,6 +118,10 @@ pub(crate) fn join(
         points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
     let lines = documentation(theorem, verdicts, &points, &scalars, &determined);
     let lines = lines.iter().map(|line| doc(line));
+    if floats::misses_a_number(&checks) || floats::misses_a_number(&lets) || floats::misses_a_number(&value) {
+        let message = format!("{} `{}` has numbers beyond f64", floats::ERROR, theorem.title());
+        return Err(error(message).help(floats::HELP));
+    }
     Ok(quote_spanned! {site()=>
         #(#lines)*
         #[allow(clippy::all, clippy::pedantic, unused_variables)]
@@ -312,7 +323,7 @@ pub(super) fn combination(
 
 fn documentation(
     theorem: &Theorem,
-    verdicts: &[Verdict],
+    verdicts: &[(Claim, Verdict)],
     points: &[PointArgument<'_>],
     scalars: &[ScalarArgument<'_>],
     determined: &[Determined<'_>],
@@ -359,6 +370,6 @@ fn documentation(
     lines.extend(["", "# Errors", "", errors, ""].map(String::from));
     lines.extend(["# Claims", "", "Decided exactly, while this crate was compiled.", ""].map(String::from));
     lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
-    lines.extend(theorem.claims.iter().zip(verdicts).map(|(claim, verdict)| docs::row(&claim.text, verdict)));
+    lines.extend(verdicts.iter().map(|(claim, verdict)| docs::row(&claim.text, verdict)));
     lines
 }

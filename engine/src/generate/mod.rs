@@ -2,11 +2,12 @@
 //!
 //! The code is small: the shape values, the functions in factored form, the tables that bind control points.
 //! Everything that does not depend on the family is in the runtime. What kind of numbers stand in the code is
-//! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for those on
-//! simplices and boxes, which other targets can share.
+//! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for
+//! those on simplices and boxes, which other targets can share.
 
 mod docs;
 mod ends;
+mod floats;
 pub mod form;
 mod formula;
 mod interval;
@@ -20,12 +21,14 @@ mod shell;
 mod weights;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 
 use crate::algebra::rational::Rational;
+use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Claim, Family};
-use crate::prove::Verdict;
+use crate::model::Family;
+use crate::state::Verdict;
+use crate::subject::{Item, Subject};
 use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use formula::factored;
@@ -53,24 +56,67 @@ pub fn family(
     verdicts: &[(Claim, Verdict)],
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    let name = match &options.name {
-        Some(name) => name.clone(),
-        None => names::type_name(family).map_err(|error| vec![error])?,
-    };
+    let name = type_name(family, options.name.as_ref()).map_err(|error| vec![error])?;
     let fields = names::fields(family)?;
     let shell = Shell { family, name: name.clone(), fields, runtime: &options.runtime };
     let code = match IntervalForm::new(family) {
         Some(form) => interval::emit(&shell, &form, verdicts),
         None => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
     };
+    if floats::of_family(family) && floats::misses_a_number(&code) {
+        return Err(vec![floats::direct(family).unwrap_or_else(|| floats::indirect(family))]);
+    }
     Ok(in_module(&name, &code))
+}
+
+/// The name of the type of a family, for which a macro call may ask another one.
+///
+/// # Errors
+/// When the name cannot be that of a type.
+pub fn type_name(family: &Family, wanted: Option<&Ident>) -> Result<Ident, Diagnostic> {
+    names::type_name(family, wanted)
+}
+
+/// The name of the module with the functions of the joins of a spec, which is named after its file.
+pub fn module_name(file: &str) -> String {
+    names::module(file).map_or_else(|| String::from("joins"), |name| name.to_string())
+}
+
+/// Warnings about families that are exact as they are, but have numbers beyond floats: no code can be generated for
+/// them. One for each name.
+pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
+    /// The most terms of families whose code is generated to find out; the macro looks at every family.
+    const TERMS: usize = 1000;
+    let mut warnings = Vec::new();
+    let mut last = "";
+    let mut left = TERMS;
+    for item in items {
+        let Subject::Family(family) = &item.subject else { continue };
+        if family.name == last || !floats::of_family(family) {
+            continue;
+        }
+        let mut error = floats::direct(family);
+        let terms: usize = family.functions.iter().map(|f| f.value.numer().len()).sum();
+        if error.is_none() && terms <= left {
+            left -= terms;
+            let name = Some(Ident::new("Family", site()));
+            let options = Options { runtime: quote_spanned!(site()=> ::basis_runtime), name };
+            let errors = self::family(family, &[], &options).err().unwrap_or_default();
+            error = errors.into_iter().find(|error| error.message.starts_with(floats::ERROR));
+        }
+        if let Some(error) = error {
+            last = &family.name;
+            warnings.push(error.warning());
+        }
+    }
+    warnings
 }
 
 /// The module with the functions of the joins of a spec, named after its file.
 pub fn joins(file: &str, functions: &TokenStream) -> TokenStream {
-    let module = names::module(file).unwrap_or_else(|| Ident::new("joins", site()));
+    let mut module = names::module(file).unwrap_or_else(|| Ident::new("joins", site()));
     // The name is to be seen by the caller.
-    let module = Ident::new(&module.to_string(), Span::call_site());
+    module.set_span(Span::call_site());
     let about = doc("Control points of curves and surfaces that join, as the spec determines them.");
     quote_spanned! {site()=>
         #about
@@ -81,8 +127,8 @@ pub fn joins(file: &str, functions: &TokenStream) -> TokenStream {
     }
 }
 
-/// Puts the code of a type into a module of its own, in which no name of the caller has a meaning: a constant `t`, a type
-/// `f64` or a macro-made `Result` of the caller would otherwise change what the code says.
+/// Puts the code of a type into a module of its own, in which no name of the caller has a meaning: a constant `t`, a
+/// type `f64` or a macro-made `Result` of the caller would otherwise change what the code says.
 fn in_module(name: &Ident, code: &TokenStream) -> TokenStream {
     let module = Ident::new(&format!("__basis_{}", name.to_string().trim_start_matches("r#")), site());
     quote_spanned! {site()=>
@@ -104,11 +150,19 @@ fn site() -> Span {
 
 /// A number of the scalar type.
 fn number(value: &Rational) -> TokenStream {
-    let literal = Literal::f64_unsuffixed(value.abs().to_f64());
+    let literal = float(value);
     if value.is_negative() {
         quote_spanned!(site()=> -S::of(#literal))
     } else {
         quote_spanned!(site()=> S::of(#literal))
+    }
+}
+
+/// The magnitude of a number as a literal; a name without meaning where there is no such float, [`floats`].
+fn float(value: &Rational) -> TokenStream {
+    match floats::nearest(&value.abs()) {
+        Some(value) => Literal::f64_unsuffixed(value).to_token_stream(),
+        None => Ident::new(floats::MISSING, site()).to_token_stream(),
     }
 }
 

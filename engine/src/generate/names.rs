@@ -71,9 +71,14 @@ pub fn ascii(name: &str) -> String {
     result
 }
 
-/// The identifier, raw where it is a keyword; `None` for the few words that cannot be one.
+/// Words that are keywords in some edition but not in all: what the calling crate has is not known here.
+const SOME_EDITIONS: [&str; 4] = ["async", "await", "dyn", "gen"];
+
+/// The identifier, raw where it is a keyword of any edition; `None` for the few words that cannot be one.
 fn ident(name: &str) -> Option<Ident> {
-    if let Ok(mut ident) = syn::parse_str::<Ident>(name) {
+    if !SOME_EDITIONS.contains(&name)
+        && let Ok(mut ident) = syn::parse_str::<Ident>(name)
+    {
         ident.set_span(site());
         return Some(ident);
     }
@@ -120,17 +125,39 @@ fn snake(name: &str) -> String {
     result
 }
 
-/// The name of the type.
-pub(super) fn type_name(family: &Family) -> Result<Ident, Diagnostic> {
-    let name = ascii(&family.name);
-    match ident(&name) {
-        Some(ident) if name != "S" && name != "P" && name != "T" => Ok(ident),
-        _ => Err(Diagnostic::error(
-            family.place.clone(),
-            format!("`{name}` cannot be the name of a Rust type"),
-        )
-        .help("choose another name for the family, or give one to the macro: `Family as OtherName`")),
+/// Names that the generated code needs for something else: its type parameters, and the primitive types.
+const TAKEN: [&str; 20] = [
+    "S", "P", "T", "bool", "char", "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "str", "u8",
+    "u16", "u32", "u64", "u128", "usize",
+];
+
+/// The name of the type of a family: as the macro call has it, `wanted`, or else the family's own.
+pub(super) fn type_name(family: &Family, wanted: Option<&Ident>) -> Result<Ident, Diagnostic> {
+    let name = wanted.map_or_else(|| ascii(&family.name), plain);
+    let found = match wanted {
+        // The span is that of the name in the call.
+        Some(wanted) => ident(&name).map(|mut ident| {
+            ident.set_span(wanted.span());
+            ident
+        }),
+        None => ident(&name),
+    };
+    match found {
+        Some(ident) if !TAKEN.contains(&name.as_str()) => Ok(ident),
+        _ => {
+            let error = Diagnostic::error(
+                family.place.clone(),
+                format!("`{name}` cannot be the name of a Rust type"),
+            );
+            let help = "choose another name for the family, or give one to the macro: `Family as OtherName`";
+            Err(error.help(help))
+        }
     }
+}
+
+/// A name without the mark of a raw one.
+pub(super) fn plain(ident: &Ident) -> String {
+    ident.to_string().trim_start_matches("r#").to_string()
 }
 
 /// The names of the shape parameters as fields, arguments and methods.

@@ -12,13 +12,14 @@ use super::powers::Powers;
 use super::scalar::{self, ScalarCode};
 use super::shell::Shell;
 use super::{doc, docs, number, site};
-use crate::SortedMap;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
+use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Claim, Family, Function, label};
-use crate::prove::Verdict;
+use crate::model::{Family, Function, label};
+use crate::state::Verdict;
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// The type of a family on a simplex or a box.
 ///

@@ -4,11 +4,12 @@
 //! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with the
 //! powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
 
-use crate::SortedMap;
+use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
-use crate::algebra::rational::{Rational, binomial};
-use crate::collections::list::Mapped;
+use crate::algebra::rational::Rational;
 use crate::model::{Family, Function};
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// More Bernstein coefficients, for all functions together, are not emitted.
 const MAX_COEFFICIENTS: usize = 1 << 16;

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
 use super::{scalar, site};
-use crate::collections::list::Mapped;
+use basis_kernel::collections::list::Mapped;
 
 /// The powers of the coordinates.
 #[derive(Default)]

@@ -1,14 +1,14 @@
 //! What all generated types share: the definition, the constructor that checks shape values, their accessors.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::ScalarCode;
-use super::{doc, site};
-use crate::algebra::range::End;
+use super::{doc, float, site};
+use crate::algebra::range::{DisplayRange as _, End};
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
 use crate::model::Family;
+use basis_kernel::collections::list::Mapped;
 
 /// A family as a type.
 pub(super) struct Shell<'a> {
@@ -138,7 +138,7 @@ impl Shell<'_> {
 
 pub(super) fn bound(end: &End, core: &TokenStream) -> TokenStream {
     let literal = |value: &Rational| {
-        let literal = Literal::f64_unsuffixed(value.abs().to_f64());
+        let literal = float(value);
         if value.is_negative() {
             quote_spanned!(site()=> -#literal)
         } else {

@@ -5,13 +5,18 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
-use crate::decide::{self, Budget, Decision, Relation};
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Relation, Statement};
+use basis_prover::{Symmetries, decide};
 
 /// The factors of a polynomial that are not known to be different from zero on a region.
 pub(crate) fn zeros(p: &Poly, region: &Region, budget: u32) -> Vec<Poly> {
+    let domain = Rc::new(Domain::of(region.clone()));
     let zero_free = |p: &Poly| {
-        let positive = decide::decide(p, Relation::Positive, region, &mut Budget::scaled(budget));
-        matches!(positive, Decision::Proved(_))
+        let (value, domain) = (Fraction::from(p.clone()).quotient(), Rc::clone(&domain));
+        let positive = Statement::Sign { value, relation: Relation::Positive, domain };
+        decide(positive, &Symmetries::new(), budget).is_ok()
     };
     let factors = factor(p).1.into_iter().map(|(factor, _)| factor);
     factors.filter(|f| f.as_constant().is_none() && !zero_free(f) && !zero_free(&-f)).collect()

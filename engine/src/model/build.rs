@@ -2,23 +2,23 @@
 
 use proc_macro2::Span;
 
-use super::scope::Scope;
+use super::scope::{Scope, Stage};
 use super::{Family, Function, Library, Parameter, functions};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
-use crate::collections::list::Mapped;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Diagnostics;
 use crate::source::SourceId;
 use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
+use basis_kernel::collections::list::Mapped;
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
-pub(super) fn family(
+pub(crate) fn family(
     library: &Library<'_>,
     unit: usize,
     source: SourceId,
     written: &syntax::Family,
     order: &[i64],
-) -> (Option<Family>, Vec<Diagnostic>) {
+) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).collect();
     let result = build(&mut scope, written);
@@ -26,6 +26,7 @@ pub(super) fn family(
 }
 
 fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
+    scope.unread.clone_from(&written.unread);
     let shapes = shapes(scope, written);
     let domain = domain(scope, written);
     let budget = budget(scope, written);
@@ -49,8 +50,11 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         .iter()
         .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
         .collect();
+    for f in &functions {
+        scope.fits(scope.budget.run().keep(&f.value), written.name.span)?;
+    }
     let whole = functions.len() == scope.functions.len() && !scope.cut_short;
-    let family = Family {
+    let mut family = Family {
         name: written.name.text.clone(),
         doc: written.doc.clone(),
         order: scope.constants.clone(),
@@ -63,13 +67,15 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         function_name: scope.function_name.clone(),
         functions,
         base: core::mem::take(&mut scope.base),
+        obligations: Vec::new(),
         budget,
     };
     scope.settle(&family.shape_region(), family.budget);
+    family.obligations = core::mem::take(&mut scope.obligations);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
     }
-    scope.complete = true;
+    scope.stage = Stage::Broken;
     super::claims::look_for_mistakes(scope, written, &family);
     None
 }
@@ -189,8 +195,22 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
     Some((all, Some(last)))
 }
 
+/// The most shape parameters and domain variables of a family.
+const MAX_VARIABLES: usize = 64;
+
 /// A new variable, unless the name is taken.
 fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
+    if scope.names.len() >= MAX_VARIABLES {
+        if scope.names.len() == MAX_VARIABLES {
+            // A name that nothing can have: said once, and unknown names are those that have no room.
+            scope.names.push(String::new());
+            scope.unread.insert(0, String::new());
+            let message =
+                format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
+            scope.report(scope.error(name.span, message));
+        }
+        return None;
+    }
     if !scope.check_free(name) {
         return None;
     }
@@ -209,7 +229,7 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
 }
 
 /// How many times the usual work `budget …;` allows.
-pub(super) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
+pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
     if let n @ 1..=10_000 = scope.whole(value, "the budget")? {
         return Some(n as u32);
     }
@@ -224,7 +244,7 @@ fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
 }
 
 /// A range from its ends as they are written; the name is for messages.
-pub(super) fn range_of(
+pub(crate) fn range_of(
     scope: &mut Scope<'_>,
     span: Span,
     low: Option<&(Expr, bool)>,

@@ -1,39 +1,48 @@
 //! From claims as they are written to exact differences.
 
+use crate::algebra::range::DisplayRange as _;
 use proc_macro2::Span;
 
+use super::obligation::Obligation;
 use super::obligations::Inside;
 use super::print::{Component, Printer};
 use super::scope::{Scope, Value};
-use super::{Claim, ClaimKind, Difference, Family, Library};
+use super::{Family, Library};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
-use crate::diagnostic::Diagnostic;
+use crate::claim::{Claim, ClaimKind, Difference};
+use crate::diagnostic::Diagnostics;
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
+use basis_kernel::collections::list::Mapped;
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
-pub(super) fn claims(
+pub(crate) fn claims(
     library: &Library<'_>,
     unit: usize,
     written: &syntax::Family,
     family: &Family,
-) -> (Vec<Claim>, Vec<Diagnostic>) {
+) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    scope.inherit(&family.obligations);
     let region = family.region();
     let mut all = Vec::new();
+    for f in &family.functions {
+        // What the scope has copied.
+        let _ = scope.budget.copy(&f.value);
+    }
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Let(name, value) => {
                 // The same values as before; their errors are reported already.
                 let value = scope.scalar(value);
-                scope.lets.push((name.text.clone(), value));
+                scope.lets.insert(name.text.clone(), value);
             }
+            StatementKind::Claim(_) if library.run().is_stopped() => {}
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
-                one(&mut scope, family, claim, statement.span, &mut all);
+                one(&mut scope, family, claim, statement, &mut all);
                 if !scope.settle(&region, family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
@@ -44,26 +53,42 @@ pub(super) fn claims(
             _ => {}
         }
     }
-    (all, scope.diagnostics.into_inner())
+    (all, scope.obligations, scope.diagnostics.into_inner())
 }
 
 /// Reports what is wrong with the claims of a family that has errors already.
-pub(super) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
+pub(crate) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
     for statement in &written.statements {
         if let StatementKind::Claim(claim) = &statement.kind {
-            one(scope, family, claim, statement.span, &mut Vec::new());
+            one(scope, family, claim, statement, &mut Vec::new());
         }
     }
 }
 
 /// Appends the claims that one statement makes.
-fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span, all: &mut Vec<Claim>) {
-    let mut push = |scope: &Scope<'_>, text: String, span: Span, kind: ClaimKind| {
-        all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place: scope.place(span), kind });
+fn one(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    claim: &syntax::Claim,
+    statement: &syntax::Statement,
+    all: &mut Vec<Claim>,
+) {
+    let (span, last) = (statement.span, statement.last);
+    let mut push = |scope: &Scope<'_>, text: String, span: Span, last: Span, kind: ClaimKind| {
+        let run = scope.budget.run();
+        let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
+        let fine = scope.fits(counted, span).is_some();
+        if fine {
+            let place = scope.library.place_to(scope.source, span, last);
+            all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place, kind });
+        }
+        fine
     };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
-            self::relation(scope, relation, &[], &mut |scope, text, kind| push(scope, text, span, kind));
+            self::relation(scope, relation, &[], None, &mut |scope, text, kind| {
+                push(scope, text, span, last, kind)
+            });
         }
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };
@@ -72,8 +97,8 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
                 bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
             let at = parts.join(", ");
             for relation in relations {
-                self::relation(scope, relation, &fixed, &mut |scope, text, kind| {
-                    push(scope, format!("at {at}: {text}"), relation.span, kind);
+                self::relation(scope, relation, &fixed, Some(&at), &mut |scope, text, kind| {
+                    push(scope, format!("at {at}: {text}"), relation.span, relation.last, kind)
                 });
             }
         }
@@ -81,11 +106,8 @@ fn one(scope: &mut Scope<'_>, family: &Family, claim: &syntax::Claim, span: Span
             let mut any = false;
             let fine = scope.each(&claim.loops, &mut |scope| {
                 any = true;
-                match self::property(scope, family, property, span) {
-                    Some((text, kind)) => push(scope, text, span, kind),
-                    None => return false,
-                }
-                true
+                let made = self::property(scope, family, property, span);
+                made.is_some_and(|(text, kind)| push(scope, text, span, last, kind))
             });
             // A condition may well hold for other orders.
             if fine && !any && scope.constants.is_empty() {
@@ -157,13 +179,16 @@ fn exceptions(
         for binding in exception {
             let value = scope.number(&binding.value, "an exceptional value")?;
             let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
+                if scope.is_mistaken(&binding.name.text) {
+                    return None;
+                }
                 let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
                 let error = scope
                     .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
                 scope.report(if known.is_empty() {
                     error.help("the family has no shape parameters")
                 } else {
-                    error.help(format!("shape parameters are {}", crate::words::list(&known)))
+                    error.help(format!("shape parameters are {}", crate::plural::list(&known)))
                 });
                 return None;
             };
@@ -196,7 +221,7 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
                 scope.report(
-                    error.help(format!("an `at` block fixes one of {}", crate::words::list(&scope.names))),
+                    error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
                 );
             } else {
                 scope.unknown(name, binding.name.span);
@@ -301,10 +326,17 @@ fn independent(
     Some(fixed)
 }
 
-type Push<'p> = dyn FnMut(&Scope<'_>, String, ClaimKind) + 'p;
+/// Takes a claim; whether there is room for it.
+type Push<'p> = dyn FnMut(&Scope<'_>, String, ClaimKind) -> bool + 'p;
 
 /// One equation or inequality, for each value of its index variables.
-fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)], push: &mut Push<'_>) {
+fn relation(
+    scope: &mut Scope<'_>,
+    relation: &Relation,
+    fixed: &[(Var, Fraction)],
+    at: Option<&str>,
+    push: &mut Push<'_>,
+) {
     if relation.comparison == Comparison::NotEqual {
         let error = scope.error(relation.span, "a claim is an equation or an inequality");
         scope.report(error.help("write `refute … = …;` to say that two things differ, or claim `<` or `>`"));
@@ -318,7 +350,7 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
     let mut any = false;
     let fine = scope.each(&relation.loops, &mut |scope| {
         any = true;
-        let before = scope.obligations.len();
+        let before = scope.pending.len();
         match differences(scope, relation, fixed) {
             Some(differences) => {
                 let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
@@ -330,12 +362,12 @@ fn relation(scope: &mut Scope<'_>, relation: &Relation, fixed: &[(Var, Fraction)
                     comparison: relation.comparison,
                     differences,
                     fixed: fixed.to_vec(),
+                    at: at.map(String::from),
                 };
-                push(scope, text, kind);
-                true
+                push(scope, text, kind)
             }
             None => {
-                scope.obligations.truncate(before);
+                scope.pending.truncate(before);
                 false
             }
         }
@@ -361,6 +393,10 @@ fn differences(
         (Value::Scalar(l), Value::Scalar(r)) => (vec![(Vec::new(), l)], vec![(Vec::new(), r)], false),
         (Value::List(l), Value::List(r)) => {
             if l.len() != r.len() {
+                // A function whose formula went wrong is not there.
+                if scope.cut_short {
+                    return None;
+                }
                 let shown = if matches!(relation.right.kind, syntax::ExprKind::List(_)) {
                     relation.right.span
                 } else {
@@ -378,8 +414,10 @@ fn differences(
                     matches!(relation.right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
                 scope.report(error.help(match l.len() {
                     0 => String::from("write the values of the left side"),
-                    n if family => format!("compare with a family of {}", crate::words::count(n, "function")),
-                    n => format!("write {}", crate::words::count(n, "value")),
+                    n if family => {
+                        format!("compare with a family of {}", crate::plural::count(n, "function"))
+                    }
+                    n => format!("write {}", crate::plural::count(n, "value")),
                 }));
                 return None;
             }
@@ -409,13 +447,7 @@ fn differences(
     let (library, unit) = (scope.library, scope.unit);
     let mut all = Vec::new();
     for (position, ((index, l), (other, r))) in left.into_iter().zip(right).enumerate() {
-        let difference = match scope.budget.sub(&l, &r) {
-            Ok(difference) => difference,
-            Err(reason) => {
-                scope.report(scope.error(relation.span, format!("the difference of the sides {reason}")));
-                return None;
-            }
-        };
+        let difference = scope.fits(scope.budget.sub(&l, &r), relation.span)?;
         let value = if vars.is_empty() {
             difference
         } else {

@@ -1,15 +1,15 @@
 //! Curves that continue one another: the control points that an order of contact determines, for any family on an interval, from
 //! the exact derivatives at the ends.
 
-use super::theorem::{Form, GivenPoint, Unit};
 use super::{Family, label};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
 use crate::model::Parameter;
+use crate::theorem::{Form, GivenPoint, Unit};
+use basis_kernel::collections::list::Mapped;
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
 const WORK: u64 = 200_000;
@@ -281,9 +281,10 @@ fn inverse(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<(Vec<Vec<Fra
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::theorem::Theorem;
     use crate::model::{Library, Selected};
-    use crate::{Disk, Source};
+    use crate::theorem::Theorem;
+    use crate::theorem::theorems;
+    use crate::{Disk, Prover, Source, Subject};
 
     const QUADRATIC: &str = include_str!("../../../specs/quadratic.basis");
     const REVOLUTION: &str = include_str!("../../../specs/papers/revolution.basis");
@@ -296,14 +297,21 @@ mod tests {
     }";
 
     fn family(spec: &str) -> Family {
-        let library = Library::from_source(&Disk, Source::text("spec.basis", spec));
-        let family = library.items(Selected::EveryOrder).remove(0).family;
+        let library = Library::from_source(&Disk, &Prover, Source::text("spec.basis", spec));
+        let family = library.items(Selected::EveryOrder).remove(0).subject;
         assert!(library.diagnostics().is_empty());
-        Family::clone(&family)
+        match family {
+            Subject::Family(family) => Family::clone(&family),
+            Subject::Theorem(_) => panic!("a family"),
+        }
     }
 
     fn join(library: &Library<'_>, name: &str) -> Theorem {
-        library.theorems().into_iter().find(|t| t.name == name).expect("the join is there")
+        let found = theorems(library).into_iter().find(|item| item.subject.name() == name);
+        match found.expect("the join is there").subject {
+            Subject::Theorem(theorem) => Theorem::clone(&theorem),
+            Subject::Family(_) => panic!("a join"),
+        }
     }
 
     /// The determined points of a published join are the derived ones, with `by` in place of the variables of the latter.
@@ -349,14 +357,16 @@ mod tests {
         let (p, q) = (|k| format!("P[{k}]"), |k| format!("Q[{k}]"));
         let quadratic = family(QUADRATIC);
         for (name, order) in [("G1", 1), ("G2", 2)] {
-            let published = join(&Library::from_source(&Disk, Source::text("spec.basis", QUADRATIC)), name);
+            let published =
+                join(&Library::from_source(&Disk, &Prover, Source::text("spec.basis", QUADRATIC)), name);
             let var = |name: &str| variable(&published, name);
             let c = if order == 2 { var("c") } else { Fraction::zero() };
             let by = [("λ_P", var("λ1")), ("λ_Q", var("λ2")), ("f", var("δ")), ("c", c)];
             same(&published, &continuation(&quadratic, order, Side::After).expect("derived"), &by, [&p, &q]);
         }
         // There the factor is on the other side: Q'(0) = α P'(1).
-        let published = join(&Library::from_source(&Disk, Source::text("spec.basis", REVOLUTION)), "G1");
+        let published =
+            join(&Library::from_source(&Disk, &Prover, Source::text("spec.basis", REVOLUTION)), "G1");
         let var = |name: &str| variable(&published, name);
         let f = Fraction::constant(Rational::ONE).checked_div(&var("α")).expect("not zero");
         let by = [("λ_P", var("λ1")), ("λ_Q", var("λ2")), ("f", f), ("c", Fraction::zero())];
@@ -369,7 +379,7 @@ mod tests {
     fn published_joins_of_surfaces_are_the_derived_ones() {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/quartic_surface.basis");
         let source = crate::source::read(&Disk, path, &[]).expect("it is there");
-        let library = Library::from_source(&Disk, source);
+        let library = Library::from_source(&Disk, &Prover, source);
         let quartic = family(include_str!("../../../specs/quartic.basis"));
         for (order, kind) in [1, 2].into_iter().flat_map(|order| ["UU", "UV", "VV"].map(|kind| (order, kind)))
         {

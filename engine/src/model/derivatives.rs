@@ -3,14 +3,14 @@
 use proc_macro2::Span;
 
 use super::scope::{Scope, Value};
+use crate::advice::along_edges;
 use crate::algebra::poly::Var;
-use crate::collections::list::Mapped;
 use crate::syntax::{Expr, ExprKind};
-use crate::words::along_edges;
+use basis_kernel::collections::list::Mapped;
 
 impl Scope<'_> {
     /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
-    pub(super) fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+    pub(crate) fn derivative(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
         let Some((f, rest)) = arguments.split_first() else {
             self.report(self.error(span, "`D` needs a function").help("write `D(b)` or `D(b[0], 2)`"));
             return None;
@@ -35,10 +35,13 @@ impl Scope<'_> {
                         return None;
                     }
                     Some(var) => steps.push((var, 1)),
+                    None if self.is_mistaken(name) => return None,
                     None => {
                         let error = self
                             .error(argument.span, format!("`{name}` is not a variable to differentiate by"));
-                        self.report(error.help(format!("variables are {}", crate::words::list(&self.names))));
+                        self.report(
+                            error.help(format!("variables are {}", crate::plural::list(&self.names))),
+                        );
                         return None;
                     }
                 },

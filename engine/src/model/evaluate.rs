@@ -3,21 +3,22 @@
 use proc_macro2::Span;
 
 use super::budget::TooLarge;
-use super::obligations::{Duty, Obligation};
-use super::scope::{BUILTINS, Scope, Value};
+use super::obligations::{Duty, Pending};
+use super::scope::{BUILTINS, Scope, Stage, Value};
 use crate::algebra::fraction::Fraction;
+use crate::algebra::number::binomial;
 use crate::algebra::poly::Var;
-use crate::algebra::rational::{Rational, binomial};
-use crate::collections::list::Mapped;
-use crate::syntax::{Expr, ExprKind, Loops};
-use crate::words::{count, here};
+use crate::algebra::rational::Rational;
+use crate::plural::{count, here};
+use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
+use basis_kernel::collections::list::Mapped;
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;
 
 impl Scope<'_> {
     /// The one function that an expression is; reports a list.
-    pub(super) fn scalar(&mut self, expr: &Expr) -> Option<Fraction> {
+    pub(crate) fn scalar(&mut self, expr: &Expr) -> Option<Fraction> {
         match self.value(expr)? {
             Value::Scalar(value) => Some(value),
             Value::List(list) => {
@@ -30,32 +31,34 @@ impl Scope<'_> {
     }
 
     /// What an expression denotes; `None` when that is reported as an error.
-    pub(super) fn value(&mut self, expr: &Expr) -> Option<Value> {
+    pub(crate) fn value(&mut self, expr: &Expr) -> Option<Value> {
+        self.fits(self.budget.step(1), expr.span)?;
         match &expr.kind {
             ExprKind::Number(n) => Some(Value::Scalar(Fraction::constant(n.clone()))),
             ExprKind::Name(name) => self.named(name, expr.span),
             ExprKind::Neg(inner) => Some(map(self.value(inner)?, |f| -f)),
             ExprKind::Sum(parts) => {
                 let mut sum: Option<Value> = None;
-                for (minus, part) in parts {
+                for (sign, part) in parts {
                     let value = self.value(part)?;
-                    sum =
-                        Some(match sum {
-                            None => value,
-                            Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
-                                if *minus { b.sub(x, y) } else { b.add(x, y) }
-                            })?,
-                        });
+                    sum = Some(match sum {
+                        None => value,
+                        Some(sum) => self.zip(sum, value, part.span, |b, x, y| {
+                            if *sign == Sign::Minus { b.sub(x, y) } else { b.add(x, y) }
+                        })?,
+                    });
                 }
                 sum
             }
             ExprKind::Product(parts) => {
                 let mut product: Option<Value> = None;
-                for (divides, part) in parts {
+                for (role, part) in parts {
                     let value = self.value(part)?;
                     product = Some(match product {
                         None => value,
-                        Some(product) if *divides => self.quotient(product, value, part.span)?,
+                        Some(product) if *role == Role::Divisor => {
+                            self.quotient(product, value, part.span)?
+                        }
                         Some(product) => self.product(product, value, part.span)?,
                     });
                 }
@@ -84,13 +87,8 @@ impl Scope<'_> {
     }
 
     /// Passes on a result, or reports that a formula is too large.
-    pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
-        result
-            .map_err(|reason| {
-                let error = self.error(span, format!("the formula {reason}"));
-                self.report(error.help("lower the degree or the number of parameters"));
-            })
-            .ok()
+    pub(crate) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
+        self.within(result, span, "lower the degree or the number of parameters")
     }
 
     /// The values of an expression for all values of index variables.
@@ -110,8 +108,10 @@ impl Scope<'_> {
         if let Some(value) = self.constant(name) {
             return Some(Value::Scalar(Fraction::constant(Rational::from(value))));
         }
-        if let Some((_, value)) = self.lets.iter().find(|(n, _)| n == name) {
-            return value.clone().map(Value::Scalar);
+        if let Some(value) = self.lets.named(name) {
+            let value = value.as_ref()?;
+            self.fits(self.budget.copy(value), span)?;
+            return Some(Value::Scalar(value.clone()));
         }
         if let Some(var) = self.variable(name) {
             let dependent = self.dependent == Some(var);
@@ -119,7 +119,7 @@ impl Scope<'_> {
             return Some(Value::Scalar(value));
         }
         if name == self.function_name && !name.is_empty() {
-            if !self.complete {
+            if self.stage == Stage::Defining {
                 let error = self.error(
                     span,
                     format!("`{name}` alone means all functions, which are not all defined yet"),
@@ -129,7 +129,9 @@ impl Scope<'_> {
             }
             let mut list = Vec::new();
             for (index, value) in &self.functions {
-                list.push((index.clone(), value.clone()?));
+                let value = value.as_ref()?;
+                self.fits(self.budget.copy(value), span)?;
+                list.push((index.clone(), value.clone()));
             }
             return Some(Value::List(list));
         }
@@ -220,7 +222,7 @@ impl Scope<'_> {
     }
 
     /// Only numbers and shape parameters may divide; that they do not vanish on their ranges is proved later.
-    pub(super) fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
+    pub(crate) fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
         if divisor.is_zero() {
             self.report(self.error(span, "division by zero"));
             return None;
@@ -236,7 +238,7 @@ impl Scope<'_> {
         }
         if divisor.as_constant().is_none() {
             let place = self.place(span);
-            self.obligations.push(Obligation { duty: Duty::Nonzero(divisor.numer().clone()), place });
+            self.pending.push(Pending { duty: Duty::Nonzero(divisor.numer().clone()), place });
         }
         Some(())
     }
@@ -282,7 +284,9 @@ impl Scope<'_> {
             && *name == self.function_name
         {
             if let Some(value) = self.functions.get(&index) {
-                return value.clone().map(Value::Scalar);
+                let value = value.as_ref()?;
+                self.fits(self.budget.copy(value), span)?;
+                return Some(Value::Scalar(value.clone()));
             }
             if self.missing_is_zero {
                 let Some((message, help)) = super::functions::gap(self, &index) else {
@@ -291,10 +295,13 @@ impl Scope<'_> {
                 self.report(self.error(span, message).help(help));
                 return None;
             }
+            // It may be one whose definition went wrong.
+            if self.cut_short {
+                return None;
+            }
             let wanted = super::label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
-            let known = self
-                .complete
+            let known = (self.stage != Stage::Defining)
                 .then(|| self.functions.keys())
                 .and_then(|mut keys| Some((keys.next()?, keys.next_back())));
             self.report(match known {
@@ -305,7 +312,7 @@ impl Scope<'_> {
                     } else {
                         format!(
                             "the functions have {}: from `{}` to `{last}`",
-                            crate::words::indices(first.len()),
+                            crate::plural::indices(first.len()),
                             super::label(name, first)
                         )
                     })
@@ -350,7 +357,7 @@ impl Scope<'_> {
             }
             ExprKind::Name(name) if *name != self.function_name => {
                 if !self.library.knows(self.unit, name) {
-                    self.unknown(name, callee.span);
+                    self.unknown_function(name, callee.span);
                     return None;
                 }
                 if self.library.order_count(self.unit, name) == 0 {
@@ -421,7 +428,7 @@ impl Scope<'_> {
     }
 
     /// A function with others put in place of variables, all at once.
-    pub(super) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
+    pub(crate) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
         let mut result = f.clone();
         let later = |k: usize| vars.iter().skip(k + 1).any(|var| by[k].depends_on(*var));
         if !(0..by.len()).any(later) {
@@ -442,12 +449,13 @@ impl Scope<'_> {
         Some(result)
     }
 
-    pub(super) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
+    pub(crate) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
         if !f.depends_on(var) {
             return Some(f.clone());
         }
         let put = self.fits(self.budget.substitute(f, var, by), span)?;
-        if put.is_none() {
+        // An error about the denominator of a function says more.
+        if put.is_none() && self.stage != Stage::Broken {
             self.report(self.error(span, "a denominator becomes zero here"));
         }
         put

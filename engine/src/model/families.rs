@@ -6,13 +6,13 @@ use super::obligations::Inside;
 use super::scope::{Scope, Value};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::collections::list::Mapped;
+use crate::plural::{count, here};
 use crate::syntax::Expr;
-use crate::words::{count, here};
+use basis_kernel::collections::list::Mapped;
 
 impl Scope<'_> {
     /// The functions of another family, in this family's domain variables.
-    pub(super) fn family(
+    pub(crate) fn family(
         &mut self,
         name: &str,
         orders: &[Expr],
@@ -33,6 +33,7 @@ impl Scope<'_> {
                 return None;
             }
         };
+        self.inherit(&family.obligations);
         if shapes.len() != family.shapes.len() {
             let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
             let error = self.error(
@@ -99,7 +100,7 @@ impl Scope<'_> {
             (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).collect();
         names.extend(&self.domain);
         names.extend(family.dependent.as_ref().and(self.dependent));
-        // An index that is none is reported with the whole list.
+        // An index outside of the family is reported with the whole list.
         let only = only.filter(|index| family.functions.iter().any(|f| f.index == **index));
         let mut list = Vec::new();
         for f in family.functions.iter().filter(|f| only.is_none_or(|index| f.index == index)) {

@@ -7,29 +7,33 @@ use proc_macro2::Span;
 use super::indices::{check_indices, grid, sizes};
 use super::scope::{Definition, Scope, multi_indices};
 use super::{Family, Function, label};
-use crate::SortedMap;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
+use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
-use crate::words::{count, indices};
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
 
 /// More functions than this are refused.
-pub(super) const MAX_FUNCTIONS: usize = 512;
+pub(crate) const MAX_FUNCTIONS: usize = 512;
 
 /// Defines what the statements define, in the order in which they are written.
-pub(super) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
+pub(crate) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
     name_functions(scope, written);
     let mut base: Option<(String, i64)> = None;
     let (mut bases, mut raises) = (None, None);
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Let(name, value) => {
+                if !scope.has_room(scope.lets.len(), name.span) {
+                    scope.cut_short = true;
+                    return;
+                }
                 let free = scope.check_free(name);
                 let value = scope.scalar(value);
                 if free {
-                    scope.lets.push((name.text.clone(), value));
+                    scope.lets.insert(name.text.clone(), value);
                 }
             }
             StatementKind::Function(def) => function(scope, def),
@@ -101,17 +105,28 @@ fn definitions(written: &syntax::Family) -> impl Iterator<Item = &FunctionDef> {
     })
 }
 
-/// All functions share the name of the first one.
+/// All functions share the name that most of them have.
 fn name_functions(scope: &mut Scope<'_>, written: &syntax::Family) {
+    let mut counts: SortedMap<&str, usize> = SortedMap::new();
+    for def in definitions(written) {
+        *counts.get_or_insert_with(&def.name.text, || 0) += 1;
+    }
+    let most = counts.values().max().copied().unwrap_or(0);
+    let usual = |def: &&FunctionDef| counts.get(&def.name.text.as_str()) == Some(&most);
+    if let Some(def) = definitions(written).find(usual)
+        && scope.check_free(&def.name)
+    {
+        scope.function_name.clone_from(&def.name.text);
+    }
     for def in definitions(written) {
         if scope.function_name.is_empty() {
-            if scope.check_free(&def.name) {
-                scope.function_name.clone_from(&def.name.text);
-            }
-        } else if def.name.text != scope.function_name {
+            return;
+        }
+        if def.name.text != scope.function_name {
             let message =
                 format!("the functions are called `{}`, not `{}`", scope.function_name, def.name.text);
             let error = scope.error(def.name.span, message);
+            scope.undeclared.borrow_mut().push(def.name.text.clone());
             scope.report(error.help("use one name for all functions of a family, `let` for anything else"));
         }
     }
@@ -121,7 +136,10 @@ fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
     let mut any = false;
     let fine = scope.each(&def.loops, &mut |scope| {
         any = true;
-        let Some(index) = index(scope, def) else { return false };
+        let Some(index) = index(scope, def) else {
+            scope.cut_short = true;
+            return false;
+        };
         let value = scope.scalar(&def.value);
         scope.cut_short |= value.is_none() && (def.permute || !def.loops.generators.is_empty());
         if def.permute {
@@ -152,6 +170,7 @@ fn insert(scope: &mut Scope<'_>, def: &FunctionDef, index: Vec<i64>, value: Opti
         } else {
             "remove one of the definitions"
         }));
+        scope.cut_short = true;
         return false;
     }
     let definition = Definition { place: scope.defined.len(), span: def.name.span, permuted: def.permute };
@@ -343,8 +362,8 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
     }
 }
 
-/// The family of the order before, expanded once for all orders above it; `None` where it may not be what the recursion runs
-/// through on its way to a higher order, and where its range begins later.
+/// The family of the order before, expanded once for all orders above it; `None` where it may not be what the
+/// recursion runs through on its way to a higher order, and where its range begins later.
 fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted: i64) -> Option<Rc<Family>> {
     // Other statements may depend on the order that is wanted.
     let own = |s: &syntax::Statement| matches!(s.kind, StatementKind::Let(..) | StatementKind::Function(_));
@@ -385,9 +404,9 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
     Some(indices)
 }
 
-/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the order
-/// before, which has no gap and whose functions are 0 elsewhere.
-pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
+/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the
+/// order before, which has no gap and whose functions are 0 elsewhere.
+pub(crate) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
     let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
     if !corners || index.iter().any(|i| *i < 0) {
         return None;
@@ -405,7 +424,7 @@ pub(super) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static 
 
 impl Scope<'_> {
     /// A barycentric coordinate by its place; the last one is 1 minus the others.
-    pub(super) fn barycentric(&self, place: usize) -> Fraction {
+    pub(crate) fn barycentric(&self, place: usize) -> Fraction {
         match self.domain.get(place) {
             Some(var) => Fraction::var(*var),
             None => {

@@ -4,12 +4,12 @@ use super::functions::MAX_FUNCTIONS;
 use super::label;
 use super::scope::{Scope, multi_indices};
 use crate::diagnostic::Diagnostic;
+use crate::plural::list;
 use crate::syntax;
-use crate::words::list;
 
 /// Whether indices run from 0 without a gap: on a simplex with one index for each corner all tuples of one sum, else
 /// every place on its own. Reports what is missing.
-pub(super) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool {
+pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool {
     // A formula that went wrong has left out the rest of its loop.
     let (false, Some(width)) = (scope.cut_short, scope.functions.keys().next().map(Vec::len)) else {
         return true;
@@ -119,13 +119,13 @@ fn too_few_names(scope: &Scope<'_>, width: usize, sum: i64) -> Option<String> {
 }
 
 /// One more than the greatest index, in every place.
-pub(super) fn sizes(scope: &Scope<'_>) -> Vec<i64> {
+pub(crate) fn sizes(scope: &Scope<'_>) -> Vec<i64> {
     let width = scope.functions.keys().next().map_or(0, Vec::len);
     (0..width).map(|k| scope.functions.keys().map(|index| index[k]).max().unwrap_or(0) + 1).collect()
 }
 
 /// All tuples below the given sizes, in lexicographic order; at most one more than a family may have.
-pub(super) fn grid(sizes: &[i64]) -> Vec<Vec<i64>> {
+pub(crate) fn grid(sizes: &[i64]) -> Vec<Vec<i64>> {
     let mut all = vec![Vec::new()];
     for size in sizes {
         all = all

@@ -7,29 +7,23 @@ use std::rc::Rc;
 
 use proc_macro2::{Span, TokenStream};
 
-use super::theorem::{self, Theorem};
-use super::{Claim, Family, build, claims};
-use crate::SortedMap;
-use crate::collections::list::Mapped;
-use crate::diagnostic::{Diagnostic, Place};
-use crate::source::{self, Files, Source, SourceId, Sources};
-use crate::syntax::{self, Spec, SyntaxError};
-use crate::words::did_you_mean;
+use super::budget::{Run, TooLarge};
+use super::obligation::Judge;
+use super::{Family, build, claims};
+use crate::advice::did_you_mean;
+use crate::diagnostic::{Diagnostic, Diagnostics, Place};
+use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
+use crate::subject::{Item, Subject};
+use crate::syntax::{self, Home, Name, Spec, SyntaxErrors};
+use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::sort::sort_by;
+use basis_prover::map::SortedMap;
 
 /// Families that refer to one another through more levels than this are refused.
 const MAX_DEPTH: usize = 48;
 
 /// More orders of one family than this are refused.
 const MAX_ORDERS: i64 = 1000;
-
-/// A family of one order with its claims.
-#[derive(Clone, Debug)]
-pub struct Item {
-    /// The family.
-    pub family: Rc<Family>,
-    /// Its claims, in the order in which they are written.
-    pub claims: Vec<Claim>,
-}
 
 /// Which families of a spec are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,12 +34,32 @@ pub enum Selected {
     WithoutOrder,
 }
 
+/// The most bytes of all specs of a run.
+const MAX_TOTAL_BYTES: usize = 4 << 20;
+
 /// One parsed spec.
 struct Unit {
     source: SourceId,
     spec: Spec,
+    /// The families by name, each with its place among the items: sorted, of one name the first.
+    families: Vec<(String, usize)>,
     /// The units whose families it may name, apart from its own and the prelude's.
     uses: Vec<usize>,
+}
+
+impl Unit {
+    /// The place of a family among the items.
+    fn position(&self, name: &str) -> Option<usize> {
+        let k = self.families.binary_search_by(|(known, _)| known.as_str().cmp(name)).ok()?;
+        Some(self.families[k].1)
+    }
+
+    fn family(&self, position: usize) -> Option<&syntax::Family> {
+        match self.spec.items.get(position)? {
+            syntax::Item::Family(family) => Some(family),
+            syntax::Item::Use(_) | syntax::Item::Theorem(_) => None,
+        }
+    }
 }
 
 /// Family by unit, item and order; `None` while it is being expanded and when it has errors.
@@ -54,12 +68,16 @@ type Expanded = SortedMap<(usize, usize, Vec<i64>), Option<Rc<Family>>>;
 /// The specs of one run.
 pub struct Library<'f> {
     files: &'f dyn Files,
+    judge: &'f dyn Judge,
     sources: Sources,
     units: Vec<Unit>,
     expanded: RefCell<Expanded>,
     /// The families that are being expanded, the outermost first.
     active: RefCell<Vec<(usize, usize, Vec<i64>)>>,
-    diagnostics: RefCell<Vec<Diagnostic>>,
+    diagnostics: RefCell<Diagnostics>,
+    run: Rc<Run>,
+    /// Whether a spec was left out because all together are too long.
+    is_too_long: bool,
 }
 
 /// The unit that was asked for.
@@ -67,29 +85,37 @@ const MAIN: usize = 0;
 
 impl<'f> Library<'f> {
     /// Reads a spec from a text, with everything that it uses.
-    pub fn from_source(files: &'f dyn Files, source: Source) -> Self {
-        let mut library = Self::empty(files);
+    pub fn from_source(files: &'f dyn Files, judge: &'f dyn Judge, source: Source) -> Self {
+        let mut library = Self::empty(files, judge);
         library.add_text(source, &mut Vec::new());
         library.finish()
     }
 
     /// Reads a spec from the tokens of a macro call in the file `path`, with everything that it uses.
-    pub fn from_tokens(files: &'f dyn Files, tokens: TokenStream, path: Option<PathBuf>) -> Self {
-        let mut library = Self::empty(files);
+    pub fn from_tokens(
+        files: &'f dyn Files,
+        judge: &'f dyn Judge,
+        tokens: TokenStream,
+        path: Option<PathBuf>,
+    ) -> Self {
+        let mut library = Self::empty(files, judge);
         let id = library.sources.add(Source::tokens(path));
         let (spec, errors) = syntax::parse_tokens(tokens);
         library.add_unit(id, spec, errors, &mut Vec::new());
         library.finish()
     }
 
-    fn empty(files: &'f dyn Files) -> Self {
+    fn empty(files: &'f dyn Files, judge: &'f dyn Judge) -> Self {
         Self {
             files,
+            judge,
             sources: Sources::default(),
             units: Vec::new(),
             expanded: RefCell::default(),
             active: RefCell::default(),
             diagnostics: RefCell::default(),
+            run: Rc::new(Run::new()),
+            is_too_long: false,
         }
     }
 
@@ -111,10 +137,11 @@ impl<'f> Library<'f> {
         &mut self,
         source: SourceId,
         spec: Spec,
-        errors: Vec<SyntaxError>,
+        errors: SyntaxErrors,
         stack: &mut Vec<SourceId>,
     ) -> usize {
-        for error in errors {
+        self.diagnostics.borrow_mut().leave_out(errors.unread());
+        for error in errors.into_list() {
             let place = match error.place {
                 syntax::SyntaxPlace::Bytes(range) => Place::Text(source, range),
                 syntax::SyntaxPlace::Token(span) => self.place(source, span),
@@ -124,19 +151,30 @@ impl<'f> Library<'f> {
             self.report(diagnostic);
         }
         let index = self.units.len();
-        let requests: Vec<(String, Span)> = spec
+        let requests: Vec<(Home, String, Span)> = spec
             .items
             .iter()
             .filter_map(|item| match item {
-                syntax::Item::Use(u) => Some((u.path.clone(), u.span)),
+                syntax::Item::Use(u) => Some((u.home, u.path.clone(), u.span)),
                 syntax::Item::Family(_) | syntax::Item::Theorem(_) => None,
             })
             .collect();
-        self.units.push(Unit { source, spec, uses: Vec::new() });
+        let mut families: Vec<(String, usize)> = Vec::new();
+        for (position, item) in spec.items.iter().enumerate() {
+            if let syntax::Item::Family(family) = item {
+                families.push((family.name.text.clone(), position));
+            }
+        }
+        // Stable: of families of one name, which is an error, the first one stays.
+        sort_by(&mut families, |a, b| a.0.cmp(&b.0));
+        families.dedup_by(|later, first| later.0 == first.0);
+        self.units.push(Unit { source, spec, families, uses: Vec::new() });
         self.check_doubled(index);
         stack.push(source);
-        for (path, span) in requests {
-            if let Some(unit) = self.load(source, &path, span, stack) {
+        for (home, path, span) in requests {
+            if let Some(unit) = self.load(source, home, &path, span, stack)
+                && !self.units[index].uses.contains(&unit)
+            {
                 self.units[index].uses.push(unit);
             }
         }
@@ -145,20 +183,32 @@ impl<'f> Library<'f> {
     }
 
     /// Reads a spec that another one uses, unless it is read already.
-    fn load(&mut self, from: SourceId, path: &str, span: Span, stack: &mut Vec<SourceId>) -> Option<usize> {
-        let folder = self.sources.get(from).path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-        let folders: Vec<PathBuf> = folder.into_iter().collect();
-        let mut source = match source::read(self.files, path, &folders) {
-            Ok(source) => source,
-            Err(e) => {
-                let mut diagnostic = Diagnostic::error(self.place(from, span), e.message);
-                diagnostic.notes = e.notes;
-                self.report(diagnostic);
-                return None;
+    fn load(
+        &mut self,
+        from: SourceId,
+        home: Home,
+        path: &str,
+        span: Span,
+        stack: &mut Vec<SourceId>,
+    ) -> Option<usize> {
+        let mut source = None;
+        let mut known = self.known(from, home, path);
+        if known.is_none() {
+            match self.read(from, home, path) {
+                Ok(read) => {
+                    known = self.sources.find(&read);
+                    source = Some(read);
+                }
+                Err(e) => {
+                    let mut diagnostic = Diagnostic::error(self.place(from, span), e.message);
+                    diagnostic.notes = e.notes;
+                    diagnostic.help = e.help;
+                    self.report(diagnostic);
+                    return None;
+                }
             }
-        };
-        let found = source.path.as_deref().and_then(|p| self.sources.find(p));
-        if let Some(id) = found {
+        }
+        if let Some(id) = known {
             if let Some(start) = stack.iter().position(|s| *s == id) {
                 let mut names: Vec<&str> = stack[start..].mapped(|s| self.sources.get(*s).name.as_str());
                 names.push(self.sources.get(id).name.as_str());
@@ -172,44 +222,78 @@ impl<'f> Library<'f> {
             }
             return self.units.iter().position(|u| u.source == id);
         }
-        // Shown relative to the file that uses it, as a reader would look for it.
-        if let Some(parent) =
-            Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
+        let mut source = source?;
+        let read: usize = self.sources.iter().map(|(_, s)| s.text.as_deref().map_or(0, str::len)).sum();
+        if read + source.text.as_deref().map_or(0, str::len) > MAX_TOTAL_BYTES {
+            // The same is true of all that follow.
+            if !core::mem::replace(&mut self.is_too_long, true) {
+                let limit = MAX_TOTAL_BYTES >> 20;
+                let message = format!("the spec and those that it uses are longer than {limit} MiB");
+                let error = Diagnostic::error(self.place(from, span), message);
+                self.report(error.help("use fewer files"));
+            }
+            return None;
+        }
+        // A file is shown relative to the file that uses it, as a reader would look for it.
+        if source.library.is_none()
+            && let Some(parent) =
+                Path::new(&self.sources.get(from).name).parent().filter(|p| !p.as_os_str().is_empty())
         {
             source.name = parent.join(path).to_string_lossy().into_owned();
         }
         Some(self.add_text(source, stack))
     }
 
-    fn check_doubled(&self, unit: usize) {
-        let mut seen: SortedMap<&str, Span> = SortedMap::new();
-        let source = self.units[unit].source;
-        for theorem in self.theorems_of(unit) {
-            if let Some(first) = seen.insert(&theorem.name.text, theorem.name.span) {
-                let place = self.place(source, theorem.name.span);
-                let message = format!("`{}` is stated twice", theorem.name.text);
-                self.report(
-                    Diagnostic::error(place, message)
-                        .label("stated again here")
-                        .also(self.place(source, first), "first stated here"),
-                );
+    /// The file that another one uses, if it is read already.
+    fn known(&self, from: SourceId, home: Home, path: &str) -> Option<SourceId> {
+        let from = self.sources.get(from);
+        if home == Home::Library || from.library.is_some() {
+            return None;
+        }
+        let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+        let mut file = Source::default();
+        file.path = Some(self.files.canonical(&folder.unwrap_or_default().join(path)));
+        self.sources.find(&file)
+    }
+
+    /// A spec that another one uses; in a spec of the library a path stays in the library.
+    fn read(&self, from: SourceId, home: Home, path: &str) -> Result<Source, ReadError> {
+        let from = self.sources.get(from);
+        match (home, &from.library) {
+            (Home::Library, _) => source::library(self.files, path),
+            (Home::Folder, Some(name)) => source::library(self.files, &source::beside(name, path)?),
+            (Home::Folder, None) => {
+                let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+                let folders: Vec<PathBuf> = folder.into_iter().collect();
+                source::read(self.files, path, &folders)
             }
         }
-        let mut seen: SortedMap<&str, Span> = SortedMap::new();
+    }
+
+    fn check_doubled(&self, unit: usize) {
+        let source = self.units[unit].source;
+        for (again, first) in repeated_names(self.theorems_of(unit).map(|t| &t.name)) {
+            let message = format!("`{}` is stated twice", again.text);
+            self.report(
+                Diagnostic::error(self.place(source, again.span), message)
+                    .label("stated again here")
+                    .also(self.place(source, first.span), "first stated here"),
+            );
+        }
         for family in self.families_of(unit) {
             if super::scope::BUILTINS.contains(&family.name.text.as_str()) {
                 let place = self.place(source, family.name.span);
                 let message = format!("`{}` is a function of the language", family.name.text);
                 self.report(Diagnostic::error(place, message).help("choose another name for the family"));
             }
-            if let Some(first) = seen.insert(&family.name.text, family.name.span) {
-                let place = self.place(source, family.name.span);
-                self.report(
-                    Diagnostic::error(place, format!("the family `{}` is defined twice", family.name.text))
-                        .label("defined again here")
-                        .also(self.place(source, first), "first defined here"),
-                );
-            }
+        }
+        for (again, first) in repeated_names(self.families_of(unit).map(|f| &f.name)) {
+            let message = format!("the family `{}` is defined twice", again.text);
+            self.report(
+                Diagnostic::error(self.place(source, again.span), message)
+                    .label("defined again here")
+                    .also(self.place(source, first.span), "first defined here"),
+            );
         }
     }
 
@@ -227,16 +311,23 @@ impl<'f> Library<'f> {
         })
     }
 
-    /// The theorems and joins of the spec that was asked for; those with errors are left out.
-    pub fn theorems(&self) -> Vec<Theorem> {
-        let mut theorems = Vec::new();
+    /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins, and keeps
+    /// the errors that it returns.
+    pub(crate) fn each_theorem(
+        &self,
+        read: &mut dyn FnMut(usize, SourceId, &syntax::Theorem) -> Diagnostics,
+    ) {
         for written in self.theorems_of(MAIN) {
-            let (theorem, diagnostics) = theorem::theorem(self, MAIN, self.units[MAIN].source, written);
-            let clean = diagnostics.is_empty();
-            self.report_all(diagnostics);
-            theorems.extend(theorem.filter(|_| clean));
+            if self.counts_as_family(MAIN, written.name.span).is_none() {
+                break;
+            }
+            self.report_all(read(MAIN, self.units[MAIN].source, written));
         }
-        theorems
+    }
+
+    /// Who decides what has to hold while formulas are read.
+    pub(crate) const fn judge(&self) -> &'f dyn Judge {
+        self.judge
     }
 
     /// The units in which a spec looks for a family: itself, what it uses, the prelude.
@@ -250,7 +341,7 @@ impl<'f> Library<'f> {
 
     /// The two specs that both define a family, where a third one uses both and defines it not itself.
     fn ambiguous(&self, unit: usize, name: &str) -> Option<[&str; 2]> {
-        let defines = |u: usize| self.families_of(u).any(|f| f.name.text == name);
+        let defines = |u: usize| self.units[u].position(name).is_some();
         if defines(unit) {
             return None;
         }
@@ -265,26 +356,32 @@ impl<'f> Library<'f> {
     }
 
     fn find(&self, unit: usize, name: &str) -> Option<(usize, usize)> {
-        self.search(unit).into_iter().find_map(|u| {
-            let position = self.families_of(u).position(|f| f.name.text == name)?;
-            Some((u, position))
-        })
+        self.search(unit).into_iter().find_map(|u| Some((u, self.units[u].position(name)?)))
     }
 
     /// The names of all families that a spec can name.
-    pub(super) fn visible(&self, unit: usize) -> Vec<String> {
+    pub(crate) fn visible(&self, unit: usize) -> Vec<String> {
         self.search(unit).into_iter().flat_map(|u| self.families_of(u)).map(|f| f.name.text.clone()).collect()
     }
 
+    /// Whether a name may be that of an item that could not be read: it stands there, or the name is missing.
+    pub(super) fn is_unread(&self, unit: usize, name: &str) -> bool {
+        self.search(unit).into_iter().any(|u| {
+            let unread = &self.units[u].spec.unread;
+            unread.first().is_some_and(String::is_empty)
+                || unread.binary_search_by(|other| other.as_str().cmp(name)).is_ok()
+        })
+    }
+
     /// Whether a spec can name this family.
-    pub(super) fn knows(&self, unit: usize, name: &str) -> bool {
+    pub(crate) fn knows(&self, unit: usize, name: &str) -> bool {
         self.find(unit, name).is_some()
     }
 
     /// How many index parameters a family has; 0 for an unknown name.
-    pub(super) fn order_count(&self, unit: usize, name: &str) -> usize {
+    pub(crate) fn order_count(&self, unit: usize, name: &str) -> usize {
         self.find(unit, name)
-            .and_then(|(u, k)| self.families_of(u).nth(k))
+            .and_then(|(u, k)| self.units[u].family(k))
             .map_or(0, |family| family.orders.len())
     }
 
@@ -292,17 +389,24 @@ impl<'f> Library<'f> {
     ///
     /// # Errors
     /// What is wrong and what to write instead; `None` when its own errors are reported already.
-    pub(super) fn family(
+    pub(crate) fn family(
         &self,
         unit: usize,
         name: &str,
         order: &[i64],
     ) -> Result<Rc<Family>, Option<(String, String)>> {
         let Some((home, position)) = self.find(unit, name) else {
+            if self.is_unread(unit, name) {
+                return Err(None);
+            }
+            if self.is_full() {
+                return Err(Some((String::new(), String::new()))); // only counted
+            }
             let visible = self.visible(unit);
             let known: Vec<&str> = visible.mapped(String::as_str);
-            let help =
-                did_you_mean(name, &known, &|| format!("families here are {}", crate::words::list(&visible)));
+            let help = did_you_mean(name, &known, &|| {
+                format!("families here are {}", crate::plural::list(&visible))
+            });
             return Err(Some((format!("there is no family `{name}`"), help)));
         };
         if let Some([first, second]) = self.ambiguous(unit, name) {
@@ -312,7 +416,7 @@ impl<'f> Library<'f> {
                 String::from("use one of the two files, or rename one of the families"),
             )));
         }
-        let family = self.families_of(home).nth(position).ok_or(None)?;
+        let family = self.units[home].family(position).ok_or(None)?;
         if family.orders.len() != order.len() {
             let wanted: Vec<String> = family.orders.mapped(|g| g.name.text.clone());
             let help = if wanted.is_empty() {
@@ -322,8 +426,8 @@ impl<'f> Library<'f> {
             };
             let message = format!(
                 "`{name}` has {}, {}",
-                crate::words::count(wanted.len(), "index parameter"),
-                crate::words::here(order.len())
+                crate::plural::count(wanted.len(), "index parameter"),
+                crate::plural::here(order.len())
             );
             return Err(Some((message, help)));
         }
@@ -344,6 +448,7 @@ impl<'f> Library<'f> {
             )));
         }
         self.check_order(home, family, order)?;
+        self.counts_as_family(home, family.name.span).ok_or(None)?;
         self.active.borrow_mut().push(key.clone());
         let (result, diagnostics) = build::family(self, home, self.units[home].source, family, order);
         self.active.borrow_mut().pop();
@@ -443,6 +548,9 @@ impl<'f> Library<'f> {
             }
             let Some(orders) = self.orders(MAIN, family) else { continue };
             for order in &orders {
+                if self.run.is_stopped() {
+                    return items;
+                }
                 if let Ok(item) = self.item(&family.name.text, order) {
                     items.push(item);
                 }
@@ -462,10 +570,14 @@ impl<'f> Library<'f> {
         self.theorems_of(MAIN).next().is_some()
     }
 
-    /// The name of the file that was asked for; empty for the tokens of a macro call.
+    /// The name of the file that was asked for, or of the spec of the library; empty for the tokens of a macro call.
     pub fn file(&self) -> &str {
         let source = self.sources.get(self.units[MAIN].source);
-        if source.text.is_some() { &source.name } else { "" }
+        match (&source.library, &source.text) {
+            (Some(name), _) => name,
+            (None, Some(_)) => &source.name,
+            (None, None) => "",
+        }
     }
 
     /// The doc comment of the spec that was asked for, one string a line.
@@ -481,7 +593,7 @@ impl<'f> Library<'f> {
     /// The names of the index parameters of a family that the spec can name; `None` for an unknown family.
     pub fn index_names(&self, family: &str) -> Option<Vec<String>> {
         let (home, position) = self.find(MAIN, family)?;
-        let family = self.families_of(home).nth(position)?;
+        let family = self.units[home].family(position)?;
         Some(family.orders.mapped(|order| order.name.text.clone()))
     }
 
@@ -492,18 +604,26 @@ impl<'f> Library<'f> {
     pub fn item(&self, name: &str, order: &[i64]) -> Result<Item, Option<(String, String)>> {
         let family = self.family(MAIN, name, order)?;
         let (home, position) = self.find(MAIN, name).ok_or(None)?;
-        let written = self.families_of(home).nth(position).ok_or(None)?;
-        let (claims, diagnostics) = claims::claims(self, home, written, &family);
+        let written = self.units[home].family(position).ok_or(None)?;
+        let (claims, obligations, diagnostics) = claims::claims(self, home, written, &family);
         self.report_all(at_order(diagnostics, written, order));
-        Ok(Item { family, claims })
+        Ok(Item { subject: Subject::Family(family), obligations, claims })
     }
 
     /// The place of a span in a source.
-    pub(super) fn place(&self, source: SourceId, span: Span) -> Place {
+    pub(crate) fn place(&self, source: SourceId, span: Span) -> Place {
         if self.sources.get(source).text.is_some() {
             Place::Text(source, span.byte_range())
         } else {
-            Place::Token(span)
+            Place::Token(span, span)
+        }
+    }
+
+    /// The place of everything from the first token of a span to a last token.
+    pub(crate) fn place_to(&self, source: SourceId, span: Span, last: Span) -> Place {
+        match self.place(source, span) {
+            Place::Token(first, _) => Place::Token(first, last),
+            text @ Place::Text(..) => text,
         }
     }
 
@@ -512,12 +632,14 @@ impl<'f> Library<'f> {
     fn report(&self, new: Diagnostic) {
         let same_place = |a: &Diagnostic, b: &Diagnostic| match (a.labels.first(), b.labels.first()) {
             (Some((Place::Text(s, r), _)), Some((Place::Text(t, q), _))) => s == t && r == q,
-            (Some((Place::Token(a), _)), Some((Place::Token(b), _))) => format!("{a:?}") == format!("{b:?}"),
+            (Some((Place::Token(a, _), _)), Some((Place::Token(b, _), _))) => {
+                format!("{a:?}") == format!("{b:?}")
+            }
             (None, None) => true,
             _ => false,
         };
         let mut all = self.diagnostics.borrow_mut();
-        if !all.iter().any(|d| {
+        if !all.shown().iter().any(|d| {
             same_place(d, &new)
                 && (d.message == new.message
                     || d.severity == new.severity && repeated(&d.message, &new.message))
@@ -526,15 +648,38 @@ impl<'f> Library<'f> {
         }
     }
 
-    fn report_all(&self, diagnostics: Vec<Diagnostic>) {
-        for diagnostic in diagnostics {
+    /// Whether further errors are only counted.
+    pub(crate) fn is_full(&self) -> bool {
+        self.diagnostics.borrow().is_full()
+    }
+
+    /// What the run may still take.
+    pub(crate) const fn run(&self) -> &Rc<Run> {
+        &self.run
+    }
+
+    /// Counts a family of one order, or a theorem; `None` when there are too many.
+    fn counts_as_family(&self, unit: usize, span: Span) -> Option<()> {
+        match self.run.family() {
+            Ok(()) => return Some(()),
+            Err(TooLarge::Run(message)) => {
+                let error = Diagnostic::error(self.place(self.units[unit].source, span), message);
+                self.report(error.help(super::budget::SPLIT));
+            }
+            Err(TooLarge::Formula(_) | TooLarge::Said) => {}
+        }
+        None
+    }
+
+    fn report_all(&self, diagnostics: Diagnostics) {
+        for diagnostic in diagnostics.into_list() {
             self.report(diagnostic);
         }
     }
 
     /// All messages so far.
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
-        self.diagnostics.borrow().clone()
+        self.diagnostics.borrow().clone().into_list()
     }
 
     /// The specs that were read.
@@ -544,15 +689,34 @@ impl<'f> Library<'f> {
 }
 
 /// Errors in a family with index parameters say at which values they were met.
-fn at_order(mut diagnostics: Vec<Diagnostic>, family: &syntax::Family, order: &[i64]) -> Vec<Diagnostic> {
-    if !order.is_empty() {
+fn at_order(mut diagnostics: Diagnostics, family: &syntax::Family, order: &[i64]) -> Diagnostics {
+    if !order.is_empty() && !diagnostics.is_empty() {
         let values: Vec<String> =
             family.orders.iter().zip(order).map(|(g, v)| format!("{} = {v}", g.name.text)).collect();
-        for diagnostic in &mut diagnostics {
+        for diagnostic in diagnostics.shown_mut() {
             diagnostic.notes.push(format!("for {}", values.join(", ")));
         }
     }
     diagnostics
+}
+
+/// The names that stand a second time in a list, each with the first one, in the order of the list.
+fn repeated_names<'n>(names: impl Iterator<Item = &'n Name>) -> Vec<(&'n Name, &'n Name)> {
+    let mut sorted: Vec<(usize, &Name)> = names.enumerate().collect();
+    sort_by(&mut sorted, |a, b| a.1.text.cmp(&b.1.text));
+    let mut repeated = Vec::new();
+    let mut first = 0;
+    for k in 0..sorted.len() {
+        if sorted[k].1.text == sorted[first].1.text {
+            if k > first {
+                repeated.push((sorted[k].0, sorted[k].1, sorted[first].1));
+            }
+        } else {
+            first = k;
+        }
+    }
+    sort_by(&mut repeated, |a, b| a.0.cmp(&b.0));
+    repeated.into_iter().map(|(_, again, first)| (again, first)).collect()
 }
 
 /// Whether two messages differ in numbers only.

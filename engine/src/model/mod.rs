@@ -1,31 +1,32 @@
 //! What a spec means: families as exact tables of functions over a domain and shape parameters, and their
 //! claims as exact differences to be compared with zero.
 
-mod budget;
-mod build;
+pub(crate) mod bernstein;
+pub(crate) mod budget;
+pub(crate) mod build;
 mod claims;
 pub mod continuation;
-mod derivatives;
-mod evaluate;
-mod families;
-mod functions;
-mod indices;
+pub(crate) mod derivatives;
+pub(crate) mod evaluate;
+pub(crate) mod families;
+pub(crate) mod functions;
+pub(crate) mod indices;
 mod library;
-mod obligations;
-mod print;
-mod scope;
-pub mod theorem;
+pub mod obligation;
+pub(crate) mod obligations;
+pub(crate) mod print;
+pub(crate) mod scope;
 
-pub use library::{Item, Library, Selected};
+pub use library::{Library, Selected};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
-use crate::collections::list::Mapped;
 use crate::diagnostic::Place;
 use crate::source::SourceId;
-pub use crate::syntax::{Comparison, Expected};
+use basis_kernel::collections::list::Mapped;
+use obligation::Obligation;
 
 /// A family of basis functions of one order.
 #[derive(Clone, Debug)]
@@ -55,6 +56,8 @@ pub struct Family {
     pub functions: Vec<Function>,
     /// The functions of the lowest order, when these were raised from them.
     pub base: Vec<Function>,
+    /// What holds on the declared ranges, so that the formulas mean something.
+    pub obligations: Vec<Obligation>,
     /// How many times the usual work the provers may spend on a claim.
     pub budget: u32,
 }
@@ -136,56 +139,4 @@ impl Family {
 pub(crate) fn label(name: &str, index: &[i64]) -> String {
     let index: Vec<String> = index.mapped(i64::to_string);
     format!("{name}[{}]", index.join(","))
-}
-
-/// A claim about a family.
-#[derive(Clone, Debug)]
-pub struct Claim {
-    /// The claim as text, index variables replaced by their values.
-    pub text: String,
-    /// The doc comment, one string a line.
-    pub doc: Vec<String>,
-    /// Whether it is declared true or false.
-    pub expected: Expected,
-    /// Where it stands; of an equation in a block, where that equation stands.
-    pub place: Place,
-    /// What is claimed.
-    pub kind: ClaimKind,
-}
-
-/// The kinds of claims.
-#[derive(Clone, Debug)]
-pub enum ClaimKind {
-    /// The functions sum to 1.
-    PartitionOfUnity,
-    /// Every function is ≥ 0 on the domain, for all shape values in their ranges.
-    Nonnegative,
-    /// `b[i](t) = b[n−i](low + high − t)`.
-    Symmetric,
-    /// The functions are linearly independent for all shape values in their ranges except the listed ones.
-    Independent(Vec<Vec<(Var, Rational)>>),
-    /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
-    Continuity(u32),
-    /// Every difference compares with zero as stated, on the declared ranges.
-    Relation {
-        /// How the differences compare with zero.
-        comparison: Comparison,
-        /// Left side minus right side, one for each component of the two sides.
-        differences: Vec<Difference>,
-        /// Variables that an `at` block fixes; they no longer occur in the differences.
-        fixed: Vec<(Var, Fraction)>,
-    },
-}
-
-/// Left side minus right side.
-#[derive(Clone, Debug)]
-pub struct Difference {
-    /// The left side as text.
-    pub left: String,
-    /// The right side as text.
-    pub right: String,
-    /// The difference as text, such as `D(b[1]) - (3 + λ)`.
-    pub text: String,
-    /// The difference.
-    pub value: Fraction,
 }

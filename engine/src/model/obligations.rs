@@ -1,24 +1,30 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Relation, Statement};
+use basis_prover::Coordinate;
+
+use super::budget::{SPLIT, TooLarge};
+use super::obligation::{Goal, Obligation, Open};
 use super::scope::{Scope, Subject};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
-use crate::decide::{Budget, Coordinate, Decision, Relation, decide};
 use crate::diagnostic::{Diagnostic, Place};
 
-/// Something to be proved before a formula is used.
+/// Something to be decided before a formula is used.
 #[derive(Clone, Debug)]
-pub(super) struct Obligation {
-    pub(super) duty: Duty,
-    pub(super) place: Place,
+pub(crate) struct Pending {
+    pub(crate) duty: Duty,
+    pub(crate) place: Place,
 }
 
-/// What is to be proved.
+/// What is to be decided.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Duty {
+pub(crate) enum Duty {
     /// This stands below a fraction line.
     Nonzero(Poly),
     /// This value of a parameter stays in its range.
@@ -27,15 +33,15 @@ pub(super) enum Duty {
 
 /// A value for a parameter.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Inside {
-    pub(super) value: Fraction,
+pub(crate) struct Inside {
+    pub(crate) value: Fraction,
     /// The parameter.
-    pub(super) name: String,
-    pub(super) range: Range,
+    pub(crate) name: String,
+    pub(crate) range: Range,
     /// The family that has the parameter, if it is another one.
-    pub(super) family: Option<String>,
+    pub(crate) family: Option<String>,
     /// Whether `assume` can narrow the ranges, as in theorems.
-    pub(super) assumable: bool,
+    pub(crate) assumable: bool,
 }
 
 impl Inside {
@@ -93,34 +99,53 @@ impl Duty {
 
 impl Scope<'_> {
     /// Notes that a value must stay in the range of a parameter.
-    pub(super) fn must_stay_inside(&mut self, inside: Inside, place: Place) {
-        self.obligations.push(Obligation { duty: Duty::Inside(inside), place });
+    pub(crate) fn must_stay_inside(&mut self, inside: Inside, place: Place) {
+        self.pending.push(Pending { duty: Duty::Inside(inside), place });
     }
 
-    /// Puts values in place of variables into the obligations from position `from` on: they are about these values only.
-    pub(super) fn fix_obligations(&mut self, from: usize, vars: &[Var], by: &[Fraction]) {
+    /// Puts values in place of variables into what has been noted from position `from` on: it is about these values only.
+    pub(crate) fn fix_obligations(&mut self, from: usize, vars: &[Var], by: &[Fraction]) {
         let put = |f: &Fraction| {
             let pairs = vars.iter().zip(by);
             pairs.into_iter().try_fold(f.clone(), |f, (var, value)| f.substitute(*var, value))
         };
-        for obligation in &mut self.obligations[from..] {
-            if let Some(duty) = obligation.duty.replace(&put) {
-                obligation.duty = duty;
+        for pending in &mut self.pending[from..] {
+            if let Some(duty) = pending.duty.replace(&put) {
+                pending.duty = duty;
             }
         }
     }
 
-    /// Proves what has been noted, on a box; reports what fails, and whether everything holds.
-    pub(super) fn settle(&mut self, region: &Region, budget: u32) -> bool {
+    /// Adds what holds of another family whose functions are used.
+    pub(crate) fn inherit(&mut self, obligations: &[Obligation]) {
+        for obligation in obligations {
+            if self.obligations.iter().all(|known| known.goal != obligation.goal) {
+                self.obligations.push(obligation.clone());
+            }
+        }
+    }
+
+    /// Has what has been noted decided, on a box; reports what fails, and whether everything holds.
+    pub(crate) fn settle(&mut self, region: &Region, budget: u32) -> bool {
         let mut fine = true;
-        for Obligation { duty, place } in core::mem::take(&mut self.obligations) {
+        let domain = Rc::new(Domain::of(region.clone()));
+        for Pending { duty, place } in core::mem::take(&mut self.pending) {
             if self.settled.contains(&duty) {
                 continue;
             }
+            if self.budget.run().is_stopped() {
+                return false;
+            }
+            let (before, at) = (basis_prover::spent(), place.clone());
             let error = match &duty {
-                Duty::Nonzero(divisor) => self.check_divisor_on(divisor, place, region, budget),
-                Duty::Inside(inside) => self.check_inside(inside, place, region, budget),
+                Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, &domain, budget),
+                Duty::Inside(inside) => self.check_inside(inside, place, &domain, budget),
             };
+            let spent = (basis_prover::spent() - before) / u64::from(budget.max(1));
+            if let Err(TooLarge::Run(message)) = self.budget.run().decision(spent) {
+                self.report(Diagnostic::error(at, message).help(SPLIT));
+                return false;
+            }
             fine &= error.is_none();
             match error {
                 Some(error) => self.report(error),
@@ -130,18 +155,25 @@ impl Scope<'_> {
         fine
     }
 
+    /// Has a goal decided; what the error is about if it does not hold.
+    fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Open> {
+        let proof = self.library.judge().judge(&goal, budget)?;
+        self.inherit(&[Obligation { of, goal, proof }]);
+        Ok(())
+    }
+
     /// A denominator must not vanish anywhere on the declared ranges.
-    fn check_divisor_on(
-        &self,
+    fn decide_divisor(
+        &mut self,
         divisor: &Poly,
         place: Place,
-        region: &Region,
+        domain: &Rc<Domain>,
         budget: u32,
     ) -> Option<Diagnostic> {
-        let shown = divisor.display(&self.names);
-        Some(match zero(divisor, region, budget) {
-            Zero::Nowhere => return None,
-            Zero::At(point) => {
+        let shown = divisor.display(&self.names).to_string();
+        let goal = Goal::Nonzero(divisor.clone(), Rc::clone(domain));
+        Some(match self.judge(format!("{shown} != 0"), goal, budget) {
+            Err(Open::Fails(point)) => {
                 // A value at which the denominator is zero, whatever the others are, says it best.
                 let alone = point.iter().find_map(|(var, c)| match c {
                     Coordinate::Rational(x) if divisor.at(*var, x).is_zero() => Some((*var, x)),
@@ -150,7 +182,7 @@ impl Scope<'_> {
                 let (at, help) = match alone {
                     Some((var, x)) => (
                         format!("{} = {x}", self.names[var.0]),
-                        self.without_value(var, x, &region.range(var)),
+                        self.without_value(var, x, &domain.region.range(var)),
                     ),
                     None => (
                         self.own(divisor, &point),
@@ -161,13 +193,14 @@ impl Scope<'_> {
                     .label(format!("this is {shown}"))
                     .help(help)
             }
-            Zero::Undecided(left) => Diagnostic::error(
+            Err(Open::Undecided(left)) => Diagnostic::error(
                 place,
                 "it is undecided whether the denominator vanishes on the declared ranges",
             )
             .label(format!("this is {shown}"))
             .note(left)
             .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
+            Ok(()) => return None,
         })
     }
 
@@ -194,10 +227,10 @@ impl Scope<'_> {
 
     /// A value must stay in the range of the parameter that it stands for.
     fn check_inside(
-        &self,
+        &mut self,
         inside: &Inside,
         place: Place,
-        region: &Region,
+        domain: &Rc<Domain>,
         budget: u32,
     ) -> Option<Diagnostic> {
         let Inside { value, name, range, .. } = inside;
@@ -205,6 +238,8 @@ impl Scope<'_> {
         if let Some(c) = value.as_constant() {
             return (!range.contains(&c)).then(|| inside.outside(&c, place));
         }
+        let shown = value.display(&self.names);
+        let declared = range.display(name).to_string();
         for (end, above) in [(&range.low, false), (&range.high, true)] {
             let (bound, relation) = match end {
                 End::Infinite => continue,
@@ -213,25 +248,40 @@ impl Scope<'_> {
             };
             let distance = value - &Fraction::constant(bound.clone());
             let distance = if above { -&distance } else { distance };
-            // The denominator does not vanish on the ranges: times its square is times a positive number.
             let sign = distance.numer() * distance.denom();
-            let shown = value.display(&self.names);
-            let declared = range.display(name);
-            return Some(match decide(&sign, relation, region, &mut Budget::scaled(budget)) {
-                Decision::Proved(_) => continue,
-                Decision::Refuted(witness) => Diagnostic::error(
-                    place,
-                    format!("{name} = {shown} leaves the declared range `{declared}`{of}"),
-                )
-                .label(format!("at {}", self.own(&sign, &witness.point)))
-                .help(inside.help(&shown, end, above)),
-                Decision::Undecided(left) => Diagnostic::error(
-                    place,
-                    format!("it is undecided whether {name} = {shown} stays in the range `{declared}`{of}"),
-                )
-                .note(left)
-                .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
-            });
+            let domain = Rc::clone(domain);
+            let goal = Goal::Holds(Statement::Sign { value: distance.quotient(), relation, domain });
+            let symbol = match (above, relation) {
+                (true, Relation::NonNegative) => "<=",
+                (true, Relation::Positive) => "<",
+                (false, Relation::NonNegative) => ">=",
+                (false, Relation::Positive) => ">",
+            };
+            match self.judge(format!("{shown} {symbol} {bound}"), goal, budget) {
+                Err(Open::Fails(point)) => {
+                    return Some(
+                        Diagnostic::error(
+                            place,
+                            format!("{name} = {shown} leaves the declared range `{declared}`{of}"),
+                        )
+                        .label(format!("at {}", self.own(&sign, &point)))
+                        .help(inside.help(&shown, end, above)),
+                    );
+                }
+                Err(Open::Undecided(left)) => {
+                    return Some(
+                        Diagnostic::error(
+                            place,
+                            format!(
+                                "it is undecided whether {name} = {shown} stays in the range `{declared}`{of}"
+                            ),
+                        )
+                        .note(left)
+                        .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
+                    );
+                }
+                Ok(()) => {}
+            }
         }
         None
     }
@@ -242,71 +292,4 @@ impl Scope<'_> {
         let parts: Vec<String> = own.map(|(v, c)| c.describe(&self.names[v.0])).collect();
         parts.join(", ")
     }
-}
-
-/// Whether and where a polynomial vanishes.
-enum Zero {
-    /// It is different from zero everywhere.
-    Nowhere,
-    /// It is zero here.
-    At(Vec<(Var, Coordinate)>),
-    /// The budget is spent; what is left to decide.
-    Undecided(String),
-}
-
-/// A zero of a polynomial in a box: the box is connected, so that a polynomial without zeros has one sign.
-fn zero(polynomial: &Poly, region: &Region, budget: u32) -> Zero {
-    let positive = match decide(polynomial, Relation::Positive, region, &mut Budget::scaled(budget)) {
-        Decision::Proved(_) => return Zero::Nowhere,
-        Decision::Refuted(witness) => witness,
-        Decision::Undecided(left) => return Zero::Undecided(left),
-    };
-    if positive.value.is_zero() {
-        return Zero::At(positive.point);
-    }
-    let negative = match decide(&-polynomial, Relation::Positive, region, &mut Budget::scaled(budget)) {
-        Decision::Proved(_) => return Zero::Nowhere,
-        Decision::Refuted(witness) => witness,
-        Decision::Undecided(left) => return Zero::Undecided(left),
-    };
-    if negative.value.is_zero() {
-        return Zero::At(negative.point);
-    }
-    between(polynomial, &positive.point, &negative.point, budget)
-}
-
-/// A zero between two points at which the signs differ: on the way from one to the other along the axes, which
-/// stays inside the box.
-fn between(polynomial: &Poly, a: &[(Var, Coordinate)], b: &[(Var, Coordinate)], budget: u32) -> Zero {
-    let mut at = a.to_vec();
-    for k in 0..at.len() {
-        let var = at[k].0;
-        let next = b.iter().find(|(v, _)| *v == var).map_or_else(|| at[k].1.clone(), |(_, c)| c.clone());
-        let (Coordinate::Rational(from), Coordinate::Rational(to)) = (at[k].1.clone(), next) else {
-            return Zero::Undecided(String::from(
-                "the sign of the denominator changes on the declared ranges",
-            ));
-        };
-        let mut edge = polynomial.clone();
-        for (other, c) in at.iter().filter(|(v, _)| *v != var) {
-            if let Coordinate::Rational(c) = c {
-                edge = edge.at(*other, c);
-            }
-        }
-        let (low, high) = if from <= to { (from, to.clone()) } else { (to.clone(), from) };
-        let range = Region { ranges: vec![(var, Range::closed(low, high))] };
-        // The square is positive unless the denominator vanishes; for one variable this is always decided.
-        match decide(&(&edge * &edge), Relation::Positive, &range, &mut Budget::scaled(budget)) {
-            Decision::Refuted(witness) => {
-                let zero = witness.point.into_iter().find(|(v, _)| *v == var);
-                if let Some((_, c)) = zero {
-                    at[k].1 = c;
-                }
-                return Zero::At(at);
-            }
-            Decision::Undecided(left) => return Zero::Undecided(left),
-            Decision::Proved(_) => at[k].1 = Coordinate::Rational(to),
-        }
-    }
-    Zero::Undecided(String::from("the sign of the denominator changes on the declared ranges"))
 }

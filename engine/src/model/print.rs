@@ -1,26 +1,26 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
-use crate::collections::list::Mapped;
-use crate::syntax::{Expr, ExprKind, Generator, TheoremRelation};
+use crate::syntax::{Expr, ExprKind, Generator, Role, Sign, TheoremRelation};
+use basis_kernel::collections::list::Mapped;
 
 /// How to print.
-pub(super) struct Printer<'a> {
+pub(crate) struct Printer<'a> {
     /// Index parameters and index variables with their values.
-    pub(super) constants: &'a [(String, i64)],
+    pub(crate) constants: &'a [(String, i64)],
     /// The component of lists to print instead of the list.
-    pub(super) component: Option<Component<'a>>,
+    pub(crate) component: Option<Component<'a>>,
 }
 
 /// One component of lists.
-pub(super) struct Component<'a> {
+pub(crate) struct Component<'a> {
     /// The name that stands for the list of all functions.
-    pub(super) function_name: &'a str,
+    pub(crate) function_name: &'a str,
     /// Whether a name is a family, whose call is a list too.
-    pub(super) is_family: &'a dyn Fn(&str) -> bool,
+    pub(crate) is_family: &'a dyn Fn(&str) -> bool,
     /// The place in the list.
-    pub(super) position: usize,
+    pub(crate) position: usize,
     /// The index of the function at that place.
-    pub(super) index: &'a [i64],
+    pub(crate) index: &'a [i64],
 }
 
 /// How tight an expression binds: a looser part inside a tighter one needs brackets.
@@ -34,12 +34,12 @@ enum Binding {
 
 impl Printer<'_> {
     /// The expression as text.
-    pub(super) fn print(&self, expr: &Expr) -> String {
+    pub(crate) fn print(&self, expr: &Expr) -> String {
         self.at_least(expr, Binding::Sum)
     }
 
     /// `left`, `right` and `left - right` as text, without what need not be said.
-    pub(super) fn difference(&self, left: &Expr, right: &Expr) -> (String, String, String) {
+    pub(crate) fn difference(&self, left: &Expr, right: &Expr) -> (String, String, String) {
         let left = self.print(left);
         let (right, binding) = self.parts(right);
         let difference = match (right.as_str(), binding) {
@@ -64,11 +64,11 @@ impl Printer<'_> {
             ExprKind::Neg(inner) => (format!("-{}", self.at_least(inner, Binding::Product)), Binding::Sum),
             ExprKind::Sum(parts) => {
                 let mut text = String::new();
-                for (k, (minus, part)) in parts.iter().enumerate() {
-                    text += match (k, minus) {
+                for (k, (sign, part)) in parts.iter().enumerate() {
+                    text += match (k, sign) {
                         (0, _) => "",
-                        (_, true) => " - ",
-                        (_, false) => " + ",
+                        (_, Sign::Minus) => " - ",
+                        (_, Sign::Plus) => " + ",
                     };
                     // A sign inside stands in brackets, except at the beginning.
                     text += &self.at_least(part, if k == 0 { Binding::Sum } else { Binding::Product });
@@ -77,17 +77,17 @@ impl Printer<'_> {
             }
             ExprKind::Product(parts) => {
                 let mut text = String::new();
-                for (k, (divides, part)) in parts.iter().enumerate() {
-                    text += match (k, divides) {
+                for (k, (role, part)) in parts.iter().enumerate() {
+                    text += match (k, role) {
                         (0, _) => "",
-                        (_, true) => "/",
-                        (_, false) => "*",
+                        (_, Role::Divisor) => "/",
+                        (_, Role::Factor) => "*",
                     };
                     let sign_in_front = k == 0 && matches!(part.kind, ExprKind::Neg(_));
-                    text += &match (sign_in_front, divides) {
+                    text += &match (sign_in_front, role) {
                         (true, _) => self.parts(part).0,
-                        (false, true) => self.at_least(part, Binding::Power),
-                        (false, false) => self.at_least(part, Binding::Product),
+                        (false, Role::Divisor) => self.at_least(part, Binding::Power),
+                        (false, Role::Factor) => self.at_least(part, Binding::Product),
                     };
                 }
                 (text.clone(), if text.starts_with('-') { Binding::Sum } else { Binding::Product })
@@ -162,13 +162,13 @@ impl Printer<'_> {
             ExprKind::Number(n) => n.to_i64(),
             ExprKind::Name(name) => self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v),
             ExprKind::Neg(inner) => self.whole(inner)?.checked_neg(),
-            ExprKind::Sum(parts) => parts.iter().try_fold(0_i64, |sum, (minus, part)| {
+            ExprKind::Sum(parts) => parts.iter().try_fold(0_i64, |sum, (sign, part)| {
                 let value = self.whole(part)?;
-                if *minus { sum.checked_sub(value) } else { sum.checked_add(value) }
+                if *sign == Sign::Minus { sum.checked_sub(value) } else { sum.checked_add(value) }
             }),
-            ExprKind::Product(parts) => parts.iter().try_fold(1_i64, |product, (divides, part)| {
+            ExprKind::Product(parts) => parts.iter().try_fold(1_i64, |product, (role, part)| {
                 let value = self.whole(part)?;
-                if *divides { None } else { product.checked_mul(value) }
+                if *role == Role::Divisor { None } else { product.checked_mul(value) }
             }),
             _ => None,
         }

@@ -4,37 +4,58 @@ use core::cell::RefCell;
 
 use proc_macro2::Span;
 
-use super::budget::Budget;
-use super::obligations::{Duty, Obligation};
+use super::budget::{Budget, SPLIT, TooLarge};
+use super::obligation::Obligation;
+use super::obligations::{Duty, Pending};
 use super::{Family, Function, Library};
-use crate::SortedMap;
+use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::collections::list::Mapped;
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
-use crate::words::did_you_mean;
+use basis_kernel::collections::list::Mapped;
+use basis_prover::map::SortedMap;
+
+/// The most names that `let` gives in a family, and curves, surfaces and `let` in a theorem.
+const MAX_NAMES: usize = 5_000;
 
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;
 
 /// Names that the language itself defines.
-pub(super) const BUILTINS: [&str; 9] =
+pub(crate) const BUILTINS: [&str; 9] =
     ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
+
+/// Functions that are not polynomials.
+const ELSEWHERE: [&str; 10] = ["sin", "cos", "tan", "exp", "log", "ln", "sqrt", "abs", "sinh", "cosh"];
+
+/// Names that papers have for binomial coefficients.
+const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
 
 /// What an expression is.
 #[derive(Clone, Debug)]
-pub(super) enum Value {
+pub(crate) enum Value {
     /// One function or number.
     Scalar(Fraction),
     /// Several, each with its index.
     List(Vec<(Vec<i64>, Fraction)>),
 }
 
+/// How far a family is.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// Its functions are being defined: the name alone has no meaning yet.
+    Defining,
+    /// All functions are defined, so that the name alone means all of them.
+    Complete,
+    /// It has errors, and its claims are only looked at for more mistakes.
+    Broken,
+}
+
 /// What the names belong to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Subject {
+pub(crate) enum Subject {
     /// Variables are shape parameters and domain variables.
     Family,
     /// Variables are scalars.
@@ -42,87 +63,110 @@ pub(super) enum Subject {
 }
 
 /// Where a function is defined.
-pub(super) struct Definition {
+pub(crate) struct Definition {
     /// Its place in the order of the definitions.
-    pub(super) place: usize,
-    pub(super) span: Span,
+    pub(crate) place: usize,
+    pub(crate) span: Span,
     /// Whether `permute` defines it, perhaps from another index.
-    pub(super) permuted: bool,
+    pub(crate) permuted: bool,
 }
 
 /// The names of one family while it is being expanded.
-pub(super) struct Scope<'a> {
-    pub(super) library: &'a Library<'a>,
-    pub(super) unit: usize,
-    pub(super) source: SourceId,
-    pub(super) subject: Subject,
+pub(crate) struct Scope<'a> {
+    pub(crate) library: &'a Library<'a>,
+    pub(crate) unit: usize,
+    pub(crate) source: SourceId,
+    pub(crate) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
-    pub(super) constants: Vec<(String, i64)>,
+    pub(crate) constants: Vec<(String, i64)>,
     /// What `let` defined; `None` when that went wrong.
-    pub(super) lets: Vec<(String, Option<Fraction>)>,
+    pub(crate) lets: SortedMap<String, Option<Fraction>>,
     /// The names of the variables: shape parameters, then domain variables.
-    pub(super) names: Vec<String>,
+    pub(crate) names: Vec<String>,
     /// The independent domain variables.
-    pub(super) domain: Vec<Var>,
+    pub(crate) domain: Vec<Var>,
     /// The last barycentric coordinate of a simplex.
-    pub(super) dependent: Option<Var>,
-    pub(super) function_name: String,
+    pub(crate) dependent: Option<Var>,
+    pub(crate) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
-    pub(super) functions: SortedMap<Vec<i64>, Option<Fraction>>,
+    pub(crate) functions: SortedMap<Vec<i64>, Option<Fraction>>,
     /// Where each of them is defined; the functions of the lowest order also after others are raised from them.
-    pub(super) defined: SortedMap<Vec<i64>, Definition>,
+    pub(crate) defined: SortedMap<Vec<i64>, Definition>,
     /// The functions of the lowest order, once others are raised from them.
-    pub(super) base: Vec<Function>,
+    pub(crate) base: Vec<Function>,
     /// While an order is raised: functions outside of the order before are 0.
-    pub(super) missing_is_zero: bool,
+    pub(crate) missing_is_zero: bool,
+    /// The names in statements that could not be read, sorted.
+    pub(crate) unread: Vec<String>,
+    /// The unknown names that are reported already.
+    pub(crate) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
-    pub(super) cut_short: bool,
-    /// Whether all functions are defined, so that the name alone means all of them.
-    pub(super) complete: bool,
-    pub(super) budget: Budget,
+    pub(crate) cut_short: bool,
+    pub(crate) stage: Stage,
+    pub(crate) budget: Budget,
     /// What is still to be proved for the formulas to mean something.
-    pub(super) obligations: Vec<Obligation>,
+    pub(crate) pending: Vec<Pending>,
     /// What of that is proved.
-    pub(super) settled: Vec<Duty>,
-    pub(super) diagnostics: RefCell<Vec<Diagnostic>>,
+    pub(crate) settled: Vec<Duty>,
+    /// All that holds, and why.
+    pub(crate) obligations: Vec<Obligation>,
+    pub(crate) diagnostics: RefCell<Diagnostics>,
 }
 
 impl Scope<'_> {
-    pub(super) fn place(&self, span: Span) -> Place {
+    pub(crate) fn place(&self, span: Span) -> Place {
         self.library.place(self.source, span)
     }
 
-    pub(super) fn error(&self, span: Span, message: impl Into<String>) -> Diagnostic {
+    pub(crate) fn error(&self, span: Span, message: impl Into<String>) -> Diagnostic {
         Diagnostic::error(self.place(span), message)
     }
 
     /// Reports an error once.
-    pub(super) fn report(&self, diagnostic: Diagnostic) {
+    pub(crate) fn report(&self, diagnostic: Diagnostic) {
         self.diagnostics.borrow_mut().push(diagnostic);
     }
 
+    /// Whether further errors are only counted, so that the words about them need not be found.
+    pub(crate) fn is_full(&self) -> bool {
+        self.library.is_full() || self.diagnostics.borrow().is_full()
+    }
+
+    /// Passes on a result, or reports that something is too large.
+    pub(crate) fn within<T>(&self, result: Result<T, TooLarge>, span: Span, help: &str) -> Option<T> {
+        match result {
+            Ok(value) => return Some(value),
+            Err(TooLarge::Formula(reason)) => {
+                self.report(self.error(span, format!("the formula {reason}")).help(help));
+            }
+            Err(TooLarge::Run(message)) => self.report(self.error(span, message).help(SPLIT)),
+            Err(TooLarge::Said) => {}
+        }
+        None
+    }
+
     /// The variable with a name.
-    pub(super) fn variable(&self, name: &str) -> Option<Var> {
+    pub(crate) fn variable(&self, name: &str) -> Option<Var> {
         self.names.iter().position(|n| n == name).map(Var)
     }
 
     /// Whether a variable belongs to the domain.
-    pub(super) fn is_domain_variable(&self, var: Var) -> bool {
+    pub(crate) fn is_domain_variable(&self, var: Var) -> bool {
         self.domain.contains(&var) || self.dependent == Some(var)
     }
 
     /// The value of an index parameter or index variable.
-    pub(super) fn constant(&self, name: &str) -> Option<i64> {
+    pub(crate) fn constant(&self, name: &str) -> Option<i64> {
         self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v)
     }
 
     /// What already has this name, for an error when it is declared again.
-    pub(super) fn taken(&self, name: &str) -> Option<&'static str> {
+    pub(crate) fn taken(&self, name: &str) -> Option<&'static str> {
         if BUILTINS.contains(&name) {
             Some("a function of the language")
         } else if self.constant(name).is_some() {
             Some("an index")
-        } else if self.lets.iter().any(|(n, _)| n == name) {
+        } else if self.lets.named(name).is_some() {
             Some("a name given by `let`")
         } else if let Some(var) = self.variable(name) {
             Some(if self.subject == Subject::Theorem {
@@ -140,7 +184,7 @@ impl Scope<'_> {
     }
 
     /// Reports a name that is declared although it already means something; whether it is free.
-    pub(super) fn check_free(&self, name: &Name) -> bool {
+    pub(crate) fn check_free(&self, name: &Name) -> bool {
         let Some(what) = self.taken(&name.text) else { return true };
         let error =
             self.error(name.span, format!("`{}` is already {what}", name.text)).label("declared again here");
@@ -148,26 +192,50 @@ impl Scope<'_> {
         false
     }
 
+    /// Whether there is room for another name by `let`; reports the first one that is too many.
+    pub(crate) fn has_room(&self, names: usize, span: Span) -> bool {
+        if names == MAX_NAMES {
+            let message = format!("more than {} names are given", grouped(MAX_NAMES));
+            self.report(self.error(span, message).help(SPLIT));
+        }
+        names < MAX_NAMES
+    }
+
+    /// Whether an error is known that can be the reason why a name has no meaning: it stands where nothing could be
+    /// read, a name is missing there, or it is reported already. Of `c[2]` the name is `c`.
+    pub(crate) fn is_mistaken(&self, name: &str) -> bool {
+        let base = |name: &str| name.split('[').next().unwrap_or_default().len();
+        let name = &name[..base(name)];
+        self.unread.first().is_some_and(String::is_empty)
+            || self.unread.binary_search_by(|unread| unread.as_str().cmp(name)).is_ok()
+            || self.library.is_unread(self.unit, name)
+            || self.undeclared.borrow().iter().any(|known| known[..base(known)] == *name)
+    }
+
     /// Reports an unknown name, with the known name that it resembles.
-    pub(super) fn unknown(&self, name: &str, span: Span) {
+    pub(crate) fn unknown(&self, name: &str, span: Span) {
         // A declaration that could not be read may have been that of this name.
-        if self.cut_short && self.domain.is_empty() {
+        if self.cut_short && self.domain.is_empty() || self.is_mistaken(name) {
             return;
         }
+        let error = self.error(span, format!("the name `{name}` is not declared"));
+        if self.is_full() {
+            return self.report(error);
+        }
+        self.undeclared.borrow_mut().push(name.to_string());
         let mut known: Vec<&str> = BUILTINS.to_vec();
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
-        known.extend(self.lets.iter().map(|(n, _)| n.as_str()));
+        known.extend(self.lets.keys().map(String::as_str));
         known.push(&self.function_name);
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
-        let error = self.error(span, format!("the name `{name}` is not declared"));
         let help = match name {
-            "sin" | "cos" | "tan" | "exp" | "log" | "ln" | "sqrt" | "abs" | "sinh" | "cosh" => {
+            _ if ELSEWHERE.contains(&name) => {
                 String::from("formulas are polynomials: sums, products and whole powers")
             }
             "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
-            "C" | "choose" | "binom" | "nCr" => String::from("write `binomial(n, i)`"),
+            _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
             _ => did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
@@ -175,7 +243,7 @@ impl Scope<'_> {
                     );
                 }
                 if name.starts_with(|c: char| c.is_ascii_uppercase()) {
-                    format!("families here are {}", crate::words::list(&families))
+                    format!("families here are {}", crate::plural::list(&families))
                 } else {
                     format!(
                         "declare it: `shape 0 <= {name} <= 1;` for a shape parameter, `family Name({name} in 1..=8)` for an index parameter, `let {name} = …;` for a name"
@@ -186,8 +254,29 @@ impl Scope<'_> {
         self.report(error.help(help));
     }
 
+    /// Reports an unknown name in front of arguments: it is meant as a function.
+    pub(super) fn unknown_function(&self, name: &str, span: Span) {
+        if self.is_full() || self.is_mistaken(name) {
+            return self.unknown(name, span);
+        }
+        let families = self.library.visible(self.unit);
+        let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).collect();
+        let near = closest(name, &known).is_some();
+        let elsewhere = ELSEWHERE.contains(&name) || BINOMIALS.contains(&name);
+        let is_family = name.starts_with(|c: char| c.is_ascii_uppercase());
+        if near || elsewhere || is_family {
+            return self.unknown(name, span);
+        }
+        self.undeclared.borrow_mut().push(name.to_string());
+        let error = self.error(span, format!("there is no function `{name}`"));
+        self.report(error.help(format!(
+            "functions of the language are `{}`; write `{name}*(…)` for a product",
+            BUILTINS.join("`, `")
+        )));
+    }
+
     /// The number that an expression is; reports anything else.
-    pub(super) fn number(&mut self, expr: &Expr, what: &str) -> Option<crate::algebra::rational::Rational> {
+    pub(crate) fn number(&mut self, expr: &Expr, what: &str) -> Option<crate::algebra::rational::Rational> {
         match self.scalar(expr)?.as_constant() {
             Some(value) => Some(value),
             None => {
@@ -201,7 +290,7 @@ impl Scope<'_> {
     }
 
     /// The whole number that an expression is; reports anything else.
-    pub(super) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
+    pub(crate) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
         let value = self.number(expr, what)?;
         match value.to_i64() {
             Some(n) => Some(n),
@@ -214,7 +303,7 @@ impl Scope<'_> {
 
     /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
     /// body said so.
-    pub(super) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
+    pub(crate) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
         let depth = self.constants.len();
         for generator in &loops.generators {
             let names = match generator {
@@ -286,6 +375,9 @@ impl Scope<'_> {
             }
         };
         for index in values {
+            if self.within(self.budget.step(1), names[0].span, SPLIT).is_none() {
+                return false;
+            }
             *left -= 1;
             if *left < 0 {
                 self.report(
@@ -305,7 +397,7 @@ impl Scope<'_> {
     }
 
     /// The first and last value that a generator runs over.
-    pub(super) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
+    pub(crate) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
         let low = self.whole(&generator.low, "the first value of an index")?;
         let high = self.whole(&generator.high, "the last value of an index")?;
         let last = if generator.inclusive { high } else { high.checked_sub(1)? };
@@ -313,14 +405,14 @@ impl Scope<'_> {
     }
 
     /// A new scope for a family, without any variables yet.
-    pub(super) fn new<'a>(library: &'a Library<'a>, unit: usize, source: SourceId) -> Scope<'a> {
+    pub(crate) fn new<'a>(library: &'a Library<'a>, unit: usize, source: SourceId) -> Scope<'a> {
         Scope {
             library,
             unit,
             source,
             subject: Subject::Family,
             constants: Vec::new(),
-            lets: Vec::new(),
+            lets: SortedMap::new(),
             names: Vec::new(),
             domain: Vec::new(),
             dependent: None,
@@ -329,17 +421,20 @@ impl Scope<'_> {
             defined: SortedMap::new(),
             base: Vec::new(),
             missing_is_zero: false,
+            unread: Vec::new(),
+            undeclared: RefCell::default(),
             cut_short: false,
-            complete: false,
-            budget: Budget::new(),
+            stage: Stage::Defining,
+            budget: Budget::new(library.run()),
+            pending: Vec::new(),
             obligations: Vec::new(),
             settled: Vec::new(),
-            diagnostics: RefCell::new(Vec::new()),
+            diagnostics: RefCell::default(),
         }
     }
 
     /// The scope of the claims of a family that is expanded.
-    pub(super) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
+    pub(crate) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
         let mut scope = Self::new(library, unit, family.source);
         scope.constants.clone_from(&family.order);
         scope.names.clone_from(&family.names);
@@ -349,19 +444,18 @@ impl Scope<'_> {
         for f in &family.functions {
             scope.functions.insert(f.index.clone(), Some(f.value.clone()));
         }
-        scope.complete = true;
+        scope.stage = Stage::Complete;
         scope
     }
 
     /// Whether an expression mentions a function, a variable, or another family: anything that can vary.
-    pub(super) fn mentions_variable(&self, expr: &Expr) -> bool {
+    pub(crate) fn mentions_variable(&self, expr: &Expr) -> bool {
         match &expr.kind {
             ExprKind::Number(_) => false,
             ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
             ExprKind::Neg(inner) | ExprKind::Each(inner, _) => self.mentions_variable(inner),
-            ExprKind::Sum(parts) | ExprKind::Product(parts) => {
-                parts.iter().any(|(_, e)| self.mentions_variable(e))
-            }
+            ExprKind::Sum(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
+            ExprKind::Product(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
             ExprKind::Power(base, exponent) => {
                 self.mentions_variable(base) || self.mentions_variable(exponent)
             }
@@ -374,7 +468,7 @@ impl Scope<'_> {
 }
 
 /// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
-pub(super) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
+pub(crate) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
     let mut all = Vec::new();
     if sum < 0 || len == 0 {
         return all;

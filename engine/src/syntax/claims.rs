@@ -4,11 +4,11 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
-use super::error::error;
+use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::statements::{at_word, equals, take_word};
 use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
-use crate::words::did_you_mean;
+use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
 const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
@@ -62,7 +62,7 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
     let Some((word, after)) = input.cursor().ident() else { return unexpected(input, "a claim") };
     let text = word.to_string();
     let next = after.ident().map(|(word, _)| word.to_string()).unwrap_or_default();
-    let near = crate::words::closest(&text, &PROPERTIES)
+    let near = crate::advice::closest(&text, &PROPERTIES)
         .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text.as_str())));
     let help = match near {
         _ if text == "not" => format!("`refute {next};` claims that it is false"),
@@ -141,7 +141,14 @@ fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
 /// `at t = 0, λ = 1 { b = [1, 0]; D(b) = [-1, 1]; }`
 fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     take_word(input)?;
-    let fixed = bindings(input)?;
+    let fixed = bindings(input).map_err(|e| {
+        if !is_missing_semicolon(&e) {
+            return e;
+        }
+        // What follows on the right is meant to hold there.
+        let found = unexpected(input, "`{` with the equations that hold there").to_string();
+        error(input.span(), found, "write `prove at t = 0 { b[0] = 1; }`")
+    })?;
     if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Brace)
     {
         return Err(unexpected(input, "`{` with the equations that hold there"));
@@ -150,15 +157,18 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     syn::braced!(content in input);
     let mut relations = Vec::new();
     while !content.is_empty() {
-        relations.push(relation(&content)?);
+        let mut relation = relation(&content)?;
         if content.peek(Token![;]) {
-            content.parse::<Token![;]>()?;
+            relation.last = content.parse::<Token![;]>()?.span;
+            relations.push(relation);
         } else if !content.is_empty() {
             return Err(error(
                 content.span(),
                 unexpected(&content, "`;`").to_string(),
                 "every equation in the block ends with `;`",
             ));
+        } else {
+            relations.push(relation);
         }
     }
     if relations.is_empty() {
@@ -203,5 +213,6 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
     }
     let loops = loops(input)?;
     let span = join(start, right.span);
-    Ok(Relation { left, comparison, right, loops, span })
+    let last = right.span;
+    Ok(Relation { left, comparison, right, loops, span, last })
 }

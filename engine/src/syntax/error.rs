@@ -2,6 +2,8 @@
 
 use proc_macro2::Span;
 
+use crate::diagnostic::MAX_ERRORS;
+
 /// Separates the message from the advice inside a [`syn::Error`], which has room for one text only.
 const ADVICE: char = '\u{1f}';
 
@@ -14,6 +16,74 @@ pub struct SyntaxError {
     pub message: String,
     /// What to write instead.
     pub help: Option<String>,
+}
+
+impl SyntaxError {
+    /// Cuts what quotes a very long token.
+    fn shorten(&mut self) {
+        const LONGEST: usize = 1000;
+        for text in [Some(&mut self.message), self.help.as_mut()].into_iter().flatten() {
+            if let Some((end, _)) = text.char_indices().nth(LONGEST) {
+                text.truncate(end);
+                text.push('…');
+            }
+        }
+    }
+}
+
+/// The first mistakes of a spec, as many as are ever shown, and the number of the others.
+#[derive(Clone, Debug, Default)]
+pub struct SyntaxErrors {
+    list: Vec<SyntaxError>,
+    unread: usize,
+}
+
+impl SyntaxErrors {
+    /// Adds a mistake.
+    pub(super) fn push(&mut self, error: impl Into<SyntaxError>) {
+        if self.list.len() < MAX_ERRORS {
+            let mut error: SyntaxError = error.into();
+            error.shorten();
+            self.list.push(error);
+        } else {
+            self.unread += 1;
+        }
+    }
+
+    /// Leaves out mistakes that are not worth a message; those that are only counted stay.
+    pub(super) fn retain(&mut self, keep: impl FnMut(&SyntaxError) -> bool) {
+        self.list.retain(keep);
+    }
+
+    /// The mistakes that are shown.
+    pub(super) fn shown_mut(&mut self) -> &mut [SyntaxError] {
+        &mut self.list
+    }
+
+    /// Puts mistakes that were found earlier before these.
+    pub(super) fn after(mut self, mut earlier: Vec<SyntaxError>) -> Self {
+        earlier.append(&mut self.list);
+        self.unread += earlier.len().saturating_sub(MAX_ERRORS);
+        earlier.truncate(MAX_ERRORS);
+        earlier.iter_mut().for_each(SyntaxError::shorten);
+        self.list = earlier;
+        self
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// The mistakes of which nothing but the number is known.
+    pub const fn unread(&self) -> usize {
+        self.unread
+    }
+
+    /// The mistakes that are shown.
+    pub fn into_list(self) -> Vec<SyntaxError> {
+        self.list
+    }
 }
 
 /// Where a syntax error is.

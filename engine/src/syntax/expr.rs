@@ -9,11 +9,17 @@ use syn::{Ident, Result, Token};
 
 use super::error::{error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
-use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
+use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name, Role, Sign};
 use crate::algebra::rational::Rational;
 
 /// Numbers with more digits than this are refused.
 const MAX_DIGITS: usize = 1000;
+
+/// The most index variables of one `for`, and the most indices of a function.
+pub(super) const MAX_INDICES: usize = 16;
+
+/// Names with more letters than this are refused.
+const MAX_LETTERS: usize = 200;
 
 /// The span from one token to another; on compilers that cannot join spans the first one.
 pub(super) fn join(a: Span, b: Span) -> Span {
@@ -25,38 +31,43 @@ pub(super) fn expr(input: ParseStream<'_>) -> Result<Expr> {
     sum(input, 0)
 }
 
-fn sum(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
-    if depth > MAX_NESTING {
-        return Err(error(
-            input.span(),
-            "the expression is nested too deeply",
-            "name parts of the formula with `let`",
-        ));
+/// The error for an expression whose tree is too high: what walks over it calls itself.
+fn check_depth(input: ParseStream<'_>, depth: usize) -> Result<()> {
+    if depth <= MAX_NESTING {
+        return Ok(());
     }
+    let help = "name parts of the formula with `let`";
+    Err(error(input.span(), "the expression is nested too deeply", help))
+}
+
+fn sum(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    check_depth(input, depth)?;
     let first = product(input, depth)?;
-    let mut terms = vec![(false, first)];
+    let mut terms = vec![(Sign::Plus, first)];
     while input.peek(Token![+]) || input.peek(Token![-]) {
-        let minus = input.parse::<Option<Token![+]>>()?.is_none();
-        if minus {
+        let sign = if input.parse::<Option<Token![+]>>()?.is_some() {
+            Sign::Plus
+        } else {
             input.parse::<Token![-]>()?;
-        }
-        terms.push((minus, product(input, depth)?));
+            Sign::Minus
+        };
+        terms.push((sign, product(input, depth)?));
     }
     Ok(flat(terms, ExprKind::Sum))
 }
 
 fn product(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
-    let mut factors = vec![(false, factor(input, depth)?)];
+    let mut factors = vec![(Role::Factor, factor(input, depth)?)];
     loop {
         if input.peek(Token![*]) {
             let star = input.parse::<Token![*]>()?;
             if input.peek(Token![*]) {
                 return Err(error(star.span, "`**` is not an operator", "write `^` for a power"));
             }
-            factors.push((false, factor(input, depth)?));
+            factors.push((Role::Factor, factor(input, depth)?));
         } else if input.peek(Token![/]) {
             input.parse::<Token![/]>()?;
-            factors.push((true, factor(input, depth)?));
+            factors.push((Role::Divisor, factor(input, depth)?));
         } else {
             break;
         }
@@ -66,7 +77,7 @@ fn product(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 }
 
 /// A single part stands for itself.
-fn flat(mut parts: Vec<(bool, Expr)>, kind: fn(Vec<(bool, Expr)>) -> ExprKind) -> Expr {
+fn flat<T>(mut parts: Vec<(T, Expr)>, kind: fn(Vec<(T, Expr)>) -> ExprKind) -> Expr {
     let span = join(parts[0].1.span, parts[parts.len() - 1].1.span);
     match parts.pop() {
         Some((_, only)) if parts.is_empty() => only,
@@ -83,6 +94,21 @@ fn is_statement(word: &str) -> bool {
     ["prove", "refute", "curve", "surface", "scalar", "assume", "let"].contains(&word)
 }
 
+/// Whether `b[1] = …` follows: a definition, not a factor.
+fn begins_definition(input: ParseStream<'_>) -> bool {
+    let Some((_, after)) = input.cursor().ident() else { return false };
+    let Some((TokenTree::Group(index), after)) = after.token_tree() else { return false };
+    let Some((sign, after)) = after.punct() else { return false };
+    let equation = sign.as_char() == '=' && after.punct().is_none_or(|(next, _)| next.as_char() != '=');
+    index.delimiter() == Delimiter::Bracket && equation
+}
+
+/// Whether what follows on the next line can be another statement: anything but a loop, which needs its `for`.
+fn begins_statement(input: ParseStream<'_>) -> bool {
+    let Some((_, after)) = input.cursor().token_tree() else { return false };
+    after.ident().is_none_or(|(word, _)| word != "in" && word != "for")
+}
+
 /// Two factors side by side, as papers write them, are an error with the place of the missing sign; on two lines it is
 /// the end of a statement that is missing.
 fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
@@ -96,7 +122,11 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => String::from("("),
         _ => return Ok(()),
     };
-    if input.span().start().line > before.span.end().line || is_statement(&found) {
+    if begins_definition(input) {
+        return Err(missing_semicolon(before.span));
+    }
+    let next_line = input.span().start().line > before.span.end().line;
+    if is_statement(&found) || next_line && begins_statement(input) {
         return Err(missing_semicolon(before.span));
     }
     let help = match found.as_str() {
@@ -136,13 +166,7 @@ fn factor(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 }
 
 fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
-    if depth > MAX_NESTING {
-        return Err(error(
-            input.span(),
-            "the expression is nested too deeply",
-            "name parts of the formula with `let`",
-        ));
-    }
+    check_depth(input, depth)?;
     let base = postfix(input, depth)?;
     if !input.peek(Token![^]) {
         return Ok(base);
@@ -161,6 +185,9 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
 }
 
 fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
+    // Each pair of brackets behind the first part is a level of the tree above it.
+    let depth = depth + links(input);
+    check_depth(input, depth)?;
     let mut value = atom(input, depth)?;
     loop {
         let Some((TokenTree::Group(group), _)) = input.cursor().token_tree() else { return Ok(value) };
@@ -195,6 +222,20 @@ fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             _ => return Ok(value),
         };
     }
+}
+
+/// The number of brackets that follow the next token, `(…)` or `[…]`; no more than matter.
+fn links(input: ParseStream<'_>) -> usize {
+    let Some((_, mut rest)) = input.cursor().token_tree() else { return 0 };
+    let mut links = 0;
+    while let Some((TokenTree::Group(group), next)) = rest.token_tree()
+        && matches!(group.delimiter(), Delimiter::Bracket | Delimiter::Parenthesis)
+        && links <= MAX_NESTING
+    {
+        links += 1;
+        rest = next;
+    }
+    links
 }
 
 fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
@@ -243,6 +284,10 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             "bars have no meaning around an expression",
             "a range is written `-1 <= λ <= 1`; the square of a length, in theorems, is `dot(x, x)`",
         )),
+        Some((TokenTree::Punct(p), after)) if p.as_char() == '.' && after.literal().is_some() => {
+            let found = unexpected(input, "a number, a name or `(`").to_string();
+            Err(error(span, found, "a number begins with a digit: write `0.5`"))
+        }
         _ => Err(unexpected(input, "a number, a name or `(`")),
     }
 }
@@ -287,6 +332,10 @@ pub(super) fn name(input: ParseStream<'_>) -> Result<Name> {
             format!("`{text}` is a word of the language, not a name"),
             "choose another name",
         ));
+    }
+    if text.len() > MAX_LETTERS && text.chars().count() > MAX_LETTERS {
+        let help = format!("at most {MAX_LETTERS} letters are read");
+        return Err(error(ident.span(), "the name is too long", help));
     }
     Ok(Name { text: text.replace('\u{b5}', "μ").replace('\u{2126}', "Ω"), span: ident.span() })
 }
@@ -390,8 +439,19 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
     let mut result = Loops::default();
     if input.peek(Token![for]) {
         input.parse::<Token![for]>()?;
+        let start = input.span();
+        let mut names = 0;
         loop {
-            result.generators.push(generator(input)?);
+            let generator = generator(input)?;
+            names += match &generator {
+                Generator::Range(_) => 1,
+                Generator::Simplex(names, _) => names.len(),
+            };
+            if names > MAX_INDICES {
+                let message = format!("a `for` has at most {MAX_INDICES} index variables");
+                return Err(error(start, message, "write several statements"));
+            }
+            result.generators.push(generator);
             if !input.peek(Token![,]) {
                 break;
             }

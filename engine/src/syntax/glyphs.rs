@@ -20,12 +20,12 @@ pub(super) struct Readable<'a> {
     pub(super) gaps: Vec<usize>,
 }
 
-/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when brackets do
-/// not balance.
+/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when
+/// brackets do not balance.
 pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut errors = Vec::new();
     let mut gaps = Vec::new();
-    let mut repaired = Cow::Borrowed(text);
+    let mut repaired = Repaired { text, bytes: None };
     let mut open: Vec<(char, usize)> = Vec::new();
     let mut previous = ' ';
     let mut balanced = true;
@@ -46,11 +46,11 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
             }
             ')' | ']' | '}' => balanced &= close(text, c, at, &mut open, &mut errors),
             _ if QUOTES.contains(c) && is_path(text, at) => {
-                errors.push(quoted(text, at, &mut rest, repaired.to_mut()));
+                errors.push(quoted(text, at, &mut rest, &mut repaired));
             }
             // Of several primes the first says it.
             _ if PRIMES.contains(c) && PRIMES.contains(previous) => {
-                repaired.to_mut().replace_range(at..at + c.len_utf8(), &padded("", c.len_utf8()));
+                repaired.replace(at, c.len_utf8(), "");
             }
             _ => {
                 if let Some((message, help, instead)) = wrong_glyph(c, &text[..at]) {
@@ -58,7 +58,7 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
                     if instead.is_empty() {
                         gaps.push(at);
                     }
-                    repaired.to_mut().replace_range(at..at + c.len_utf8(), &padded(&instead, c.len_utf8()));
+                    repaired.replace(at, c.len_utf8(), &instead);
                 }
             }
         }
@@ -68,19 +68,40 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
         }
     }
     for at in rest.backslashes {
-        repaired.to_mut().replace_range(at..=at, "/");
+        repaired.replace(at, 1, "/");
     }
     // What is left open at the end of the text: a bracket, a comment or a string.
     balanced &= open.is_empty() && !rest.unterminated;
     for (c, at) in open {
         errors.push(never_closed(text, c, at));
     }
-    (errors, balanced.then_some(Readable { text: repaired, gaps }))
+    (errors, balanced.then(|| Readable { text: repaired.finish(), gaps }))
 }
 
-/// The text with white space added up to a length in bytes.
-fn padded(text: &str, len: usize) -> String {
-    text.to_string() + &" ".repeat(len.saturating_sub(text.len()))
+/// A text in which characters are replaced by others that take as many bytes.
+struct Repaired<'a> {
+    text: &'a str,
+    /// The text with what is replaced so far, once something is.
+    bytes: Option<Vec<u8>>,
+}
+
+impl<'a> Repaired<'a> {
+    /// Replaces whole characters, `len` bytes of them, by a text that is no longer, and spaces.
+    fn replace(&mut self, at: usize, len: usize, by: &str) {
+        let by = if by.len() <= len { by } else { "" };
+        let bytes = self.bytes.get_or_insert_with(|| self.text.as_bytes().to_vec());
+        let place = &mut bytes[at..at + len];
+        place.fill(b' ');
+        place[..by.len()].copy_from_slice(by.as_bytes());
+    }
+
+    fn finish(self) -> Cow<'a, str> {
+        match self.bytes {
+            None => Cow::Borrowed(self.text),
+            // Whole characters stand in place of whole characters.
+            Some(bytes) => Cow::Owned(String::from_utf8(bytes).unwrap_or_default()),
+        }
+    }
 }
 
 fn never_closed(text: &str, open: char, at: usize) -> SyntaxError {
@@ -92,12 +113,15 @@ const QUOTES: &str = "'’‘′`“”„«»";
 
 /// Whether the path of a `use` begins here.
 fn is_path(text: &str, at: usize) -> bool {
-    let line = text[..at].rsplit('\n').next().unwrap_or_default();
-    line.trim() == "use"
+    let space = |c: char| c != '\n' && c.is_whitespace();
+    let before = text[..at].trim_end_matches(space).strip_suffix("use");
+    before
+        .map(|before| before.trim_end_matches(space))
+        .is_some_and(|rest| rest.is_empty() || rest.ends_with('\n'))
 }
 
 /// The error about a path in other quotation marks than `"`; goes on behind them, and repairs them.
-fn quoted(text: &str, at: usize, rest: &mut Scanner<'_>, repaired: &mut String) -> SyntaxError {
+fn quoted(text: &str, at: usize, rest: &mut Scanner<'_>, repaired: &mut Repaired<'_>) -> SyntaxError {
     let line = text[at..].lines().next().unwrap_or_default();
     let path = line.trim_end_matches(|c: char| c == ';' || c.is_whitespace());
     let mut inner = path.chars();
@@ -106,10 +130,10 @@ fn quoted(text: &str, at: usize, rest: &mut Scanner<'_>, repaired: &mut String) 
     let help = format!("write it in the straight quotation marks of the keyboard: `use \"{shown}\";`");
     let len = |c: Option<char>| c.map_or(0, char::len_utf8);
     if last.is_some_and(|c| QUOTES.contains(c) || c == '"') {
-        repaired.replace_range(at..at + path.len(), &padded(&format!("\"{shown}\""), path.len()));
+        repaired.replace(at, path.len(), &format!("\"{shown}\""));
         rest.at = at + path.len();
     } else {
-        repaired.replace_range(at..at + len(first), &padded("", len(first)));
+        repaired.replace(at, len(first), "");
     }
     let mut error = new(text, at, "a path cannot stand in these quotation marks", &help);
     error.place = SyntaxPlace::Bytes(at..at + path.len());
@@ -123,35 +147,57 @@ fn close(
     open: &mut Vec<(char, usize)>,
     errors: &mut Vec<SyntaxError>,
 ) -> bool {
-    match open.last() {
-        Some((o, _)) if partner(*o) == c => {
-            open.pop();
-            return true;
-        }
+    let Some(&(o, start)) = open.last() else {
+        errors.push(closes_nothing(text, c, at));
+        return false;
+    };
+    if partner(o) == c {
+        open.pop();
+        return true;
+    }
+    let in_block = open.iter().rposition(|(o, _)| *o == '{').map_or(0, |k| k + 1);
+    if c == '}' && in_block > 0 {
         // A brace ends everything that is open inside of it.
-        Some(_) if c == '}' && open.iter().any(|(o, _)| *o == '{') => {
-            while let Some((o, start)) = open.pop().filter(|(o, _)| *o != '{') {
-                errors.push(never_closed(text, o, start));
-            }
+        while let Some((o, start)) = open.pop().filter(|(o, _)| *o != '{') {
+            errors.push(never_closed(text, o, start));
         }
+    } else if o == '{' || closes_later(&text[at + 1..], partner(o)) {
+        errors.push(closes_nothing(text, c, at));
+    } else {
+        let message = format!("`{o}` is closed by `{c}`");
+        let inside = text.get(start + 1..at).unwrap_or_default();
+        // What is open around it and closed here was meant to be closed here.
+        let outer = open[in_block..].iter().rposition(|(o, _)| partner(*o) == c);
         // A range in interval notation is the usual reason.
-        Some((o, start)) if *o != '{' => {
-            let message = format!("`{o}` is closed by `{c}`");
-            let inside = text.get(start + 1..at).unwrap_or_default();
-            let help = if inside.contains(',') && !inside.contains('\n') {
-                String::from("brackets must balance; write a range as inequalities, such as `0 < λ <= 4`")
-            } else {
-                format!("write `{}`", partner(*o))
-            };
-            errors.push(new(text, at, &message, &help));
-            open.pop();
+        let help = if outer.is_none() && inside.contains(',') && !inside.contains('\n') {
+            String::from("brackets must balance; write a range as inequalities, such as `0 < λ <= 4`")
+        } else if outer.is_some() {
+            format!("add the missing `{}`", partner(o))
+        } else {
+            format!("write `{}`", partner(o))
+        };
+        errors.push(new(text, at, &message, &help));
+        open.truncate(outer.map_or(open.len() - 1, |k| in_block + k));
+    }
+    false
+}
+
+fn closes_nothing(text: &str, c: char, at: usize) -> SyntaxError {
+    new(text, at, &format!("this `{c}` closes nothing"), "remove it, or add the opening bracket")
+}
+
+/// Whether a bracket is closed in the rest of a statement.
+fn closes_later(rest: &str, close: char) -> bool {
+    let mut depth = 0;
+    for c in rest.chars() {
+        match c {
+            ';' | '{' | '}' => return false,
+            '(' | '[' => depth += 1,
+            _ if c == close && depth == 0 => return true,
+            ')' | ']' if depth == 0 => return false,
+            ')' | ']' => depth -= 1,
+            _ => {}
         }
-        _ => errors.push(new(
-            text,
-            at,
-            &format!("this `{c}` closes nothing"),
-            "remove it, or add the opening bracket",
-        )),
     }
     false
 }

@@ -10,7 +10,7 @@ mod parse;
 mod statements;
 mod theorems;
 
-pub use error::{SyntaxError, SyntaxPlace};
+pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
 pub use parse::{parse_text, parse_tokens};
 pub(crate) use theorems::ASSUME_HELP;
 
@@ -25,12 +25,14 @@ pub struct Spec {
     pub doc: Vec<String>,
     /// The items in the order in which they are written.
     pub items: Vec<Item>,
+    /// The names in items that could not be read, sorted: what they define is not known.
+    pub unread: Vec<String>,
 }
 
 /// What stands at the top of a spec.
 #[derive(Debug)]
 pub enum Item {
-    /// `use "other.basis";`
+    /// `use "other.basis";` or `use library "quartic";`
     Use(Use),
     /// `family Name { … }`
     Family(Family),
@@ -38,13 +40,24 @@ pub enum Item {
     Theorem(Theorem),
 }
 
-/// The families of another file are visible here.
+/// The families of another spec are visible here.
 #[derive(Debug)]
 pub struct Use {
-    /// The path, relative to the file that says it.
+    /// Where the other spec is looked for.
+    pub home: Home,
+    /// The path, relative to the file that says it, or the name in the library.
     pub path: String,
     /// Where the path stands.
     pub span: Span,
+}
+
+/// Where a spec that another one uses is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Home {
+    /// Beside the spec that uses it.
+    Folder,
+    /// In the library.
+    Library,
 }
 
 /// A name and where it stands.
@@ -69,6 +82,8 @@ pub struct Family {
     pub statements: Vec<Statement>,
     /// Whether a statement about the functions could not be read and is left out.
     pub incomplete: bool,
+    /// The names in statements that could not be read, sorted: what they declare is not known.
+    pub unread: Vec<String>,
 }
 
 /// One statement of a family, with its doc comment.
@@ -76,8 +91,10 @@ pub struct Family {
 pub struct Statement {
     /// The doc comment, one string a line.
     pub doc: Vec<String>,
-    /// The whole statement.
+    /// The whole statement; of tokens of the compiler the first one.
     pub span: Span,
+    /// Its last token.
+    pub last: Span,
     /// What it says.
     pub kind: StatementKind,
 }
@@ -129,6 +146,8 @@ pub struct Theorem {
     pub statements: Vec<TheoremStatement>,
     /// Whether a statement could not be read and is left out.
     pub incomplete: bool,
+    /// The names in statements that could not be read, sorted: what they declare is not known.
+    pub unread: Vec<String>,
 }
 
 /// What a theorem is for.
@@ -155,8 +174,10 @@ impl TheoremKind {
 pub struct TheoremStatement {
     /// The doc comment, one string a line.
     pub doc: Vec<String>,
-    /// The whole statement.
+    /// The whole statement; of tokens of the compiler the first one.
     pub span: Span,
+    /// Its last token.
+    pub last: Span,
     /// What it says.
     pub kind: TheoremStatementKind,
 }
@@ -164,21 +185,29 @@ pub struct TheoremStatement {
 /// The kinds of statements of a theorem.
 #[derive(Debug)]
 pub enum TheoremStatementKind {
-    /// `curve P = Family(λ);`, `true`, or `surface S = F(λ)(u) * F(γ[i])(v);`, `false`; control points may follow in
-    /// brackets.
-    Patch(bool, Name, Expr),
+    /// `curve P = Family(λ);` or `surface S = F(λ)(u) * F(γ[i])(v);`; control points may follow in brackets.
+    Patch(PatchKind, Name, Expr),
     /// `scalar 0 < δ;`
     Scalar(Bounds, Loops),
     /// `assume λ > -2;`: a range is narrowed.
     Assume(Bounds, Loops),
     /// `let c = …;` or `let Q[1] = … for …;`
     Let(Expr, Expr, Loops),
-    /// `dimension 2;`: points have so many coordinates.
+    /// `dimension 2;`: the number of coordinates of points.
     Dimension(Expr),
     /// `prove …;` or `refute …;`
     Claim(Assertion),
     /// `budget 10;`
     Budget(Expr),
+}
+
+/// What a statement of a theorem declares over families.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PatchKind {
+    /// One parameter.
+    Curve,
+    /// Two parameters, or those of a family on a triangle or box.
+    Surface,
 }
 
 /// A name, perhaps with an index, and its range.
@@ -377,8 +406,10 @@ pub struct Relation {
     pub right: Expr,
     /// What index variables run over.
     pub loops: Loops,
-    /// The whole relation.
+    /// The whole relation; of tokens of the compiler the first one.
     pub span: Span,
+    /// The last token of its statement.
+    pub last: Span,
 }
 
 /// An expression and where it stands.
@@ -390,6 +421,24 @@ pub struct Expr {
     pub kind: ExprKind,
 }
 
+/// The sign in front of a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// `+`
+    Plus,
+    /// `-`
+    Minus,
+}
+
+/// What a part of a product does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// It multiplies.
+    Factor,
+    /// It divides: it stands below the fraction line.
+    Divisor,
+}
+
 /// The kinds of expressions. Sums and products are flat, so that long formulas do not nest deeply.
 #[derive(Debug)]
 pub enum ExprKind {
@@ -399,10 +448,10 @@ pub enum ExprKind {
     Name(String),
     /// −x.
     Neg(Box<Expr>),
-    /// Terms with their signs, `true` for minus.
-    Sum(Vec<(bool, Expr)>),
-    /// Factors, `true` for divisors.
-    Product(Vec<(bool, Expr)>),
+    /// Terms with their signs; that of the first one is plus.
+    Sum(Vec<(Sign, Expr)>),
+    /// Factors and divisors; the first one is a factor.
+    Product(Vec<(Role, Expr)>),
     /// base ^ exponent.
     Power(Box<Expr>, Box<Expr>),
     /// x[i, j].

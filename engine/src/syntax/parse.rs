@@ -4,19 +4,18 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::Token;
 use syn::parse::{ParseStream, Parser};
 
-use super::error::{SyntaxError, SyntaxPlace, error};
+use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::{at_word, doc, family, take_word};
-use super::{Family, Item, Spec, StatementKind, Theorem, Use, glyphs};
-use crate::words::did_you_mean;
+use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
+use crate::advice::did_you_mean;
+use crate::source::MAX_BYTES;
+use basis_kernel::collections::sort::sort_unique;
 
 /// The words that begin an item.
 const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];
 
 const ITEM_HELP: &str =
     "an item is `family Name { … }`, `theorem Name { … }`, `join Name { … }` or `use \"file.basis\";`";
-
-/// More tokens than this are refused.
-const MAX_TOKENS_BYTES: usize = 1 << 20;
 
 /// Makes proc-macro2 lex and join spans by itself, so that a text has lines and columns inside of a
 /// compiler too; back to the compiler's own tokens when it goes.
@@ -37,29 +36,28 @@ impl Drop for OwnLexer {
 
 /// Reads a spec from a text. The spans of the tree are byte ranges of the text; they stay valid on this
 /// thread only.
-pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
-    if text.len() > MAX_TOKENS_BYTES {
-        let message = format!("the spec is longer than {} KiB", MAX_TOKENS_BYTES >> 10);
+pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
+    if text.len() > MAX_BYTES {
+        let message = format!("the spec is longer than {} MiB", MAX_BYTES >> 20);
         let help = Some(String::from("split it into several files"));
-        return (Spec::default(), vec![SyntaxError { place: SyntaxPlace::Bytes(0..0), message, help }]);
+        return alone(vec![SyntaxError { place: SyntaxPlace::Bytes(0..0), message, help }]);
     }
     let _own = OwnLexer::start();
     let (mut errors, readable) = glyphs::check(text);
-    let Some(readable) = readable else { return (Spec::default(), errors) };
+    let Some(readable) = readable else { return alone(errors) };
     match readable.text.parse::<TokenStream>() {
         Ok(tokens) => {
-            let (mut spec, more) = parse(tokens, errors.is_empty());
-            leave_out(&mut spec, &readable.gaps);
+            let (mut spec, mut more) = parse(tokens, errors.is_empty());
+            leave_out(&mut spec, &readable);
             let at_end = text.trim_end().len();
-            let more = more.into_iter().map(|mut e| {
+            for e in more.shown_mut() {
                 if let SyntaxPlace::Token(span) = e.place {
                     let range = span.byte_range();
                     // The end of the input has no token; show the end of the text.
                     let range = if range.is_empty() { at_end..at_end } else { range };
                     e.place = SyntaxPlace::Bytes(range);
                 }
-                e
-            });
+            }
             // What follows from a gap in the same statement is not another error.
             let follows = |e: &SyntaxError| match &e.place {
                 SyntaxPlace::Bytes(range) => readable.gaps.iter().any(|gap| {
@@ -67,8 +65,8 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
                 }),
                 SyntaxPlace::Token(_) => false,
             };
-            errors.extend(more.filter(|e| !follows(e)));
-            (spec, errors)
+            more.retain(|e| !follows(e));
+            (spec, more.after(errors))
         }
         Err(e) => {
             let range = e.span().byte_range();
@@ -78,13 +76,26 @@ pub fn parse_text(text: &str) -> (Spec, Vec<SyntaxError>) {
             let help =
                 Some(String::from("a spec is made of names, numbers, operators, brackets and `//` comments"));
             errors.push(SyntaxError { place: SyntaxPlace::Bytes(range), message, help });
-            (Spec::default(), errors)
+            alone(errors)
         }
     }
 }
 
+/// A text of which nothing is read but its mistakes.
+fn alone(errors: Vec<SyntaxError>) -> (Spec, SyntaxErrors) {
+    (Spec::default(), SyntaxErrors::default().after(errors))
+}
+
 /// Leaves out the statements in which something is missing; every one goes from its first token to the next statement.
-fn leave_out(spec: &mut Spec, gaps: &[usize]) {
+fn leave_out(spec: &mut Spec, readable: &glyphs::Readable<'_>) {
+    let gaps = &readable.gaps;
+    // The words of a statement, some of which may be names that it declares.
+    let words = |span: proc_macro2::Span, unread: &mut Vec<String>| {
+        let text = readable.text.get(span.byte_range()).unwrap_or_default();
+        let words = text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+        unread.extend(words.map(String::from));
+        sort_unique(unread);
+    };
     let start = |span: proc_macro2::Span| span.byte_range().start;
     let mut end = usize::MAX;
     let mut whole = |from: usize| {
@@ -96,18 +107,22 @@ fn leave_out(spec: &mut Spec, gaps: &[usize]) {
             Item::Use(written) => {
                 whole(start(written.span));
             }
-            Item::Family(Family { name, statements, incomplete, .. }) => {
+            Item::Family(Family { name, statements, incomplete, unread, .. }) => {
                 for k in (0..statements.len()).rev() {
                     if !whole(start(statements[k].span)) {
-                        *incomplete |= !matches!(statements.remove(k).kind, StatementKind::Claim(_));
+                        let left_out = statements.remove(k);
+                        if !matches!(left_out.kind, StatementKind::Claim(_)) {
+                            *incomplete = true;
+                            words(left_out.span, unread);
+                        }
                     }
                 }
                 whole(start(name.span));
             }
-            Item::Theorem(Theorem { name, statements, incomplete, .. }) => {
+            Item::Theorem(Theorem { name, statements, incomplete, unread, .. }) => {
                 for k in (0..statements.len()).rev() {
                     if !whole(start(statements[k].span)) {
-                        statements.remove(k);
+                        words(statements.remove(k).span, unread);
                         *incomplete = true;
                     }
                 }
@@ -118,12 +133,12 @@ fn leave_out(spec: &mut Spec, gaps: &[usize]) {
 }
 
 /// Reads a spec from the tokens of a macro call.
-pub fn parse_tokens(tokens: TokenStream) -> (Spec, Vec<SyntaxError>) {
+pub fn parse_tokens(tokens: TokenStream) -> (Spec, SyntaxErrors) {
     parse(tokens, true)
 }
 
-fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError>) {
-    let mut errors = Vec::new();
+fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, SyntaxErrors) {
+    let mut errors = SyntaxErrors::default();
     let mut spec = Spec::default();
     let read = |input: ParseStream<'_>| -> syn::Result<()> {
         spec.doc = doc(input, true)?;
@@ -131,26 +146,40 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, Vec<SyntaxError
             return Err(error(input.span(), "the spec is empty", "write `family Name { … }`"));
         }
         while !input.is_empty() {
+            let start = input.fork();
             match item(input, &mut errors) {
                 Ok(item) => spec.items.push(item),
                 Err(e) => {
-                    errors.push(e.into());
+                    errors.push(e);
                     skip_item(input);
+                    // Names of items stand outside of brackets; an empty one stands for a name that is missing.
+                    let before = spec.unread.len();
+                    while start.cursor() != input.cursor()
+                        && let Ok(token) = start.parse::<TokenTree>()
+                    {
+                        if let TokenTree::Ident(name) = token {
+                            spec.unread.push(name.to_string());
+                        }
+                    }
+                    if spec.unread.len() == before + 1 {
+                        spec.unread.push(String::new());
+                    }
                 }
             }
         }
+        sort_unique(&mut spec.unread);
         Ok(())
     };
     // What an error has left unread inside of brackets is not another error.
     if let Err(e) = Parser::parse2(read, tokens)
         && errors.is_empty()
     {
-        errors.push(e.into());
+        errors.push(e);
     }
     (spec, errors)
 }
 
-fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<Item> {
+fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> {
     let doc = doc(input, false)?;
     if at_word(input, "family") {
         return Ok(Item::Family(family(input, doc, errors)?));
@@ -160,18 +189,23 @@ fn item(input: ParseStream<'_>, errors: &mut Vec<SyntaxError>) -> syn::Result<It
     }
     if at_word(input, "use") {
         take_word(input)?;
-        let path: syn::LitStr = input.parse().map_err(|e| {
-            error(e.span(), "expected a path in quotation marks", "write `use \"quartic.basis\";`")
-        })?;
+        let (home, expected, help) = if at_word(input, "library") {
+            take_word(input)?;
+            let expected = "expected the name of a spec of the library in quotation marks";
+            (Home::Library, expected, "write `use library \"quartic\";`")
+        } else {
+            (Home::Folder, "expected a path in quotation marks", "write `use \"quartic.basis\";`")
+        };
+        let path: syn::LitStr = input.parse().map_err(|e| error(e.span(), expected, help))?;
         // Of a file this is said before; the compiler has its own words for escapes that it does not know.
         if path.token().to_string().contains('\\') {
             return Err(error(path.span(), glyphs::BACKSLASH, glyphs::SLASH));
         }
         if !input.peek(Token![;]) {
-            return Err(error(path.span(), "expected `;` after the path", "write `use \"quartic.basis\";`"));
+            return Err(error(path.span(), "expected `;` after the path", help));
         }
         input.parse::<Token![;]>()?;
-        return Ok(Item::Use(Use { path: path.value(), span: path.span() }));
+        return Ok(Item::Use(Use { home, path: path.value(), span: path.span() }));
     }
     let help = match input.cursor().ident() {
         Some((word, _)) => did_you_mean(&word.to_string(), &ITEMS, &|| String::from(ITEM_HELP)),

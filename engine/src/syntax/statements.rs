@@ -6,12 +6,13 @@ use syn::{Result, Token};
 
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
-use super::expr::{comparison, expr, index_range, join, loops, name, unexpected};
+use super::expr::{MAX_INDICES, comparison, expr, index_range, join, loops, name, unexpected};
 use super::{
     Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
-    StatementKind, SyntaxError,
+    StatementKind, SyntaxErrors,
 };
-use crate::words::did_you_mean;
+use crate::advice::did_you_mean;
+use basis_kernel::collections::sort::sort_unique;
 
 /// The words that begin a statement.
 pub(super) const STATEMENTS: [&str; 9] =
@@ -35,11 +36,7 @@ pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
 }
 
 /// `family Name(n in 1..=3) { … }`, after its doc comment.
-pub(super) fn family(
-    input: ParseStream<'_>,
-    doc: Vec<String>,
-    errors: &mut Vec<SyntaxError>,
-) -> Result<Family> {
+pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut SyntaxErrors) -> Result<Family> {
     take_word(input)?;
     let name = name(input)?;
     let mut orders = Vec::new();
@@ -50,6 +47,10 @@ pub(super) fn family(
         syn::parenthesized!(content in input);
         while !content.is_empty() {
             orders.push(index_range(&content, "")?);
+            if orders.len() > MAX_INDICES {
+                let message = format!("a family has at most {MAX_INDICES} index parameters");
+                return Err(error(name.span, message, "leave some of them out"));
+            }
             if !content.is_empty() {
                 content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
             }
@@ -63,29 +64,67 @@ pub(super) fn family(
     syn::braced!(content in input);
     let mut statements = Vec::new();
     let mut incomplete = false;
+    let mut unread = Vec::new();
     while !content.is_empty() {
         let about_functions = !begins_claim(&content);
+        let start = content.fork();
         match statement(&content) {
             Ok(statement) => statements.push(statement),
             Err(e) => {
                 incomplete |= about_functions;
                 let goes_on =
                     is_missing_semicolon(&e) || STATEMENTS.iter().any(|word| at_word(&content, word));
-                errors.push(e.into());
+                errors.push(e);
                 if !goes_on {
                     skip_statement(&content);
+                }
+                if about_functions {
+                    names_between(&start, &content, &mut unread);
                 }
             }
         }
     }
-    Ok(Family { doc, name, orders, statements, incomplete })
+    sort_unique(&mut unread);
+    Ok(Family { doc, name, orders, statements, incomplete, unread })
+}
+
+/// The names in the tokens from one place to a later one; an empty one stands for a name that is missing where a
+/// statement declares one.
+pub(super) fn names_between(start: ParseStream<'_>, end: ParseStream<'_>, names: &mut Vec<String>) {
+    // What went wrong in a doc comment has no names.
+    let _ = doc(start, false);
+    let before = names.len();
+    let named = ["let", "curve", "surface"].iter().any(|word| at_word(start, word));
+    let mut position = 0;
+    while start.cursor() != end.cursor()
+        && let Ok(token) = start.parse::<TokenTree>()
+    {
+        if named && position == 1 && !matches!(token, TokenTree::Ident(_)) {
+            names.push(String::new());
+        }
+        names_in(token, names);
+        position += 1;
+    }
+    if names.len() == before + 1 {
+        names.push(String::new());
+    }
+}
+
+fn names_in(token: TokenTree, names: &mut Vec<String>) {
+    match token {
+        TokenTree::Ident(ident) => names.push(ident.to_string()),
+        TokenTree::Group(group) => group.stream().into_iter().for_each(|token| names_in(token, names)),
+        TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+    }
 }
 
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
 fn begins_claim(input: ParseStream<'_>) -> bool {
-    let Some((word, _)) = input.cursor().ident() else { return false };
+    let ahead = input.fork();
+    let _ = doc(&ahead, false);
+    let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
-    ["prove", "refute", "budget"].contains(&crate::words::closest(&word, &STATEMENTS).unwrap_or(&word))
+    ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 /// Goes on after the next `;`, or after a block.
@@ -142,7 +181,8 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
             take_word(input)?;
             if let Some(names) = simplex(input)? {
                 let end = semicolon(input, None)?;
-                return Ok(Statement { doc, span: join(start, end), kind: StatementKind::Simplex(names) });
+                let kind = StatementKind::Simplex(names);
+                return Ok(Statement { doc, span: join(start, end), last: end, kind });
             }
             let mut ranges = vec![range(input, DOMAIN_HELP)?];
             while input.peek(Token![,]) {
@@ -196,7 +236,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         },
     };
     let end = semicolon(input, Some(&kind))?;
-    Ok(Statement { doc, span: join(start, end), kind })
+    Ok(Statement { doc, span: join(start, end), last: end, kind })
 }
 
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
@@ -220,7 +260,16 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Base(order, _)) => return Ok(order.name.span),
         _ => {}
     }
-    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), "a statement ends with `;`"))
+    let help = match kind {
+        Some(StatementKind::Shape(_)) if input.peek(Token![,]) => {
+            "every shape parameter has a statement of its own: `shape 0 <= λ <= 1; shape 0 <= μ <= 1;`"
+        }
+        Some(StatementKind::Claim(_)) if at_word(input, "except") => {
+            "`except` belongs to `independent`; for other claims narrow the range of the parameter"
+        }
+        _ => "a statement ends with `;`",
+    };
+    Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
 }
 
 /// `=` between a name and its value.
@@ -244,6 +293,10 @@ fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
     }
     if indices.is_empty() {
         return Err(error(name.span, "the index is missing", format!("write `{}[0] = …;`", name.text)));
+    }
+    if indices.len() > MAX_INDICES {
+        let message = format!("a function has at most {MAX_INDICES} indices");
+        return Err(error(name.span, message, "number the functions with fewer indices"));
     }
     equals(input, &name)?;
     let value = expr(input)?;
@@ -314,7 +367,7 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         }
     }
     if names.len() != corners {
-        let here = crate::words::here(names.len());
+        let here = crate::plural::here(names.len());
         let message = format!("a {text} has {corners} barycentric coordinates, {here}");
         let help = match names.len() {
             3 => String::from("write `domain tetrahedron (u, v, w, x);`, or `domain triangle (u, v, w);`"),

@@ -6,12 +6,13 @@ use syn::{Result, Token};
 
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
-use super::statements::{SHAPE_HELP, at_word, bounds, doc, skip_statement, take_word};
+use super::statements::{SHAPE_HELP, at_word, bounds, doc, names_between, skip_statement, take_word};
 use super::{
-    Assertion, Comparison, Expected, Expr, ExprKind, SyntaxError, Theorem, TheoremKind, TheoremRelation,
-    TheoremStatement, TheoremStatementKind,
+    Assertion, Comparison, Expected, Expr, ExprKind, PatchKind, SyntaxErrors, Theorem, TheoremKind,
+    TheoremRelation, TheoremStatement, TheoremStatementKind,
 };
-use crate::words::did_you_mean;
+use crate::advice::did_you_mean;
+use basis_kernel::collections::sort::sort_unique;
 
 /// The words that begin a statement.
 const STATEMENTS: [&str; 10] =
@@ -24,7 +25,7 @@ pub(crate) const ASSUME_HELP: &str = "`assume` narrows the range of one scalar b
 pub(super) fn theorem(
     input: ParseStream<'_>,
     doc: Vec<String>,
-    errors: &mut Vec<SyntaxError>,
+    errors: &mut SyntaxErrors,
 ) -> Result<Theorem> {
     let kind = if at_word(input, "join") { TheoremKind::Join } else { TheoremKind::Theorem };
     take_word(input)?;
@@ -49,20 +50,34 @@ pub(super) fn theorem(
     syn::braced!(content in input);
     let mut statements = Vec::new();
     let mut incomplete = false;
+    let mut unread = Vec::new();
     while !content.is_empty() {
+        let start = content.fork();
+        let declares = declares(&content);
         match statement(&content) {
             Ok(statement) => statements.push(statement),
             Err(e) => {
                 incomplete = true;
                 let goes_on = is_missing_semicolon(&e);
-                errors.push(e.into());
+                errors.push(e);
                 if !goes_on {
                     skip_statement(&content);
+                }
+                if declares {
+                    names_between(&start, &content, &mut unread);
                 }
             }
         }
     }
-    Ok(Theorem { doc, kind, name, statements, incomplete })
+    sort_unique(&mut unread);
+    Ok(Theorem { doc, kind, name, statements, incomplete, unread })
+}
+
+/// Whether a statement may declare names: anything but a claim, a dimension or a budget.
+fn declares(input: ParseStream<'_>) -> bool {
+    let ahead = input.fork();
+    let _ = doc(&ahead, false);
+    !["prove", "refute", "dimension", "budget"].iter().any(|word| at_word(&ahead, word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
@@ -122,7 +137,8 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
                 };
                 return Err(error(input.span(), unexpected(input, "`=` and a family").to_string(), help));
             }
-            TheoremStatementKind::Patch(word == "curve", name, expr(input)?)
+            let kind = if word == "curve" { PatchKind::Curve } else { PatchKind::Surface };
+            TheoremStatementKind::Patch(kind, name, expr(input)?)
         }
     };
     if !input.peek(Token![;]) {
@@ -137,7 +153,7 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         return Err(error(input.span(), message, help));
     }
     let end = input.parse::<Token![;]>()?.span;
-    Ok(TheoremStatement { doc, span: join(start, end), kind })
+    Ok(TheoremStatement { doc, span: join(start, end), last: end, kind })
 }
 
 /// A name, or a name with indices, that gets a value.

@@ -3,7 +3,13 @@
 //! βₖ is the Bernstein coefficient times the binomial coefficient n over k: the same signs, but whole numbers stay
 //! whole, and a factor s or r shows as a zero at an end. Forms are determined up to a positive factor.
 
+use num_bigint::BigInt;
+use num_integer::Integer as _;
+use num_rational::BigRational;
+use num_traits::One as _;
+
 use super::rational::{Rational, Words};
+use crate::collections::list::Mapped;
 
 /// A step from one basis to another; changes of basis are short lists of them.
 #[derive(Clone, Debug)]
@@ -103,6 +109,9 @@ impl<'a> Change<'a> {
             }
             return;
         }
+        if apply_whole(self.steps, c) {
+            return;
+        }
         for step in self.steps {
             match step {
                 Shift(h) => shift_rationals(c, h),
@@ -139,6 +148,66 @@ fn shift_rationals(c: &mut [Rational], h: &Rational) {
             }
         }
     }
+}
+
+/// Takes the steps by way of whole numbers: without common divisors after every sum. Whether all steps are whole and a
+/// common denominator is not much longer than the numbers; else nothing is done.
+fn apply_whole(steps: &[Step], c: &mut [Rational]) -> bool {
+    let mut factors = Vec::with_capacity(steps.len());
+    for step in steps {
+        match step {
+            Shift(by) | Powers(by) => match by.to_whole() {
+                Some(by) => factors.push(by),
+                None => return false,
+            },
+            Reverse => factors.push(BigInt::ZERO),
+        }
+    }
+    let mut denom = BigInt::from(1);
+    let longest = c.iter().map(Rational::bits).max().unwrap_or(0);
+    for c in &*c {
+        if let Some(other) = c.big_denom() {
+            denom = denom.lcm(&other);
+            if denom.bits() > 2 * longest {
+                return false;
+            }
+        }
+    }
+    let mut whole = c.mapped(|c| c.times_whole(&denom));
+    for (step, factor) in steps.iter().zip(&factors) {
+        match step {
+            Shift(h) if h.is_zero() => {}
+            Shift(_) => {
+                for i in 0..whole.len().saturating_sub(1) {
+                    for j in (i..whole.len() - 1).rev() {
+                        let (low, high) = whole.split_at_mut(j + 1);
+                        if factor.is_one() {
+                            low[j] += &high[0];
+                        } else {
+                            low[j] += &high[0] * factor;
+                        }
+                    }
+                }
+            }
+            Powers(by) if by.is_one() => {}
+            Powers(_) => {
+                let mut power = BigInt::from(1);
+                for c in &mut whole {
+                    *c *= &power;
+                    power *= factor;
+                }
+            }
+            Reverse => whole.reverse(),
+        }
+    }
+    for (c, whole) in c.iter_mut().zip(whole) {
+        *c = if denom.is_one() {
+            Rational::from(whole)
+        } else {
+            Rational::from_big(BigRational::new(whole, denom.clone()))
+        };
+    }
+    true
 }
 
 /// A [`Step`] in machine words.

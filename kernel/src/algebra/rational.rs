@@ -231,8 +231,27 @@ impl Rational {
         }
     }
 
+    /// The denominator, unless it is 1.
+    pub(super) fn big_denom(&self) -> Option<BigInt> {
+        match &self.0 {
+            Small(_, 1) => None,
+            Small(_, d) => Some(BigInt::from(*d)),
+            Big(b) => (!b.denom().is_one()).then(|| b.denom().clone()),
+        }
+    }
+
+    /// The whole number that the number is times a multiple of its denominator.
+    pub(super) fn times_whole(&self, multiple: &BigInt) -> BigInt {
+        match &self.0 {
+            Small(n, 1) => multiple * *n,
+            Small(n, d) => multiple / *d * *n,
+            Big(b) if b.denom().is_one() => multiple * b.numer(),
+            Big(b) => multiple / b.denom() * b.numer(),
+        }
+    }
+
     /// The big integer that the number is, if it is whole.
-    fn to_whole(&self) -> Option<BigInt> {
+    pub(super) fn to_whole(&self) -> Option<BigInt> {
         match &self.0 {
             Small(n, 1) => Some(BigInt::from(*n)),
             Small(..) => None,

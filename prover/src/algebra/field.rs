@@ -51,6 +51,16 @@ impl Field {
         if x.is_constant() {
             return Some(x.is_zero());
         }
+        // Most values are seen not to be zero.
+        let (low, high) = enclosure(&x, &self.root, work)?;
+        if low.is_positive() || high.is_negative() {
+            return Some(false);
+        }
+        self.split(&x, work)
+    }
+
+    /// Divides out of the polynomial of θ what it has in common with a value, or all else; whether the value is zero.
+    fn split(&mut self, x: &Element, work: &mut Work) -> Option<bool> {
         let polynomial = self.root.polynomial();
         let common = x.gcd(polynomial, work)?;
         if common.is_constant() {
@@ -63,8 +73,19 @@ impl Field {
         Some(zero)
     }
 
-    /// The inverse of an element that is not zero, for which [`Field::is_zero`] has been asked.
-    pub fn inverse(&self, x: &Element, work: &mut Work) -> Option<Element> {
+    /// The inverse of an element that is not zero; the polynomial of θ may lose a factor.
+    pub fn inverse(&mut self, x: &Element, work: &mut Work) -> Option<Element> {
+        if let Some(inverse) = self.euclid(x, work)? {
+            return Some(inverse);
+        }
+        // The value has a factor in common with the polynomial of θ, which does not vanish at θ.
+        self.split(x, work)?;
+        self.euclid(x, work)?
+    }
+
+    /// The inverse modulo the polynomial of θ, if there is one.
+    #[expect(clippy::option_option, reason = "the work may be spent")]
+    fn euclid(&self, x: &Element, work: &mut Work) -> Option<Option<Element>> {
         // r = s·x modulo m, for two neighbouring remainders r of Euclid's algorithm.
         let (mut r, mut s) = (self.root.polynomial().clone(), Univariate::default());
         let (mut next, mut factor) = (self.reduce(x, work)?, Univariate::integers(&[1]));
@@ -75,7 +96,7 @@ impl Field {
             (r, next) = (next, rest);
             (s, factor) = (factor, new);
         }
-        Some(factor.scale(&next.leading().recip()?))
+        Some(next.leading().recip().map(|inverse| factor.scale(&inverse)))
     }
 
     /// The value of a polynomial of the field at another element.
@@ -208,51 +229,52 @@ impl Field {
         Some(())
     }
 
-    /// Factors, one of them 1, with which the sum of the rows of a matrix is zero; nothing when the rows are independent.
+    /// Factors with which the sum of some rows of a matrix is zero: of the first row that depends on those before it, 1, and of
+    /// these the others; nothing when all rows are independent. Rows are asked for one after the other.
     pub fn vanishing_combination(
         &mut self,
-        rows: &[Vec<Element>],
+        count: usize,
+        row: &RowOf<'_>,
         work: &mut Work,
     ) -> Option<Option<Vec<Element>>> {
-        // Each row with what it is a combination of.
-        let mut left: Vec<(Vec<Element>, Vec<Element>)> = Vec::new();
-        for (k, row) in rows.iter().enumerate() {
-            let mut own = vec![Univariate::default(); rows.len()];
-            own[k] = Univariate::integers(&[1]);
-            left.push((row.clone(), own));
-        }
+        // Rows that are 1 in a column in which all later ones are made zero, each with what it is a combination of.
         let mut pivots: Vec<(usize, Vec<Element>, Vec<Element>)> = Vec::new();
-        for (mut row, mut own) in left {
+        for k in 0..count {
+            let mut entries = row(self, k, work)?;
+            let mut own = vec![Univariate::default(); count];
+            own[k] = Univariate::integers(&[1]);
             for (column, pivot, of) in &pivots {
-                if self.is_zero(&row[*column], work)? {
+                if entries[*column].is_zero() || self.is_zero(&entries[*column], work)? {
                     continue;
                 }
-                let factor = row[*column].scale(&Rational::from(-1));
-                for (x, p) in row.iter_mut().chain(&mut own).zip(pivot.iter().chain(of)) {
-                    let moved = x.add(&self.mul(p, &factor, work)?);
-                    *x = self.reduce(&moved, work)?;
+                let factor = entries[*column].scale(&Rational::from(-1));
+                let all = entries.iter_mut().chain(&mut own).zip(pivot.iter().chain(of));
+                for (x, p) in all.filter(|(_, p)| !p.is_zero()) {
+                    *x = x.add(&self.mul(p, &factor, work)?);
                 }
             }
             let mut column = None;
-            for (k, x) in row.iter().enumerate() {
+            for (k, x) in entries.iter().enumerate() {
                 if !self.is_zero(x, work)? {
                     column = Some(k);
                     break;
                 }
             }
             let Some(column) = column else {
-                // The last row that is not left out has the factor 1.
                 return own.iter().map(|x| self.reduce(x, work)).collect::<Option<Vec<_>>>().map(Some);
             };
-            let inverse = self.inverse(&row[column], work)?;
-            for x in row.iter_mut().chain(&mut own) {
+            let inverse = self.inverse(&entries[column], work)?;
+            for x in entries.iter_mut().chain(&mut own).filter(|x| !x.is_zero()) {
                 *x = self.mul(x, &inverse, work)?;
             }
-            pivots.push((column, row, own));
+            pivots.push((column, entries, own));
         }
         Some(None)
     }
 }
+
+/// A row of a matrix over a field, by its number; `None` when the work is spent.
+pub type RowOf<'a> = dyn Fn(&Field, usize, &mut Work) -> Option<Vec<Element>> + 'a;
 
 /// A field that contains all of some numbers, and what they are in it; `None` for no numbers, or when the work is spent.
 pub fn field_of(numbers: &[Algebraic], work: &mut Work) -> Option<(Field, Vec<Element>)> {
@@ -327,10 +349,12 @@ mod tests {
         let mut field = Field::new(sqrt(2, 1));
         let n = |c: &[i64]| Univariate::integers(c);
         // (1, √2) and (√2, 2) are multiples of each other, (1, √2) and (√2, 1) are not.
-        let rows = vec![vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[2])]];
-        let found = field.vanishing_combination(&rows, work).expect("unlimited");
+        let rows = [vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[2])]];
+        let row = |_: &Field, k: usize, _: &mut Work| Some(rows[k].clone());
+        let found = field.vanishing_combination(2, &row, work).expect("unlimited");
         assert_eq!(found, Some(vec![n(&[0, -1]), n(&[1])]));
-        let rows = vec![vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[1])]];
-        assert_eq!(field.vanishing_combination(&rows, work), Some(None));
+        let rows = [vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[1])]];
+        let row = |_: &Field, k: usize, _: &mut Work| Some(rows[k].clone());
+        assert_eq!(field.vanishing_combination(2, &row, work), Some(None));
     }
 }

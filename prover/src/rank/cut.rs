@@ -27,7 +27,7 @@ const LARGE: usize = 4;
 /// A matrix in blocks.
 pub(super) struct Cut {
     pub(super) change: Option<ChangeOfBasis>,
-    rows: Vec<Vec<Poly>>,
+    pub(super) rows: Vec<Vec<Poly>>,
     pub(super) blocks: Vec<Block>,
 }
 

@@ -6,6 +6,7 @@
 //! region, either the rank drops at that point, or a minor that does not vanish there joins them.
 
 mod blocks;
+mod combination;
 mod cut;
 mod exception;
 #[cfg(feature = "ranges")]
@@ -15,6 +16,7 @@ mod irrational;
 pub(crate) mod symmetry;
 mod table;
 
+pub(crate) use combination::combination;
 #[cfg(feature = "ranges")]
 pub use exceptional::{Exceptional, ExceptionalSet, exceptional_set};
 pub use independent::{Independence, independent};

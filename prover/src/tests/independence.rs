@@ -25,18 +25,16 @@ fn check(rows: &[Vec<Poly>], except: &[Values], ranges: &str) -> String {
     let statement =
         Statement::Independent { rows: rows.to_vec(), except: except.to_vec(), region: region.clone() };
     match decide(statement, &Vec::new(), 1) {
-        Decision::Proved(_) => {
-            match independent(Table { rows, symmetries: &Vec::new() }, except, &region, 1) {
-                Independence::Proved(rank) => {
-                    let minors = |p: &basis_kernel::Piece| {
-                        p.blocks.iter().map(|b| b.columns.len().to_string()).collect::<Vec<_>>().join("+")
-                    };
-                    format!("proved with {}", rank.pieces.iter().map(minors).collect::<Vec<_>>().join(", "))
-                }
-                other => panic!("{other:?}"),
+        Ok(_) => match independent(Table { rows, symmetries: &Vec::new() }, except, &region, 1) {
+            Independence::Proved(rank) => {
+                let minors = |p: &basis_kernel::Piece| {
+                    p.blocks.iter().map(|b| b.columns.len().to_string()).collect::<Vec<_>>().join("+")
+                };
+                format!("proved with {}", rank.pieces.iter().map(minors).collect::<Vec<_>>().join(", "))
             }
-        }
-        Decision::Refuted(found) => {
+            other => panic!("{other:?}"),
+        },
+        Err(Failure::Refuted(found)) => {
             let point: Vec<String> = found.point.iter().map(|(v, c)| c.describe(NAMES[v.0])).collect();
             let names = [String::from("x")];
             let factors = match found.refutation.witness() {
@@ -47,7 +45,7 @@ fn check(rows: &[Vec<Poly>], except: &[Values], ranges: &str) -> String {
             };
             format!("dependent at {}: {}", point.join(", "), factors.join(" "))
         }
-        Decision::Undecided(left) => format!("undecided: {left}"),
+        Err(Failure::Undecided(left)) => format!("undecided: {left}"),
     }
 }
 

@@ -213,13 +213,13 @@ fn independence_agrees_with_ranks_at_points() {
         let statement =
             Statement::Independent { rows: rows.clone(), except: Vec::new(), region: region.clone() };
         match decide(statement, &Vec::new(), 1) {
-            Decision::Proved(_) => {
+            Ok(_) => {
                 counts[0] += 1;
                 for point in points(&mut random, &region) {
                     assert_eq!(rank(at(&point)), rows.len(), "round {round}: {rows:?} at {point:?}");
                 }
             }
-            Decision::Refuted(found) => {
+            Err(Failure::Refuted(found)) => {
                 counts[1] += 1;
                 let exact = |(_, c): &(Var, Coordinate)| match c {
                     Coordinate::Rational(x) => Some(x.clone()),
@@ -229,7 +229,7 @@ fn independence_agrees_with_ranks_at_points() {
                 assert!(region.ranges.iter().zip(&point).all(|((_, r), x)| r.contains(x)));
                 assert!(rank(at(&point)) < rows.len(), "round {round}: {rows:?} at {point:?}");
             }
-            Decision::Undecided(_) => counts[2] += 1,
+            Err(Failure::Undecided(_)) => counts[2] += 1,
         }
     }
     assert!(counts[0] > 40 && counts[1] > 40 && counts[2] < 8, "{counts:?}");
@@ -254,9 +254,9 @@ fn joint_exceptions_are_proved_by_certificates_that_are_accepted() {
         let ranges = vec![(Var(0), Range::all()), (Var(1), Range::all())];
         let statement = Statement::Independent { rows: rows.clone(), except, region: Region { ranges } };
         match decide(statement, &Vec::new(), 1) {
-            Decision::Proved(_) => proved += 1,
-            Decision::Refuted(_) => {}
-            Decision::Undecided(left) => panic!("round {round}: {rows:?}: {left}"),
+            Ok(_) => proved += 1,
+            Err(Failure::Refuted(_)) => {}
+            Err(Failure::Undecided(left)) => panic!("round {round}: {rows:?}: {left}"),
         }
     }
     assert!(proved > 10, "{proved}");

@@ -24,7 +24,8 @@ pub fn eval<P: Point>(points: &[P], x: P::Scalar) -> P {
     })
 }
 
-/// The value and the derivatives `[p(x), p'(x), p''(x), …]`, as many as `derivatives` has places; zero above the degree.
+/// The value and the derivatives `[p(x), p'(x), p''(x), …]`, as many as `derivatives` has places; zero above the
+/// degree.
 ///
 /// `scratch` has the length of `points`; what it holds does not matter.
 ///

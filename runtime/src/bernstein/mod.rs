@@ -6,8 +6,8 @@
 //! p(x) = Σ_i binomial(n, i) (1-x)^(n-i) x^i c[i],   0 <= x <= 1
 //! ```
 //!
-//! Everything works on slices and in place, for any [`Point`](crate::Point); numbers are points of dimension one. These are
-//! the tools of which curves, surfaces and patches are made; the empty slice is the polynomial 0.
+//! Everything works on slices and in place, for any [`Point`](crate::Point); numbers are points of dimension one. These
+//! are the tools of which curves, surfaces and patches are made; the empty slice is the polynomial 0.
 //!
 //! | | |
 //! | --- | --- |
@@ -23,7 +23,7 @@
 mod basis;
 mod casteljau;
 mod degree;
-mod product;
+pub(crate) mod product;
 #[cfg(feature = "alloc")]
 mod roots;
 

@@ -62,8 +62,8 @@ pub(crate) fn bilinear<P: Point, R: Point<Scalar = P::Scalar>>(
 
 /// The smallest and the largest coefficient: `min <= p(x) <= max` for `0 <= x <= 1`.
 ///
-/// Both bounds are values of the polynomial where they stand at an end of the slice. `[0, 0]` for the empty slice; `[NaN,
-/// NaN]` if a coefficient is NaN.
+/// Both bounds are values of the polynomial where they stand at an end of the slice. `[0, 0]` for the empty slice;
+/// `[NaN, NaN]` if a coefficient is NaN.
 #[inline]
 pub fn bounds<S: Scalar>(coefficients: &[S]) -> [S; 2] {
     let Some((&first, rest)) = coefficients.split_first() else { return [S::ZERO; 2] };

@@ -21,10 +21,10 @@ pub struct Root<S> {
 
 /// The zeros on `[0, 1]`, in increasing order.
 ///
-/// A piece whose coefficients have one sign holds no zero, one with a single change of sign holds exactly one; the others
-/// are halved (Descartes' rule in Bernstein form). A piece on which the polynomial is as small as its rounding error counts
-/// as one zero: so a zero of even order is found, once. None for the zero polynomial, and none if a coefficient is not
-/// finite.
+/// A piece whose coefficients have one sign holds no zero, one with a single change of sign holds exactly one; the
+/// others are halved (Descartes' rule in Bernstein form). A piece on which the polynomial is as small as its rounding
+/// error counts as one zero: so a zero of even order is found, once. None for the zero polynomial, and none if a
+/// coefficient is not finite.
 ///
 /// ```
 /// use basis_runtime::bernstein::roots;
@@ -184,9 +184,9 @@ fn simple_root<S: Scalar>(coefficients: &[S]) -> S {
     bracketed_root(&mut coefficients.to_vec(), &mut vec![S::ZERO; coefficients.len()])
 }
 
-/// The only zero inside of the interval of a polynomial whose coefficients change their sign once: Newton's method, and halving
-/// where it leaves the bracket or does not halve it. Coefficients of zero at the ends, so zeros there, do not matter. Overwrites the
-/// coefficients; `scratch` is not shorter.
+/// The only zero inside of the interval of a polynomial whose coefficients change their sign once: Newton's method, and
+/// halving where it leaves the bracket or does not halve it. Coefficients of zero at the ends, so zeros there, do not
+/// matter. Overwrites the coefficients; `scratch` is not shorter.
 #[inline] // callers know the degree
 pub(crate) fn bracketed_root<S: Scalar>(values: &mut [S], scratch: &mut [S]) -> S {
     let half = S::of(0.5);
@@ -230,7 +230,8 @@ pub(crate) fn bracketed_root<S: Scalar>(values: &mut [S], scratch: &mut [S]) -> 
     x
 }
 
-/// Where the control polygon, whose corners are the coefficients at `k/n`, leaves its first sign: not where it is zero at the start.
+/// Where the control polygon, whose corners are the coefficients at `k/n`, leaves its first sign: not where it is zero
+/// at the start.
 #[inline]
 fn polygon_zero<S: Scalar>(coefficients: &[S], rising: bool) -> S {
     let first = |c: S| if rising { c < S::ZERO } else { c > S::ZERO };

@@ -9,15 +9,16 @@ use crate::Point;
 use crate::Scalar;
 
 impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
-    /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too small up
-    /// to rounding errors. NaN in a component in which a control point is NaN.
+    /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too
+    /// small up to rounding errors. NaN in a component in which a control point is NaN.
     pub fn control_box(&self) -> [P; 2] {
         crate::vector::box_of(self.to_bernstein().as_ref())
     }
 
     /// The smallest axis-parallel box around the patch, as its two extreme corners, up to rounding errors.
     ///
-    /// Found by subdivision, as [`TensorSurface::bounding_box`](crate::TensorSurface::bounding_box), with the same promises.
+    /// Found by subdivision, as [`TensorSurface::bounding_box`](crate::TensorSurface::bounding_box), with the same
+    /// promises.
     ///
     /// ```
     /// use basis_runtime::{BoxPatch, basis};

@@ -67,7 +67,8 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
     /// The values of all functions.
     fn values(&self, at: Self::Coordinates) -> Self::Values;
 
-    /// The weights `c[α][i]` of the control points in the Bernstein net; by columns the Bernstein coefficients of the functions.
+    /// The weights `c[α][i]` of the control points in the Bernstein net; by columns the Bernstein coefficients of the
+    /// functions.
     fn bernstein_weights(&self) -> Self::Bernstein<Self::Values>;
 
     /// The partial derivatives of these orders in the coordinates; zero above the degrees.
@@ -79,8 +80,8 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
         partial::<Self, _>(weights.as_mut(), at, orders)
     }
 
-    /// The control points of the same patch in the tensor product Bernstein basis of the same degrees: `Σ_i c[α][i] points[i]`
-    /// with the [`bernstein_weights`](Self::bernstein_weights) `c`.
+    /// The control points of the same patch in the tensor product Bernstein basis of the same degrees:
+    /// `Σ_i c[α][i] points[i]` with the [`bernstein_weights`](Self::bernstein_weights) `c`.
     fn to_bernstein<P: Point<Scalar = Self::Scalar>>(&self, points: &Self::Points<P>) -> Self::Bernstein<P> {
         let weights = self.bernstein_weights();
         Self::Bernstein::from_fn(|j| {
@@ -195,7 +196,8 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
         self.points.as_ref()
     }
 
-    /// The control points of the same patch in the tensor product Bernstein basis of the same degrees, the last index fastest.
+    /// The control points of the same patch in the tensor product Bernstein basis of the same degrees, the last index
+    /// fastest.
     pub fn to_bernstein(&self) -> B::Bernstein<P> {
         self.net
     }

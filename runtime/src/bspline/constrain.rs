@@ -6,24 +6,20 @@ use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
 use super::{BSplineSurface, Direction, KnotError, Net};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};
 
 /// A row that the earlier ones determine up to this part of its length says nothing new.
 const DEPENDENT: f64 = 1e-12;
 
-/// Contradictions of so many rounding errors of the scalar type are none.
+/// Rounding errors, in ε of the scalar type, up to which constraints do not count as contradicting each other.
 const ROUNDING: f64 = 32.0;
 
 /// A point through which a surface is to pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub enum PointConstraint<P: Point> {
     /// `S(u, v) = point` at these parameters `[u, v]`.
     At([P::Scalar; 2], P),
@@ -34,13 +30,7 @@ pub enum PointConstraint<P: Point> {
 /// A surface that was deformed, and how.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Constrained<P: Point> {
     /// The surface, over the same knots.
     pub surface: BSplineSurface<P>,
@@ -92,11 +82,13 @@ impl Display for ConstraintError {
             }
             Self::Surface => f.write_str("a control point of the surface is not finite"),
             Self::Overflow => f.write_str(
-                "the points are so far from the surface that a control point would become infinite; use a larger unit",
+                "the points are so far from the surface that a control point would become infinite; use \
+                 a larger unit",
             ),
             Self::Infeasible { constraint, against, distance } if against.is_empty() => write!(
                 f,
-                "constraint {constraint} cannot be met: every control point that could move the surface there is held; it misses by {distance}"
+                "constraint {constraint} cannot be met: every control point that could move the surface \
+                 there is held; it misses by {distance}"
             ),
             Self::Infeasible { constraint, against, distance } => {
                 write!(f, "constraint {constraint} contradicts")?;
@@ -105,7 +97,8 @@ impl Display for ConstraintError {
                 }
                 write!(
                     f,
-                    ": these determine the surface at its parameters, {distance} away from its point; drop one of them or insert knots between them"
+                    ": these determine the surface at its parameters, {distance} away from its point; \
+                     drop one of them or insert knots between them"
                 )
             }
         }
@@ -139,8 +132,8 @@ impl<P: Point> BSplineSurface<P> {
     /// ```
     ///
     /// # Errors
-    /// [`ConstraintError::Infeasible`] says which constraint contradicts which; the other errors say which one cannot be
-    /// read.
+    /// [`ConstraintError::Infeasible`] says which constraint contradicts which; the other errors say which one cannot
+    /// be read.
     pub fn pass_through(
         &self,
         constraints: &[PointConstraint<P>],
@@ -148,8 +141,8 @@ impl<P: Point> BSplineSurface<P> {
         self.pass_through_holding(constraints, |_, _| false)
     }
 
-    /// As [`pass_through`](Self::pass_through), with control points that must not move: those for which `held(row, column)`
-    /// is true stay bit by bit the same.
+    /// As [`pass_through`](Self::pass_through), with control points that must not move: those for which
+    /// `held(row, column)` is true stay bit by bit the same.
     ///
     /// # Errors
     /// As [`pass_through`](Self::pass_through).
@@ -336,8 +329,8 @@ impl Orthogonal {
         Self { touched, units, rows }
     }
 
-    /// The shortest change with the given products with all rows that are not determined by earlier ones, `lanes` numbers
-    /// for each.
+    /// The shortest change with the given products with all rows that are not determined by earlier ones, `lanes`
+    /// numbers for each.
     fn least_change(&self, wanted: &[f64], lanes: usize) -> Vec<f64> {
         let mut along: Vec<Vec<f64>> = Vec::new();
         for (constraint, row) in self.rows.iter().enumerate() {

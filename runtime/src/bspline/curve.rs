@@ -4,13 +4,15 @@ use alloc::vec::Vec;
 
 use super::rows::{self, Rows};
 use super::{KnotError, KnotVector, SplineError};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};
 
 /// The curve `C(t) = Σ N[i,k](t) P[i]` over a knot vector.
 ///
-/// Outside of the domain [`eval`](Self::eval) continues the first and the last polynomial piece; at a knot where the curve
-/// or a derivative jumps it takes the piece on the right, at the end of the domain the last piece. If `t` is NaN so is the
-/// point.
+/// Outside of the domain [`eval`](Self::eval) continues the first and the last polynomial piece; at a knot where the
+/// curve or a derivative jumps it takes the piece on the right, at the end of the domain the last piece. If `t` is NaN
+/// so is the point.
 ///
 /// ```
 /// use basis_runtime::bspline::{BSplineCurve, KnotVector};
@@ -30,13 +32,7 @@ use crate::{Point, Scalar};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Curve<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BSplineCurve<P: Point> {
     knots: KnotVector<P::Scalar>,
     points: Vec<P>,
@@ -45,13 +41,7 @@ pub struct BSplineCurve<P: Point> {
 /// One polynomial piece of a curve.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BezierPiece<P: Point> {
     /// The ends of its span.
     pub domain: [P::Scalar; 2],
@@ -204,8 +194,8 @@ impl<P: Point> BSplineCurve<P> {
         rows::insert(&self.to_rows(), &middles(&self.knots)).map_or_else(|_| self.clone(), Self::from_rows)
     }
 
-    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
-    /// curve and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
+    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns
+    /// the curve and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

@@ -38,9 +38,10 @@ pub enum KnotError {
         /// The degree.
         degree: usize,
     },
-    /// So many knots do not fit into the memory.
+    /// There is no memory for the knots.
     Memory,
-    /// The knots `t[k]` and `t[n]`, between which the curve is defined, are equal, or so near that their difference is 0.
+    /// The knots `t[k]` and `t[n]`, between which the curve is defined, are equal, or so near that their difference is
+    /// 0.
     EmptyDomain {
         /// Their value.
         at: f64,
@@ -91,7 +92,9 @@ impl Display for KnotError {
             Self::Degree { degree } => {
                 write!(f, "the degree {degree} is above the highest possible, {}", super::MAX_DEGREE)
             }
-            Self::Memory => f.write_str("so many knots do not fit into the memory"),
+            Self::Memory => f.write_str(
+                "there is not enough memory for that many knots; use fewer spans or a lower degree",
+            ),
             Self::EmptyDomain { at } => {
                 write!(f, "the domain is the single number {at}; its two ends must be different knots")
             }
@@ -133,6 +136,13 @@ pub enum SplineError {
         /// Rows and columns of the net.
         found: [usize; 2],
     },
+    /// There is no memory for the points of a net.
+    Memory {
+        /// The number of its rows.
+        rows: usize,
+        /// The number of its columns.
+        columns: usize,
+    },
     /// The rows of a net have different lengths, or there are none.
     Ragged {
         /// The first row whose length differs.
@@ -170,6 +180,12 @@ impl Display for SplineError {
             }
             Self::Size { expected: [rows, columns], found: [r, c] } => {
                 write!(f, "a net of {r} x {c} control points; the knots ask for {rows} x {columns}")
+            }
+            Self::Memory { rows, columns } => {
+                write!(
+                    f,
+                    "there is not enough memory for a net of {rows} rows and {columns} columns; use a smaller one"
+                )
             }
             Self::Ragged { row } => {
                 write!(f, "row {row} of the net is empty or has not as many points as the first")

@@ -9,8 +9,8 @@ use crate::Scalar;
 impl<S: Scalar> KnotVector<S> {
     /// The first nonvanishing basis function at `t`, and the values of it and the `k` functions after it.
     ///
-    /// They sum to 1 and inside of the domain none is negative. With the span `[t[μ], t[μ+1])` that contains `t` they are
-    /// the functions `μ - k, …, μ`:
+    /// They sum to 1 and inside of the domain none is negative. With the span `[t[μ], t[μ+1])` that contains `t` they
+    /// are the functions `μ - k, …, μ`:
     ///
     /// ```text
     /// N[i,0](t) = 1 on the span t[i] <= t < t[i+1], 0 elsewhere
@@ -24,8 +24,8 @@ impl<S: Scalar> KnotVector<S> {
         Ok((span - self.degree(), self.values_on(span, t).to_vec()))
     }
 
-    /// The first nonvanishing basis function at `t`, and the derivatives of that order of it and the `k` functions after
-    /// it.
+    /// The first nonvanishing basis function at `t`, and the derivatives of that order of it and the `k` functions
+    /// after it.
     ///
     /// ```text
     /// N[i,k]' = k / (t[i+k] - t[i]) N[i,k-1] - k / (t[i+k+1] - t[i+1]) N[i+1,k-1]

@@ -1,6 +1,8 @@
 //! Homogeneous points, over which a rational curve is a polynomial one.
 
 use super::SplineError;
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar};
 
 /// The homogeneous point `(w P, w)` of a control point `P` with the weight `w`.
@@ -16,13 +18,7 @@ use crate::{Point, Scalar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Homogeneous<P: Point> {
     /// The point times the weight.
     pub scaled: P,
@@ -87,9 +83,4 @@ pub(super) fn check_weights<S: Scalar>(weights: &[S], expected: usize) -> Result
         Some(index) => Err(SplineError::Weight { index, weight: weights[index].to_f64() }),
         None => Ok(()),
     }
-}
-
-/// The number of ways to choose `k` of `n`, as a scalar.
-pub(super) fn binomial<S: Scalar>(n: usize, k: usize) -> S {
-    (0..k).fold(S::ONE, |value, i| value * S::from_usize(n - i) / S::from_usize(i + 1))
 }

@@ -11,8 +11,8 @@ pub const MAX_DEGREE: usize = 1023;
 /// A knot vector `t[0] <= t[1] <= …` together with the degree `k` of the splines over it.
 ///
 /// There are `n = knots - k - 1` basis functions; the domain is `t[k] <= t <= t[n]`. Knots outside of the domain are
-/// allowed (the vector is then *unclamped* at that end), and so are inner knots of multiplicity up to `k + 1`, at which a
-/// spline may jump.
+/// allowed (the vector is then *unclamped* at that end), and so are inner knots of multiplicity up to `k + 1`, at which
+/// a spline may jump.
 ///
 /// ```
 /// use basis_runtime::bspline::{KnotError, KnotVector};
@@ -79,7 +79,8 @@ impl<S: Scalar> KnotVector<S> {
         Ok(Self { degree, knots })
     }
 
-    /// The clamped knot vector with these breakpoints: each end `degree + 1` times, each inner one as often as it is listed.
+    /// The clamped knot vector with these breakpoints: each end `degree + 1` times, each inner one as often as it is
+    /// listed.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`KnotError::EmptyDomain`] for a single breakpoint.

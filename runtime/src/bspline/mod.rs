@@ -17,12 +17,12 @@
 //! | a joint of two surfaces, whatever their knots and degrees | [`splice`], [`measure_joint`] |
 //! | neighbours that follow a deformed patch | [`Network`] |
 //!
-//! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for their
-//! sake. A rational curve is a polynomial one of [`Homogeneous`] points. What changes the representation and not the shape
-//! is the same code for all four.
+//! All of them stand over [`KnotVector`]s, which are validated when they are made; after that nothing can fail for
+//! their sake. A rational curve is a polynomial one of [`Homogeneous`] points. What changes the representation and not
+//! the shape is the same code for all four.
 //!
-//! The control points are any [`Point`](crate::Point); `f32` and `f64` both work. All of it needs the feature `alloc`, and
-//! the published method of splicing, `Method::Midpoints`, the features `std` and `nalgebra`.
+//! The control points are any [`Point`](crate::Point); `f32` and `f64` both work. All of it needs the feature `alloc`,
+//! and the published method of splicing, `Method::Midpoints`, the features `std` and `nalgebra`.
 
 mod bounds;
 mod buffer;
@@ -53,11 +53,9 @@ pub use net::Net;
 pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs_curve::NurbsCurve;
 pub use nurbs_surface::NurbsSurface;
-pub use project::Projection;
-pub(crate) use project::nearest_of_patch;
 pub use splice::{
     Continuity, Joint, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
 };
-pub use surface::{BSplineSurface, BezierPatch, Direction};
+pub use surface::{BSplineSurface, BezierPatch};
 
-pub use crate::Edge;
+pub use crate::{Direction, Edge, Projection};

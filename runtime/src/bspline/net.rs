@@ -52,7 +52,7 @@ impl<P: Copy> Net<P> {
     /// The net with that number of rows and columns whose points are `point(row, column)`.
     ///
     /// # Errors
-    /// [`SplineError::Ragged`] if one of the numbers is 0.
+    /// [`SplineError::Ragged`] if one of the numbers is 0, [`SplineError::Memory`] if there is no room for the points.
     pub fn from_fn(
         rows: usize,
         columns: usize,
@@ -61,9 +61,15 @@ impl<P: Copy> Net<P> {
         if rows == 0 || columns == 0 {
             return Err(SplineError::Ragged { row: 0 });
         }
-        let point = &mut point;
-        let points = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| point(i, j));
-        Ok(Self { points: points.collect(), columns })
+        let mut points = Vec::new();
+        let room = rows.checked_mul(columns).map(|count| points.try_reserve_exact(count));
+        if !matches!(room, Some(Ok(()))) {
+            return Err(SplineError::Memory { rows, columns });
+        }
+        for i in 0..rows {
+            points.extend((0..columns).map(|j| point(i, j)));
+        }
+        Ok(Self { points, columns })
     }
 
     /// Points that are known to fill the rows, with at least one column.

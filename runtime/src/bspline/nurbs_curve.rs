@@ -2,8 +2,11 @@
 
 use alloc::vec::Vec;
 
-use super::homogeneous::{binomial, check_weights};
+use super::homogeneous::check_weights;
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
+use crate::binomial::binomial;
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::length;
 use crate::{Point, Scalar};
 
@@ -25,13 +28,7 @@ use crate::{Point, Scalar};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::RationalCurve<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct NurbsCurve<P: Point> {
     homogeneous: BSplineCurve<Homogeneous<P>>,
 }
@@ -161,8 +158,8 @@ impl<P: Point> NurbsCurve<P> {
         Ok(self.homogeneous.split(t)?.map(|homogeneous| Self { homogeneous }))
     }
 
-    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns the
-    /// curve and how often the knot was removed.
+    /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns
+    /// the curve and how often the knot was removed.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].
@@ -212,14 +209,14 @@ impl<P: Point> NurbsCurve<P> {
 
 /// Whether homogeneous points change so little that no point of the curve or surface moves by more than `tolerance`.
 ///
-/// With the numerators `A = w C` and `A' = w' C'` it is `C' - C = Σ N[i] (ΔA[i] - C' Δw[i]) / w`. The point `C` is in the hull
-/// of the control points `P[i]`, whose box has a diagonal `d`, so `|C' - P[i]| <= d + tolerance` as long as
+/// With the numerators `A = w C` and `A' = w' C'` it is `C' - C = Σ N[i] (ΔA[i] - C' Δw[i]) / w`. The point `C` is in
+/// the hull of the control points `P[i]`, whose box has a diagonal `d`, so `|C' - P[i]| <= d + tolerance` as long as
 ///
 /// ```text
 /// |ΔA[i] - P[i] Δw[i]| + (d + tolerance) |Δw[i]| <= tolerance · (the smallest weight)
 /// ```
 ///
-/// holds for all of them. Where the origin lies has no say.
+/// holds for all of them. It does not depend on where the origin lies.
 pub(super) fn within<P: Point>(
     points: &[Homogeneous<P>],
     tolerance: P::Scalar,

@@ -2,12 +2,15 @@
 
 use alloc::vec::Vec;
 
-use super::homogeneous::{binomial, check_weights};
+use super::homogeneous::check_weights;
 use super::nurbs_curve::within;
 use super::{
     BSplineSurface, BezierPatch, Direction, Edge, Homogeneous, KnotError, KnotVector, Net, NurbsCurve,
     SplineError,
 };
+use crate::binomial::binomial;
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Scalar, Surface};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
@@ -16,13 +19,7 @@ use crate::{Point, Scalar, Surface};
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::RationalSurface<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct NurbsSurface<P: Point> {
     homogeneous: BSplineSurface<Homogeneous<P>>,
 }
@@ -130,8 +127,8 @@ impl<P: Point> NurbsSurface<P> {
         Ok(self.homogeneous.split(direction, at)?.map(|homogeneous| Self { homogeneous }))
     }
 
-    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
-    /// surface and how often the knot was removed.
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns
+    /// the surface and how often the knot was removed.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

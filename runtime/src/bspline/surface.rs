@@ -4,40 +4,10 @@ use alloc::vec::Vec;
 
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
-use super::{BSplineCurve, KnotError, KnotVector, Net, SplineError};
+use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Edge, Point, Surface};
-
-/// One of the two parameter directions of a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Direction {
-    /// The first parameter, which runs through the rows of the net.
-    U,
-    /// The second parameter, which runs through the columns of the net.
-    V,
-}
-
-impl Edge {
-    /// The parameter that is constant on the edge.
-    pub fn across(self) -> Direction {
-        if self.runs_along_u() { Direction::V } else { Direction::U }
-    }
-
-    /// Whether the constant parameter is at its upper end.
-    pub fn is_end(self) -> bool {
-        matches!(self, Self::UEnd | Self::VEnd)
-    }
-
-    /// The edge on the other side of the surface.
-    pub fn opposite(self) -> Self {
-        match self {
-            Self::UStart => Self::UEnd,
-            Self::UEnd => Self::UStart,
-            Self::VStart => Self::VEnd,
-            Self::VEnd => Self::VStart,
-        }
-    }
-}
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
 ///
@@ -59,13 +29,7 @@ impl Edge {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Surface<P>"))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BSplineSurface<P: Point> {
     u: KnotVector<P::Scalar>,
     v: KnotVector<P::Scalar>,
@@ -75,13 +39,7 @@ pub struct BSplineSurface<P: Point> {
 /// One polynomial piece of a surface.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct BezierPatch<P: Point> {
     /// The ends of its spans, in `u` and in `v`.
     pub domain: [[P::Scalar; 2]; 2],
@@ -283,8 +241,8 @@ impl<P: Point> BSplineSurface<P> {
         self.insert_knots(direction, &middles).unwrap_or_else(|_| self.clone())
     }
 
-    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns the
-    /// surface and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
+    /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns
+    /// the surface and how often the knot was removed. A negative tolerance, or NaN, removes nothing.
     ///
     /// # Errors
     /// [`KnotError::NoInnerKnot`].

@@ -76,8 +76,8 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for C
     }
 }
 
-/// The segment of the degree of the family; a cubic where that is higher but the curve is not. Fails with [`CurveError::Degree`]
-/// or [`CurveError::Dimension`] if it is no curve in the plane of degree up to 3.
+/// The segment of the degree of the family; a cubic where that is higher but the curve is not. Fails with
+/// [`CurveError::Degree`] or [`CurveError::Dimension`] if it is no curve in the plane of degree up to 3.
 impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for PathSeg {
     type Error = CurveError;
 
@@ -90,9 +90,9 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&Curve<B, P>> for P
     }
 }
 
-/// A path of one piece. A segment that does not start where the one before ends starts there nevertheless, as segments of a
-/// path do. Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if the segments are no curves in the plane of
-/// degree up to 3.
+/// A path of one piece. A segment that does not start where the one before ends starts there nevertheless, as segments
+/// of a path do. Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if the segments are no curves in the
+/// plane of degree up to 3.
 #[cfg(feature = "alloc")]
 impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCurve<B, P>>
     for kurbo::BezPath
@@ -112,8 +112,8 @@ impl<B: Basis<Scalar = f64>, P: Point<Scalar = f64>> TryFrom<&crate::PiecewiseCu
     }
 }
 
-/// So [`kurbo::fit_to_bezpath`] writes curves of any degree as cubics, within a tolerance: where the degree is above 3, and in place
-/// of the exact conversion.
+/// So [`kurbo::fit_to_bezpath`] writes curves of any degree as cubics, within a tolerance: where the degree is above 3,
+/// and in place of the exact conversion.
 ///
 /// ```
 /// use basis_runtime::Bezier;

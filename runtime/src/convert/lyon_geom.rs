@@ -56,7 +56,8 @@ macro_rules! segments {
             }
         }
 
-        /// Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if it is no curve in the plane of degree up to 2.
+        /// Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if it is no curve in the plane of degree up
+        /// to 2.
         impl<B: Basis<Scalar = $scalar>, P: Point<Scalar = $scalar>> TryFrom<&Curve<B, P>>
             for QuadraticBezierSegment<$scalar>
         {
@@ -68,7 +69,8 @@ macro_rules! segments {
             }
         }
 
-        /// Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if it is no curve in the plane of degree up to 3.
+        /// Fails with [`CurveError::Degree`] or [`CurveError::Dimension`] if it is no curve in the plane of degree up
+        /// to 3.
         impl<B: Basis<Scalar = $scalar>, P: Point<Scalar = $scalar>> TryFrom<&Curve<B, P>>
             for CubicBezierSegment<$scalar>
         {

@@ -10,8 +10,8 @@ use crate::{Basis, Curve, CurveError, Point, Scalar, bernstein};
 /// A point of the plane, as other crates take it.
 type Pair<S> = (S, S);
 
-/// The `N` Bézier control points in the plane of a curve of a degree below `N`, elevated if need be. The degree is that of the curve,
-/// which can be lower than that of its family: the quartic family has the cubic curves at λ = 0.
+/// The `N` Bézier control points in the plane of a curve of a degree below `N`, elevated if need be. The degree is that
+/// of the curve, which can be lower than that of its family: the quartic family has the cubic curves at λ = 0.
 fn planar<B, P, const N: usize>(curve: &Curve<B, P>) -> Result<[Pair<B::Scalar>; N], CurveError>
 where
     B: Basis,
@@ -31,8 +31,8 @@ where
     Ok(points.map(|p| (p.component(0), p.component(1))))
 }
 
-/// Replaces the control points by those of the same polynomial with one less, and returns them, if its degree is that low up to
-/// rounding errors: if the highest difference vanishes. The first and the last one stay.
+/// Replaces the control points by those of the same polynomial with one less, and returns them, if its degree is that
+/// low up to rounding errors: if the highest difference vanishes. The first and the last one stay.
 fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
     let degree = points.len().checked_sub(1).filter(|&degree| degree > 0)?;
     let (mut difference, mut largest) = (P::zero(), P::Scalar::ZERO);
@@ -42,8 +42,9 @@ fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
         largest = (0..P::DIM).fold(largest, |largest, d| largest.max(point.component(d).abs()));
         binomial *= -((degree - k) as f64) / (k + 1) as f64;
     }
-    // Each product has a binomial coefficient as a factor; their sum is 2ⁿ.
-    let noise = largest * P::Scalar::EPSILON * P::Scalar::of(libm::exp2(degree as f64) * (degree + 1) as f64);
+    // Each product has a binomial coefficient as a factor; their sum is 2ⁿ, of n + 1 products.
+    let sum = (0..degree).fold((degree + 1) as f64, |sum, _| 2.0 * sum);
+    let noise = largest * P::Scalar::EPSILON * P::Scalar::of(sum);
     if !noise.is_finite() || !(0..P::DIM).all(|d| difference.component(d).abs() <= noise) {
         return None;
     }

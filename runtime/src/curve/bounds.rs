@@ -11,8 +11,8 @@ use crate::{Basis, Curve, CurveError, Point, Scalar};
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The parameters inside of the domain at which a component has a maximum or minimum, in increasing order.
     ///
-    /// For the extrema of one component ask [`component`](Self::component). A component that is constant up to rounding errors
-    /// has none. None if a control point is infinite or NaN.
+    /// For the extrema of one component ask [`component`](Self::component). A component that is constant up to rounding
+    /// errors has none. None if a control point is infinite or NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -49,8 +49,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         [P::from_components(|d| sides(d)[0]), P::from_components(|d| sides(d)[1])]
     }
 
-    /// The parameters inside of the domain at which a curve in the plane changes from turning left to turning right or the
-    /// other way round, in increasing order: where `x' y'' - y' x''` changes its sign.
+    /// The parameters inside of the domain at which a curve in the plane changes from turning left to turning right or
+    /// the other way round, in increasing order: where `x' y'' - y' x''` changes its sign.
     ///
     /// None on a straight line, and none if a control point is infinite or NaN.
     ///
@@ -113,8 +113,8 @@ fn is_constant<P: Point>(points: &[P], d: usize) -> bool {
     points.windows(2).all(|pair| (pair[1].component(d) - pair[0].component(d)).abs() <= noise)
 }
 
-/// What rounding errors of the control points of a curve of that degree leave of the control points of a derivative of that
-/// order, in units of the largest control point.
+/// What rounding errors of the control points of a curve of that degree leave of the control points of a derivative of
+/// that order, in units of the largest control point.
 fn difference_noise<S: Scalar>(degree: usize, order: usize) -> S {
     let rounding = S::of(4.0) * S::EPSILON;
     (0..order.min(degree)).fold(rounding, |noise, k| noise * S::from_usize(2 * (degree - k)))

@@ -65,13 +65,21 @@ impl<S: Scalar> Contact<S> {
     }
 }
 
-/// The control points of a curve over `basis` that touches `curve`, `before` its start or else after its end.
+/// An end of a curve.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum End {
+    Start,
+    Last,
+}
+
+/// The control points of a curve over `basis` that touches `curve` with this end of its own: after the end of `curve`
+/// with its start, before the start of `curve` with its last point.
 pub(crate) fn touching<B: Basis, C: Basis<Scalar = B::Scalar>, P: Point<Scalar = B::Scalar>>(
     basis: &C,
     curve: &Curve<B, P>,
     contact: Contact<B::Scalar>,
     points: C::Points<P>,
-    before: bool,
+    end: End,
 ) -> Result<C::Points<P>, CurveError> {
     let conditions = contact.order().saturating_add(1);
     if conditions > C::LEN {
@@ -80,22 +88,24 @@ pub(crate) fn touching<B: Basis, C: Basis<Scalar = B::Scalar>, P: Point<Scalar =
     }
     let mut derivatives = points;
     let derivatives = &mut derivatives.as_mut()[..conditions];
-    curve.derivatives_into(B::domain()[usize::from(!before)], derivatives);
+    curve.derivatives_into(B::domain()[usize::from(end == End::Start)], derivatives);
     contact.transform(derivatives)?;
-    let points =
-        if before { basis.end_points(derivatives, points) } else { basis.start_points(derivatives, points) }?;
+    let points = match end {
+        End::Start => basis.start_points(derivatives, points)?,
+        End::Last => basis.end_points(derivatives, points)?,
+    };
     if !points.as_ref().iter().all(|&p| is_finite(p)) {
         return Err(CurveError::NotFinite);
     }
     Ok(points)
 }
 
-/// [`Basis::start_points`] and, `at_end`, [`Basis::end_points`] for any order, by elimination.
+/// [`Basis::start_points`] or [`Basis::end_points`] for any order, by elimination.
 pub(crate) fn eliminate<B: Basis, P: Point<Scalar = B::Scalar>>(
     basis: &B,
     derivatives: &[P],
     points: B::Points<P>,
-    at_end: bool,
+    end: End,
 ) -> Result<B::Points<P>, CurveError> {
     let conditions = derivatives.len();
     let undetermined = CurveError::Join { family: B::NAME, conditions, at: "" };
@@ -103,10 +113,10 @@ pub(crate) fn eliminate<B: Basis, P: Point<Scalar = B::Scalar>>(
         return Err(undetermined);
     }
     // Points and functions are counted from the end.
-    let place = |i: usize| if at_end { B::LEN - 1 - i } else { i };
-    let end = B::domain()[usize::from(at_end)];
+    let place = |i: usize| if end == End::Last { B::LEN - 1 - i } else { i };
+    let at = B::domain()[usize::from(end == End::Last)];
     let mut matrix = B::Points::<B::Values>::from_fn(|k| {
-        let row = basis.derivatives(end, k);
+        let row = basis.derivatives(at, k);
         B::Values::from_components(|i| row.component(place(i)))
     });
     let matrix = &mut matrix.as_mut()[..conditions];
@@ -126,8 +136,8 @@ pub(crate) fn eliminate<B: Basis, P: Point<Scalar = B::Scalar>>(
     Ok(points)
 }
 
-/// Solves `matrix · x = right` by elimination with the largest pivot; `x` replaces `right`. `None` if the matrix is singular
-/// up to rounding.
+/// Solves `matrix · x = right` by elimination with the largest pivot; `x` replaces `right`. `None` if the matrix is
+/// singular up to rounding.
 fn solve<V, P>(matrix: &mut [V], right: &mut [P]) -> Option<()>
 where
     P: Point,

@@ -126,7 +126,8 @@ impl Display for CurveError {
                 let points = most + 1;
                 write!(
                     f,
-                    "contact of order {found} determines more control points than the {points} of {family}: at most order {most}"
+                    "contact of order {found} determines more control points than the {points} of \
+                     {family}: at most order {most}"
                 )
             }
             Self::Factor { name: "f", value } => {

@@ -11,9 +11,9 @@ const MOST: f64 = 16_777_216.0;
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The corners of a polygon that follows the curve: no point of the one is farther than `tolerance` from the other.
     ///
-    /// The curve is halved until its Bézier control points are that close to the chord, or until `n (n-1)/8` times their
-    /// largest second difference is, up to rounding errors. Both ends of the curve are corners, exactly. A curve that is a point
-    /// gives this point twice.
+    /// The curve is halved until its Bézier control points are that close to the chord, or until `n (n-1)/8` times
+    /// their largest second difference is, up to rounding errors. Both ends of the curve are corners, exactly. A curve
+    /// that is a point gives this point twice.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -24,8 +24,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// ```
     ///
     /// # Errors
-    /// [`CurveError::Tolerance`] if the tolerance is not positive and finite, [`CurveError::NotFinite`] if a control point is
-    /// infinite or NaN, [`CurveError::TooManyPoints`] if more than 2²⁴ corners would be needed.
+    /// [`CurveError::Tolerance`] if the tolerance is not positive and finite, [`CurveError::NotFinite`] if a control
+    /// point is infinite or NaN, [`CurveError::TooManyPoints`] if more than 2²⁴ corners would be needed.
     pub fn flatten(&self, tolerance: B::Scalar) -> Result<Vec<P>, CurveError> {
         if !(tolerance > B::Scalar::ZERO && tolerance.is_finite()) {
             return Err(CurveError::Tolerance { value: tolerance.to_f64() });
@@ -40,7 +40,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         if needed.is_nan() || needed > MOST {
             return Err(CurveError::TooManyPoints { needed });
         }
-        // As often as it has to be halved; without rounding errors it never is more often, with them it could be without end.
+        // As often as it has to be halved; without rounding errors it never is more often, with them it could be
+        // without end.
         let deepest = (0..25).find(|&depth| 2.0 * f64::from(1_u32 << depth) >= needed).unwrap_or(25);
         let mut corners = alloc::vec![points.as_ref()[0]];
         let mut pieces = alloc::vec![(points, 0)];

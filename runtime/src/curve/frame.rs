@@ -28,8 +28,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The unit vector in which the curve goes on at `t`.
     ///
     /// Where the velocity vanishes it is the limit: the direction of the first derivative that does not vanish up to
-    /// rounding; at a cusp the direction of leaving, at the end of the domain that of arriving. `None` if the curve is a point,
-    /// and if anything is not finite.
+    /// rounding; at a cusp the direction of leaving, at the end of the domain that of arriving. `None` if the curve is
+    /// a point, and if anything is not finite.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -62,8 +62,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         None
     }
 
-    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the left,
-    /// `(x' y'' - y' x'') / |C'|³`.
+    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the
+    /// left, `(x' y'' - y' x'') / |C'|³`.
     ///
     /// Infinite or NaN where the velocity vanishes.
     ///
@@ -96,8 +96,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The Frenet frame at `t`: tangent, principal normal and binormal. The normal points to the centre of curvature.
     ///
     /// # Errors
-    /// [`CurveError::NoTangent`] where [`tangent`](Self::tangent) is `None`, [`CurveError::NoNormal`] where the curvature
-    /// vanishes up to rounding.
+    /// [`CurveError::NoTangent`] where [`tangent`](Self::tangent) is `None`, [`CurveError::NoNormal`] where the
+    /// curvature vanishes up to rounding.
     pub fn frenet_frame(&self, t: B::Scalar) -> Result<Frame<P>, CurveError>
     where
         P: Point3,
@@ -120,12 +120,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         Ok(Frame::new(point, tangent, normal))
     }
 
-    /// `count` frames that do not turn around the curve, at equal distances of the parameter, both ends included. The first
-    /// has the given normal, made perpendicular to the tangent, or without one an arbitrary normal.
+    /// `count` frames that do not turn around the curve, at equal distances of the parameter, both ends included. The
+    /// first has the given normal, made perpendicular to the tangent, or without one an arbitrary normal.
     ///
-    /// By double reflection (Wang, Jüttler, Zheng and Liu, *Computation of rotation minimizing frames*, ACM Transactions on
-    /// Graphics 27, 2008): the angle between these and the exact frames falls with the fourth power of the distance of the
-    /// points.
+    /// By double reflection (Wang, Jüttler, Zheng and Liu, *Computation of rotation minimizing frames*, ACM
+    /// Transactions on Graphics 27, 2008): the angle between these and the exact frames falls with the fourth power of
+    /// the distance of the points.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -220,8 +220,8 @@ fn any_perpendicular<P: Point3>(unit: P) -> P {
     perpendicular(unit, axis).unwrap_or(axis)
 }
 
-/// The normal of a frame after two reflections: the first maps its point to the next one, the second its tangent, reflected,
-/// to the next one.
+/// The normal of a frame after two reflections: the first maps its point to the next one, the second its tangent,
+/// reflected, to the next one.
 fn reflect_twice<P: Point>(frame: &Frame<P>, point: P, tangent: P) -> P {
     let reflect = |mirror: P, vector: P| match direction(mirror) {
         Some(unit) => vector.add_scaled(unit, -P::Scalar::of(2.0) * dot(unit, vector)),

@@ -11,20 +11,20 @@ pub struct Joint<S> {
     pub gap: S,
     /// The angle between the tangents in radians, from 0 to π; NaN if a curve is a point.
     pub angle: S,
-    /// The length of the difference of the curvature vectors, which point to the centres of curvature; NaN where a velocity
-    /// vanishes.
+    /// The length of the difference of the curvature vectors, which point to the centres of curvature; NaN where a
+    /// velocity vanishes.
     pub curvature: S,
-    /// The lengths of the differences of the first, second and third derivatives, each with respect to the parameter of its
-    /// own curve.
+    /// The lengths of the differences of the first, second and third derivatives, each with respect to the parameter of
+    /// its own curve.
     pub derivatives: [S; 3],
 }
 
 impl<S: Scalar> Joint<S> {
-    /// The order of geometric continuity that the measured numbers allow: 2 for G2, 1 for G1, 0 for G0, or `None` if there is
-    /// a gap.
+    /// The order of geometric continuity that the measured numbers allow: 2 for G2, 1 for G1, 0 for G0, or `None` if
+    /// there is a gap.
     ///
-    /// The tolerances are in the unit of length, in radians, and in the inverse of the unit of length. Where the curvature is
-    /// NaN the order is at most 1.
+    /// The tolerances are in the unit of length, in radians, and in the inverse of the unit of length. Where the
+    /// curvature is NaN the order is at most 1.
     pub fn geometric_order(&self, gap: S, angle: S, curvature: S) -> Option<usize> {
         // A comparison with NaN is false, so that NaN counts as too large.
         (self.gap <= gap).then(|| leading([self.angle <= angle, self.curvature <= curvature]))

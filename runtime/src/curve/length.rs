@@ -1,15 +1,16 @@
 //! Arc length, with an error bound that is proved rather than estimated.
 //!
-//! On a piece of the curve, `-1 <= z <= 1`, the square of the speed is a polynomial `q = c0 (1 + c1 T1(z) + c2 T2(z) + …)`. On the
-//! Bernstein ellipse of the parameter `ρ` no `|Tj|` is larger than `(ρʲ + ρ⁻ʲ)/2`; with `κ = Σ_{j≥1} |cj| (ρʲ + ρ⁻ʲ)/2` no `|q|` is
-//! larger than `c0 (1 + κ)`. If `q` has no zero there, the speed `√q` continues to an analytic function and the Gauss–Legendre
-//! rule with `n` nodes has an error of at most `8 √(c0 (1 + κ)) ρ / (ρ - 1) ρ^(-2n)` (from the best approximation of degree
-//! `2n - 1`; Trefethen, *Approximation Theory and Approximation Practice*, theorems 8.2 and 19.3).
+//! On a piece of the curve, `-1 <= z <= 1`, the square of the speed is a polynomial
+//! `q = c0 (1 + c1 T1(z) + c2 T2(z) + …)`. On the Bernstein ellipse of the parameter `ρ` no `|Tj|` is larger than
+//! `(ρʲ + ρ⁻ʲ)/2`; with `κ = Σ_{j≥1} |cj| (ρʲ + ρ⁻ʲ)/2` no `|q|` is larger than `c0 (1 + κ)`. If `q` has no zero there,
+//! the speed `√q` continues to an analytic function and the Gauss–Legendre rule with `n` nodes has an error of at most
+//! `8 √(c0 (1 + κ)) ρ / (ρ - 1) ρ^(-2n)` (from the best approximation of degree `2n - 1`; Trefethen, *Approximation
+//! Theory and Approximation Practice*, theorems 8.2 and 19.3).
 //!
-//! There is no zero if `κ < 1`. That test is sharper for `q(z) q(-z)`, a polynomial in `y = T2(z)` of the same kind, whose
-//! ellipse has the parameter `ρ²` (Graeffe's method). Pieces for which no rule is good enough are halved; next to a cusp, where
-//! no test succeeds, pieces end when chord and control polygon agree to within the accuracy, or when nothing is left but
-//! rounding errors.
+//! There is no zero if `κ < 1`. That test is sharper for `q(z) q(-z)`, a polynomial in `y = T2(z)` of the same kind,
+//! whose ellipse has the parameter `ρ²` (Graeffe's method). Pieces for which no rule is good enough are halved; next to
+//! a cusp, where no test succeeds, pieces end when chord and control polygon agree to within the accuracy, or when
+//! nothing is left but rounding errors.
 
 use super::quadrature::{RULES, Rule};
 use super::steady::Hodograph;
@@ -20,7 +21,8 @@ use crate::{Array, Basis, Curve, FUSED_HERE, Point, Scalar, bernstein};
 /// The `ρ` of the ellipses that are tried.
 const ELLIPSES: [f64; 8] = [1.4, 1.55, 1.75, 2.0, 2.5, 3.5, 6.0, 24.0];
 
-/// For all ellipses `ρ` and `(1 + ρ⁻²)/2`, so that `(ρʲ + ρ⁻ʲ)/2 <= (1 + ρ⁻²)/2 ρʲ`; then the same for `ρ²` and for `ρ⁴`.
+/// For all ellipses `ρ` and `(1 + ρ⁻²)/2`, so that `(ρʲ + ρ⁻ʲ)/2 <= (1 + ρ⁻²)/2 ρʲ`; then the same for `ρ²` and for
+/// `ρ⁴`.
 static RADII: [[[f64; ELLIPSES.len()]; 2]; 3] = {
     let mut radii = [[[0.0; ELLIPSES.len()]; 2]; 3];
     let mut e = 0;
@@ -66,8 +68,8 @@ const DEPTH: u32 = 56;
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The arc length `∫ |C'(t)| dt` over the domain; the error is at most `accuracy`.
     ///
-    /// The bound of the error is proved, up to rounding: an `accuracy` below about `ε` times the length, also zero or NaN,
-    /// asks for what the scalar type can give. Infinite or NaN control points have the length NaN.
+    /// The bound of the error is proved, up to rounding: an `accuracy` below about `ε` times the length, also zero or
+    /// NaN, asks for what the scalar type can give. Infinite or NaN control points have the length NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -80,10 +82,11 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         self.length(accuracy, Rules::First)
     }
 
-    /// The parameter `t` for which the curve from its start to `C(t)` has that length; the length up to there differs from
-    /// `length` by at most `accuracy`, as in [`arclen`](Self::arclen).
+    /// The parameter `t` for which the curve from its start to `C(t)` has that length; the length up to there differs
+    /// from `length` by at most `accuracy`, as in [`arclen`](Self::arclen).
     ///
-    /// A `length` below zero gives the start of the domain, one above the length of the curve its end, and NaN gives NaN.
+    /// A `length` below zero gives the start of the domain, one above the length of the curve its end, and NaN gives
+    /// NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -261,11 +264,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Piece<B, P> {
     }
 }
 
-/// Up to this degree the square of the speed is written in powers, which is faster; above it that would lose too many digits.
+/// Up to this degree the square of the speed is written in powers, which is faster; above it that would lose too many
+/// digits.
 const MOST_POWERS: usize = 8;
 
-/// The square of the speed `|dC/dz|` of a piece in powers of `z`: pairs of coefficients `[q[2k], q[2k+1]]`, of which the last
-/// ones are zero. The degree is `2n - 2` on a curve of degree `n`, and there are `n + 1` pairs.
+/// The square of the speed `|dC/dz|` of a piece in powers of `z`: pairs of coefficients `[q[2k], q[2k+1]]`, of which
+/// the last ones are zero. The degree is `2n - 2` on a curve of degree `n`, and there are `n + 1` pairs.
 pub(super) struct SquaredSpeed<B: Basis> {
     coefficients: B::Bernstein<[B::Scalar; 2]>,
 }
@@ -404,8 +408,8 @@ impl<B: Basis> Chebyshev<B> {
         sums
     }
 
-    /// `q(z) q(-z)` as a polynomial in `y = T2(z)`, with `Ta Tb = (T(a+b) + T(a-b))/2` and `T2j(z) = Tj(y)`; what has odd indices
-    /// cancels.
+    /// `q(z) q(-z)` as a polynomial in `y = T2(z)`, with `Ta Tb = (T(a+b) + T(a-b))/2` and `T2j(z) = Tj(y)`; what has
+    /// odd indices cancels.
     #[inline]
     fn opposites(&self) -> Self {
         let half = B::Scalar::of(0.5);
@@ -446,8 +450,9 @@ fn choose<S: Scalar>(
     RULES.get(bad.count())
 }
 
-/// The smallest rule for a velocity with Bernstein coefficients of that degree that differ from one of the length `speed` by at
-/// most `spread`: on the ellipse `|x| + |1 - x|` is `(ρ + 1/ρ)/2`, so that they differ there by at most its power times `spread`.
+/// The smallest rule for a velocity with Bernstein coefficients of that degree that differ from one of the length
+/// `speed` by at most `spread`: on the ellipse `|x| + |1 - x|` is `(ρ + 1/ρ)/2`, so that they differ there by at most
+/// its power times `spread`.
 pub(super) fn rule_of_hull<S: Scalar>(
     degree: usize,
     speed: S,
@@ -506,7 +511,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Leaf<B, P> {
     }
 }
 
-/// The part of a smooth piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the bracket.
+/// The part of a smooth piece, from 0 to 1, that has that length: Newton's method, and halving where it leaves the
+/// bracket.
 fn invert<S: Scalar>(rule: &Rule, target: S, speed: impl Fn(S) -> S) -> S {
     let [one, two, half] = [S::ONE, S::of(2.0), S::of(0.5)];
     // The length over -1..z, and its derivative.

@@ -26,7 +26,7 @@ use crate::form::bernstein_derivative;
 use crate::{Basis, Form, Point, Scalar};
 
 pub use contact::Contact;
-pub(crate) use contact::{eliminate, touching};
+pub(crate) use contact::{End, eliminate, touching};
 pub use error::CurveError;
 pub use frame::Frame;
 pub use joint::Joint;
@@ -39,8 +39,9 @@ pub use slices::Samples;
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]`.
 ///
-/// The basis functions are bound to the control points once, in [`Curve::new`]; a point then costs one short polynomial.
-/// The parameter `t` is not clamped: outside of the domain the polynomial is continued. If `t` is NaN so is the point.
+/// The basis functions are bound to the control points once, in [`Curve::new`]; a point then costs one short
+/// polynomial. The parameter `t` is not clamped: outside of the domain the polynomial is continued. If `t` is NaN so is
+/// the point.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -109,7 +110,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
     ///
-    /// `K` is their number: `let [p, v, a] = curve.eval_with_derivs(t);` gives the point, its velocity and acceleration.
+    /// `K` is their number: `let [p, v, a] = curve.eval_with_derivs(t);` gives the point, its velocity and
+    /// acceleration.
     #[inline]
     pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
         let [_, x] = unit(B::domain(), t);
@@ -123,7 +125,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         derivatives
     }
 
-    /// The derivative of that order with respect to `t`, `dᵏC/dtᵏ`, `k = order`; the point for order 0, zero above the degree.
+    /// The derivative of that order with respect to `t`, `dᵏC/dtᵏ`, `k = order`; the point for order 0, zero above the
+    /// degree.
     ///
     /// All of them at once: [`eval_with_derivs`](Self::eval_with_derivs) for a number known to the compiler,
     /// [`derivatives_into`](Self::derivatives_into) for any.
@@ -189,8 +192,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         self.basis.to_bernstein(&self.points)
     }
 
-    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap, and
-    /// never too small but for rounding errors. NaN in a component in which a control point is NaN.
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap,
+    /// and never too small but for rounding errors. NaN in a component in which a control point is NaN.
     pub fn control_box(&self) -> [P; 2] {
         crate::vector::box_of(self.to_bernstein().as_ref())
     }

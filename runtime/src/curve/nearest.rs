@@ -1,14 +1,16 @@
 //! The point of a curve nearest to a given one: the global minimum, by branch and bound.
 //!
-//! On a piece of the curve `f(x) = |C(x) - p|²` is a polynomial, and its smallest Bernstein coefficient bounds it from below.
-//! A piece is put aside when this bound shows that it cannot improve on the best point found by more than the accuracy, and
-//! when the differences of the coefficients change their sign not more than once: `f` then has at most one minimum inside (Descartes'
-//! rule of signs), which Newton's method finds. What is put aside is good enough also if all coefficients are wrong by
-//! their rounding errors; otherwise the piece is halved, which makes it and its rounding errors smaller.
+//! On a piece of the curve `f(x) = |C(x) - p|²` is a polynomial, and its smallest Bernstein coefficient bounds it from
+//! below. A piece is put aside when this bound shows that it cannot improve on the best point found by more than the
+//! accuracy, and when the differences of the coefficients change their sign not more than once: `f` then has at most
+//! one minimum inside (Descartes' rule of signs), which Newton's method finds. What is put aside is good enough also if
+//! all coefficients are wrong by their rounding errors; otherwise the piece is halved, which makes it and its rounding
+//! errors smaller.
 
 use alloc::vec::Vec;
 
 use crate::bernstein::{self, bracketed_root, changes_of_sign};
+use crate::binomial::Row;
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite, length};
 use crate::{Array, Basis, Curve, Point, Scalar};
@@ -31,10 +33,11 @@ pub struct Nearest<P: Point> {
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The point of the curve nearest to `point`, among those with a parameter in the domain.
     ///
-    /// It is a global minimum: its distance is at most `accuracy` larger than that of any other point of the curve. This
-    /// bound is proved up to rounding: an `accuracy` below some `ε` times the size of the curve as seen from the point, also
-    /// zero or NaN, asks for what the scalar type can give. Of several nearest points one is returned. If `point` or a control
-    /// point is infinite or NaN, or so large that a point of the curve is, everything in the result is NaN.
+    /// It is a global minimum: its distance is at most `accuracy` larger than that of any other point of the curve.
+    /// This bound is proved up to rounding: an `accuracy` below some `ε` times the size of the curve as seen from the
+    /// point, also zero or NaN, asks for what the scalar type can give. Of several nearest points one is returned. If
+    /// `point` or a control point is infinite or NaN, or so large that a point of the curve is, everything in the
+    /// result is NaN.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -199,19 +202,19 @@ impl<B: Basis> Square<B> {
         let mut coefficients = B::Bernstein::from_fn(|_| [zero; 2]);
         let c = coefficients.as_mut().as_flattened_mut();
         let mut largest = zero;
-        let mut weights = Binomials::new(B::DEGREE);
+        let mut weights = Row::new(B::DEGREE);
         for (i, &p) in points.as_ref().iter().enumerate() {
             let weight = weights.next();
             let square = dot(p, p);
             largest = largest.max(square);
             c[2 * i] = c[2 * i] + square * B::Scalar::of(weight * weight);
-            let mut others = Binomials::new(B::DEGREE);
+            let mut others = Row::new(B::DEGREE);
             for (j, &q) in points.as_ref().iter().enumerate().take(i) {
                 let both = B::Scalar::of(weight * others.next());
                 c[i + j] = c[i + j] + two * dot(p, q) * both;
             }
         }
-        let mut weights = Binomials::new(2 * B::DEGREE);
+        let mut weights = Row::new(2 * B::DEGREE);
         for c in &mut c[..=2 * B::DEGREE] {
             *c = *c * B::Scalar::of(1.0 / weights.next());
         }
@@ -221,27 +224,5 @@ impl<B: Basis> Square<B> {
 
     fn coefficients(&self) -> &[B::Scalar] {
         &self.coefficients.as_ref().as_flattened()[..=2 * B::DEGREE]
-    }
-}
-
-/// A row of Pascal's triangle, from its start.
-struct Binomials {
-    degree: usize,
-    index: usize,
-    value: f64,
-}
-
-impl Binomials {
-    #[inline]
-    fn new(degree: usize) -> Self {
-        Self { degree, index: 0, value: 1.0 }
-    }
-
-    #[inline]
-    fn next(&mut self) -> f64 {
-        let value = self.value;
-        self.value = value * (self.degree - self.index.min(self.degree)) as f64 / (self.index + 1) as f64;
-        self.index += 1;
-        value
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::Scalar;
 
-/// A rule with `n` nodes `±node`, four pairs of them at a time: `[nodes, weights]`; exact for polynomials of degree `2n - 1`.
+/// A rule with `n` nodes `±node`, four pairs of them at a time: `[nodes, weights]`; exact for polynomials of degree
+/// `2n - 1`.
 pub(crate) struct Rule {
     fours: &'static [[[f64; 4]; 2]],
 }

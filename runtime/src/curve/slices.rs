@@ -7,15 +7,15 @@ use core::ops::Range;
 use crate::domain::{inverse_width, unit};
 use crate::{Array, Basis, Curve, CurveError, Form, Point, Scalar};
 
-/// So many parameters are mapped to the unit interval at a time.
+/// The number of parameters that are mapped to the unit interval at a time.
 const TILE: usize = 256;
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The points `out[i] = C(ts[i])`.
     ///
-    /// From 16 points on they are computed with the widest vector instructions of the processor; with the feature `std`,
-    /// these are found when the program runs. The ends stay exact. Results can differ from [`eval`](Self::eval) in the last
-    /// digits, where a product and a sum are rounded at once.
+    /// From 16 points on they are computed with the widest vector instructions of the processor; with the feature
+    /// `std`, these are found when the program runs. The ends stay exact. Results can differ from [`eval`](Self::eval)
+    /// in the last digits, where a product and a sum are rounded at once.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -68,8 +68,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The components of the points in slices of their own: `out[d][i]` is the component `d` of `C(ts[i])`.
     ///
     /// # Errors
-    /// [`CurveError::Dimension`] if there is not one slice for each component, [`CurveError::Length`] if a slice has not the
-    /// length of `ts`.
+    /// [`CurveError::Dimension`] if there is not one slice for each component, [`CurveError::Length`] if a slice has
+    /// not the length of `ts`.
     pub fn eval_components_into(
         &self,
         ts: &[B::Scalar],

@@ -5,7 +5,8 @@ use super::quadrature::Rule;
 use crate::vector::{dot, length};
 use crate::{Array, Basis, Point, Scalar, bernstein};
 
-/// The velocity `dC/dz` of a piece of a curve in Bernstein form, one control point less than the curve has; `z = 2x - 1`.
+/// The velocity `dC/dz` of a piece of a curve in Bernstein form, one control point less than the curve has;
+/// `z = 2x - 1`.
 pub(super) struct Hodograph<B: Basis, P: Point<Scalar = B::Scalar>> {
     points: B::Bernstein<P>,
 }
@@ -33,8 +34,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Hodograph<B, P> {
 
     /// The smallest rule whose error for `∫ |dC/dz| dz` is proved to be at most `accuracy`.
     ///
-    /// The Chebyshev series bounds the speed on ellipses more sharply, but its rounding errors grow with the power of the
-    /// degree; those of the control points do not.
+    /// The Chebyshev series bounds the speed on ellipses more sharply, but its rounding errors grow with the power of
+    /// the degree; those of the control points do not.
     pub(super) fn rule(&self, accuracy: B::Scalar) -> Option<&'static Rule> {
         self.squared().rule(accuracy, Rules::Smallest).or_else(|| {
             let middle = self.at(B::Scalar::ZERO);

@@ -4,11 +4,12 @@ use super::pointwise;
 use super::slices::{EndpointDerivatives, EndpointPoints, endpoint_coefficients};
 use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
 use crate::basis::combination;
+use crate::binomial::binomials;
 use crate::simd::{WORTHWHILE, dispatch};
 use crate::{Form, Point, Scalar};
 
-/// Up to so many control points a slice of parameters is evaluated in endpoint form, which is made on the spot; from
-/// more of them it would lose digits.
+/// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the
+/// spot; from more of them it would lose digits.
 const MOST_CENTRED: usize = 8;
 
 /// The Bézier curve of degree `n = N - 1`, `N >= 1`, over its control points
@@ -17,8 +18,9 @@ const MOST_CENTRED: usize = 8;
 /// C(x) = Σ_k binomial(n, k) s^(n-k) x^k P[k],   s = 1 - x
 /// ```
 ///
-/// evaluated in linear time by nesting in `s`: `(… (P[0] s + n x P[1]) s + binomial(n, 2) x² P[2]) s + …`. No term cancels
-/// another, so the rounding error grows slowly with the degree: about 11 ε times the largest control point at degree 30.
+/// evaluated in linear time by nesting in `s`: `(… (P[0] s + n x P[1]) s + binomial(n, 2) x² P[2]) s + …`. No term
+/// cancels another, so the rounding error grows slowly with the degree: about 11 ε times the largest control point at
+/// degree 30.
 ///
 /// ```
 /// use basis_runtime::{BernsteinForm, Form};
@@ -55,8 +57,8 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
         nested(&self.points, &const { binomials::<N>() }, P::Scalar::ONE - x, x)
     }
 
-    /// The k-th derivative is `n (n-1) … (n-k+1)` times the Bernstein form of degree `n - k` over the k-th differences of
-    /// the control points.
+    /// The k-th derivative is `n (n-1) … (n-k+1)` times the Bernstein form of degree `n - k` over the k-th differences
+    /// of the control points.
     #[inline]
     fn eval_with_derivs<const K: usize>(&self, x: P::Scalar) -> [P; K] {
         let s = P::Scalar::ONE - x;
@@ -170,19 +172,4 @@ fn difference<P: Point>(points: &mut [P]) {
     for i in 1..points.len() {
         points[i - 1] = points[i].minus(points[i - 1]);
     }
-}
-
-/// Row `N - 1` of Pascal's triangle, exact up to `N = 58`.
-pub(crate) const fn binomials<const N: usize>() -> [f64; N] {
-    let mut row = [1.0; N];
-    let mut n = 2;
-    while n < N {
-        let mut k = n - 1;
-        while k > 0 {
-            row[k] += row[k - 1];
-            k -= 1;
-        }
-        n += 1;
-    }
-    row
 }

@@ -11,9 +11,9 @@ use crate::{Form, Point, Scalar};
 /// C(x) = s E0 + x E1 + s x (R0 + R1 y + R2 y² + …),   s = 1 - x,   y = x - s
 /// ```
 ///
-/// with the ends `E0`, `E1` and `R` inner coefficients. `y` runs from -1 to 1, which keeps the inner coefficients and their
-/// cancellation small, and the factor `s x` damps what is left of it: up to degree 12 the rounding error stays below
-/// 4 ε times the largest Bézier control point. A constant curve has `E0 = E1` and `R = 0`.
+/// with the ends `E0`, `E1` and `R` inner coefficients. `y` runs from -1 to 1, which keeps the inner coefficients and
+/// their cancellation small, and the factor `s x` damps what is left of it: up to degree 12 the rounding error stays
+/// below 4 ε times the largest Bézier control point. A constant curve has `E0 = E1` and `R = 0`.
 ///
 /// ```
 /// use basis_runtime::{EndpointForm, Form};

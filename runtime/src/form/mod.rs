@@ -8,15 +8,15 @@ mod tiles;
 use core::fmt::Debug;
 
 pub use bernstein::BernsteinForm;
-pub(crate) use bernstein::{bernstein_derivative, binomials, nested};
+pub(crate) use bernstein::{bernstein_derivative, nested};
 pub use endpoint::EndpointForm;
 
 use crate::{Point, Scalar};
 
 /// A polynomial curve `C(x)`, `0 <= x <= 1`; what binding control points to a [`Basis`](crate::Basis) gives.
 ///
-/// Outside of the unit interval the polynomial is continued. At both ends the value is exact:
-/// `eval(0) == start()` and `eval(1) == end()`, bit for bit but for the sign of a zero, unless an intermediate sum overflows.
+/// Outside of the unit interval the polynomial is continued. At both ends the value is exact: `eval(0) == start()` and
+/// `eval(1) == end()`, bit for bit but for the sign of a zero, unless an intermediate sum overflows.
 pub trait Form<P: Point>: Copy + PartialEq + Debug {
     /// The degree of the polynomial.
     const DEGREE: usize;
@@ -35,7 +35,8 @@ pub trait Form<P: Point>: Copy + PartialEq + Debug {
         }
     }
 
-    /// The points and derivatives `out[k][i] = rateᵏ C⁽ᵏ⁾(xs[i])`; what has no partner in the other slices is left alone.
+    /// The points and derivatives `out[k][i] = rateᵏ C⁽ᵏ⁾(xs[i])`; what has no partner in the other slices is left
+    /// alone.
     ///
     /// `rate` is the derivative of `x` in another parameter.
     fn eval_with_derivs_into<const K: usize>(

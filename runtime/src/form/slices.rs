@@ -9,8 +9,8 @@
 use crate::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
-/// So many points are finished before the next derivative: more than about four streams of results that start at equal
-/// offsets would push each other out of the nearest cache.
+/// The number of points that are finished before the next derivative: more than about four streams of results that
+/// start at equal offsets would push each other out of the nearest cache.
 const TILE: usize = 512;
 
 /// `out[i] = s E0 + x E1 + s x (R0 + R1 y + …)` at `x = xs[i]`, as in [`EndpointForm`](crate::EndpointForm).

@@ -6,7 +6,8 @@
 use crate::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
-/// So many parameters are carried through all control points; their powers stay in the nearest cache.
+/// The number of parameters that are carried through all control points together; their powers stay in the nearest
+/// cache.
 const TILE: usize = 64;
 
 /// Points of more components are evaluated one after the other.

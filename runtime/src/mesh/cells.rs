@@ -1,10 +1,11 @@
 //! The parameter square of one surface, cut into rectangles over which it is flat enough.
 
-use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::collections::{BTreeMap, BTreeSet, BinaryHeap};
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 
 use super::MeshError;
-use super::patch::Patch;
+use super::patch::{Flatness, Patch};
 use crate::{Edge, Scalar};
 
 /// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised.
@@ -12,6 +13,12 @@ pub(super) const WIDTH: u32 = 1 << 20;
 
 /// The highest number of rectangles of one surface.
 const MOST: usize = 1 << 21;
+
+/// The number of rectangles from which on it is worth while to estimate how many there will be.
+const MANY: usize = 1 << 14;
+
+/// The number of rectangles that are cut for the estimate.
+const CUTS: usize = 1 << 11;
 
 /// A parameter as a number between 0 and 1.
 pub(super) fn unit<S: Scalar>(parameter: u32) -> S {
@@ -26,6 +33,95 @@ pub(super) type Node = [u32; 2];
 pub(super) struct Cell {
     pub(super) from: Node,
     pub(super) to: Node,
+}
+
+impl Cell {
+    /// Both halves, cut across the direction that bends more, or across the wider one if it is the twist that is too
+    /// large or both are unknown; `None` of a rectangle that is as small as parameters allow.
+    fn cut<S: Scalar>(self, flatness: &Flatness<S>) -> Option<[Self; 2]> {
+        let [h, k] = [0, 1].map(|c| self.to[c] - self.from[c]);
+        if h <= 1 && k <= 1 {
+            return None;
+        }
+        let twisted = flatness.both > flatness.u.max(flatness.v);
+        let across_u = if twisted || !(flatness.u > flatness.v || flatness.v > flatness.u) {
+            h >= k
+        } else {
+            flatness.u > flatness.v
+        };
+        let axis = usize::from(h <= 1 || !across_u && k > 1);
+        let middle = self.from[axis] + (self.to[axis] - self.from[axis]) / 2;
+        let (mut before, mut after) = (self, self);
+        before.to[axis] = middle;
+        after.from[axis] = middle;
+        Some([before, after])
+    }
+}
+
+/// A rectangle with the number of rectangles that it would need if it bent everywhere as much as it may somewhere.
+struct Estimate<S> {
+    needed: f64,
+    flatness: Flatness<S>,
+    cell: Cell,
+}
+
+impl<S: Scalar> Estimate<S> {
+    fn new(patch: &dyn Patch<S>, cell: Cell, tolerance: S) -> Self {
+        let flatness = patch.flatness(cell.from.map(unit), cell.to.map(unit));
+        let [u, v, both] = [flatness.u, flatness.v, flatness.both].map(|d| (d / tolerance).to_f64().max(1.0));
+        Self { needed: both.max(Scalar::sqrt(u) * Scalar::sqrt(v)), flatness, cell }
+    }
+
+    /// The sum of the widths.
+    fn size(&self) -> u32 {
+        self.cell.to[0] - self.cell.from[0] + self.cell.to[1] - self.cell.from[1]
+    }
+}
+
+impl<S: Scalar> Ord for Estimate<S> {
+    /// The rectangle that needs most is the greatest; of those without a bound the smallest, so that one which never
+    /// gets a bound is found at once.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let needed = self.needed.total_cmp(&other.needed);
+        needed.then(other.size().cmp(&self.size())).then(other.cell.from.cmp(&self.cell.from))
+    }
+}
+
+impl<S: Scalar> PartialOrd for Estimate<S> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<S: Scalar> PartialEq for Estimate<S> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl<S: Scalar> Eq for Estimate<S> {}
+
+/// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the bounds
+/// over some thousand of them tell, always over those that need most.
+fn foreseen<S: Scalar>(patch: &dyn Patch<S>, tolerance: S, surface: usize) -> Result<(), MeshError> {
+    let too_fine = MeshError::TooFine { surface, most: MOST };
+    let mut heap = BinaryHeap::new();
+    heap.push(Estimate::new(patch, Cell { from: [0, 0], to: [WIDTH, WIDTH] }, tolerance));
+    for _ in 0..CUTS {
+        let Some(worst) = heap.pop().filter(|worst| worst.needed > 1.0) else { break };
+        match worst.cell.cut(&worst.flatness) {
+            Some(halves) => heap.extend(halves.map(|half| Estimate::new(patch, half, tolerance))),
+            None => {
+                return Err(if worst.needed.is_finite() {
+                    too_fine
+                } else {
+                    MeshError::NotFinite { surface }
+                });
+            }
+        }
+    }
+    let needed: f64 = heap.iter().map(|estimate| estimate.needed).filter(|needed| needed.is_finite()).sum();
+    if needed > 1.25 * MOST as f64 { Err(too_fine) } else { Ok(()) }
 }
 
 /// The rectangles, and the corners on each line.
@@ -45,6 +141,7 @@ impl Cells {
         tolerance: S,
         surface: usize,
     ) -> Result<Self, MeshError> {
+        let too_fine = MeshError::TooFine { surface, most: MOST };
         let mut cells = Self::default();
         let mut open = alloc::vec![Cell { from: [0, 0], to: [WIDTH, WIDTH] }];
         while let Some(cell) = open.pop() {
@@ -55,39 +152,22 @@ impl Cells {
             }
             if distance <= tolerance {
                 cells.add(cell);
-                if cells.leaves.len() + open.len() > MOST {
-                    return Err(MeshError::TooFine { surface, most: MOST });
+                let count = cells.leaves.len();
+                if count + open.len() > MOST {
+                    return Err(too_fine);
+                }
+                if count == MANY {
+                    foreseen(patch, tolerance, surface)?;
                 }
                 continue;
             }
-            let [h, k] = [0, 1].map(|c| cell.to[c] - cell.from[c]);
-            // The direction that bends more; the wider one if it is the twist that is too large, or both are unknown.
-            let by_u = if flatness.u > flatness.v {
-                true
-            } else if flatness.v > flatness.u {
-                false
-            } else {
-                h >= k
-            };
-            let twisted = flatness.both > flatness.u.max(flatness.v);
-            let cut_u = if twisted { h >= k } else { by_u };
-            let axis = usize::from(!(if h <= 1 { false } else { cut_u || k <= 1 }));
-            if h <= 1 && k <= 1 {
+            let Some([before, after]) = cell.cut(&flatness) else {
                 let finite = distance.is_finite();
-                let error = if finite {
-                    MeshError::TooFine { surface, most: MOST }
-                } else {
-                    MeshError::NotFinite { surface }
-                };
-                return Err(error);
-            }
-            let middle = cell.from[axis] + (cell.to[axis] - cell.from[axis]) / 2;
-            let (mut before, mut after) = (cell, cell);
-            before.to[axis] = middle;
-            after.from[axis] = middle;
+                return Err(if finite { too_fine } else { MeshError::NotFinite { surface } });
+            };
             open.extend([after, before]);
             if open.len() > MOST {
-                return Err(MeshError::TooFine { surface, most: MOST });
+                return Err(too_fine);
             }
         }
         Ok(cells)

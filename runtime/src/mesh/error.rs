@@ -29,7 +29,7 @@ pub enum MeshError {
         /// The position.
         position: usize,
     },
-    /// An index of a mesh is none of a position or of a vertex; the first ones.
+    /// An index of a mesh has no position or no vertex; the first ones.
     Index {
         /// The vertex whose position does not exist.
         vertex: Option<usize>,

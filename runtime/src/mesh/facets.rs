@@ -6,8 +6,8 @@ use super::cells::{Cell, Node};
 
 /// Cuts the polygon of the corners around a rectangle into triangles, counter-clockwise in the parameters.
 ///
-/// Four corners are cut along the diagonal that `shorter` prefers. With one corner more, on a side, all triangles meet there;
-/// with several, in the middle of the rectangle.
+/// Four corners are cut along the diagonal that `shorter` prefers. With one corner more, on a side, all triangles meet
+/// there; with several, in the middle of the rectangle.
 pub(super) fn triangles(
     cell: Cell,
     nodes: &[Node],

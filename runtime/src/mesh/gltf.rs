@@ -23,8 +23,8 @@ impl<S: Scalar> Mesh<S> {
     /// The material is plain and shows both sides, since surfaces may be open.
     ///
     /// # Errors
-    /// When the writer fails, if an index does not exist, see [`check`](Self::check), and if a position is too large for single
-    /// precision, with a [`MeshError`](crate::MeshError) inside.
+    /// When the writer fails, if an index does not exist, see [`check`](Self::check), and if a position is too large
+    /// for single precision, with a [`MeshError`](crate::MeshError) inside.
     pub fn write_gltf(&self, writer: impl Write) -> io::Result<()> {
         let positions = self
             .check()

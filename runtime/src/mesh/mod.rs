@@ -42,8 +42,8 @@ pub struct Vertex<S> {
 
 /// A triangle mesh.
 ///
-/// Connected surfaces share positions, so that the mesh has no cracks between them. All triangles of a connected part turn
-/// the same way, if that is possible at all; those of a closed part turn counter-clockwise seen from outside.
+/// Connected surfaces share positions, so that the mesh has no cracks between them. All triangles of a connected part
+/// turn the same way, if that is possible at all; those of a closed part turn counter-clockwise seen from outside.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -63,8 +63,8 @@ pub struct Mesh<S> {
 }
 
 impl<S: Scalar> Mesh<S> {
-    /// Whether all indices are those of vertices and positions, as in every mesh of a [`Tessellation`]. What asks for triangles
-    /// leaves out those that are not; what writes a file refuses the mesh.
+    /// Whether all indices are those of vertices and positions, as in every mesh of a [`Tessellation`]. What asks for
+    /// triangles leaves out those that are not; what writes a file refuses the mesh.
     ///
     /// # Errors
     /// [`MeshError::Index`] with the first triangle or vertex that is not.
@@ -79,7 +79,7 @@ impl<S: Scalar> Mesh<S> {
         }
     }
 
-    /// The indices of the three positions of a triangle; `None` if an index of the triangle is none of a vertex.
+    /// The indices of the three positions of a triangle; `None` if the triangle has an index without a vertex.
     pub fn corners(&self, triangle: [u32; 3]) -> Option<[u32; 3]> {
         let [a, b, c] = triangle.map(|vertex| Some(self.vertices.get(vertex as usize)?.position));
         Some([a?, b?, c?])
@@ -132,8 +132,8 @@ impl<S: Scalar> Mesh<S> {
             .collect()
     }
 
-    /// Whether every edge belongs to two triangles that go through it in opposite directions: the mesh is closed, without a
-    /// crack, and consistently oriented.
+    /// Whether every edge belongs to two triangles that go through it in opposite directions: the mesh is closed,
+    /// without a crack, and consistently oriented.
     pub fn is_closed(&self) -> bool {
         self.edges().values().all(|&uses| uses == [1, 1])
     }
@@ -163,8 +163,8 @@ fn area_vector<S: Scalar>([a, b, c]: [[S; 3]; 3]) -> [S; 3] {
     cross(x, y).map(|component| component * S::of(0.5))
 }
 
-/// Six times the volume of the tetrahedron between a triangle and a point, positive if the triangle turns counter-clockwise
-/// seen from the other side.
+/// Six times the volume of the tetrahedron between a triangle and a point, positive if the triangle turns
+/// counter-clockwise seen from the other side.
 fn sixfold_volume<S: Scalar>(corners: [[S; 3]; 3], tip: [S; 3]) -> S {
     let [a, b, c] = corners.map(|p| p.minus(tip));
     dot(a, cross(b, c))

@@ -14,8 +14,8 @@ pub(super) struct Orientation {
     pub(super) flipped: Vec<bool>,
 }
 
-/// Spreads the orientation of the first surface of each component over the edges that its triangles share with others. Where
-/// that is impossible, as on a Möbius strip, some edge is left between different orientations.
+/// Spreads the orientation of the first surface of each component over the edges that its triangles share with others.
+/// Where that is impossible, as on a Möbius strip, some edge is left between different orientations.
 pub(super) fn orient<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Orientation {
     let neighbours = neighbours(count, mesh);
     let mut component = alloc::vec![usize::MAX; count];
@@ -39,7 +39,8 @@ pub(super) fn orient<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Orientation {
     Orientation { component, flipped }
 }
 
-/// For each surface those with which it shares edges of triangles, and whether both go through them in the same direction.
+/// For each surface those with which it shares edges of triangles, and whether both go through them in the same
+/// direction.
 fn neighbours<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Vec<Vec<(usize, bool)>> {
     let mut first_use: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
     let mut neighbours: Vec<Vec<(usize, bool)>> = alloc::vec![Vec::new(); count];

@@ -9,11 +9,12 @@ use crate::vector::direction;
 impl<S: Scalar> Mesh<S> {
     /// Writes the mesh as binary STL, in single precision, with the normals of the triangles.
     ///
-    /// Positions that several triangles share are the same numbers in all of them, so that the file has no cracks either.
+    /// Positions that several triangles share are the same numbers in all of them, so that the file has no cracks
+    /// either.
     ///
     /// # Errors
-    /// When the writer fails, if an index does not exist, see [`check`](Self::check), and if a position is too large for single
-    /// precision, with a [`MeshError`](crate::MeshError) inside.
+    /// When the writer fails, if an index does not exist, see [`check`](Self::check), and if a position is too large
+    /// for single precision, with a [`MeshError`](crate::MeshError) inside.
     pub fn write_stl(&self, mut writer: impl Write) -> io::Result<()> {
         let positions = self
             .check()

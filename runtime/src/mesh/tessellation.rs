@@ -15,14 +15,15 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 
 /// Surfaces that become one mesh.
 ///
-/// Every triangle is nearer to its surface than the tolerance, in the middle as at its sides; this is guaranteed by bounds of
-/// the second derivatives ([`BoundedSurface`]) and not only tested at samples. Curved regions get more triangles than flat ones.
+/// Every triangle is nearer to its surface than the tolerance, in the middle as at its sides; this is guaranteed by
+/// bounds of the second derivatives ([`BoundedSurface`]) and not only tested at samples. Curved regions get more
+/// triangles than flat ones.
 ///
-/// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long edge
-/// meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share their
-/// positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the tolerance; of a pile
-/// of edges that near to each other, so many are joined that no position moves by more than 1/8 of the tolerance. An edge that is
-/// one point becomes one position, with the normals of all directions.
+/// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long
+/// edge meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share
+/// their positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the
+/// tolerance; of a pile of edges that near to each other, only those are joined for which no position moves by more
+/// than 1/8 of the tolerance. An edge that is one point becomes one position, with the normals of all directions.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -71,7 +72,8 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     /// # Errors
     /// When a surface is infinite or NaN, or the tolerance is so small that a surface would need millions of triangles.
     pub fn mesh(&self) -> Result<Mesh<S>, MeshError> {
-        // What the seams take of the tolerance is left to them: positions that become one are nowhere farther than that from it.
+        // What the seams take of the tolerance is left to them: positions that become one are nowhere farther than that
+        // from it.
         let weld = self.tolerance * S::of(0.0625);
         let reach = weld + weld;
         let patches = &self.patches;

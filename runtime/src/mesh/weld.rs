@@ -126,8 +126,8 @@ impl<S: Scalar> Classes<S> {
         member
     }
 
-    /// Makes two classes one, unless a point would then move too far: a chain of points, each next to the one before it, would
-    /// else draw together what is far apart.
+    /// Makes two classes one, unless a point would then move too far: a chain of points, each next to the one before
+    /// it, would else draw together what is far apart.
     pub(super) fn join(&mut self, points: &[[S; 3]], a: usize, b: usize) {
         let (a, b) = (self.find(a), self.find(b));
         let (first, other) = (a.min(b), a.max(b));

@@ -1,7 +1,7 @@
 //! Boxes around surfaces of revolution.
 //!
-//! A component of the surface is `c(u) + cos v r(u) + sin v q(u)`. Its largest value over the angles is a convex function of
-//! `(c, r, q)`, so that those at the Bézier control points bound it.
+//! A component of the surface is `c(u) + cos v r(u) + sin v q(u)`. Its largest value over the angles is a convex
+//! function of `(c, r, q)`, so that those at the Bézier control points bound it.
 
 use super::{SurfaceOfRevolution, circle};
 use crate::{Basis, Curve, Point3, Scalar};
@@ -15,8 +15,8 @@ const PARTS: usize = 500;
 const ROUNDS: usize = 64;
 
 impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
-    /// The smallest axis-parallel box around what the Bézier control points of the generatrix sweep, as its two extreme corners:
-    /// cheap, and never too small up to rounding errors.
+    /// The smallest axis-parallel box around what the Bézier control points of the generatrix sweep, as its two extreme
+    /// corners: cheap, and never too small up to rounding errors.
     pub fn control_box(&self) -> [P; 2] {
         self.sides(|component| {
             let points = component.to_bernstein();
@@ -65,8 +65,8 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         })
     }
 
-    /// The least and the largest value of each component, which is given as the curve `(c, r, q)`; the least one is that of the
-    /// opposites, with the sign -1.
+    /// The least and the largest value of each component, which is given as the curve `(c, r, q)`; the least one is
+    /// that of the opposites, with the sign -1.
     fn sides(&self, largest: impl Fn(Curve<B, [B::Scalar; 3]>) -> B::Scalar) -> [P; 2] {
         let [centres, radii, quarters] =
             [&self.centres, &self.radii, &self.quarters].map(Curve::control_points);

@@ -8,6 +8,8 @@ mod rational;
 
 use crate::vector::{cross, direction, dot, is_finite};
 use crate::{Array, Basis, Curve, Point3, Scalar, Surface};
+#[cfg(feature = "bspline")]
+pub(crate) use circle::Arcs;
 pub use circle::half_turn_parameter;
 pub use error::RevolutionError;
 #[cfg(feature = "alloc")]
@@ -21,9 +23,9 @@ pub use rational::RevolutionPatch;
 /// S(u, v) = O + h(u) d + cos v r(u) + sin v (d × r(u)),   0 <= v <= θ
 /// ```
 ///
-/// `u` is the parameter of the generatrix and `v` the angle in radians, so that equal steps in `v` are equal angles. The turn
-/// is right-handed about `d`. A generatrix may be any curve in space, may touch the axis (the surface has a pole there, with
-/// a normal by continuity) or cross it. After a full turn, `θ = 2π`, the surface closes exactly.
+/// `u` is the parameter of the generatrix and `v` the angle in radians, so that equal steps in `v` are equal angles.
+/// The turn is right-handed about `d`. A generatrix may be any curve in space, may touch the axis (the surface has a
+/// pole there, with a normal by continuity) or cross it. After a full turn, `θ = 2π`, the surface closes exactly.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));

@@ -2,7 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::{SurfaceOfRevolution, circle};
+use super::SurfaceOfRevolution;
+use super::circle::Arcs;
 use crate::bernstein::keep_left;
 use crate::{
     Array, Basis, BernsteinBasis, BernsteinOf, Curve, Point3, RationalSurface, Scalar, TensorSurface,
@@ -15,33 +16,19 @@ pub type RevolutionPatch<B, P> = RationalSurface<BernsteinOf<B>, BernsteinBasis<
 impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
     /// The surface as rational Bézier patches of equal angles of at most π/2, in order; all weights are positive.
     ///
-    /// The circular arc from `α0` to `α1` has the weights 1, `cos((α1 - α0)/2)`, 1; the middle control point is where the
-    /// tangents of its ends meet. The end of a patch is the start of the next one, bit for bit, and after a full turn that of
-    /// the first.
+    /// The circular arc from `α0` to `α1` has the weights 1, `cos((α1 - α0)/2)`, 1; the middle control point is where
+    /// the tangents of its ends meet. The end of a patch is the start of the next one, bit for bit, and after a full
+    /// turn that of the first.
     pub fn to_rational_patches(&self) -> Vec<RevolutionPatch<B, P>> {
-        let half = B::Scalar::of(0.5);
-        let quarters = self.angle / (B::Scalar::PI * half);
-        // At most four: the angle is at most 2π.
-        let count = (1..4).find(|&n| quarters <= B::Scalar::from_usize(n)).unwrap_or(4);
-        let angle = |halves: usize| {
-            if halves == 2 * count {
-                self.angle
-            } else {
-                self.angle * B::Scalar::from_usize(halves) / B::Scalar::from_usize(2 * count)
-            }
-        };
-        let (_, middle) = (self.angle * half / B::Scalar::from_usize(count)).sin_cos();
-        (0..count)
-            .map(|k| {
-                let [from, mid, to] = [2 * k, 2 * k + 1, 2 * k + 2].map(|h| circle::direction(angle(h)));
-                self.arc([from, mid, to], [B::Scalar::ONE, middle, B::Scalar::ONE])
-            })
+        let arcs = Arcs::new(self.angle);
+        (0..arcs.count())
+            .map(|k| self.arc([2 * k, 2 * k + 1, 2 * k + 2].map(|halves| arcs.control_point(halves))))
             .collect()
     }
 
-    /// The surface as one half-turn, or as two if the angle is greater than π, in the parameter of the paper "Surfaces of
-    /// revolution with shape parameters from quartic λ-Bézier generatrices": the interpolation of three meridians by a
-    /// vector-valued continued fraction,
+    /// The surface as one half-turn, or as two if the angle is greater than π, in the parameter of the paper "Surfaces
+    /// of revolution with shape parameters from quartic λ-Bézier generatrices": the interpolation of three meridians by
+    /// a vector-valued continued fraction,
     ///
     /// ```text
     /// cos α = (1 - 2t) / (1 - 2t + 2t²),   sin α = 2t (1 - t) / (1 - 2t + 2t²)
@@ -68,21 +55,21 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         // Cosine, sine and weight in Bernstein form.
         let mut homogeneous = [[sign, zero, one], [zero, sign, zero], [-sign, zero, one]];
         keep_left(&mut homogeneous, half_turn_parameter(angle));
-        self.arc(homogeneous.map(|[cos, sin, _]| [cos, sin]), homogeneous.map(|[_, _, weight]| weight))
+        self.arc(homogeneous)
     }
 
     /// The patch over a circular arc given by the Bernstein coefficients of `w cos α`, `w sin α` and `w`.
-    fn arc(&self, directions: [[B::Scalar; 2]; 3], weights: [B::Scalar; 3]) -> RevolutionPatch<B, P> {
+    fn arc(&self, coefficients: [[B::Scalar; 3]; 3]) -> RevolutionPatch<B, P> {
         let [centres, radii, quarters] = [&self.centres, &self.radii, &self.quarters].map(Curve::to_bezier);
         let (u_basis, v_basis) = (centres.basis(), BernsteinBasis::new());
         let net = <BernsteinOf<B> as Basis>::Points::from_fn(|i| {
             let [centre, radius, quarter] = [&centres, &radii, &quarters].map(|c| c.control_points()[i]);
-            [0, 1, 2].map(|k| {
-                let [cos, sin] = directions[k];
-                centre.scale(weights[k]).add_scaled(radius, cos).add_scaled(quarter, sin)
+            coefficients.map(|[cos, sin, weight]| {
+                centre.scale(weight).add_scaled(radius, cos).add_scaled(quarter, sin)
             })
         });
-        let weight_net = <BernsteinOf<B> as Basis>::Points::from_fn(|_| weights);
+        let weight_net =
+            <BernsteinOf<B> as Basis>::Points::from_fn(|_| coefficients.map(|[_, _, weight]| weight));
         RationalSurface::from_homogeneous(
             TensorSurface::new(u_basis, v_basis, net),
             TensorSurface::new(u_basis, v_basis, weight_net),

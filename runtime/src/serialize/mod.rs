@@ -1,13 +1,13 @@
-//! serde for bases, curves and surfaces: shape values and control points. Nothing that follows from them is written, and what
-//! is read goes through the constructors.
+//! serde for bases, curves and surfaces: shape values and control points. Nothing that follows from them is written,
+//! and what is read goes through the constructors.
 //!
 //! ```json
 //! {"basis": {"lambda": 0.5}, "points": [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]}
 //! ```
 
-#[cfg(feature = "alloc")]
+#[cfg(feature = "bspline")]
 pub(crate) mod bspline;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "mesh")]
 pub(crate) mod mesh;
 mod patches;
 pub(crate) mod revolution;
@@ -20,6 +20,16 @@ use serde::ser::SerializeStruct;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::{Array, Basis, BernsteinBasis, Curve, Point, Scalar, TensorSurface};
+
+/// A point that can be written with its components: the bound of derived implementations.
+pub trait Written: Point<Scalar: Serialize> + Serialize {}
+
+impl<P: Point<Scalar: Serialize> + Serialize> Written for P {}
+
+/// A point that can be read with its components: the bound of derived implementations.
+pub trait Read<'de>: Point<Scalar: Deserialize<'de>> + Deserialize<'de> {}
+
+impl<'de, P: Point<Scalar: Deserialize<'de>> + Deserialize<'de>> Read<'de> for P {}
 
 /// Implements serde's traits for a generated type: a struct of its shape values, which are checked when they are read.
 #[doc(hidden)]
@@ -181,7 +191,7 @@ impl<'de, S: Scalar, const N: usize> Deserialize<'de> for BernsteinBasis<S, N> {
 
 #[derive(Serialize)]
 #[serde(rename = "Curve")]
-struct Written<'a, B, P> {
+struct WrittenCurve<'a, B, P> {
     basis: &'a B,
     points: &'a [P],
 }
@@ -192,14 +202,14 @@ struct Written<'a, B, P> {
     expecting = "struct Curve",
     bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>")
 )]
-struct Read<B: Basis, P: Copy> {
+struct ReadCurve<B: Basis, P: Copy> {
     basis: B,
     points: Elements<B::Points<P>, P>,
 }
 
 impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for Curve<B, P> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
-        Written { basis: &self.basis(), points: self.control_points() }.serialize(serializer)
+        WrittenCurve { basis: &self.basis(), points: self.control_points() }.serialize(serializer)
     }
 }
 
@@ -209,7 +219,7 @@ where
     P: Point<Scalar = B::Scalar> + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let Read { basis, points } = Read::deserialize(deserializer)?;
+        let ReadCurve { basis, points } = ReadCurve::deserialize(deserializer)?;
         Ok(Self::new(basis, points.0))
     }
 }

@@ -7,8 +7,8 @@ use super::{SimplexBasis, TriangularBasis, TriangularPatch};
 use crate::__private::multinomials;
 use crate::{Array, BernsteinForm, Point, Scalar};
 
-/// The Bernstein basis on a triangle, of degree `n = N - 1`, with `T = (n+1)(n+2)/2` functions, `N` of them on each edge:
-/// `b[i,j,k](u, v, w) = n!/(i! j! k!) u^i v^j w^k`.
+/// The Bernstein basis on a triangle, of degree `n = N - 1`, with `T = (n+1)(n+2)/2` functions, `N` of them on each
+/// edge: `b[i,j,k](u, v, w) = n!/(i! j! k!) u^i v^j w^k`.
 ///
 /// Patches over it are [`TriangularBezier`] patches. Every triangular patch has this form:
 /// [`TriangularPatch::to_bezier`](crate::SimplexPatch::to_bezier), and the parts that `split` and `part` return.

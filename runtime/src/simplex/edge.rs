@@ -59,8 +59,8 @@ impl TriangleEdge {
         point
     }
 
-    /// The index of the control point at that place on the edge, for a patch of that order; from 0 at the start to `order` at
-    /// the end, where all further ones are.
+    /// The index of the control point at that place on the edge, for a patch of that order; from 0 at the start to
+    /// `order` at the end, where all further ones are.
     pub const fn index(self, order: usize, place: usize) -> TriangleIndex {
         let [start, end] = self.corners();
         let place = if place < order { place } else { order };
@@ -73,8 +73,9 @@ impl TriangleEdge {
 
 /// The restriction of a family on a triangle to an edge, as a family on the interval from 0 to 1.
 ///
-/// Its functions belong to the control points of the edge, in the direction of the edge. Where other control points have an
-/// influence on the edge, see [`TriangularBasis::OWN_EDGES`], it is the Bernstein basis of the degree of the family instead.
+/// Its functions belong to the control points of the edge, in the direction of the edge. Where other control points
+/// have an influence on the edge, see [`TriangularBasis::OWN_EDGES`], it is the Bernstein basis of the degree of the
+/// family instead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct EdgeBasis<B> {

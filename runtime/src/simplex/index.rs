@@ -8,15 +8,15 @@ pub type TetrahedronIndex = SimplexIndex<4>;
 
 /// The index of a control point on a simplex: one whole number for each corner; their sum is the order `n`.
 ///
-/// Everywhere, control points, functions and coefficients stand in lexicographic order of their indices. On a triangle of
-/// order 2 that is
+/// Everywhere, control points, functions and coefficients stand in lexicographic order of their indices. On a triangle
+/// of order 2 that is
 ///
 /// ```text
 /// (0,0,2) (0,1,1) (0,2,0) (1,0,1) (1,1,0) (2,0,0)
 /// ```
 ///
-/// so that the control points of the corners are the last one, `(n,0,0)`; the one at position `n`, `(0,n,0)`; and the first
-/// one, `(0,0,n)`.
+/// so that the control points of the corners are the last one, `(n,0,0)`; the one at position `n`, `(0,n,0)`; and the
+/// first one, `(0,0,n)`.
 ///
 /// ```
 /// use basis_runtime::TriangleIndex;

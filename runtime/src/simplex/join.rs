@@ -12,10 +12,10 @@ use crate::{Array, JoinError, Point, Scalar};
 impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// The patch over another basis that continues this one across an edge, C0, G1, or of a higher order of contact.
     ///
-    /// The polynomial of this patch goes on beyond the edge; the new patch touches it up to the derivatives of that order over
-    /// the triangle from the edge to `apex`, a point beyond it in barycentric coordinates of this patch. Its edge w = 0 is the
-    /// common edge, from its corner u = 1 at the end of `edge` to its corner v = 1 at the start, so that both patches have one
-    /// orientation. For Bézier patches and the order 1 that are the classical conditions
+    /// The polynomial of this patch goes on beyond the edge; the new patch touches it up to the derivatives of that
+    /// order over the triangle from the edge to `apex`, a point beyond it in barycentric coordinates of this patch. Its
+    /// edge w = 0 is the common edge, from its corner u = 1 at the end of `edge` to its corner v = 1 at the start, so
+    /// that both patches have one orientation. For Bézier patches and the order 1 that are the classical conditions
     ///
     /// ```text
     /// Q[i,j,0] = E[i,j],   Q[i,j,1] = a E[i+1,j] + b E[i,j+1] + c F[i,j]     with apex = (a, b, c), c < 0
@@ -23,8 +23,8 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     ///
     /// with the rows E and F of this patch next to the edge: every pair of triangles in the nets along the edge is one
     /// affine image of the two triangles of parameters. The control points of the new patch with `w` components up to
-    /// `order` are determined by elimination, whatever the families; those that do not matter, and all others, are those of
-    /// `points`.
+    /// `order` are determined by elimination, whatever the families; those that do not matter, and all others, are
+    /// those of `points`.
     ///
     /// ```
     /// use basis_runtime::{TriangleEdge, TriangularBernsteinBasis, TriangularBezier};
@@ -43,10 +43,10 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// ```
     ///
     /// # Errors
-    /// [`JoinError::Apex`] if `apex` is not beyond the edge; [`JoinError::Contact`] if the order is above that of the family or
-    /// its degree below that of this patch; [`JoinError::Unreachable`] if no control points of the family with these shape
-    /// values touch the patch, as for the first families of *Two classes of triangular quasi-Bézier surfaces*, whose cross
-    /// derivatives contain more polynomials than control points; also if anything is not finite.
+    /// [`JoinError::Apex`] if `apex` is not beyond the edge; [`JoinError::Contact`] if the order is above that of the
+    /// family or its degree below that of this patch; [`JoinError::Unreachable`] if no control points of the family
+    /// with these shape values touch the patch, as for the first families of *Two classes of triangular quasi-Bézier
+    /// surfaces*, whose cross derivatives contain more polynomials than control points; also if anything is not finite.
     pub fn continued<C: TriangularBasis<Scalar = B::Scalar>>(
         &self,
         edge: TriangleEdge,
@@ -101,8 +101,8 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     }
 }
 
-/// Solves linear equations by elimination with the largest pivots; unknowns that do not matter are zero. `None` if there is no
-/// solution, up to rounding errors of points of that size.
+/// Solves linear equations by elimination with the largest pivots; unknowns that do not matter are zero. `None` if
+/// there is no solution, up to rounding errors of points of that size.
 fn solve<P: Point>(system: &mut [(Vec<P::Scalar>, P)], unknowns: usize, size: P::Scalar) -> Option<Vec<P>> {
     let noise = P::Scalar::EPSILON * P::Scalar::from_usize(64 * (unknowns + 1));
     let mut solved: Vec<usize> = Vec::new();

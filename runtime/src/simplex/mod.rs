@@ -26,10 +26,10 @@ use net::contract;
 
 /// A family of polynomial basis functions on a triangle or a tetrahedron, with its shape parameters set to values.
 ///
-/// [`basis!`](crate::basis!) implements it for the types that it generates. A point of the domain is given by its barycentric
-/// coordinates `[u, v, w]` (on a tetrahedron `[u, v, w, x]`), all ≥ 0 with the sum 1; functions and control points stand in
-/// the lexicographic order of their indices, see [`SimplexIndex`]. Coordinates with another sum are not normalised: the
-/// formulas are evaluated as they are homogeneous.
+/// [`basis!`](crate::basis!) implements it for the types that it generates. A point of the domain is given by its
+/// barycentric coordinates `[u, v, w]` (on a tetrahedron `[u, v, w, x]`), all ≥ 0 with the sum 1; functions and control
+/// points stand in the lexicographic order of their indices, see [`SimplexIndex`]. Coordinates with another sum are not
+/// normalised: the formulas are evaluated as they are homogeneous.
 ///
 /// ```
 /// use basis_runtime::{SimplexBasis, basis};
@@ -93,8 +93,8 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
     /// functions: `b[i] = Σ_α c[α][i] · n!/(α₁! α₂! …) u^α₁ v^α₂ …` with `n = DEGREE`.
     fn bernstein_weights(&self) -> Self::Bernstein<Self::Values>;
 
-    /// The derivatives of the given order along a direction, a difference of two points in barycentric coordinates; zero
-    /// above the degree.
+    /// The derivatives of the given order along a direction, a difference of two points in barycentric coordinates;
+    /// zero above the degree.
     ///
     /// On a triangle `[1, -1, 0]` is the edge from the corner `v = 1` to the corner `u = 1`.
     fn derivatives(&self, at: Self::Coordinates, along: Self::Coordinates, order: usize) -> Self::Values {
@@ -106,8 +106,8 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
         finish(weights.as_mut(), degree, at.as_ref())
     }
 
-    /// The partial derivatives of these orders in the coordinates but the last, which is 1 minus their sum; zero above the
-    /// degree.
+    /// The partial derivatives of these orders in the coordinates but the last, which is 1 minus their sum; zero above
+    /// the degree.
     fn partials(&self, at: Self::Coordinates, orders: Self::Orders) -> Self::Values {
         if orders.as_ref().iter().all(|&order| order == 0) {
             return self.values(at);
@@ -148,8 +148,8 @@ pub trait TriangularBasis:
     /// A boundary curve, ready to be evaluated.
     type EdgeForm<P: Point<Scalar = Self::Scalar>>: Form<P>;
 
-    /// Whether on every edge all functions vanish but those of its own control points, so that a boundary curve depends on
-    /// these alone; otherwise it is a Bézier curve.
+    /// Whether on every edge all functions vanish but those of its own control points, so that a boundary curve depends
+    /// on these alone; otherwise it is a Bézier curve.
     const OWN_EDGES: bool;
 
     /// The curve with these Bernstein points.

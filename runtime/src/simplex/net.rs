@@ -7,8 +7,8 @@ use crate::{Point, Scalar};
 
 /// One step down: `c[β] = Σ_j a[j] c[β + e_j]` for all `β` of the order `n - 1`, in place.
 ///
-/// With barycentric coordinates for `a` it is a step of de Casteljau's algorithm; with a direction, coordinates with the
-/// sum zero, the derivative in that direction divided by `n`.
+/// With barycentric coordinates for `a` it is a step of de Casteljau's algorithm; with a direction, coordinates with
+/// the sum zero, the derivative in that direction divided by `n`.
 #[inline]
 pub(crate) fn contract<P: Point>(net: &mut [P], n: usize, a: &[P::Scalar]) {
     match *a {

@@ -1,20 +1,21 @@
 //! Normals of triangular patches, at points where the product of the partial derivatives vanishes as a limit.
 //!
-//! Such a point cuts the triangle into up to three that have it as a corner. With the Bernstein points of one of them, and
-//! y, z the coordinates of the two other corners,
+//! Such a point cuts the triangle into up to three that have it as a corner. With the Bernstein points of one of them,
+//! and y, z the coordinates of the two other corners,
 //!
 //! ```text
 //! S_y × S_z = Σ N[j][k] y^j z^k (1 - y - z)^(D - j - k),   D = 2 (degree - 1)
 //! ```
 //!
-//! For y, z → 0 the terms on the lower left boundary of the Newton polygon of the N[j][k] ≠ 0 prevail; common powers of y
-//! and z, which an edge that has shrunk to a point makes, only move the polygon. The direction has a limit if all these
-//! terms are multiples of one vector and the polynomial of every side of the boundary has one sign for y, z > 0.
+//! For y, z → 0 the terms on the lower left boundary of the Newton polygon of the N[j][k] ≠ 0 prevail; common powers of
+//! y and z, which an edge that has shrunk to a point makes, only move the polygon. The direction has a limit if all
+//! these terms are multiples of one vector and the polynomial of every side of the boundary has one sign for y, z > 0.
 
 use super::TriangularBasis;
 use super::index::TriangleIndex;
 use super::net::contract;
 use super::patch::TriangularPatch;
+use crate::binomial::binomial;
 use crate::vector::{cross, direction, dot, largest_component};
 use crate::{Array, Point3, Scalar};
 
@@ -63,8 +64,8 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     limit
 }
 
-/// The net moved to the origin and scaled to the size 1, and a bound of the rounding errors of its differences; `None` if it
-/// is a point, infinite or NaN.
+/// The net moved to the origin and scaled to the size 1, and a bound of the rounding errors of its differences; `None`
+/// if it is a point, infinite or NaN.
 fn normalized<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
     net: B::Bernstein<P>,
     degree: usize,
@@ -137,10 +138,7 @@ impl<P: Point3> Product<'_, P> {
 
 /// n!/(p! q! (n - p - q)!)
 fn multinomial<S: Scalar>(n: usize, p: usize, q: usize) -> S {
-    let binomial = |n: usize, k: usize| {
-        (0..k).fold(S::ONE, |product, i| product * S::from_usize(n - i) / S::from_usize(i + 1))
-    };
-    binomial(n, p) * binomial(n - p, q)
+    binomial::<S>(n, p) * binomial::<S>(n - p, q)
 }
 
 /// The limit of the normal at a corner.
@@ -171,7 +169,8 @@ fn corner_limit<P: Point3>(net: &[P], degree: usize, error: P::Scalar, corner: u
     Some(normal)
 }
 
-/// Whether all coefficients on a side of the polygon are multiples of the normal, and the polynomial they make is positive.
+/// Whether all coefficients on a side of the polygon are multiples of the normal, and the polynomial they make is
+/// positive.
 fn same_direction<P: Point3>(
     product: &Product<'_, P>,
     normal: P,
@@ -208,7 +207,8 @@ fn same_direction<P: Point3>(
 /// The longest side of a polygon whose polynomial is looked at.
 const MAX_SIDE: usize = 64;
 
-/// Whether a polynomial with these Bernstein coefficients is positive on the unit interval; `false` where it nearly is zero.
+/// Whether a polynomial with these Bernstein coefficients is positive on the unit interval; `false` where it nearly is
+/// zero.
 fn positive<S: Scalar>(coefficients: &mut [S], depth: usize) -> bool {
     let last = coefficients.len() - 1;
     if coefficients[0] <= S::ZERO || coefficients[last] <= S::ZERO {

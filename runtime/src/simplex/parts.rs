@@ -36,8 +36,9 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         TriangularBezier::from_points(points)
     }
 
-    /// The two parts on both sides of the line from the point `t` of an edge to the opposite corner, that with the start of the
-    /// edge first. Each has the corners of the patch in their places, but for the one that has moved to `t`.
+    /// The two parts on both sides of the line from the point `t` of an edge to the opposite corner, that with the
+    /// start of the edge first. Each has the corners of the patch in their places, but for the one that has moved to
+    /// `t`.
     ///
     /// They share the control points of that line exactly.
     ///
@@ -56,11 +57,12 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         [end, start].map(|place| bezier::<B, P>(&Self::moved_corner(self.to_bernstein(), place, at)))
     }
 
-    /// The part of the patch over the triangle with these corners, each given by its barycentric coordinates: the corner
-    /// `u = 1` of the part first.
+    /// The part of the patch over the triangle with these corners, each given by its barycentric coordinates: the
+    /// corner `u = 1` of the part first.
     ///
-    /// Neighbouring parts share the points of their edge up to rounding errors; corners may lie outside of the triangle, where
-    /// the polynomial is continued. With the same corners in another order it is the same patch, turned or turned over.
+    /// Neighbouring parts share the points of their edge up to rounding errors; corners may lie outside of the
+    /// triangle, where the polynomial is continued. With the same corners in another order it is the same patch, turned
+    /// or turned over.
     ///
     /// ```
     /// use basis_runtime::TriangularBezier;
@@ -71,7 +73,8 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// assert_eq!(half.eval_barycentric([0.25, 0.25, 0.5]), patch.eval_barycentric([0.5, 0.25, 0.25]));
     /// ```
     pub fn part(&self, corners: [[B::Scalar; 3]; 3]) -> TriangularBezierOf<B, P> {
-        // The point of the index (i, j, k) is the blossom of i times the first corner, j times the second, k times the third.
+        // The point of the index (i, j, k) is the blossom of i times the first corner, j times the second, k times the
+        // third.
         let [first, second, third] = corners;
         let mut net = self.to_bernstein();
         let mut along_first = net;

@@ -85,8 +85,8 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
     }
 
-    /// The derivative of the given order along a direction, a difference of two points in barycentric coordinates; zero above
-    /// the degree.
+    /// The derivative of the given order along a direction, a difference of two points in barycentric coordinates; zero
+    /// above the degree.
     pub fn derivative(&self, at: B::Coordinates, along: B::Coordinates, order: usize) -> P {
         let mut net = self.net;
         let degree = super::differentiate(net.as_mut(), B::DEGREE, along.as_ref(), order);
@@ -122,8 +122,8 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         self.points.as_ref()
     }
 
-    /// The control point with an index; `None` when there is none, or when the functions of the family have other indices than
-    /// those of one order.
+    /// The control point with an index; `None` when there is none, or when the functions of the family have other
+    /// indices than those of one order.
     pub fn control_point<const K: usize>(&self, index: SimplexIndex<K>) -> Option<P> {
         let fits = B::ORDER == Some(index.order()) && <B::Coordinates as Array<B::Scalar>>::LEN == K;
         if fits { self.control_points().get(index.position()).copied() } else { None }
@@ -145,7 +145,8 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         self.eval_barycentric([u, v, B::Scalar::ONE - u - v])
     }
 
-    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` for all `i, j < K`; `[0][0]` is the point.
+    /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` of `S(u, v, 1 - u - v)` for all `i, j < K`; `[0][0]` is
+    /// the point.
     pub fn eval_with_partials<const K: usize>(&self, u: B::Scalar, v: B::Scalar) -> [[P; K]; K] {
         let at = [u, v, B::Scalar::ONE - u - v];
         let mut partials = [[P::zero(); K]; K];
@@ -166,16 +167,18 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         partials
     }
 
-    /// The unit normal at `(u, v)`, the direction of `S_u × S_v`, or where that vanishes its limit from inside of the triangle.
+    /// The unit normal at `(u, v)`, the direction of `S_u × S_v`, or where that vanishes its limit from inside of the
+    /// triangle.
     ///
-    /// `None` where there is no limit, as at the apex of a cone; on a patch that has shrunk to a curve or a point; on a fold,
-    /// across which the normal flips; and where the patch is infinite or NaN. That the product vanishes is recognised up to
-    /// the rounding errors of the control points. The limit is found from the Newton polygon of `S_u × S_v` at the point,
-    /// after common powers of the coordinates are taken out, so that it also exists along an edge that has shrunk to a point.
+    /// `None` where there is no limit, as at the apex of a cone; on a patch that has shrunk to a curve or a point; on a
+    /// fold, across which the normal flips; and where the patch is infinite or NaN. That the product vanishes is
+    /// recognised up to the rounding errors of the control points. The limit is found from the Newton polygon of
+    /// `S_u × S_v` at the point, after common powers of the coordinates are taken out, so that it also exists along an
+    /// edge that has shrunk to a point.
     ///
     /// At a zero inside of the triangle the limits of the three triangles that meet there must agree, as they do for
-    /// `(x² - y², 2xy, 0)`. Where a curve of zeros passes through the inside, as `x = 0` for `(x³, y, 0)`, the answer is
-    /// `None`, even if the normals on both sides are the same.
+    /// `(x² - y², 2xy, 0)`. Where a curve of zeros passes through the inside, as `x = 0` for `(x³, y, 0)`, the answer
+    /// is `None`, even if the normals on both sides are the same.
     pub fn normal(&self, u: B::Scalar, v: B::Scalar) -> Option<P>
     where
         P: Point3,
@@ -186,8 +189,8 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
 
     /// The boundary curve along an edge, from its start to its end, over the interval from 0 to 1.
     ///
-    /// When the family allows it, its control points are those of the edge, and its family the restriction of the basis to the
-    /// edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial.
+    /// When the family allows it, its control points are those of the edge, and its family the restriction of the basis
+    /// to the edge; otherwise it is a Bézier curve. Either way it is the edge of the patch as a polynomial.
     pub fn boundary(&self, edge: TriangleEdge) -> Curve<EdgeBasis<B>, P> {
         let points = if B::OWN_EDGES { self.points.as_ref() } else { self.net.as_ref() };
         let last = <B::EdgePoints<P> as Array<P>>::LEN - 1;

@@ -3,8 +3,8 @@
 use super::SimplexIndex;
 use crate::Scalar;
 
-/// The Bernstein weights of the functions `steps` orders higher than those of the given order and degree: column `I` of the
-/// table belongs to the function `b[I]`, row `α` to the Bernstein coefficient `α`.
+/// The Bernstein weights of the functions `steps` orders higher than those of the given order and degree: column `I` of
+/// the table belongs to the function `b[I]`, row `α` to the Bernstein coefficient `α`.
 ///
 /// Multiplied by `x_j` a polynomial of degree `d` has the coefficients `α_j/(d + 1) c[α - e_j]`.
 pub fn raise_weights<S: Scalar, const B: usize, const D: usize, const N: usize, const T: usize>(

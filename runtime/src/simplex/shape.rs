@@ -5,23 +5,23 @@ use super::{SimplexBasis, TriangularBasis};
 use crate::{Curvature, Point, Point3, Scalar};
 
 impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
-    /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too small up
-    /// to rounding errors. NaN in a component in which a control point is NaN.
+    /// The smallest axis-parallel box around the Bernstein points, as its two extreme corners: cheap, and never too
+    /// small up to rounding errors. NaN in a component in which a control point is NaN.
     pub fn control_box(&self) -> [P; 2] {
         crate::vector::box_of(self.to_bernstein().as_ref())
     }
 }
 
 impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
-    /// The smallest axis-parallel box around a triangular patch, as its two extreme corners, up to rounding errors; found by
-    /// subdivision as [`TensorSurface::bounding_box`](crate::TensorSurface::bounding_box).
+    /// The smallest axis-parallel box around a triangular patch, as its two extreme corners, up to rounding errors;
+    /// found by subdivision as [`TensorSurface::bounding_box`](crate::TensorSurface::bounding_box).
     #[cfg(feature = "alloc")]
     pub fn bounding_box(&self) -> [P; 2] {
         self.to_tensor_surface().bounding_box()
     }
 
-    /// How the patch bends at `(u, v)`, as seen from the side of `S_u × S_v`; `None` where that vanishes or anything is not
-    /// finite.
+    /// How the patch bends at `(u, v)`, as seen from the side of `S_u × S_v`; `None` where that vanishes or anything is
+    /// not finite.
     pub fn curvature(&self, u: B::Scalar, v: B::Scalar) -> Option<Curvature<P>>
     where
         P: Point3,
@@ -44,10 +44,10 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// assert!((found.parameters[0] - 0.25).abs() < 1e-8 && (found.parameters[1] - 0.5).abs() < 1e-8);
     /// ```
     #[cfg(feature = "alloc")]
-    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::bspline::Projection<P>> {
+    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::Projection<P>> {
         let found = self.to_tensor_surface().nearest(point, accuracy)?;
         let [s, r] = found.parameters;
         let parameters = [B::Scalar::ONE - s, s * (B::Scalar::ONE - r)];
-        Some(crate::bspline::Projection { parameters, ..found })
+        Some(crate::Projection { parameters, ..found })
     }
 }

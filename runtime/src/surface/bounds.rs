@@ -11,8 +11,8 @@ where
     V: Basis<Scalar = U::Scalar>,
     P: Point<Scalar = U::Scalar>,
 {
-    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never too
-    /// small up to rounding errors. NaN in a component in which a control point is NaN.
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never
+    /// too small up to rounding errors. NaN in a component in which a control point is NaN.
     pub fn control_box(&self) -> [P; 2] {
         let net = self.bezier_net();
         let extreme = |of: fn(P::Scalar, P::Scalar) -> P::Scalar| {
@@ -33,10 +33,10 @@ where
 
     /// The smallest axis-parallel box around the surface, as its two extreme corners, up to rounding errors.
     ///
-    /// Each side is found by subdivision: between the largest value that was met and the largest Bernstein coefficient of a
-    /// part, until both agree. Where a side touches the surface along a curve, which would take too many parts, the box may
-    /// be larger by a small part of its size; it is never smaller than the surface but for rounding errors. NaN in a component
-    /// in which a control point is infinite or NaN.
+    /// Each side is found by subdivision: between the largest value that was met and the largest Bernstein coefficient
+    /// of a part, until both agree. Where a side touches the surface along a curve, which would take too many parts,
+    /// the box may be larger by a small part of its size; it is never smaller than the surface but for rounding errors.
+    /// NaN in a component in which a control point is infinite or NaN.
     #[cfg(feature = "alloc")]
     pub fn bounding_box(&self) -> [P; 2] {
         let net = Net::of(self);
@@ -53,9 +53,9 @@ where
     V: Basis<Scalar = U::Scalar>,
     P: Point<Scalar = U::Scalar>,
 {
-    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never too
-    /// small up to rounding errors. Infinite if a weight of the Bézier form is not positive: the surface may then leave the hull
-    /// of its control points. NaN in a component in which a control point is NaN.
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never
+    /// too small up to rounding errors. Infinite if a weight of the Bézier form is not positive: the surface may then
+    /// leave the hull of its control points. NaN in a component in which a control point is NaN.
     pub fn control_box(&self) -> [P; 2] {
         let (points, weights) = (self.numerator().bezier_net(), self.weight().bezier_net());
         let extreme = |sign: P::Scalar| {
@@ -77,8 +77,8 @@ where
     /// The smallest axis-parallel box around the surface, as its two extreme corners, up to rounding errors; found by
     /// subdivision as [`TensorSurface::bounding_box`].
     ///
-    /// Where the weight vanishes or is negative the surface counts as infinite; a whole surface of negative weights is that of
-    /// their opposites. NaN in a component in which a control point is infinite or NaN.
+    /// Where the weight vanishes or is negative the surface counts as infinite; a whole surface of negative weights is
+    /// that of their opposites. NaN in a component in which a control point is infinite or NaN.
     #[cfg(feature = "alloc")]
     pub fn bounding_box(&self) -> [P; 2] {
         let (points, weights) = (Net::of(self.numerator()), Net::of(self.weight()));
@@ -110,8 +110,9 @@ const PARTS: usize = 500;
 #[cfg(feature = "alloc")]
 const ROUNDS: usize = 128;
 
-/// The largest value of a function of two variables on the unit square, from Bernstein coefficients; `value` of the point
-/// itself, which is at most the largest of those of the coefficients. Infinite values are looked at again in smaller parts.
+/// The largest value of a function of two variables on the unit square, from Bernstein coefficients; `value` of the
+/// point itself, which is at most the largest of those of the coefficients. Infinite values are looked at again in
+/// smaller parts.
 #[cfg(feature = "alloc")]
 fn largest<P: Point>(net: Net<P>, value: impl Fn(P) -> P::Scalar) -> P::Scalar {
     if !net.points().iter().all(|&c| crate::vector::is_finite(c)) {

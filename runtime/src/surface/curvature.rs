@@ -1,5 +1,7 @@
 //! Curvatures of a surface at a point, from its first and second partial derivatives.
 
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::{cross, direction, dot, length};
 use crate::{Point3, Scalar};
 
@@ -24,20 +26,14 @@ use crate::{Point3, Scalar};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Curvature<P: Point3> {
     /// The unit normal `S_u × S_v / |S_u × S_v|`.
     pub normal: P,
     /// The principal curvatures, the larger one first, in the inverse of the unit of length.
     pub principal: [P::Scalar; 2],
-    /// The unit tangents in whose directions the surface has the principal curvatures; they make a right angle. Where both
-    /// curvatures are equal, at an umbilic, any pair of such directions.
+    /// The unit tangents in whose directions the surface has the principal curvatures; they make a right angle. Where
+    /// both curvatures are equal, at an umbilic, any pair of such directions.
     pub directions: [P; 2],
 }
 

@@ -1,9 +1,19 @@
-//! The four edges of a surface, and how smoothly two surfaces meet along one.
+//! The two parameter directions and the four edges of a surface, and how smoothly two surfaces meet along one.
 
 use super::limit::rounding;
 use super::{ScalarOf, Surface};
 use crate::vector::{cross, direction, distance, dot, largest_component, length};
 use crate::{Curvature, Point, Point3, Scalar};
+
+/// One of the two parameter directions of a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Direction {
+    /// The first parameter, which numbers the rows of a net.
+    U,
+    /// The second parameter, which numbers the columns of a net.
+    V,
+}
 
 /// An edge of the parameter rectangle of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -39,6 +49,26 @@ impl Edge {
         matches!(self, Self::VStart | Self::VEnd)
     }
 
+    /// The parameter that is constant on the edge.
+    pub fn across(self) -> Direction {
+        if self.runs_along_u() { Direction::V } else { Direction::U }
+    }
+
+    /// Whether the constant parameter is at its upper end.
+    pub fn is_end(self) -> bool {
+        matches!(self, Self::UEnd | Self::VEnd)
+    }
+
+    /// The edge on the other side of the surface.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::UStart => Self::UEnd,
+            Self::UEnd => Self::UStart,
+            Self::VStart => Self::VEnd,
+            Self::VEnd => Self::VStart,
+        }
+    }
+
     /// Whether, seen from the side to which the normal points, the surface is to the right of the edge.
     pub(crate) fn surface_on_the_right(self) -> bool {
         matches!(self, Self::UStart | Self::VEnd)
@@ -62,14 +92,14 @@ impl Edge {
 pub struct EdgeContinuity<S> {
     /// The largest distance of two points that belong together.
     pub gap: S,
-    /// The largest angle in radians by which the surfaces do not continue each other: 0 where the join is smooth, π where one
-    /// folds back on the other. NaN if nowhere on the edge both surfaces have a normal.
+    /// The largest angle in radians by which the surfaces do not continue each other: 0 where the join is smooth, π
+    /// where one folds back on the other. NaN if nowhere on the edge both surfaces have a normal.
     pub angle: S,
-    /// The largest difference of the normal curvatures, over all tangent directions; NaN if nowhere on the edge both surfaces
-    /// have curvatures.
+    /// The largest difference of the normal curvatures, over all tangent directions; NaN if nowhere on the edge both
+    /// surfaces have curvatures.
     pub curvature: S,
-    /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from which
-    /// edges are joined in which direction.
+    /// Whether the normals of both surfaces point to the same side where they continue each other. It follows from
+    /// which edges are joined in which direction.
     pub same_side: bool,
     /// The number of samples at which a surface has no normal, which do not count for the angle.
     pub without_normal: usize,

@@ -17,8 +17,8 @@ const MOST: usize = 3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum JoinError {
-    /// A row of the first surface that counts at the edge has other shape values than the others, so that its derivatives
-    /// across the edge are no curves of one family.
+    /// A row of the first surface that counts at the edge has other shape values than the others, so that its
+    /// derivatives across the edge are no curves of one family.
     FirstShape {
         /// The row.
         row: usize,
@@ -57,13 +57,13 @@ impl Display for JoinError {
         match self {
             Self::FirstShape { row } => write!(
                 f,
-                "row {row} of the first surface counts at the edge, but has other shape values than the rows beside it: \
-                 give all of them the same"
+                "row {row} of the first surface counts at the edge, but has other shape values than the \
+                 rows beside it: give all of them the same"
             ),
             Self::SecondShape { row: Some(row) } => write!(
                 f,
-                "row {row} of the second surface counts at the edge: give it the shape values that the first surface has \
-                 along the edge"
+                "row {row} of the second surface counts at the edge: give it the shape values that the \
+                 first surface has along the edge"
             ),
             Self::SecondShape { row: None } => write!(
                 f,
@@ -75,18 +75,18 @@ impl Display for JoinError {
             }
             Self::Apex { value } => write!(
                 f,
-                "the apex is not beyond the edge: its barycentric coordinate that belongs to the opposite corner is {value}, and \
-                 must be negative"
+                "the apex is not beyond the edge: its barycentric coordinate that belongs to the \
+                 opposite corner is {value}, and must be negative"
             ),
             Self::Unreachable => write!(
                 f,
-                "no control points of the second patch continue the first one with these shape values: choose others, or a \
-                 family with more functions of its degree, such as that of Bernstein"
+                "no control points of the second patch continue the first one with these shape values: \
+                 choose others, or a family with more functions of its degree, such as that of Bernstein"
             ),
             Self::Undetermined => write!(
                 f,
-                "with these shape values of the second surface its control points do not determine the derivatives across \
-                 the edge: choose others"
+                "with these shape values of the second surface its control points do not determine the \
+                 derivatives across the edge: choose others"
             ),
         }
     }
@@ -129,8 +129,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// When the shape values in `u` differ, the control points of `next` cannot meet the conditions, or the contact or the
-    /// factor is out of range.
+    /// When the shape values in `u` differ, the control points of `next` cannot meet the conditions, or the contact or
+    /// the factor is out of range.
     pub fn join_uu<W: Basis<Scalar = U::Scalar>>(
         &self,
         next: &TensorSurface<U, W, P>,
@@ -154,9 +154,9 @@ where
     /// The surface `next`, moved so that its edge `u = lo` continues the edge `v = hi` of this one (a u–v join): the
     /// parameter `v` of the one runs along the edge as `u` of the other.
     ///
-    /// As [`join_uu`](Self::join_uu), but the first `contact + 1` rows of `next` are replaced, which must have the shape
-    /// values of this surface in `u`. The normals are on different sides, since `(u, v)` turns the other way in `next`:
-    /// [`edge_continuity`] says so, and a mesh of both turns one of them.
+    /// As [`join_uu`](Self::join_uu), but the first `contact + 1` rows of `next` are replaced, which must have the
+    /// shape values of this surface in `u`. The normals are on different sides, since `(u, v)` turns the other way in
+    /// `next`: [`edge_continuity`] says so, and a mesh of both turns one of them.
     ///
     /// [`edge_continuity`]: crate::edge_continuity
     ///
@@ -205,7 +205,8 @@ where
         next.with_start_u(basis, &across, contact, factor)
     }
 
-    /// The derivatives across the edge `v = hi` of each row, which are the control points of the derivatives of the surface.
+    /// The derivatives across the edge `v = hi` of each row, which are the control points of the derivatives of the
+    /// surface.
     fn across_v(&self, _: Checked) -> Across<U, P> {
         let [_, hi] = V::domain();
         let rows = U::Points::<[P; MOST + 1]>::from_fn(|i| self.rows()[i].eval_with_derivs(hi));

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! After the common factor `p^α q^β` is taken out, the terms of the lowest total order m decide: the normal has a limit
-//! if they are all multiples `h[a][b]` of one vector and the form `Σ h[a][b] p^a q^b`, times the sign of the common factor,
-//! has one sign for all steps into the domain.
+//! if they are all multiples `h[a][b]` of one vector and the form `Σ h[a][b] p^a q^b`, times the sign of the common
+//! factor, has one sign for all steps into the domain.
 
 use crate::vector::{cross, direction, dot, largest_component};
 use crate::{Point, Point3, Scalar};
@@ -52,7 +52,8 @@ pub(crate) fn rounding<S: Scalar>(size: S) -> S {
     S::of(64.0) * S::EPSILON * size
 }
 
-/// The limit of the direction of `S_u × S_v`, from the partial derivatives; `widths` of the domain make them comparable.
+/// The limit of the direction of `S_u × S_v`, from the partial derivatives; `widths` of the domain make them
+/// comparable.
 pub(crate) fn limit_normal<P: Point3, const K: usize>(
     partials: &[[P; K]; K],
     widths: [P::Scalar; 2],
@@ -85,8 +86,8 @@ pub(crate) fn limit_normal<P: Point3, const K: usize>(
     Some(normal.scale(sign))
 }
 
-/// The Taylor coefficients on the unit square, scaled so that the largest component is 1; `None` if one is not finite or
-/// all are zero.
+/// The Taylor coefficients on the unit square, scaled so that the largest component is 1; `None` if one is not finite
+/// or all are zero.
 fn taylor<P: Point, const K: usize>(partials: &[[P; K]; K], widths: [P::Scalar; 2]) -> Option<[[P; K]; K]> {
     let mut coefficients = *partials;
     let mut largest = P::Scalar::ZERO;

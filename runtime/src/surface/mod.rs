@@ -6,7 +6,7 @@ mod edge;
 mod join;
 mod limit;
 #[cfg(feature = "alloc")]
-mod nearest;
+pub(crate) mod nearest;
 #[cfg(feature = "alloc")]
 mod net;
 mod parts;
@@ -17,8 +17,10 @@ mod tensor;
 mod triangle;
 
 pub use curvature::Curvature;
-pub use edge::{Edge, EdgeContinuity, edge_continuity};
+pub use edge::{Direction, Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
+#[cfg(feature = "alloc")]
+pub use nearest::Projection;
 pub use parts::BezierPatchOf;
 pub use rational::{RationalPatchOf, RationalSurface};
 #[cfg(feature = "alloc")]
@@ -31,7 +33,8 @@ use limit::{Side, limit_normal, rounding};
 
 /// A smooth surface `S(u, v)` over the rectangle `lo_u <= u <= hi_u`, `lo_v <= v <= hi_v`.
 ///
-/// Parameters are not clamped: outside of the rectangle the formula is continued. If a parameter is NaN so is the point.
+/// Parameters are not clamped: outside of the rectangle the formula is continued. If a parameter is NaN so is the
+/// point.
 pub trait Surface {
     /// The type of the points of the surface.
     type Point: Point;
@@ -76,11 +79,11 @@ pub trait Surface {
     /// The unit normal at `(u, v)`: the direction of `S_u × S_v`, or where that vanishes, its limit.
     ///
     /// At a pole, where a whole edge of the rectangle is one point, the product vanishes and the limit is that over all
-    /// parameters near `(u, v)` in the rectangle. `None` if there is no limit: at the apex where two such edges meet, in
-    /// general; on a surface that has shrunk to a curve or a point; on a fold across which the normal flips; and where the
-    /// surface is infinite or NaN. The limit is found from the Taylor polynomial of `S_u × S_v` up to the fourth order, and
-    /// what vanishes to a higher order has no normal here. The point at which the product vanishes is recognised up to
-    /// rounding errors.
+    /// parameters near `(u, v)` in the rectangle. `None` if there is no limit: at the apex where two such edges meet,
+    /// in general; on a surface that has shrunk to a curve or a point; on a fold across which the normal flips; and
+    /// where the surface is infinite or NaN. The limit is found from the Taylor polynomial of `S_u × S_v` up to the
+    /// fourth order, and what vanishes to a higher order has no normal here. The point at which the product vanishes is
+    /// recognised up to rounding errors.
     ///
     /// ```
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));

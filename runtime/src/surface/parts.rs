@@ -59,10 +59,11 @@ where
         V::domain().map(|v| self.isocurve_u(v))
     }
 
-    /// The boundary curves at `u = lo` and `u = hi`, which run along `v`; `None` as for [`isocurve_v`](Self::isocurve_v).
+    /// The boundary curves at `u = lo` and `u = hi`, which run along `v`; `None` as for
+    /// [`isocurve_v`](Self::isocurve_v).
     ///
-    /// For a family that interpolates its end points they are the first and the last row of the net, each with the shape
-    /// values of that row.
+    /// For a family that interpolates its end points they are the first and the last row of the net, each with the
+    /// shape values of that row.
     pub fn boundary_v(&self) -> [Option<Curve<V, P>>; 2] {
         U::domain().map(|u| self.isocurve_v(u))
     }

@@ -2,12 +2,13 @@
 
 use core::ops::Range;
 
+use crate::binomial::binomial;
 use crate::{Array, Basis, BernsteinOf, Point, Scalar, Surface, TensorSurface};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
 ///
-/// With control points `P[i][j]` of weights `w[i][j]`, `N` has the net `w[i][j] P[i][j]` and `w` the net `w[i][j]`. A weight
-/// of zero stands for a control point at infinity, whose direction is then in `N`.
+/// With control points `P[i][j]` of weights `w[i][j]`, `N` has the net `w[i][j] P[i][j]` and `w` the net `w[i][j]`. A
+/// weight of zero stands for a control point at infinity, whose direction is then in `N`.
 ///
 /// ```
 /// use basis_runtime::{BernsteinBasis, RationalSurface, Surface};
@@ -145,14 +146,14 @@ where
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
         let mut partials = self.numerator.eval_with_partials::<K>(u, v);
         let weights = self.weight.eval_with_partials::<K>(u, v);
-        let binomials = binomials::<P::Scalar, K>();
         for i in 0..K {
             for j in 0..K {
                 let mut sum = partials[i][j];
                 for a in 0..=i {
                     for b in 0..=j {
                         if a + b > 0 {
-                            let factor = binomials[i][a] * binomials[j][b] * weights[a][b];
+                            let ways = binomial::<P::Scalar>(i, a) * binomial::<P::Scalar>(j, b);
+                            let factor = ways * weights[a][b];
                             sum = sum.add_scaled(partials[i - a][j - b], -factor);
                         }
                     }
@@ -178,15 +179,4 @@ where
         RationalSurface::from_homogeneous(before, weight_before),
         RationalSurface::from_homogeneous(after, weight_after),
     ]
-}
-
-/// Pascal's triangle.
-fn binomials<S: Scalar, const K: usize>() -> [[S; K]; K] {
-    let mut rows = [[S::ZERO; K]; K];
-    for n in 0..K {
-        for k in 0..=n {
-            rows[n][k] = if k == 0 { S::ONE } else { rows[n - 1][k - 1] + rows[n - 1][k] };
-        }
-    }
-    rows
 }

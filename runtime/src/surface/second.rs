@@ -9,10 +9,12 @@ use crate::{Basis, Point, Point3, Scalar, SurfaceOfRevolution};
 
 /// A surface whose second derivatives have known bounds on every part.
 ///
-/// A triangle with its corners on the surface, whose parameters lie in a rectangle of the widths `h` and `k`, is nowhere
-/// farther from the surface than `(h² |S_uu| + 2 h k |S_uv| + k² |S_vv|) / 8` with these bounds; a mesh rests on it.
+/// A triangle with its corners on the surface, whose parameters lie in a rectangle of the widths `h` and `k`, is
+/// nowhere farther from the surface than `(h² |S_uu| + 2 h k |S_uv| + k² |S_vv|) / 8` with these bounds; a mesh rests
+/// on it.
 pub trait BoundedSurface: Surface {
-    /// Upper bounds of `|S_uu|`, `|S_uv|` and `|S_vv|` for `u[0] <= u <= u[1]` and `v[0] <= v <= v[1]`, inside of the domain.
+    /// Upper bounds of `|S_uu|`, `|S_uv|` and `|S_vv|` for `u[0] <= u <= u[1]` and `v[0] <= v <= v[1]`, inside of the
+    /// domain.
     ///
     /// Infinite where no bound is known, NaN where the surface is infinite or NaN.
     fn second_derivative_bounds(&self, u: [ScalarOf<Self>; 2], v: [ScalarOf<Self>; 2])

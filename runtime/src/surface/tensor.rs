@@ -6,15 +6,15 @@ use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
 use crate::{Array, Basis, Curve, Form, Point, Scalar, Surface};
 
-/// So many parameters in `v` are looked at together.
+/// The number of parameters in `v` that are evaluated together.
 const TILE: usize = 512;
 
 /// The surface `S(u, v) = Σ_i b[i](u) Σ_j c_i[j](v) P[i][j]` over a net of control points.
 ///
-/// The functions `b` in `u` and `c_i` in `v` are any two families. All rows of the net may have the same shape values, as
-/// in a plain tensor product, or every row `i` shape values of its own: with the quartic family and a net of four rows, the
-/// surface with the five shape parameters λ, γ0, …, γ3 ("Quartic generalized Bézier surfaces with multiple shape
-/// parameters and their G1/G2 joins", Definition 2).
+/// The functions `b` in `u` and `c_i` in `v` are any two families. All rows of the net may have the same shape values,
+/// as in a plain tensor product, or every row `i` shape values of its own: with the quartic family and a net of four
+/// rows, the surface with the five shape parameters λ, γ0, …, γ3 ("Quartic generalized Bézier surfaces with multiple
+/// shape parameters and their G1/G2 joins", Definition 2).
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -130,8 +130,8 @@ where
     }
 
     /// For each `u` the rows are added up once to the curve `v ↦ S(u, v)`, which is evaluated along `v` with the widest
-    /// vector instructions of the processor. Results can differ from [`eval`](Surface::eval) in the last digits; corners
-    /// are exact.
+    /// vector instructions of the processor. Results can differ from [`eval`](Surface::eval) in the last digits;
+    /// corners are exact.
     fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
         if vs.is_empty() {
             return;

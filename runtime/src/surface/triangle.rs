@@ -15,9 +15,9 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// u = 1 - s,   v = s (1 - r),   w = s r
     /// ```
     ///
-    /// So everything for surfaces serves triangular patches too: boxes, meshes, continuity along an edge. The normal at the
-    /// corner is a limit, and on the same side as that of the patch. With the Bernstein points `p`, row `m` is the curve
-    /// over `p[n-m, m-k, k]`, `k = 0, …, m`, with its degree raised to `n`.
+    /// So everything for surfaces serves triangular patches too: boxes, meshes, continuity along an edge. The normal at
+    /// the corner is a limit, and on the same side as that of the patch. With the Bernstein points `p`, row `m` is the
+    /// curve over `p[n-m, m-k, k]`, `k = 0, …, m`, with its degree raised to `n`.
     ///
     /// The other three edges have the parameters of the boundary curves, so that neighbours share them.
     pub fn to_tensor_surface(&self) -> TensorSurface<Side<B>, Side<B>, P> {

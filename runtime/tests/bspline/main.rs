@@ -4,6 +4,7 @@
 mod constraints;
 mod fitting;
 mod golden;
+mod joints;
 mod knots;
 mod networks;
 mod projections;

@@ -139,8 +139,8 @@ fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
     assert!(measure_joint(&network.patches()[0], &deformed, joint).unwrap().gap > 1e-3);
 }
 
-/// Four plane patches around a corner, `u` along the first and `v` along the second direction; the edges from the corner
-/// go west, south, east and north in these directions.
+/// Four plane patches around a corner, `u` along the first and `v` along the second direction; the edges from the
+/// corner go west, south, east and north in these directions.
 fn corner([west, south, east, north]: [[f64; 2]; 4]) -> Network<P3> {
     let patch = |a: [f64; 2], b: [f64; 2], [from_a, from_b]: [bool; 2]| {
         let knots = KnotVector::uniform(3, 1).unwrap();
@@ -260,7 +260,7 @@ fn hexagon() -> Network<P3> {
 fn corners_of_three_say_why_not() {
     let network = hexagon();
     for seam in 0..3 {
-        assert!(network.measure(seam).unwrap().gap < 1e-15);
+        assert!(network.measure(seam).unwrap().gap < 1e-14);
     }
     let mut deformed = network.patches()[0].clone();
     for (point, height) in deformed.control_points_mut().iter_mut().zip([0.1, 0.3, -0.2, 0.1]) {

@@ -12,8 +12,8 @@ use crate::support::{P3, distance, surface};
 #[cfg(feature = "nalgebra")]
 use serde_json::Value;
 
-/// The methods, each with options for the tests. The dense systems of the published method take long without optimisation,
-/// so it is asked for less.
+/// The methods, each with options for the tests. The dense systems of the published method take long without
+/// optimisation, so it is asked for less.
 fn methods() -> Vec<SpliceOptions> {
     let options = SpliceOptions::default();
     vec![
@@ -111,7 +111,6 @@ fn every_edge_in_both_directions_by_every_method() {
                     let found = splice(&a, &b, joint, &options).unwrap();
                     let (gap, angle) = independent(&found.surface, &b, joint);
                     assert!(gap <= options.gap && angle <= options.angle, "{options:?} {gap} {angle}");
-                    assert!(found.measure.samples >= 12 * found.spans);
                     // The opposite edge and its second row stay where they were.
                     for t in [0.0, 0.3, 1.0] {
                         let opposite = edge.opposite();
@@ -442,7 +441,7 @@ proptest! {
             let options = SpliceOptions { spans: 30, ..options };
             if let Ok(found) = splice(&left, &right, joint, &options) {
                 let (gap, angle) = independent(&found.surface, &right, joint);
-                prop_assert!(gap <= options.gap && angle <= options.angle * 1.01, "{} {}", gap, angle);
+                prop_assert!(gap <= options.gap && angle <= options.angle, "{} {}", gap, angle);
             } else {
                 // Exact joins exist for all but surfaces without tangent planes.
                 let exact = options.method == Method::Exact;

@@ -1,6 +1,9 @@
 //! Curves and curves of several segments.
 
-use basis_runtime::{Basis as _, BernsteinBasis, Bezier, Contact, Curve, Form as _, PiecewiseCurve, basis};
+use basis_runtime::{
+    Basis as _, BernsteinBasis, BernsteinForm, Bezier, Contact, Curve, EndpointForm, Form as _,
+    PiecewiseCurve, basis,
+};
 
 use crate::{Case, NUMBERS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
 
@@ -45,6 +48,15 @@ const CURVE: &[Case<Quartic>] = &[
     ("to_bernstein", |c, _, _| c.to_bernstein().len() == 5),
     ("control_box", |c, _, _| is_box(c.control_box())),
     ("form", |c, _, _| !moderate(c) || is_finite(c.form().eval(0.5))),
+    ("points", |c, a, _| {
+        let form = BernsteinForm::new(c.to_bernstein());
+        form.points().len() == 5 && (!a.is_nan() || is_nan(form.eval(a)))
+    }),
+    ("ends", |c, a, b| {
+        let form = EndpointForm::new([c.start(), c.end()], [[b; 3]; 2]);
+        form.ends().len() == 2 && (!a.is_nan() || is_nan(form.eval(a)))
+    }),
+    ("inner", |c, a, _| EndpointForm::new([c.start(), c.end()], [[a; 3]; 3]).inner().len() == 3),
     ("extrema", |c, _, _| c.extrema().iter().all(|t| (0.0..=1.0).contains(t))),
     ("bounding_box", |c, _, _| is_box(c.bounding_box())),
     ("inflections", |c, _, _| c.inflections().is_err()),
@@ -265,4 +277,29 @@ fn curves_of_degree_zero() {
         let _ = (point.extrema(), point.flatten(a), point.rotation_minimizing_frames(3, None));
     }
     assert_eq!(point.bounding_box(), [[1.0, 2.0, 3.0]; 2]);
+}
+
+/// Segments of other crates are exact or refused, whatever the control points.
+#[test]
+#[cfg(all(feature = "kurbo", feature = "lyon_geom"))]
+fn segments_of_other_crates() {
+    use basis_runtime::CurveError;
+
+    for shape in [-3.0, 0.0, 0.5] {
+        for net in crate::NETS {
+            let points = core::array::from_fn(|i| [net(i)[0], net(i)[1]]);
+            let curve = Curve::new(QuarticBernstein::new(shape).unwrap(), points);
+            let cubics = [
+                kurbo::CubicBez::try_from(&curve).map(|_| ()),
+                lyon_geom::CubicBezierSegment::try_from(&curve).map(|_| ()),
+                kurbo::PathSeg::try_from(&curve).map(|_| ()),
+                kurbo::BezPath::try_from(&PiecewiseCurve::from(curve)).map(|_| ()),
+            ];
+            for found in cubics {
+                assert!(matches!(found, Ok(()) | Err(CurveError::Degree { most: 3, found: 4 })), "{found:?}");
+            }
+            assert!(kurbo::Line::try_from(&quartic(net, shape)).is_err());
+            assert!(lyon_geom::LineSegment::try_from(&quartic(net, shape)).is_err());
+        }
+    }
 }

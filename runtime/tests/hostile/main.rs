@@ -1,6 +1,8 @@
-//! No number makes a function of curves, surfaces, patches or meshes panic or run without end, and what they answer is defined.
+//! No number makes a function of curves, surfaces, patches or meshes panic or run without end, and what they answer is
+//! defined.
 //!
-//! Every public function stands in one of the tables, under its name, and is called with every net and every pair of numbers.
+//! Every public function stands in one of the tables, under its name, and is called with every net and every pair of
+//! numbers.
 #![cfg(feature = "std")]
 
 mod curves;
@@ -8,6 +10,7 @@ mod patches;
 mod slices;
 #[path = "../sources/mod.rs"]
 mod sources;
+mod splines;
 mod surfaces;
 
 use core::fmt::Debug;
@@ -57,7 +60,7 @@ const NETS: [fn(usize) -> P; 17] = [
     |i| [5e-324 * i as f64, 5e-324 * ((i * i) % 3) as f64, 0.0],
     |i| [1e160 * i as f64, 1e-160 * (i * i) as f64, 1.0],
     |i| [1e16 + 2.0 * i as f64, 1.0 - (i as f64).cos(), (i as f64).sin()],
-    // One number that is none.
+    // One component that is not a number.
     |i| [i as f64, if i == 2 { f64::NAN } else { 1.0 }, 0.0],
     |i| [i as f64, if i == 3 { f64::INFINITY } else { 1.0 }, 0.0],
 ];
@@ -92,7 +95,7 @@ fn is_finite(p: P) -> bool {
     p.iter().all(|c| c.is_finite())
 }
 
-/// Whether a distance is none of a negative number; NaN stands for a question without an answer.
+/// Whether a distance is not negative; NaN stands for a question without an answer.
 fn is_length(length: f64) -> bool {
     length.is_nan() || length >= 0.0
 }
@@ -106,21 +109,60 @@ fn is_box([low, high]: [P; 2]) -> bool {
     low.iter().zip(high).all(|(&l, h)| l <= h || l.is_nan() || h.is_nan())
 }
 
-/// Every public function of the folders stands in a table.
+/// The type of which a line begins the implementation: `Net` of `impl<P: Copy> Net<P> {` and of `impl<P> Surface for Net<P> {`.
+fn implemented(line: &str) -> Option<&str> {
+    let mut rest = line.strip_prefix("impl")?;
+    if rest.starts_with('<') {
+        let mut depth = 0;
+        let end = rest.char_indices().find(|&(_, c)| {
+            depth += i32::from(c == '<') - i32::from(c == '>');
+            depth == 0
+        })?;
+        rest = &rest[end.0 + 1..];
+    }
+    let name = rest.rsplit(" for ").next()?.trim();
+    name.split(|c: char| !c.is_alphanumeric() && c != '_').next()
+}
+
+/// Every public function of the folders stands in a table: of the splines, where many types have functions of one name, with its type.
 #[test]
 fn none_is_forgotten() {
     let tables = [curves::NAMES, patches::NAMES, slices::NAMES, surfaces::NAMES].concat();
-    let folders = ["curve", "surface", "simplex", "boxes", "revolution", "mesh", "bernstein"];
-    let mut found = 0;
-    for (path, text) in folders.into_iter().flat_map(sources::files) {
+    let splines = splines::names();
+    let folders = [
+        "curve",
+        "surface",
+        "simplex",
+        "boxes",
+        "revolution",
+        "mesh",
+        "bernstein",
+        "form",
+        "convert",
+        "bspline",
+    ];
+    let (mut found, mut of_splines) = (0, 0);
+    for (folder, (path, text)) in
+        folders.into_iter().flat_map(|f| sources::files(f).into_iter().map(move |file| (f, file)))
+    {
+        let mut of = None;
         for line in text.lines() {
+            if !line.starts_with(' ') && !line.starts_with('}') {
+                of = implemented(line).or(of.filter(|_| !line.starts_with("pub fn")));
+            }
             let line = line.trim_start();
             let head = ["pub fn ", "pub const fn "].iter().find_map(|start| line.strip_prefix(start));
             let Some(head) = head else { continue };
             let name = head.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
             found += 1;
-            assert!(tables.contains(&name), "{name} of {} is never called", path.display());
+            if folder == "bspline" {
+                of_splines += 1;
+                let name = of.map_or(name.to_owned(), |of| format!("{of}::{name}"));
+                assert!(splines.contains(&name.as_str()), "{name} of {} is never called", path.display());
+            } else {
+                assert!(tables.contains(&name), "{name} of {} is never called", path.display());
+            }
         }
     }
-    assert!(found > 100);
+    assert!(found > 250 && of_splines > 100, "{found} {of_splines}");
 }

@@ -1,8 +1,8 @@
 //! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
 
 use basis_runtime::{
-    BoundedSurface, Curve, Edge, Mesh, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
-    Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
+    BoundedSurface, Curve, Direction, Edge, Mesh, RationalSurface, Surface, SurfaceOfRevolution,
+    TensorSurface, Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
@@ -101,6 +101,9 @@ const TENSOR: &[Case<Tensor>] = &[
         })
     }),
     ("runs_along_u", |_, _, _| Edge::VStart.runs_along_u() && !Edge::UEnd.runs_along_u()),
+    ("across", |_, _, _| Edge::VStart.across() == Direction::V && Edge::UEnd.across() == Direction::U),
+    ("is_end", |_, _, _| Edge::UEnd.is_end() && !Edge::VStart.is_end()),
+    ("opposite", |_, _, _| Edge::ALL.iter().all(|edge| edge.opposite().opposite() == *edge)),
     ("gaussian", |s, a, b| {
         s.curvature(a, b).is_none_or(|c| c.gaussian().is_nan() || c.principal.iter().all(|k| !k.is_nan()))
     }),

@@ -64,8 +64,8 @@ fn of_the_cubic_spline_segment() {
     assert!(worst < 2.5); // its ends are rounded averages
 }
 
-/// The weights of the control points of a Bézier curve of degree `N - 1 = R + 1` in the inner coefficients of its endpoint
-/// form: `C - chord = s x R`, divided in the Bernstein basis, then rewritten in powers of `y`.
+/// The weights of the control points of a Bézier curve of degree `N - 1 = R + 1` in the inner coefficients of its
+/// endpoint form: `C - chord = s x R`, divided in the Bernstein basis, then rewritten in powers of `y`.
 fn inner_weights<const N: usize, const R: usize>() -> [[f32; N]; R] {
     let n = N - 1;
     let binomial = |n: usize, k: usize| (0..k).fold(1.0, |b, i| b * (n - i) as f64 / (i + 1) as f64);
@@ -88,8 +88,8 @@ fn inner_weights<const N: usize, const R: usize>() -> [[f32; N]; R] {
     weights.map(|row| row.map(|w| w as f32))
 }
 
-/// The largest errors of both forms at degree `N - 1`: of points, and of first derivatives in units of ε times twice the
-/// degree times the largest control point, which bounds the derivative.
+/// The largest errors of both forms at degree `N - 1`: of points, and of first derivatives in units of ε times twice
+/// the degree times the largest control point, which bounds the derivative.
 fn both_forms<const N: usize, const R: usize>() -> [[f64; 2]; 2] {
     let random = &mut Random::new(43);
     let weights = inner_weights::<N, R>();

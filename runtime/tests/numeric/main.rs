@@ -19,6 +19,8 @@ mod not_a_number;
 mod parts;
 mod piecewise;
 mod points;
+#[allow(dead_code)] // shared with other tests
+#[path = "../../../tests/src/random.rs"]
 mod random;
 mod reference;
 mod shape;

@@ -40,8 +40,9 @@ fn of_random_curves() {
     }
 }
 
-/// On a grid of whole numbers the derivative of the distance often vanishes at an end of the curve, exactly: because two control
-/// points are one, or because the first leg is perpendicular to the line of sight. The nearest point is inside all the same.
+/// On a grid of whole numbers the derivative of the distance often vanishes at an end of the curve, exactly: because
+/// two control points are one, or because the first leg is perpendicular to the line of sight. The nearest point is
+/// inside all the same.
 #[test]
 fn where_the_start_is_farther_than_its_neighbours() {
     let nearest =
@@ -69,7 +70,8 @@ fn of_a_curve_that_overflows() {
     assert!(nearest.distance.is_nan() || nearest.distance <= 1e154, "{nearest:?}");
 }
 
-/// From a point of the curve the distance is zero, and from a point next to it the parameter is found to the last digits.
+/// From a point of the curve the distance is zero, and from a point next to it the parameter is found to the last
+/// digits.
 #[test]
 fn from_points_on_the_curve() {
     let random = &mut Random::new(56);

@@ -1,4 +1,5 @@
-//! Polynomials by their monomial coefficients, in `f64`: what the families are, independently of how they are evaluated.
+//! Polynomials by their monomial coefficients, in `f64`: what the families are, independently of how they are
+//! evaluated.
 
 /// The coefficients of `1, t, t², …` of the product of two polynomials.
 pub fn product(a: &[f64], b: &[f64]) -> Vec<f64> {

@@ -1,7 +1,10 @@
 //! No input makes a surface panic or run without end.
 
+use std::cell::Cell;
+
 use basis_runtime::{
-    Curve, Edge, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, edge_continuity,
+    BernsteinBasis, BoundedSurface, Curve, Edge, MeshError, ScalarOf, Surface, SurfaceOfRevolution,
+    TensorSurface, Tessellation, edge_continuity,
 };
 
 use crate::families::{QuarticBernstein, random_quartic};
@@ -61,5 +64,68 @@ fn generatrices_of_extreme_numbers() {
             let _ = Tessellation::new(0.05).unwrap().with(&patch).mesh();
         }
         let _ = Tessellation::new(0.05).unwrap().with(&surface).mesh();
+    }
+}
+
+/// A surface that counts how often it is asked for a bound.
+struct Counted<'a, S> {
+    surface: &'a S,
+    questions: Cell<usize>,
+}
+
+impl<S: Surface> Surface for Counted<'_, S> {
+    type Point = S::Point;
+
+    fn domain(&self) -> [[ScalarOf<Self>; 2]; 2] {
+        self.surface.domain()
+    }
+
+    fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point {
+        self.surface.eval(u, v)
+    }
+
+    fn eval_with_partials<const K: usize>(
+        &self,
+        u: ScalarOf<Self>,
+        v: ScalarOf<Self>,
+    ) -> [[Self::Point; K]; K] {
+        self.surface.eval_with_partials(u, v)
+    }
+}
+
+impl<S: BoundedSurface> BoundedSurface for Counted<'_, S> {
+    fn second_derivative_bounds(
+        &self,
+        u: [ScalarOf<Self>; 2],
+        v: [ScalarOf<Self>; 2],
+    ) -> [ScalarOf<Self>; 3] {
+        self.questions.set(self.questions.get() + 1);
+        self.surface.second_derivative_bounds(u, v)
+    }
+}
+
+/// Millions of rectangles are refused when some ten thousand have shown that they are needed.
+#[test]
+fn tolerances_out_of_reach_are_refused_soon() {
+    let quadratic = BernsteinBasis::<f64, 3>::new();
+    let wavy = |size: f64| -> [[[f64; 3]; 3]; 3] {
+        core::array::from_fn(|i| {
+            core::array::from_fn(|j| {
+                let (i, j): (f64, f64) = (i as f64, j as f64);
+                [i * size, j * size, ((3.0 * i).sin() + (2.0 * j).cos()) * size]
+            })
+        })
+    };
+    // A flat sheet with one corner far away: the first rectangles are no trouble, the last ones have no bound.
+    let mut peak = wavy(0.0);
+    peak[2][2] = [1e308, -1e308, 1e308];
+    for (net, tolerance) in [(wavy(1.0), 1e-12), (wavy(1e105), 1e96), (wavy(1e300), 1e292), (peak, 1e300)] {
+        let surface = TensorSurface::new(quadratic, quadratic, net);
+        let counted = Counted { surface: &surface, questions: Cell::new(0) };
+        let error = Tessellation::new(tolerance).unwrap().with(&counted).mesh().unwrap_err();
+        let named =
+            matches!(error, MeshError::TooFine { surface: 0, .. } | MeshError::NotFinite { surface: 0 });
+        assert!(named, "{error}");
+        assert!(counted.questions.get() < 50_000, "{tolerance}: {}", counted.questions.get());
     }
 }

@@ -15,7 +15,7 @@ mod normals;
 mod partials;
 mod parts;
 #[allow(dead_code)] // shared with other tests
-#[path = "../numeric/random.rs"]
+#[path = "../../../tests/src/random.rs"]
 mod random;
 mod revolution;
 #[cfg(feature = "serde")]

@@ -116,8 +116,8 @@ fn joined_surfaces_share_their_seam() {
     }
 }
 
-/// The mesh of the surfaces, which must have no crack: one boundary loop, as many of its edges as positions on it, and what
-/// Euler's formula gives for a disc.
+/// The mesh of the surfaces, which must have no crack: one boundary loop, as many of its edges as positions on it, and
+/// what Euler's formula gives for a disc.
 fn disc(tessellation: &Tessellation<'_, f64>) -> Mesh<f64> {
     let mesh = tessellation.mesh().unwrap();
     assert!(mesh.is_oriented());
@@ -393,8 +393,8 @@ fn broken_meshes_are_refused() {
     }
 }
 
-/// A volume is a sum of which little is left far from the origin, unless it is measured from near by; and its sign turns closed
-/// meshes over.
+/// A volume is a sum of which little is left far from the origin, unless it is measured from near by; and its sign
+/// turns closed meshes over.
 #[test]
 fn far_from_the_origin() {
     let near = egg_at(0.0_f64).volume();

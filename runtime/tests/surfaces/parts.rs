@@ -17,7 +17,7 @@ fn isocurves() {
         let (u, v): (f64, f64) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
         assert!(near(surface.isocurve_u(v).eval(u), surface.eval(u, v)));
         assert!(near(surface.isocurve_v_bezier(u).eval(v), surface.eval(u, v)));
-        // With five different shape values the curve in v is none of the family.
+        // With five different shape values the curve in v is not one of the family.
         assert_eq!(surface.isocurve_v(u), None);
 
         let gamma = random_quartic(random);
@@ -96,7 +96,8 @@ fn bezier_form() {
     assert_eq!(bezier.control_point(3, 3), Some([0.0]));
 }
 
-/// A quarter of a circle swept along a line, with its weights; both parts are the surface, and share their edge bit for bit.
+/// A quarter of a circle swept along a line, with its weights; both parts are the surface, and share their edge bit for
+/// bit.
 #[test]
 fn parts_of_rational_surfaces() {
     let half = 0.5_f64.sqrt();

@@ -11,8 +11,8 @@
     clippy::pedantic
 )]
 
-curves::basis!("../../../specs/quartic.basis", crate = curves);
-curves::basis!("../../../specs/bernstein.basis", crate = ::curves, Bernstein(3), Bernstein(14) as High);
+curves::basis!(library "quartic", crate = curves);
+curves::basis!(library "bernstein", crate = ::curves, Bernstein(3), Bernstein(14) as High);
 
 /// A point of the curve over four numbers.
 ///

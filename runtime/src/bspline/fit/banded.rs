@@ -1,15 +1,16 @@
 //! Least squares with a banded matrix, row by row.
 //!
 //! Each equation is rotated into an upper triangular band (Givens), so the normal equations, which would square the
-//! condition number, are never formed. Source: P. Dierckx, *Curve and Surface Fitting with Splines* (1993), section 4.1.
+//! condition number, are never formed. Source: P. Dierckx, *Curve and Surface Fitting with Splines* (1993), section
+//! 4.1.
 
 use alloc::vec;
 use alloc::vec::Vec;
 
 use crate::Scalar;
 
-/// The triangular system to which all equations so far are reduced: `unknowns` columns in a band of `width`, and `lanes`
-/// right sides.
+/// The triangular system to which all equations so far are reduced: `unknowns` columns in a band of `width`, and
+/// `lanes` right sides.
 pub(in crate::bspline) struct Banded {
     width: usize,
     lanes: usize,

@@ -18,7 +18,8 @@ pub enum FitError {
         /// The number of points.
         found: usize,
     },
-    /// There are not as many points as basis functions, so that no curve over the knots, or more than one, passes through them.
+    /// There are not as many points as basis functions, so that no curve over the knots, or more than one, passes
+    /// through them.
     Functions {
         /// The number of basis functions.
         functions: usize,
@@ -37,7 +38,8 @@ pub enum FitError {
         /// Its index; that of a point of a grid counts row by row.
         index: usize,
     },
-    /// A parameter is not larger than the one before it; with parameters from distances, two neighbouring points coincide.
+    /// A parameter is not larger than the one before it; with parameters from distances, two neighbouring points
+    /// coincide.
     NotIncreasing {
         /// The index of the parameter.
         index: usize,
@@ -71,7 +73,8 @@ impl Display for FitError {
             ),
             Self::Undetermined { function } => write!(
                 f,
-                "basis function {function} is not determined: too few parameters lie in its support; use fewer knots there"
+                "basis function {function} is not determined: too few parameters lie in its support; \
+                 use fewer knots there"
             ),
         }
     }

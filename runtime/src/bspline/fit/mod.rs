@@ -39,9 +39,9 @@ impl<P: Point> BSplineCurve<P> {
     /// The curve over these knots that has these points at these parameters: `C(parameters[i]) = points[i]`.
     ///
     /// # Errors
-    /// If there are not as many points and parameters as basis functions, the parameters do not increase or are outside of
-    /// the domain, or do not determine the curve: for each basis function there must be a parameter inside of its support
-    /// (Schoenberg and Whitney).
+    /// If there are not as many points and parameters as basis functions, the parameters do not increase or are outside
+    /// of the domain, or do not determine the curve: for each basis function there must be a parameter inside of its
+    /// support (Schoenberg and Whitney).
     pub fn interpolate_at(
         knots: KnotVector<P::Scalar>,
         parameters: &[P::Scalar],
@@ -57,13 +57,14 @@ impl<P: Point> BSplineCurve<P> {
         Self::fit(knots, parameters, points, None)
     }
 
-    /// The curve over these knots that is nearest to the points: it minimises `Σ (w[i] |C(parameters[i]) - points[i]|)²`.
+    /// The curve over these knots that is nearest to the points: it minimises
+    /// `Σ (w[i] |C(parameters[i]) - points[i]|)²`.
     ///
     /// All weights are 1 if none are given. The parameters may have any order, and repeat.
     ///
     /// # Errors
-    /// If the numbers of points, parameters and weights differ, one is not finite, a parameter is outside of the domain, or
-    /// the data do not determine the curve.
+    /// If the numbers of points, parameters and weights differ, one is not finite, a parameter is outside of the
+    /// domain, or the data do not determine the curve.
     pub fn fit(
         knots: KnotVector<P::Scalar>,
         parameters: &[P::Scalar],

@@ -19,7 +19,7 @@ pub enum NetworkError {
         /// The index of the seam.
         seam: usize,
     },
-    /// So many patches do not fill the rows of a grid.
+    /// The patches do not fill the rows of a grid.
     Grid {
         /// The number of patches.
         patches: usize,
@@ -52,9 +52,10 @@ pub enum NetworkError {
         /// What is wrong.
         error: SpliceError,
     },
-    /// Two seams that meet in a corner ask for different mixed derivatives of the patch between them, and over so few spans
-    /// the mean of both is not good enough for either. That happens where the seams do not pass straight through the corner
-    /// (see [`Network::follow`](super::Network::follow)); the error of the mean falls with the length of the spans.
+    /// Two seams that meet in a corner ask for different mixed derivatives of the patch between them, and over so few
+    /// spans the mean of both is not good enough for either. That happens where the seams do not pass straight through
+    /// the corner (see [`Network::follow`](super::Network::follow)); the error of the mean falls with the length of the
+    /// spans.
     Twist {
         /// The patch in the corner.
         patch: usize,
@@ -74,15 +75,16 @@ pub enum NetworkError {
         /// How its edges meet.
         achieved: JointMeasure,
     },
-    /// Two patches that both follow also meet each other, in a corner of three or of five and more patches, and their changes
-    /// do not fit.
+    /// Two patches that both follow also meet each other, in a corner of three or of five and more patches, and their
+    /// changes do not fit.
     Corner {
         /// The seam between them.
         seam: usize,
         /// How they would meet.
         achieved: JointMeasure,
     },
-    /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar type.
+    /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar
+    /// type.
     NotReached {
         /// The worst seam.
         seam: usize,
@@ -116,7 +118,8 @@ impl Display for NetworkError {
             Self::Twist { patch, seams: [a, b], mismatch, worst, achieved } => {
                 write!(
                     f,
-                    "in the corner of patch {patch} between the seams {a} and {b} the twists that they ask for put one control \
+                    "in the corner of patch {patch} between the seams {a} and {b} the twists that they \
+                     ask for put one control \
                      point at two places, {mismatch:.3e} apart; seam {worst} is then not smooth: "
                 )?;
                 figures(f, achieved)?;

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::transport::Leader;
 use super::{FollowOptions, Followed, Inserted, Network, NetworkError};
+use crate::bspline::splice::AIM;
 use crate::bspline::splice::measure::{Piece, measure, middles};
 use crate::bspline::splice::strip::{Strip, Vector, along, place};
 use crate::bspline::{
@@ -15,9 +16,6 @@ use crate::{Point, Point3, Scalar};
 
 /// The most rounds of inserting knots; each may halve all spans.
 const ROUNDS: usize = 24;
-
-/// Knots are inserted until the figures are below this part of the tolerances.
-const AIM: f64 = 0.8;
 
 /// All patches after a round, and how they came to be.
 struct Round<P: Point> {
@@ -61,8 +59,7 @@ pub(super) fn follow<P: Point3>(
         }
     }
     let mut inserted = Inserted::new(network.patches.len());
-    let mut reached = None;
-    for number in 0..ROUNDS {
+    for number in 0.. {
         let round = round(network, deformed, surface, &inserted)?;
         let figures = figures(network, &round)?;
         if number == 0 {
@@ -73,36 +70,16 @@ pub(super) fn follow<P: Point3>(
                 }
             }
         }
-        let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / options.angle);
+        let excess = |m: &JointMeasure| m.excess(options.gap, options.angle);
         let worst = figures.iter().max_by(|a, b| excess(&a.1).total_cmp(&excess(&b.1)));
-        let worst = worst.map(|&(seam, measured, _)| (seam, measured));
-        if worst.is_none_or(|(_, measured)| excess(&measured) <= 1.0) {
-            let aimed = worst.is_none_or(|(_, measured)| excess(&measured) <= AIM);
-            reached = Some(followed(network, &round, &figures));
-            if aimed {
-                break;
-            }
-        }
-        if !refine(network, &round, &figures, options, &mut inserted) {
-            return match (reached, worst) {
-                (Some(followed), _) => Ok(followed),
-                (None, Some((seam, achieved))) => Err(explain(network, &round, seam, achieved, options)),
-                (None, None) => Err(NetworkError::Patch { patch: deformed }),
-            };
+        let Some(&(seam, achieved, _)) = worst.filter(|(_, measured, _)| excess(measured) > 1.0) else {
+            return Ok(followed(network, &round, &figures));
+        };
+        if number == ROUNDS || !refine(network, &round, &figures, options, &mut inserted) {
+            return Err(explain(network, &round, seam, achieved, options));
         }
     }
-    match reached {
-        Some(followed) => Ok(followed),
-        None => {
-            let round = round(network, deformed, surface, &inserted)?;
-            let figures = figures(network, &round)?;
-            let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / options.angle);
-            match figures.iter().max_by(|a, b| excess(&a.1).total_cmp(&excess(&b.1))) {
-                Some(&(seam, achieved, _)) => Err(explain(network, &round, seam, achieved, options)),
-                None => Ok(followed(network, &round, &figures)),
-            }
-        }
-    }
+    Err(NetworkError::Patch { patch: deformed }) // not reached: the last round returns
 }
 
 /// All patches over the knots inserted so far.
@@ -185,7 +162,8 @@ fn strips<P: Point3>(
     Ok(Leader { old, new })
 }
 
-/// A follower over knots in which the changes of its leaders can be written, with the rows along all of its seams changed.
+/// A follower over knots in which the changes of its leaders can be written, with the rows along all of its seams
+/// changed.
 fn adjust<P: Point3>(
     network: &Network<P>,
     round: &mut Round<P>,

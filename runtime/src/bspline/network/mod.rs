@@ -10,6 +10,8 @@ use alloc::vec::Vec;
 pub use error::NetworkError;
 
 use super::{BSplineSurface, Direction, Edge, Joint, JointMeasure, measure_joint};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{Point, Point3};
 
 /// Two edges of patches that are one curve.
@@ -37,10 +39,7 @@ impl Seam {
 #[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::bspline::Patches<P>"))]
 #[cfg_attr(
     feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: crate::Point3 + serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
+    serde(bound(serialize = "P: Written", deserialize = "P: crate::Point3 + Read<'de>"))
 )]
 pub struct Network<P: Point> {
     patches: Vec<BSplineSurface<P>>,
@@ -71,10 +70,7 @@ impl Default for FollowOptions {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: crate::Point3 + serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
+    serde(bound(serialize = "P: Written", deserialize = "P: crate::Point3 + Read<'de>"))
 )]
 pub struct Followed<P: Point> {
     /// The network.
@@ -104,8 +100,8 @@ impl<P: Point3> Network<P> {
         Ok(Self { patches, seams })
     }
 
-    /// A grid of patches, given by rows: each one's `UEnd` joins the `UStart` of the next row, its `VEnd` the `VStart` of the
-    /// next one in its row.
+    /// A grid of patches, given by rows: each one's `UEnd` joins the `UStart` of the next row, its `VEnd` the `VStart`
+    /// of the next one in its row.
     ///
     /// # Errors
     /// [`NetworkError::Grid`] if `columns` does not divide the number of patches.
@@ -152,21 +148,21 @@ impl<P: Point3> Network<P> {
             .map_err(|error| NetworkError::Seam { seam, error })
     }
 
-    /// Replaces a patch by a deformed one over the same domain, and lets its neighbours follow: along the seams, and around
-    /// the corners where four patches meet.
+    /// Replaces a patch by a deformed one over the same domain, and lets its neighbours follow: along the seams, and
+    /// around the corners where four patches meet.
     ///
-    /// Around a corner of four patches the patch across is reached in two ways. Both ask for the same twist wherever the
-    /// opposite edges pass through the corner in one direction; elsewhere they differ, the mean of both is taken, and the
-    /// angle that remains falls with the length of the spans next to the corner, which are divided until the tolerance is
-    /// met or [`NetworkError::Twist`] says why it is not.
+    /// Around a corner of four patches the patch across is reached in two ways. Both ask for the same twist wherever
+    /// the opposite edges pass through the corner in one direction; elsewhere they differ, the mean of both is taken,
+    /// and the angle that remains falls with the length of the spans next to the corner, which are divided until the
+    /// tolerance is met or [`NetworkError::Twist`] says why it is not.
     ///
-    /// Each follower keeps the contact it had: the ratio and the slant of the derivatives across the seam. Only the two rows of
-    /// control points along a seam change, over knots that are inserted until the tolerances are met; patches that share
-    /// neither an edge nor a corner with the deformed one stay bit by bit the same.
+    /// Each follower keeps the contact it had: the ratio and the slant of the derivatives across the seam. Only the two
+    /// rows of control points along a seam change, over knots that are inserted until the tolerances are met; patches
+    /// that share neither an edge nor a corner with the deformed one stay bit by bit the same.
     ///
     /// # Errors
-    /// If a tolerance is not a positive number, a seam near the patch was not smooth before, the followers around a corner ask
-    /// for different twists, or the tolerances cannot be met.
+    /// If a tolerance is not a positive number, a seam near the patch was not smooth before, the followers around a
+    /// corner ask for different twists, or the tolerances cannot be met.
     pub fn follow(
         &self,
         deformed: usize,

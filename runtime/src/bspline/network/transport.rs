@@ -39,17 +39,18 @@ impl Leader {
 
     /// The changes of the edge row and of the row next to it of the follower, as control points over its knots.
     ///
-    /// Before, at each parameter, the follower's difference `X` of the two rows was `-α L + γ T + δ n`: `L` that of the leader,
-    /// `T` the tangent along the edge, `n` the normal. The same `α, γ, δ` are kept:
+    /// Before, at each parameter, the follower's difference `X` of the two rows was `-α L + γ T + δ n`: `L` that of the
+    /// leader, `T` the tangent along the edge, `n` the normal. The same `α, γ, δ` are kept:
     ///
     /// ```text
     /// ΔX = -α ΔL + γ ΔT + δ Δn
     /// ```
     ///
-    /// so tangent planes that agreed agree afterwards. The four patches around a corner agree about its twist if `γ` is 0 in
-    /// the corner: both ways around it then give the fourth patch `c S_uv + a S_u + b S_v` of the first one, with the same
-    /// `c`, the product of the ratios; and the same `a` and `b`, because the patches agreed before and `S_u`, `S_v` are
-    /// independent. With `γ ≠ 0` second derivatives along the edges come in as well, which nothing determines.
+    /// so tangent planes that agreed agree afterwards. The four patches around a corner agree about its twist if `γ` is
+    /// 0 in the corner: both ways around it then give the fourth patch `c S_uv + a S_u + b S_v` of the first one, with
+    /// the same `c`, the product of the ratios; and the same `a` and `b`, because the patches agreed before and `S_u`,
+    /// `S_v` are independent. With `γ ≠ 0` second derivatives along the edges come in as well, which nothing
+    /// determines.
     pub(super) fn transported(&self, follower: &Strip) -> Result<[Vec<Vector>; 2], SpliceError> {
         let edge = fit(&follower.knots, |t| Ok(self.new.at(t).point.minus(self.old.at(t).point)), None)?;
         let across = fit(

@@ -1,7 +1,7 @@
 //! Degree elevation: the same spline as one of the next degree.
 //!
-//! Source: H. Prautzsch, *Degree elevation of B-spline curves*, Computer Aided Geometric Design 1 (1984). It consists of
-//! knot insertions and one mean, so it is as stable as they are.
+//! Source: H. Prautzsch, *Degree elevation of B-spline curves*, Computer Aided Geometric Design 1 (1984). It consists
+//! of knot insertions and one mean, so it is as stable as they are.
 
 use alloc::vec::Vec;
 
@@ -77,7 +77,7 @@ fn connected<P: Point>(rows: &Rows<P::Scalar, P>) -> Result<Rows<P::Scalar, P>, 
         }
         let refined = insert(rows, &added)?;
         for i in 0..count {
-            // Of inner[..i] so many remain, and the control point with the knots after them has that index.
+            // The number of inner[..i] that remain; the control point with the knots after them has that index.
             let index = i - (i + k - left_out) / (k + 1);
             for (lane, point) in refined.row(index).iter().enumerate() {
                 if left_out == 0 {

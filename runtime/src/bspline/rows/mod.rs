@@ -1,7 +1,7 @@
 //! The algorithms on knots and control points, once for curves and for both directions of surfaces.
 //!
-//! What belongs to one basis function is a *row* of `lanes` points: one point of a curve, a row of the net of a surface.
-//! Surfaces turn their net for the other direction.
+//! What belongs to one basis function is a *row* of `lanes` points: one point of a curve, a row of the net of a
+//! surface. Surfaces turn their net for the other direction.
 
 mod bezier;
 mod elevate;

@@ -10,8 +10,8 @@ use crate::bspline::{KnotError, KnotVector};
 use crate::vector::length;
 use crate::{Point, Scalar};
 
-/// Removes an inner knot up to `times` times, as long as each control point may become what it then is; also says how often
-/// it was removed.
+/// Removes an inner knot up to `times` times, as long as each control point may become what it then is; also says how
+/// often it was removed.
 pub(in crate::bspline) fn remove<P: Point>(
     rows: &Rows<P::Scalar, P>,
     knot: P::Scalar,
@@ -37,14 +37,14 @@ pub(in crate::bspline) fn remove<P: Point>(
     Ok((best, times.min(multiplicity)))
 }
 
-/// Whether a control point moves by at most `tolerance`: the basis functions are not negative and sum to 1, so no point of the
-/// spline moves further than a control point.
+/// Whether a control point moves by at most `tolerance`: the basis functions are not negative and sum to 1, so no point
+/// of the spline moves further than a control point.
 pub(in crate::bspline) fn within<P: Point>(tolerance: P::Scalar) -> impl Fn(P, P) -> bool {
     move |before, after| length(after.minus(before)) <= tolerance
 }
 
-/// Solves the equations of [`insert`] for the rows before, from both sides towards the middle. There is one equation more
-/// than unknown rows; the one in the middle is left out.
+/// Solves the equations of [`insert`] for the rows before, from both sides towards the middle. There is one equation
+/// more than unknown rows; the one in the middle is left out.
 fn remove_once<P: Point>(rows: &Rows<P::Scalar, P>, knot: P::Scalar) -> Rows<P::Scalar, P> {
     let Rows { knots, points, lanes } = rows;
     let (k, lanes) = (knots.degree(), *lanes);

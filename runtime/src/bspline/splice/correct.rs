@@ -11,12 +11,13 @@ const FORWARD: f64 = 0.02;
 
 /// The change of `inner` that brings the strip's derivative across the edge into the tangent plane of the target.
 ///
-/// With `e = edge - inner` and the unit normal `n` of the target it is `(e·n) n`, the smallest change that makes the three
-/// tangents coplanar. Then the sign condition is enforced: in the plane, `e` must have a positive component in the direction
-/// `d` into the target, normal to the edge; if it has not, it is given the length [`FORWARD`] in that direction.
+/// With `e = edge - inner` and the unit normal `n` of the target it is `(e·n) n`, the smallest change that makes the
+/// three tangents coplanar. Then the sign condition is enforced: in the plane, `e` must have a positive component in
+/// the direction `d` into the target, normal to the edge; if it has not, it is given the length [`FORWARD`] in that
+/// direction.
 ///
-/// Where the edge of the target has a crease, its tangent plane jumps, and only the direction across the edge is in both
-/// planes. For such a target `e` becomes a multiple of that direction everywhere.
+/// Where the edge of the target has a crease, its tangent plane jumps, and only the direction across the edge is in
+/// both planes. For such a target `e` becomes a multiple of that direction everywhere.
 pub(super) fn correction(strip: &Strip, target: &Strip, t: f64) -> Result<Vector, SpliceError> {
     let to = target.at(t);
     let Some((n, d)) = plane(&to).or_else(|| {
@@ -27,7 +28,7 @@ pub(super) fn correction(strip: &Strip, target: &Strip, t: f64) -> Result<Vector
         return Err(SpliceError::Degenerate { parameter: t });
     };
     let out = strip.at(t).across.scale(-1.0);
-    // Widths in space: how the parameters across the edges are scaled has no say.
+    // Widths in space: the result does not depend on how the parameters across the edges are scaled.
     let least = FORWARD * length(out).max(FORWARD * length(to.across));
     if target.is_creased() {
         let across = direction(to.across).unwrap_or(d);

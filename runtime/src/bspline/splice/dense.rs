@@ -9,8 +9,8 @@ use crate::Point;
 use crate::bspline::KnotVector;
 use crate::bspline::fit::Banded;
 
-/// Moves the edge onto that of the target; the ends are met exactly, and their tangents. Otherwise tangents at the ends, which
-/// count for the angle, would become worse when the spans there are divided.
+/// Moves the edge onto that of the target; the ends are met exactly, and their tangents. Otherwise tangents at the
+/// ends, which count for the angle, would become worse when the spans there are divided.
 pub(super) fn edge(strip: &mut Strip, target: &Strip) -> Result<Vec<Vector>, SpliceError> {
     let slopes = strip.knots.domain().map(|t| target.at(t).tangent.minus(strip.at(t).tangent));
     let change = fit(&strip.knots, |t| Ok(target.at(t).point.minus(strip.at(t).point)), Some(slopes))?;
@@ -29,8 +29,8 @@ pub(super) fn inner(strip: &mut Strip, target: &Strip) -> Result<(), SpliceError
     Ok(())
 }
 
-/// The control points over clamped knots of the spline nearest to `wanted`, equal to it at both ends, and with the given
-/// derivatives there if there are enough of them.
+/// The control points over clamped knots of the spline nearest to `wanted`, equal to it at both ends, and with the
+/// given derivatives there if there are enough of them.
 pub(in crate::bspline) fn fit(
     knots: &KnotVector<f64>,
     mut wanted: impl FnMut(f64) -> Result<Vector, SpliceError>,
@@ -43,7 +43,7 @@ pub(in crate::bspline) fn fit(
     if n <= 2 {
         return Ok(points);
     }
-    // So many control points at each end are known.
+    // The number of control points that are known at each end.
     let mut held = 1;
     if let Some([start, end]) = slopes
         && n > 4

@@ -21,15 +21,16 @@ pub enum SpliceError {
     },
     /// A surface has only one row of control points across its edge.
     OneRow,
-    /// A surface has no tangent plane at this parameter of the joint: its edge shrinks to a point there, or the row next to it
-    /// lies on the edge. In a splice it is the target.
+    /// A surface has no tangent plane at this parameter of the joint: its edge shrinks to a point there, or the row
+    /// next to it lies on the edge. In a splice it is the target.
     Degenerate {
         /// The parameter along the edge of the surface that is adjusted.
         parameter: f64,
     },
     /// A linear system has no unique solution.
     Singular,
-    /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar type.
+    /// The tolerances were not reached with the number of spans that is allowed, or with the precision of the scalar
+    /// type.
     NotReached {
         /// The best figures that were achieved.
         achieved: JointMeasure,
@@ -54,14 +55,16 @@ impl Display for SpliceError {
             Self::Degenerate { parameter } => {
                 write!(
                     f,
-                    "a surface has no tangent plane at the parameter {parameter} of the joint, where its edge is a point or \
+                    "a surface has no tangent plane at the parameter {parameter} of the joint, where \
+                     its edge is a point or \
                      the row next to it lies on the edge; positions alone can be joined there"
                 )
             }
             Self::Singular => f.write_str("the equations of the joint have no unique solution"),
             Self::NotReached { achieved, spans, gap, angle } => write!(
                 f,
-                "gap {:.3e} (wanted {gap:.3e}, worst at {}) and angle {:.3e} rad (wanted {angle:.3e}, worst at {}) with {spans} \
+                "gap {:.3e} (wanted {gap:.3e}, worst at {}) and angle {:.3e} rad (wanted {angle:.3e}, \
+                 worst at {}) with {spans} \
                  spans; allow more spans or wider tolerances, or take the exact method, which leaves rounding errors only",
                 achieved.gap, achieved.gap_at, achieved.angle, achieved.angle_at
             ),

@@ -4,11 +4,11 @@ use super::strip::Strip;
 use crate::Point;
 use crate::vector::{dot, length};
 
-/// `inner = edge - a (inner' - edge')` with the target's rows `'` and one factor `a > 0`, so that the derivatives across
-/// the edge differ by a constant factor: gap and angle are rounding errors.
+/// `inner = edge - a (inner' - edge')` with the target's rows `'` and one factor `a > 0`, so that the derivatives
+/// across the edge differ by a constant factor: gap and angle are rounding errors.
 ///
-/// The factor is the one with the smallest change of the difference `edge - inner`, but never less than a small positive one:
-/// `a = Σ e·w / Σ w·w` over the control points, `e = edge - inner`, `w = inner' - edge'`.
+/// The factor is the one with the smallest change of the difference `edge - inner`, but never less than a small
+/// positive one: `a = Σ e·w / Σ w·w` over the control points, `e = edge - inner`, `w = inner' - edge'`.
 pub(super) fn rows(strip: &mut Strip, target: &Strip) {
     let pairs = || {
         let e = strip.edge.iter().zip(&strip.inner).map(|(edge, inner)| edge.minus(*inner));

@@ -1,5 +1,5 @@
-//! Method (a), that of the paper: equations at both ends and the middle of every span, and a quadratic programme for the
-//! rest, solved by its Karush–Kuhn–Tucker system.
+//! Method (a), that of the paper: equations at both ends and the middle of every span, and a quadratic programme for
+//! the rest, solved by its Karush–Kuhn–Tucker system.
 //!
 //! Source: Huang W. et al., *A smooth splicing method for B-spline surfaces*.
 
@@ -72,10 +72,10 @@ fn matrix(rows: &[Vector]) -> DMatrix<f64> {
 
 /// Moves the edge through the samples of the target's, with tangents as parallel as possible.
 ///
-/// Minimises `Σ |S_v(q) × T_t(q)|² = Σ S_vᵀ W S_v`, `W = |c|² I - c cᵀ` with `c = T_t(q)`, subject to `S(q) = T(q)`. The KKT
-/// system is solved in its null-space form: the solutions of the equations are `x + Z y`, with the least change `x` and a
-/// basis `Z` of the null space; what remains is a positive semidefinite system in `y`. Where it is singular, as for straight
-/// edges, the `y` of least norm is taken, and `x + Z y` is then the smallest of all optimal changes.
+/// Minimises `Σ |S_v(q) × T_t(q)|² = Σ S_vᵀ W S_v`, `W = |c|² I - c cᵀ` with `c = T_t(q)`, subject to `S(q) = T(q)`.
+/// The KKT system is solved in its null-space form: the solutions of the equations are `x + Z y`, with the least change
+/// `x` and a basis `Z` of the null space; what remains is a positive semidefinite system in `y`. Where it is singular,
+/// as for straight edges, the `y` of least norm is taken, and `x + Z y` is then the smallest of all optimal changes.
 pub(super) fn edge(strip: &mut Strip, target: &Strip) -> Result<Vec<Vector>, SpliceError> {
     let samples = samples(&strip.knots);
     let frames: Vec<_> = samples.iter().map(|&t| target.at(t)).collect();

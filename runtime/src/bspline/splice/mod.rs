@@ -1,14 +1,16 @@
 //! Splicing: one surface is adjusted along an edge so that it joins another one smoothly.
 //!
-//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control points
-//! on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the edge. The
-//! knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to the other.
+//! Two surfaces meet along an edge of each. The second one, the *target*, stays; of the first one the row of control
+//! points on the edge and, for tangent planes, the row next to it are changed, after knots have been inserted along the
+//! edge. The knot vectors and degrees may differ; parameters of the edges correspond by the affine map of one domain to
+//! the other.
 //!
 //! - **G0**: both edges are the same curve.
-//! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the adjusted
-//!   surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue each other
-//!   instead of folding back.
+//! - **G1**: `α S_u + β T_w + γ T_t = 0` along the joint with `α` and `β` of opposite sign, where `u` leads out of the
+//!   adjusted surface, `w` into the target and `t` along the edge: the tangent planes agree, and the surfaces continue
+//!   each other instead of folding back.
 
+mod bounds;
 mod correct;
 pub(super) mod dense;
 mod error;
@@ -26,14 +28,17 @@ use measure::measure;
 use strip::{Strip, along, place};
 
 use super::{BSplineSurface, Edge};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::vector::length;
 use crate::{Point, Point3, Scalar};
 
-/// Knots are inserted until the figures are below this part of the tolerances, so that what happens between the samples of
-/// the measurement is within them too.
-const AIM: f64 = 0.8;
+/// As long as a tolerance is not met, spans are divided whose figures are above this part of it: those just below would
+/// be above it when their neighbours have changed.
+pub(super) const AIM: f64 = 0.8;
 
-/// After so many rounds without better figures rounding errors are reached, or a tolerance that cannot be met.
+/// The number of rounds without better figures after which rounding errors are reached, or a tolerance that cannot be
+/// met.
 const PATIENCE: usize = 3;
 
 /// Which edges of two surfaces belong together.
@@ -76,8 +81,8 @@ pub enum Continuity {
 
 /// How the two rows are found.
 ///
-/// [`Exact`](Method::Exact) is the default on the evidence below. [`LeastSquares`](Method::LeastSquares) is for joints at
-/// which the shape must change as little as possible: it keeps the direction of the lines across the edge.
+/// [`Exact`](Method::Exact) is the default on the evidence below. [`LeastSquares`](Method::LeastSquares) is for joints
+/// at which the shape must change as little as possible: it keeps the direction of the lines across the edge.
 ///
 #[doc = include_str!("comparison.md")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -104,14 +109,14 @@ pub struct SpliceOptions {
     pub gap: f64,
     /// The largest angle between the tangent planes, in radians.
     pub angle: f64,
-    /// The most spans along the edge to which knots are inserted for the sake of the tolerances. Those that merging needs
-    /// are inserted in any case.
+    /// The most spans along the edge to which knots are inserted for the sake of the tolerances. Those that merging
+    /// needs are inserted in any case.
     pub spans: usize,
-    /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent near
-    /// its edge, and many more spans are needed.
+    /// Whether the second row gets the same change as the edge before it is corrected. Without it the surface is bent
+    /// near its edge, and many more spans are needed.
     pub carry: bool,
-    /// Whether the degree along the edge is raised to that of the target and its knots are inserted first, so that the edge
-    /// is met exactly. [`Method::Exact`] does so in any case.
+    /// Whether the degree along the edge is raised to that of the target and its knots are inserted first, so that the
+    /// edge is met exactly. [`Method::Exact`] does so in any case.
     pub merge: bool,
 }
 
@@ -133,24 +138,18 @@ impl Default for SpliceOptions {
 /// A surface that was joined to another one.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "P: serde::Serialize, P::Scalar: serde::Serialize",
-        deserialize = "P: serde::Deserialize<'de>, P::Scalar: serde::Deserialize<'de>"
-    ))
-)]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct Splice<P: Point> {
     /// The adjusted surface.
     pub surface: BSplineSurface<P>,
-    /// Gap and angle, measured on the result.
+    /// Gap and angle of the result: bounds, within the tolerances.
     pub measure: JointMeasure,
     /// The number of spans along the edge.
     pub spans: usize,
     /// How often knots were inserted and the rows solved for.
     pub rounds: usize,
-    /// How far the rows moved, and so no point of the surface moved further: the larger distance of the edge and the one of
-    /// the second row.
+    /// How far the rows moved, and so no point of the surface moved further: the larger distance of the edge and the
+    /// one of the second row.
     pub change: f64,
 }
 
@@ -180,12 +179,12 @@ fn measured<P: Point3>(
 
 /// Adjusts `surface` along an edge so that it joins `target`, which stays as it is.
 ///
-/// Only the two rows of control points next to the edge are changed, over a net that is refined along the edge (and across
-/// it, if it has so few rows that the opposite edge and its tangent planes would move).
+/// Only the two rows of control points next to the edge are changed, over a net that is refined along the edge (and
+/// across it, if it has so few rows that the opposite edge and its tangent planes would move).
 ///
 /// # Errors
-/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is wrong
-/// with the input.
+/// [`SpliceError::NotReached`] with the achieved figures if the tolerances cannot be met; the other errors say what is
+/// wrong with the input.
 pub fn splice<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
@@ -220,7 +219,6 @@ pub fn splice<P: Point3>(
     let angle = if options.continuity == Continuity::G1 { options.angle } else { f64::INFINITY };
 
     let mut best: Option<(JointMeasure, usize)> = None;
-    let mut reached = None;
     let (mut rounds, mut best_round) = (0, 0);
     loop {
         rounds += 1;
@@ -228,7 +226,7 @@ pub fn splice<P: Point3>(
         solve(&mut strip, &fixed, options)?;
         let (found, pieces) = measure(&strip, &fixed, options.continuity)?;
         let spans = strip.spans();
-        let excess = |m: &JointMeasure| (m.gap / options.gap).max(m.angle / angle);
+        let excess = |m: &JointMeasure| m.excess(options.gap, angle);
         if best.is_none_or(|(other, _)| excess(&found) < excess(&other)) {
             best = Some((found, spans));
             best_round = rounds;
@@ -242,13 +240,9 @@ pub fn splice<P: Point3>(
                 break;
             }
             let change = change(&base, &strip);
-            reached = Some(Splice { surface: result, measure, spans, rounds, change });
-            if excess(&measure) <= AIM {
-                break;
-            }
+            return Ok(Splice { surface: result, measure, spans, rounds, change });
         }
-        let [gap, angle] = [options.gap, angle].map(|tolerance| AIM * tolerance);
-        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, gap, angle);
+        let middles = measure::middles::<P::Scalar>(&strip.knots, &pieces, AIM * options.gap, AIM * angle);
         let stalled = rounds - best_round >= PATIENCE;
         if exact || stalled || middles.is_empty() || spans + middles.len() > options.spans {
             break;
@@ -256,16 +250,12 @@ pub fn splice<P: Point3>(
         base = base.inserted(&middles)?;
         inserted.extend(middles);
     }
-    match (reached, best) {
-        (Some(splice), _) => Ok(splice),
-        (None, Some((achieved, spans))) => {
-            Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
-        }
-        (None, None) => Err(SpliceError::Singular),
-    }
+    let (achieved, spans) = best.ok_or(SpliceError::Singular)?;
+    Err(SpliceError::NotReached { achieved, spans, gap: options.gap, angle: options.angle })
 }
 
-/// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent planes.
+/// A clamped surface with at least two rows beyond the two that change, so that the opposite edge keeps its tangent
+/// planes.
 fn prepared<P: Point3>(surface: &BSplineSurface<P>, edge: Edge) -> Result<BSplineSurface<P>, SpliceError> {
     let mut surface = surface.clamped();
     let across = edge.across();

@@ -86,8 +86,8 @@ impl Strip {
         Ok(Self { knots, edge, inner, factor })
     }
 
-    /// The strip over the domain `[lo, hi]`, run through backwards if `reversed`. Knots that agree with one of `grid` up to
-    /// rounding errors of the scalar type become equal to it; all are made numbers of that type.
+    /// The strip over the domain `[lo, hi]`, run through backwards if `reversed`. Knots that agree with one of `grid`
+    /// up to rounding errors of the scalar type become equal to it; all are made numbers of that type.
     pub(in crate::bspline) fn mapped<S: Scalar>(
         &self,
         [lo, hi]: [f64; 2],
@@ -148,7 +148,8 @@ impl Strip {
         Ok(self.with_rows(&rows))
     }
 
-    /// The same strip with the second row at another distance: the derivative across the edge stays, its factor changes.
+    /// The same strip with the second row at another distance: the derivative across the edge stays, its factor
+    /// changes.
     pub(in crate::bspline) fn with_factor(&self, factor: f64) -> Self {
         if factor == self.factor {
             return self.clone();
@@ -157,6 +158,11 @@ impl Strip {
         let rows = self.edge.iter().zip(&self.inner);
         let inner = rows.map(|(edge, inner)| edge.add_scaled(inner.minus(*edge), ratio)).collect();
         Self { knots: self.knots.clone(), edge: self.edge.clone(), inner, factor }
+    }
+
+    /// The points of the edge on which a span depends.
+    pub(in crate::bspline) fn local_points(&self, span: usize) -> impl Iterator<Item = Vector> + '_ {
+        self.edge[span - self.knots.degree()..=span].iter().copied()
     }
 
     /// The polynomial piece of that span at any parameter.

@@ -8,8 +8,8 @@ use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar
 
 /// A curve of one or more segments of the family `B`, each with its own shape values.
 ///
-/// Its parameter runs from 0 to the number of segments: segment `k` lies over `k <= u <= k + 1`, where its own parameter runs
-/// through its domain. At a whole number the later segment counts, but for the end of the curve.
+/// Its parameter runs from 0 to the number of segments: segment `k` lies over `k <= u <= k + 1`, where its own
+/// parameter runs through its domain. At a whole number the later segment counts, but for the end of the curve.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -40,7 +40,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> From<Curve<B, P>> for PiecewiseCurv
 }
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
-    /// The curve of these segments, one after the other. Nothing is asked of how they meet; [`joints`](Self::joints) says it.
+    /// The curve of these segments, one after the other. Nothing is asked of how they meet; [`joints`](Self::joints)
+    /// says it.
     ///
     /// # Errors
     /// [`CurveError::NoSegments`] if there are none.
@@ -78,8 +79,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         [B::Scalar::ZERO, B::Scalar::from_usize(self.segments.len())]
     }
 
-    /// The segment of a parameter and the parameter of that segment. Parameters outside of the domain belong to the first and
-    /// the last segment, which are continued; NaN belongs to the first.
+    /// The segment of a parameter and the parameter of that segment. Parameters outside of the domain belong to the
+    /// first and the last segment, which are continued; NaN belongs to the first.
     pub fn locate(&self, u: B::Scalar) -> (usize, B::Scalar) {
         let last = self.segments.len() - 1;
         let u_f64 = u.to_f64();
@@ -96,8 +97,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         B::Scalar::from_usize(index) + x
     }
 
-    /// The point at `u`. Parameters outside of the domain continue the first and the last segment; if `u` is NaN so is the
-    /// point.
+    /// The point at `u`. Parameters outside of the domain continue the first and the last segment; if `u` is NaN so is
+    /// the point.
     pub fn eval(&self, u: B::Scalar) -> P {
         let (index, t) = self.locate(u);
         self.segments[index].eval(t)

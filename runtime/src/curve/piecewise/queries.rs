@@ -90,8 +90,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         union(self.segments.iter().map(crate::Curve::control_box))
     }
 
-    /// The corners of a polygon that follows the curve within the tolerance; corners at joints stand once where the segments
-    /// meet exactly. See [`Curve::flatten`](crate::Curve::flatten).
+    /// The corners of a polygon that follows the curve within the tolerance; corners at joints stand once where the
+    /// segments meet exactly. See [`Curve::flatten`](crate::Curve::flatten).
     ///
     /// # Errors
     /// Those of [`Curve::flatten`](crate::Curve::flatten).

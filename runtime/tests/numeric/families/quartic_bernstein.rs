@@ -1,4 +1,5 @@
-// Cubic Bernstein with one shape parameter, as `basis!` emits it. No inner documentation: the crate's examples include it.
+// Cubic Bernstein with one shape parameter, as `basis!` emits it. No inner documentation: the crate's examples include
+// it.
 
 /// `QuarticBernstein`: 4 basis functions of degree 4 on `0 <= t <= 1`.
 #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]

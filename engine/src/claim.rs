@@ -1,0 +1,132 @@
+//! What is claimed, of a family or of a theorem.
+
+use basis_kernel::Values;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::diagnostic::Place;
+use crate::model::budget::{Run, TooLarge};
+pub use crate::syntax::{Comparison, Expected};
+use crate::theorem::Form;
+
+/// A claim about a family, a theorem or a join.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    /// The claim as text, index variables replaced by their values.
+    pub text: String,
+    /// The doc comment, one string a line.
+    pub doc: Vec<String>,
+    /// Whether it is declared true or false.
+    pub expected: Expected,
+    /// Where it stands; of an equation in a block, where that equation stands.
+    pub place: Place,
+    /// What is claimed.
+    pub kind: ClaimKind,
+}
+
+/// The kinds of claims.
+#[derive(Clone, Debug)]
+pub enum ClaimKind {
+    /// The functions sum to 1.
+    PartitionOfUnity,
+    /// Every function is ≥ 0 on the domain, for all shape values in their ranges.
+    Nonnegative,
+    /// `b[i](t) = b[n−i](low + high − t)`.
+    Symmetric,
+    /// The functions are linearly independent for all shape values in their ranges except the listed ones.
+    Independent(Vec<Values>),
+    /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
+    Continuity(u32),
+    /// Every difference compares with zero as stated, on the declared ranges.
+    Relation {
+        /// How the differences compare with zero.
+        comparison: Comparison,
+        /// Left side minus right side, one for each component of the two sides.
+        differences: Vec<Difference>,
+        /// Variables that an `at` block fixes; they no longer occur in the differences.
+        fixed: Vec<(Var, Fraction)>,
+        /// The values that the block fixes as text, such as `t = 0`; nothing outside of one.
+        at: Option<String>,
+    },
+    /// A scalar of a theorem compares with zero as stated.
+    Scalar {
+        /// How it compares with zero.
+        comparison: Comparison,
+        /// Left side minus right side.
+        difference: Difference,
+    },
+    /// A vector, or an outer product, of a theorem is zero.
+    Vector {
+        /// Left side minus right side as text.
+        text: String,
+        /// The difference.
+        value: Form,
+    },
+    /// Of two vectors, or outer products, one is a positive multiple of the other, or both are zero.
+    Parallel {
+        /// The left side.
+        left: Side,
+        /// The right side.
+        right: Side,
+    },
+}
+
+/// Left side minus right side.
+#[derive(Clone, Debug)]
+pub struct Difference {
+    /// The left side as text.
+    pub left: String,
+    /// The right side as text.
+    pub right: String,
+    /// The difference as text, such as `D(b[1]) - (3 + λ)`.
+    pub text: String,
+    /// The difference.
+    pub value: Fraction,
+}
+
+/// A vector with its text.
+#[derive(Clone, Debug)]
+pub struct Side {
+    /// As it is written.
+    pub text: String,
+    /// The vector.
+    pub value: Form,
+}
+
+impl ClaimKind {
+    /// Whether a variable occurs in what is claimed of a theorem.
+    pub fn depends_on(&self, var: Var) -> bool {
+        let form = |form: &Form| form.terms.values().any(|f| f.depends_on(var));
+        match self {
+            Self::Scalar { difference, .. } => difference.value.depends_on(var),
+            Self::Vector { value, .. } => form(value),
+            Self::Parallel { left, right } => form(&left.value) || form(&right.value),
+            Self::Relation { differences, .. } => differences.iter().any(|d| d.value.depends_on(var)),
+            _ => true,
+        }
+    }
+
+    /// Counts what the claim keeps in memory.
+    pub(crate) fn kept(&self, run: &Run) -> Result<(), TooLarge> {
+        let kept = |difference: &Difference| {
+            run.text(difference.left.len() + difference.right.len() + difference.text.len())?;
+            run.keep(&difference.value)
+        };
+        let form = |form: &Form| form.terms.values().try_for_each(|f| run.keep(f));
+        match self {
+            Self::Relation { differences, .. } => differences.iter().try_for_each(kept),
+            Self::Scalar { difference, .. } => kept(difference),
+            Self::Vector { value, .. } => form(value),
+            Self::Parallel { left, right } => form(&left.value).and_then(|()| form(&right.value)),
+            _ => Ok(()),
+        }
+    }
+
+    /// The variables that an `at` block fixes.
+    pub fn fixed(&self) -> &[(Var, Fraction)] {
+        match self {
+            Self::Relation { fixed, .. } => fixed,
+            _ => &[],
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! Equations: expand, subtract, and nothing or something is left.
+
+use basis_kernel::Statement;
+use basis_kernel::collections::list::Mapped;
+
+use super::verdict::Witness;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::claim::ClaimKind;
+use crate::model::Family;
+use crate::plural::abbreviated;
+
+/// Σ bᵢ = 1.
+pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {
+    let mut sum = Fraction::zero();
+    for function in &family.functions {
+        sum = &sum + &function.value;
+    }
+    let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+    vec![(format!("{} - 1", labels.join(" + ")), &sum - &Fraction::constant(Rational::ONE))]
+}
+
+/// On an interval bᵢ(t) = bₙ₋ᵢ(low + high − t), on a box the same in every variable; on a simplex any two corners
+/// can be exchanged together with their indices, and so all of them.
+pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
+    let mut differences = Vec::new();
+    for motion in motions(family) {
+        for (k, function) in family.functions.iter().enumerate() {
+            let Some(moved_index) = motion.index(&function.index) else {
+                differences.extend(unnumbered(family, &motion, k));
+                continue;
+            };
+            let Some(other) = family.functions.iter().position(|f| f.index == moved_index) else { continue };
+            // A motion is its own inverse: what holds for a function holds for its partner.
+            if other < k {
+                continue;
+            }
+            let Some(moved) = motion.apply(&family.functions[other].value) else { continue };
+            let (this, that) = (family.function_label(k), family.function_label(other));
+            let of = format!("{this} - {that}({})", motion.arguments.join(", "));
+            differences.push((of, &function.value - &moved));
+        }
+    }
+    differences
+}
+
+/// In a numbering that says nothing about the domain, a moved function must be one of the functions: the difference to that
+/// one, or where there is none, to the function itself.
+fn unnumbered(family: &Family, motion: &Motion, k: usize) -> Option<(String, Fraction)> {
+    let moved = motion.apply(&family.functions[k].value)?;
+    let other = family.functions.iter().position(|f| f.value == moved).unwrap_or(k);
+    let (this, that) = (family.function_label(k), family.function_label(other));
+    let of = format!("{that} - {this}({})", motion.arguments.join(", "));
+    Some((of, &family.functions[other].value - &moved))
+}
+
+/// A motion of the domain onto itself with what it does to the indices.
+struct Motion {
+    /// New values of the independent variables.
+    by: Vec<(Var, Poly)>,
+    /// The same for reading, all variables.
+    arguments: Vec<String>,
+    /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the indices are
+    /// not those of the coordinates.
+    places: Option<(usize, usize)>,
+    last: Vec<i64>,
+}
+
+impl Motion {
+    fn index(&self, index: &[i64]) -> Option<Vec<i64>> {
+        let mut moved = index.to_vec();
+        let (a, b) = self.places?;
+        if a == b {
+            moved[a] = self.last[a] - index[a];
+        } else {
+            moved.swap(a, b);
+        }
+        Some(moved)
+    }
+
+    /// The function at the moved point.
+    fn apply(&self, f: &Fraction) -> Option<Fraction> {
+        // First the variables that take the places of others, all at once; then at most one that takes the place of an
+        // expression: it keeps its name meanwhile, because what occurs in the expression is renamed already.
+        let width = self
+            .by
+            .iter()
+            .map(|(v, _)| v.0 + 1)
+            .chain(f.numer().variables().last().map(|v| v.0 + 1))
+            .max()?;
+        let mut names: Vec<Var> = (0..width).map(Var).collect();
+        let mut substituted = None;
+        for (var, value) in &self.by {
+            match value.variables().as_slice() {
+                [only] if *value == Poly::var(*only) => names[var.0] = *only,
+                _ => substituted = Some((*var, value)),
+            }
+        }
+        let mut numer = f.numer().rename(&names);
+        if let Some((var, value)) = substituted {
+            numer = numer.substitute(var, value);
+        }
+        Fraction::new(numer, f.denom().clone())
+    }
+}
+
+/// Motions that generate all symmetries of the domain.
+fn motions(family: &Family) -> Vec<Motion> {
+    let Some(last) = family.functions.last().map(|f| f.index.clone()) else { return Vec::new() };
+    let one =
+        |(k, p): (usize, &Poly), at: usize, value: &Poly| if k == at { value.clone() } else { p.clone() };
+    let vars: Vec<Var> = family.domain.mapped(|p| p.var);
+    let mut identity: Vec<Poly> = vars.mapped(|v| Poly::var(*v));
+    let mut all = Vec::new();
+    if family.is_simplex() {
+        let rest = identity.iter().fold(Poly::one(), |rest, p| &rest - p);
+        let names: Vec<String> = family.domain_variables().map(|p| p.name.clone()).collect();
+        identity.push(rest);
+        let numbered = last.len() == names.len();
+        for k in 0..vars.len() {
+            let (mut moved, mut arguments) = (identity.clone(), names.clone());
+            moved.swap(k, k + 1);
+            arguments.swap(k, k + 1);
+            let by = vars.iter().copied().zip(moved).collect();
+            all.push(Motion { by, arguments, places: numbered.then_some((k, k + 1)), last: last.clone() });
+        }
+        return all;
+    }
+    for (k, variable) in family.domain.iter().enumerate() {
+        let Some((low, high)) = variable.range.finite() else { continue };
+        let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
+        let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).collect();
+        let arguments = moved.mapped(|p| p.display(&family.names).to_string());
+        all.push(Motion {
+            by: vars.iter().copied().zip(moved).collect(),
+            arguments,
+            places: (last.len() == vars.len()).then_some((k, k)),
+            last: last.clone(),
+        });
+    }
+    all
+}
+
+/// Neighbouring segments over control points P[0], P[1], … and P[1], P[2], … have the same derivatives of every order
+/// up to `order` where they meet: b[i] at the lower end is b[i + 1] at the upper end, and what has no partner
+/// vanishes.
+pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)> {
+    let mut differences = Vec::new();
+    let Some((var, low, high)) = family.interval() else { return differences };
+    let len = family.functions.len();
+    let at = |k: usize, order: u32, end: &Rational| {
+        let value = (0..order).fold(family.functions[k].value.clone(), |f, _| f.derivative(var));
+        value.substitute(var, &Fraction::constant(end.clone()))
+    };
+    let name = |k: usize, order: u32, end: &Rational| {
+        let b = family.function_label(k);
+        match order {
+            0 => format!("{b}({end})"),
+            1 => format!("D({b})({end})"),
+            _ => format!("D({b}, {order})({end})"),
+        }
+    };
+    for order in 0..=order {
+        for k in 0..=len {
+            let mut difference = Fraction::zero();
+            let mut parts = Vec::new();
+            // A denominator has shape parameters only, so it stays what it is.
+            if let Some(f) = k.checked_sub(1).and_then(|k| at(k, order, low)) {
+                difference = f;
+                parts.push(name(k - 1, order, low));
+            }
+            if let Some(f) = Some(k).filter(|k| *k < len).and_then(|k| at(k, order, high)) {
+                difference = &difference - &f;
+                parts.push(name(k, order, high));
+            }
+            let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
+            differences.push((of, difference));
+        }
+    }
+    differences
+}
+
+/// What it means that an expression is not as claimed.
+pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec<String> {
+    let of = &witness.of;
+    let here = witness.point();
+    let value = match witness.refutation().statement() {
+        Statement::Zero { value, .. } => Fraction::new(value.numerator.clone(), value.denominator.clone()),
+        _ => return vec![format!("`{of}` is {} at {here}", witness.value)],
+    };
+    let difference = value.unwrap_or_else(Fraction::zero);
+    let shown = abbreviated(&difference.display(&family.names));
+    match kind {
+        ClaimKind::PartitionOfUnity => {
+            let one = Fraction::constant(Rational::ONE);
+            vec![
+                format!(
+                    "the sum of the functions is `{}`",
+                    abbreviated(&(&difference + &one).display(&family.names))
+                ),
+                format!("at {here} it is {}", &witness.value + &Rational::ONE),
+            ]
+        }
+        ClaimKind::Continuity(order) => {
+            let all = continuity(family, *order);
+            let k = all.iter().position(|(label, _)| label == of).unwrap_or(0);
+            let order = k / (family.functions.len() + 1);
+            vec![
+                format!("the derivatives of order {order} of neighbouring segments differ where they meet"),
+                format!("`{of}` is `{shown}`"),
+            ]
+        }
+        ClaimKind::Relation { differences, fixed, .. } => {
+            let at = if fixed.is_empty() {
+                String::new()
+            } else {
+                format!(" at {}", describe_fixed(family, fixed))
+            };
+            let sides = differences.iter().find(|d| d.text == *of && d.value == difference);
+            let (left, right) = sides.map(|d| (d.left.as_str(), d.right.as_str())).unwrap_or_default();
+            vec![
+                format!("`{left}`{at} differs from `{right}` by `{shown}`"),
+                format!("at {here} the difference is {}", witness.value),
+            ]
+        }
+        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value)],
+    }
+}
+
+fn describe_fixed(family: &Family, fixed: &[(Var, Fraction)]) -> String {
+    let parts: Vec<String> =
+        fixed.mapped(|(v, f)| format!("{} = {}", family.names[v.0], f.display(&family.names)));
+    parts.join(", ")
+}

@@ -1,0 +1,239 @@
+//! Linear independence: the rank of the coefficient table and the shape values at which it drops.
+
+use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::sort::sort_unique;
+use basis_kernel::{Statement, Values};
+use basis_prover::map::SortedMap;
+use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
+
+use super::family::{domain_names, named_point};
+use super::verdict::{Stated, Witness};
+use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::model::Family;
+use crate::model::bernstein::{bernstein_table, graded_table};
+
+/// What the claim is about, in place of an expression.
+const COEFFICIENTS: &str = "table of coefficients";
+
+/// What is evaluated where there is no combination to show.
+const SQUARES: &str = "sum of the squares of the maximal minors";
+
+/// Functions as the rows of a matrix of their coefficients.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// One row for each function, all of one length.
+    pub rows: Vec<Vec<Poly>>,
+    /// Permutations that leave the matrix unchanged, as far as they are known.
+    pub symmetries: Symmetries,
+}
+
+/// Independence on the declared ranges except for the listed shape values; at each of these the functions must be
+/// dependent.
+pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
+    let Table { rows, symmetries } = coefficient_table(family);
+    let statement = Statement::Independent { rows, except: except.to_vec(), region: family.shape_region() };
+    Stated { of: String::from(COEFFICIENTS), statement, symmetries }
+}
+
+/// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an interval
+/// in the Bernstein basis, or in powers if that
+/// makes the table triangular; on a simplex in homogeneous monomials, in which more of them are numbers.
+pub fn coefficient_table(family: &Family) -> Table {
+    if let Some(rows) = graded_table(family) {
+        return Table { rows, symmetries: Symmetries::new() };
+    }
+    if let Some(rows) = bernstein_table(family) {
+        let reversed = |len: usize| (0..len).rev().collect();
+        let width = rows.first().map_or(0, Vec::len);
+        let symmetries = vec![vec![Symmetry { rows: reversed(rows.len()), columns: reversed(width) }]];
+        return Table { rows, symmetries };
+    }
+    let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
+    // The shape parameters are the first variables.
+    let parts_of = |m: &Monomial| {
+        let (mut shape, mut others) = (m.exponents(), m.exponents());
+        shape.truncate(family.shapes.len());
+        others.iter_mut().take(family.shapes.len()).for_each(|e| *e = 0);
+        (Monomial::new(shape), Monomial::new(others))
+    };
+    let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
+    let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
+    let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);
+    // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the degree.
+    let mut powers = vec![Poly::one()];
+    if family.is_simplex() {
+        let sum = domain.iter().fold(Poly::one(), |sum, v| &sum + &Poly::var(*v));
+        for k in 0..usize::from(degree) {
+            powers.push(&powers[k] * &sum);
+        }
+    }
+    let row = |p: &Poly| -> SortedMap<Monomial, Poly> {
+        let mut parts = vec![Vec::new(); powers.len()];
+        for (m, c) in p.terms() {
+            let missing = if family.is_simplex() { usize::from(degree - domain_degree(m)) } else { 0 };
+            parts[missing].push((m.clone(), c.clone()));
+        }
+        let raised = parts.into_iter().zip(&powers).map(|(part, power)| &Poly::from_terms(part) * power);
+        let mut row: SortedMap<Monomial, Poly> = SortedMap::new();
+        for (m, c) in raised.fold(Poly::zero(), |sum, p| &sum + &p).terms() {
+            let (shape, column) = parts_of(m);
+            row.get_or_insert_with(column, Poly::zero).add_term(shape, c);
+        }
+        row
+    };
+    let rows: Vec<SortedMap<Monomial, Poly>> =
+        family.functions.iter().map(|f| row(f.value.numer())).collect();
+    let mut columns: Vec<&Monomial> = rows.iter().flat_map(SortedMap::keys).collect();
+    sort_unique(&mut columns);
+    let symmetries = if family.is_simplex() {
+        let exponents = |m: &&Monomial| {
+            let mut all: Vec<u16> = domain.iter().map(|v| m.exponent(*v)).collect();
+            all.push(degree - domain_degree(m));
+            all
+        };
+        exchanges(family, &columns.iter().map(exponents).collect::<Vec<_>>())
+    } else {
+        Symmetries::new()
+    };
+    let filled =
+        rows.iter().map(|row| columns.iter().map(|c| row.get(*c).cloned().unwrap_or_default()).collect());
+    Table { rows: filled.collect(), symmetries }
+}
+
+/// For each corner of a simplex the exchanges with those before it, of indices and exponents alike.
+fn exchanges(family: &Family, columns: &[Vec<u16>]) -> Symmetries {
+    let corners = family.domain.len() + 1;
+    let swapped = |index: &Vec<i64>, a: usize, b: usize| {
+        let mut index = index.clone();
+        index.swap(a, b);
+        family.functions.iter().position(|f| f.index == index)
+    };
+    let exchange = |a: usize, b: usize| {
+        let indices = family.functions.iter().map(|f| &f.index);
+        let rows = indices
+            .map(|i| if i.len() == corners { swapped(i, a, b) } else { None })
+            .collect::<Option<_>>()?;
+        let moved = columns.iter().map(|c| {
+            let mut column = c.clone();
+            column.swap(a, b);
+            columns.binary_search(&column).ok()
+        });
+        Some(Symmetry { rows, columns: moved.collect::<Option<_>>()? })
+    };
+    let sums = (1..corners).map(|k| (0..k).map(|j| exchange(j, k)).collect::<Option<Vec<_>>>());
+    sums.collect::<Option<Symmetries>>().unwrap_or_default()
+}
+
+/// The combination of the functions that vanishes at a point, or the exception that is none.
+pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample) -> Witness {
+    let at = named_point(family, found, &[]);
+    let refutation = found.refutation.clone();
+    let described: Vec<String> = found
+        .point
+        .iter()
+        .filter(|(v, _)| family.shapes.iter().any(|s| s.var == *v))
+        .map(|(v, c)| c.describe(&family.names[v.0]))
+        .collect();
+    let rational: Option<Vec<Rational>> = found
+        .point
+        .iter()
+        .map(|(_, c)| match c {
+            Coordinate::Rational(x) => Some(x.clone()),
+            Coordinate::Algebraic(_) => None,
+        })
+        .collect();
+    let here = if described.is_empty() { String::new() } else { format!(" at {}", described.join(", ")) };
+    let (of, value, note) = match (found.refutation.witness(), rational) {
+        (basis_kernel::Witness::Independent(_, number), _) => {
+            let values = except.get(*number).map(Vec::as_slice).unwrap_or_default();
+            let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
+            let exception = match &parts[..] {
+                [only] => only.clone(),
+                several => format!("({})", several.join(", ")),
+            };
+            let note = format!("the functions are independent{here}, so {exception} is no exception");
+            (String::from(SQUARES), squares(found), note)
+        }
+        (basis_kernel::Witness::Dependent(_, factors), Some(point)) => {
+            // The rows are numerators; a function is its numerator over its denominator.
+            let mut coordinates = vec![Rational::ZERO; family.names.len()];
+            for ((var, _), x) in found.point.iter().zip(point) {
+                if let Some(slot) = coordinates.get_mut(var.0) {
+                    *slot = x;
+                }
+            }
+            let scaled: Vec<Poly> = factors
+                .iter()
+                .zip(&family.functions)
+                .map(|(c, f)| Poly::constant(&c.leading() * &f.value.denom().eval(&coordinates)))
+                .collect();
+            let of = combination_text(family, &scaled);
+            let note = format!("`{of}` vanishes identically{here}");
+            (of, Rational::ZERO, note)
+        }
+        _ => {
+            let note = format!("the functions are linearly dependent{here}");
+            (String::from(SQUARES), Rational::ZERO, note)
+        }
+    };
+    let mut witness = Witness::new(of, at, value, refutation).about(COEFFICIENTS);
+    witness.idle = domain_names(family);
+    witness.notes = vec![note];
+    witness
+}
+
+/// The determinant of the matrix of the rows at a rational point times its transpose, by elimination.
+fn squares(found: &Counterexample) -> Rational {
+    let Statement::Independent { rows, .. } = found.refutation.statement() else { return Rational::ZERO };
+    let at = |p: &Poly| {
+        found.point.iter().fold(p.clone(), |p, (v, c)| match c {
+            Coordinate::Rational(x) => p.at(*v, x),
+            Coordinate::Algebraic(_) => p,
+        })
+    };
+    let numbers: Vec<Vec<Rational>> =
+        rows.mapped(|row| row.mapped(|p| at(p).as_constant().unwrap_or(Rational::ZERO)));
+    let product =
+        |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::ZERO, |s, (x, y)| &s + &(x * y));
+    let mut rows: Vec<Vec<Rational>> = numbers.mapped(|a| numbers.mapped(|b| product(a, b)));
+    // A matrix of this kind is positive definite: its pivots stand on the diagonal.
+    let mut determinant = Rational::ONE;
+    for k in 0..rows.len() {
+        let pivot = rows[k].clone();
+        determinant *= &pivot[k];
+        for row in &mut rows[k + 1..] {
+            let Some(factor) = row[k].checked_div(&pivot[k]) else { return Rational::ZERO };
+            for (x, p) in row.iter_mut().zip(&pivot) {
+                *x -= &(p * &factor);
+            }
+        }
+    }
+    determinant
+}
+
+/// `b[1] - 2*b[2]`, numbers made whole; factors of several terms in brackets.
+pub(crate) fn combination_text(family: &Family, factors: &[Poly]) -> String {
+    let content = factors.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
+    let whole = content.recip().unwrap_or(Rational::ONE);
+    let mut text = String::new();
+    for (k, factor) in factors.iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+        let factor = factor.scale(&whole);
+        let shown = factor.display(&family.names).to_string();
+        let negative = factor.len() == 1 && shown.starts_with('-');
+        let magnitude = if negative { -&factor } else { factor };
+        text += match (text.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        if magnitude.len() > 1 {
+            text += &format!("({})*", magnitude.display(&family.names));
+        } else if !magnitude.is_one() {
+            text += &format!("{}*", magnitude.display(&family.names));
+        }
+        text += &family.function_label(k);
+    }
+    text
+}

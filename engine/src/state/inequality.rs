@@ -1,0 +1,62 @@
+//! Inequalities: what they say of a value, and of which points.
+
+use basis_kernel::{Domain, Relation, Simplex};
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::range::Region;
+use crate::algebra::rational::Rational;
+use crate::claim::Comparison;
+use crate::model::Family;
+
+/// What a comparison of x with zero says of x, or if the second is true of −x; `None` for equations.
+pub(super) const fn relation(comparison: Comparison) -> Option<(Relation, bool)> {
+    match comparison {
+        Comparison::Equal | Comparison::NotEqual => None,
+        Comparison::Greater => Some((Relation::Positive, false)),
+        Comparison::GreaterEqual => Some((Relation::NonNegative, false)),
+        Comparison::Less => Some((Relation::Positive, true)),
+        Comparison::LessEqual => Some((Relation::NonNegative, true)),
+    }
+}
+
+/// The points that a claim is about: the declared ranges of the shape parameters and the domain, without the variables that an
+/// `at` block fixes.
+pub(crate) fn domain(family: &Family, fixed: &[(Var, Fraction)]) -> Domain {
+    let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
+    let parameters = family.shapes.iter().chain(if family.is_simplex() { &[] } else { &family.domain[..] });
+    let ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).collect();
+    let mut domain = Domain::of(Region { ranges });
+    let variables: Vec<Var> = if family.is_simplex() {
+        family.domain.iter().map(|p| p.var).filter(free).collect()
+    } else {
+        Vec::new()
+    };
+    if !variables.is_empty() {
+        domain.simplices.push(Simplex { variables, sum: left_on_simplex(family, fixed) });
+    }
+    domain
+}
+
+/// What fixed barycentric coordinates leave of 1 for the others; 1 where nothing is fixed.
+///
+/// A fixed last coordinate stands among the fixed ones as another coordinate that it expresses.
+fn left_on_simplex(family: &Family, fixed: &[(Var, Fraction)]) -> Rational {
+    let mut left = Rational::ONE;
+    let mut sum = Fraction::zero();
+    let mut expressed = false;
+    for parameter in &family.domain {
+        let value = fixed.iter().find(|(v, _)| *v == parameter.var).map(|(_, f)| f);
+        match value.map(|f| (f, f.as_constant())) {
+            Some((_, Some(c))) => left -= &c,
+            Some(_) => expressed = true,
+            None => {}
+        }
+        sum = &sum + &value.cloned().unwrap_or_else(|| Fraction::var(parameter.var));
+    }
+    match sum.as_constant() {
+        // The sum is 1 minus the last coordinate.
+        Some(sum) if expressed => &left - &(&Rational::ONE - &sum),
+        _ => left,
+    }
+}

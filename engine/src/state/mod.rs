@@ -1,0 +1,88 @@
+//! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file.
+//!
+//! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points also if one
+//! of its [`instances`] is, which say the same of definite points.
+
+mod family;
+mod identity;
+mod independent;
+mod inequality;
+mod judge;
+mod net;
+mod parallel;
+mod products;
+mod report;
+mod run;
+mod theorem;
+mod verdict;
+
+use basis_kernel::Proof;
+use basis_prover::{Failure, Shown, decide as decide_statement};
+
+pub use family::statements as family_statements;
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use independent::combination_text;
+pub use independent::{Table, coefficient_table};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use inequality::domain as family_domain;
+pub use judge::Prover;
+pub use report::diagnose;
+pub use run::Run;
+pub use verdict::{Evidence, Stated, Verdict, Witness, as_declared, point_text};
+
+use crate::algebra::rational::Rational;
+use crate::claim::Claim;
+use crate::subject::Subject;
+
+/// What a claim says, as statements of which all have to be true.
+pub fn statements(subject: &Subject, claim: &Claim) -> Vec<Stated> {
+    match subject {
+        Subject::Family(family) => family::statements(family, claim),
+        Subject::Theorem(theorem) => theorem::statements(theorem, claim),
+    }
+}
+
+/// What a claim says of definite points in place of the given ones of a theorem; of a family, what it says. It is false if one
+/// of these statements is.
+///
+/// # Errors
+/// When there is not one place for each given point, or they have different dimensions.
+pub fn instances(
+    subject: &Subject,
+    claim: &Claim,
+    given: &[Vec<Rational>],
+) -> Result<Vec<Stated>, &'static str> {
+    match subject {
+        Subject::Family(family) if given.is_empty() => Ok(family::statements(family, claim)),
+        Subject::Family(_) => Err("a family has no control points"),
+        Subject::Theorem(theorem) => theorem::instances(theorem, claim, &net::Net::given(theorem, given)?),
+    }
+}
+
+/// Decides a claim.
+pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
+    match subject {
+        Subject::Family(family) => family::decide(family, claim),
+        Subject::Theorem(theorem) => theorem::decide(theorem, claim),
+    }
+}
+
+/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is known
+/// about it, one that is refuted before one that is undecided.
+fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
+    let mut proofs = Vec::new();
+    let mut undecided = None;
+    for Stated { of, statement, symmetries } in stated {
+        match decide_statement(statement, &symmetries, budget) {
+            Ok(shown) => proofs.push((of, shown)),
+            Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),
+            Err(left) => undecided = undecided.or(Some((of, left))),
+        }
+    }
+    undecided.map_or(Ok(proofs), Err)
+}
+
+/// The proofs without the methods.
+fn steps(shown: Vec<(String, Shown)>) -> Vec<(String, Proof)> {
+    shown.into_iter().map(|(of, shown)| (of, shown.proof)).collect()
+}

@@ -1,0 +1,62 @@
+//! Verdicts that contradict what a spec declares, as errors.
+
+use basis_kernel::collections::list::Mapped;
+
+use super::verdict::{Verdict, as_declared};
+use crate::claim::{Claim, Expected};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::subject::Subject;
+use crate::theorem::TheoremKind;
+
+/// The error for a claim whose verdict is not the declared one; `None` when all is as declared.
+pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<Diagnostic> {
+    let mut diagnostic = contradiction(&subject.title(), &claim.text, claim.expected, &claim.place, verdict)?;
+    if !subject.order().is_empty() {
+        let values: Vec<String> = subject.order().mapped(|(name, value)| format!("{name} = {value}"));
+        diagnostic.notes.push(format!("for {}", values.join(", ")));
+    }
+    let Subject::Theorem(theorem) = subject else { return Some(diagnostic) };
+    let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));
+    Some(match verdict {
+        Verdict::Undecided(_) if of_products => diagnostic.help(match theorem.kind {
+            TheoremKind::Theorem => "without coordinates little is known of products of dot products; say how many there are, such as `dimension 2;`",
+            TheoremKind::Join => "without coordinates little is known of products of dot products: state this in a `theorem` with `dimension 2;`",
+        }),
+        _ => diagnostic,
+    })
+}
+
+fn contradiction(
+    title: &str,
+    text: &str,
+    expected: Expected,
+    place: &Place,
+    verdict: &Verdict,
+) -> Option<Diagnostic> {
+    if as_declared(expected, verdict) {
+        return None;
+    }
+    Some(match verdict {
+        Verdict::Refuted(witness) => {
+            let message = format!("{title}: the claim `{text}` is false");
+            let mut d = Diagnostic::error(place.clone(), message).label("refuted");
+            d.notes.clone_from(&witness.notes);
+            d.help("correct the formulas or the claim; `refute` declares a claim false")
+        }
+        Verdict::Proved(evidence) => {
+            let message = format!("{title}: the claim `{text}` is declared false, but it is true");
+            Diagnostic::error(place.clone(), message)
+                .label("proved")
+                .note(format!("proved by {}", evidence.method()))
+                .help("write `prove`")
+        }
+        Verdict::Undecided(left) => {
+            let verb = if expected == Expected::True { "proved" } else { "refuted" };
+            let message = format!("{title}: the claim `{text}` is neither proved nor refuted");
+            Diagnostic::error(place.clone(), message)
+                .label(format!("declared to be {verb}"))
+                .note(left.clone())
+                .help("raise the budget, such as `budget 10;`, or narrow the ranges")
+        }
+    })
+}

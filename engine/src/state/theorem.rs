@@ -1,0 +1,390 @@
+//! Claims about theorems: identities between linear forms, signs of scalars, directions of vectors.
+
+use core::convert::Infallible;
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Relation, Statement};
+use basis_prover::{
+    Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical,
+};
+
+use super::net::{Net, evaluated, nets, on_net, parts, sparse};
+use super::verdict::{Evidence, Stated, Verdict, Witness};
+use super::{all, family, inequality, parallel, products, steps};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
+use crate::algebra::rational::Rational;
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
+use crate::theorem::{Form, Theorem, Unit};
+
+/// Regular nets have at most this number of points that matter.
+const MAX_REGULAR: usize = 8;
+
+/// Nets that are tried where an inequality between coordinates stays undecided.
+const ATTEMPTS: usize = 16;
+
+/// What is not shown, but for want of a point.
+const NO_WITNESS: &str =
+    "the two sides are different expressions, but no point was found at which they differ";
+
+/// What a claim says.
+pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
+    match &settled(theorem, &claim.kind) {
+        ClaimKind::Scalar { comparison, difference } => scalar(theorem, *comparison, difference),
+        ClaimKind::Vector { text, value } => {
+            let domain = Rc::new(Domain::of(theorem.scalar_region()));
+            let zero = |f: &Fraction| family::compared(f, Comparison::Equal, &domain);
+            let mut all = Vec::new();
+            for (unit, coefficient) in &value.terms {
+                all.push(Stated::new(coefficient_of(theorem, text, *unit), zero(coefficient)));
+            }
+            if all.is_empty() {
+                // Without terms it is zero.
+                all.push(Stated::new(text.clone(), zero(&Fraction::zero())));
+            }
+            all
+        }
+        ClaimKind::Parallel { left, right } => parallel::statements(theorem, left, right),
+        _ => Vec::new(),
+    }
+}
+
+/// What a coefficient of a vector is the coefficient of, as text.
+fn coefficient_of(theorem: &Theorem, text: &str, unit: Unit) -> String {
+    let name = |p: usize| theorem.points.get(p).map_or_else(|| p.to_string(), |point| point.name.clone());
+    match unit {
+        _ if theorem.dimension.is_some() => format!("coordinates of {text}"),
+        Unit::Point(p) => format!("coefficient of {} in {text}", name(p)),
+        Unit::Pair(p, q) => format!("coefficient of cross({}, {}) in {text}", name(p), name(q)),
+    }
+}
+
+/// What a comparison of a scalar says: as a sum of dot products if it is one, and of its denominator then.
+fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) -> Vec<Stated> {
+    let Difference { text, value, .. } = difference;
+    if let Some((relation, negate)) = inequality::relation(comparison) {
+        let mut at = vec![Rational::ONE; theorem.names.len()];
+        for scalar in &theorem.scalars {
+            at[scalar.var.0] = typical(&scalar.range);
+        }
+        let below = value.denom().eval(&at).is_negative();
+        let above = if below == negate { value.numer().clone() } else { -value.numer() };
+        let plain = value.denom().variables().iter().all(|v| theorem.scalars.iter().any(|p| p.var == *v));
+        if let (true, Some(statement)) = (plain, products::statement(theorem, &above, relation)) {
+            let mut all = vec![Stated::new(text.clone(), statement)];
+            if value.denom().as_constant().is_none() {
+                let denominator = if below { -value.denom() } else { value.denom().clone() };
+                let domain = Rc::new(Domain::of(theorem.scalar_region()));
+                let of = denominator.display(&theorem.names).to_string();
+                all.push(Stated::new(of, sign(&denominator, Relation::NonNegative, &domain)));
+            }
+            return all;
+        }
+    }
+    let domain = Rc::new(Domain::of(theorem.region()));
+    vec![Stated::new(text.clone(), family::compared(value, comparison, &domain))]
+}
+
+/// The statement that a polynomial is ≥ 0 (> 0).
+pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Statement {
+    Statement::Sign { value: Fraction::from(p.clone()).quotient(), relation, domain: Rc::clone(domain) }
+}
+
+/// What a claim says of definite points.
+pub(super) fn instances(theorem: &Theorem, claim: &Claim, net: &Net) -> Result<Vec<Stated>, &'static str> {
+    let kind = settled(theorem, &claim.kind);
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let vague = theorem.products.iter().any(|(var, _)| kind.depends_on(*var));
+    if net.places().is_empty() {
+        // Without points, or with coordinates as variables; but dot products are not any numbers.
+        return match &kind {
+            ClaimKind::Scalar { .. } if vague => Err("the claim is about points, and none are given"),
+            ClaimKind::Scalar { comparison, difference } => {
+                let domain = Rc::new(Domain::of(theorem.region()));
+                let statement = family::compared(&difference.value, *comparison, &domain);
+                Ok(vec![Stated::new(difference.text.clone(), statement)])
+            }
+            _ if theorem.points.is_empty() => Ok(on_points(theorem, &kind, net, &domain)),
+            _ => Err("the claim is about points, and none are given"),
+        };
+    }
+    Ok(on_points(theorem, &kind, net, &domain))
+}
+
+/// What a claim says of the points of a net.
+fn on_points(theorem: &Theorem, kind: &ClaimKind, net: &Net, domain: &Rc<Domain>) -> Vec<Stated> {
+    match kind {
+        ClaimKind::Scalar { comparison, difference } => {
+            let value = on_net(theorem, &difference.value, net);
+            vec![Stated::new(difference.text.clone(), family::compared(&value, *comparison, domain))]
+        }
+        ClaimKind::Vector { text, value } => {
+            let zero = |(label, value): (String, Fraction)| {
+                let of = if label.is_empty() { text.clone() } else { format!("({text}){label}") };
+                Stated::new(of, family::compared(&value, Comparison::Equal, domain))
+            };
+            parts(theorem, value, net).into_iter().map(zero).collect()
+        }
+        ClaimKind::Parallel { left, right } => parallel::on_points(theorem, [left, right], net, domain),
+        _ => Vec::new(),
+    }
+}
+
+/// Decides a claim.
+pub(super) fn decide(theorem: &Theorem, claim: &Claim) -> Verdict {
+    if let ClaimKind::Parallel { left, right } = &settled(theorem, &claim.kind) {
+        return parallel::decide(theorem, claim, left, right);
+    }
+    match all(statements(theorem, claim), theorem.budget) {
+        Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
+        Err((of, decision)) => match &claim.kind {
+            ClaimKind::Scalar { comparison, difference } if *comparison != Comparison::Equal => {
+                inequality(theorem, claim, difference, of, decision)
+            }
+            _ => equation(theorem, claim),
+        },
+    }
+}
+
+/// How a claim was proved, in a few words.
+fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
+    if matches!(kind, ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. }) {
+        return String::from("expansion of both sides");
+    }
+    let Some((_, hardest)) = shown.iter().max_by_key(|(_, shown)| shown.method) else { return String::new() };
+    match hardest.proof.statement() {
+        Statement::Products { .. } if hardest.method != basis_prover::Method::Squares => {
+            format!("a positive semidefinite matrix ({})", hardest.method)
+        }
+        _ => hardest.method.to_string(),
+    }
+}
+
+/// An equation that does not hold: a net on which a part of it fails.
+fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let kind = settled(theorem, &claim.kind);
+    for net in witness_nets(theorem, claim) {
+        for Stated { of, statement, .. } in on_points(theorem, &kind, &net, &domain) {
+            if let Err(Failure::Refuted(found)) =
+                decide_statement(statement, &Symmetries::new(), theorem.budget)
+            {
+                let witness = witness(theorem, of, Some(&net), &found, false);
+                return explained(theorem, claim, witness, "the two sides differ by");
+            }
+        }
+    }
+    Verdict::Undecided(String::from(NO_WITNESS))
+}
+
+/// An inequality that is not proved.
+fn inequality(
+    theorem: &Theorem,
+    claim: &Claim,
+    difference: &Difference,
+    of: String,
+    failure: Failure,
+) -> Verdict {
+    let ClaimKind::Scalar { comparison, .. } = &claim.kind else { return Verdict::Undecided(of) };
+    let negate = inequality::relation(*comparison).is_some_and(|(_, negate)| negate);
+    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let kind = settled(theorem, &claim.kind);
+    let on_net = |net: &Net, at: Option<&[(Var, Coordinate)]>| -> Option<Verdict> {
+        for Stated { of, statement, .. } in on_points(theorem, &kind, net, &domain) {
+            let found = match at {
+                Some(at) => {
+                    let scalars = theorem.scalars.iter().map(|p| {
+                        let given = at.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
+                        (p.var, given.unwrap_or_else(|| Coordinate::Rational(typical(&p.range))))
+                    });
+                    let scalars: Vec<(Var, Coordinate)> = scalars.collect();
+                    let work = &mut crate::algebra::work::Work::new(EXPLICIT);
+                    Box::new(basis_prover::refute(&Rc::new(statement), &scalars, work)?)
+                }
+                None => match decide_statement(statement, &Symmetries::new(), theorem.budget) {
+                    Err(Failure::Refuted(found)) => found,
+                    _ => continue,
+                },
+            };
+            let witness = witness(theorem, of, Some(net), &found, negate);
+            return Some(explained(theorem, claim, witness, "the value is"));
+        }
+        None
+    };
+    let stated = scalar(theorem, *comparison, difference);
+    if let Some(Stated { statement: statement @ Statement::Products { .. }, .. }) = stated.first() {
+        if let Some((at, net)) = products::counterexample(theorem, statement, theorem.budget)
+            && let Some(verdict) = on_net(&net, Some(&at))
+        {
+            return verdict;
+        }
+        return Verdict::Undecided(match failure {
+            Failure::Undecided(left) => format!("`{of}`: {left}"),
+            Failure::Refuted(_) => format!("`{of}` fails for some points, but at irrational values only"),
+        });
+    }
+    let vague = theorem.products.iter().any(|(var, _)| difference.value.depends_on(*var));
+    match failure {
+        Failure::Undecided(left) => {
+            // With definite points in place of coordinates the question is a smaller one.
+            let attempts = if theorem.dimension.is_some() { ATTEMPTS } else { 0 };
+            let found = nets(theorem).take(attempts).find_map(|net| on_net(&net, None));
+            found.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {left}")))
+        }
+        Failure::Refuted(_) if vague => {
+            // Dot products are not any numbers: the claim must fail for a net.
+            let found = nets(theorem).find_map(|net| on_net(&net, None));
+            found.unwrap_or_else(|| {
+                Verdict::Undecided(format!(
+                    "`{of}`: it fails for some numbers in place of the dot products, but for no points that were tried"
+                ))
+            })
+        }
+        Failure::Refuted(found) => {
+            explained(theorem, claim, witness(theorem, of, None, &found, negate), "the value is")
+        }
+    }
+}
+
+/// The work for making a counterexample explicit.
+const EXPLICIT: u64 = 20_000_000;
+
+/// A witness from a counterexample to what the claim says of the points of a net; without one, of any points.
+pub(super) fn witness(
+    theorem: &Theorem,
+    of: String,
+    net: Option<&Net>,
+    found: &Counterexample,
+    negate: bool,
+) -> Witness {
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    let mut named = Vec::new();
+    let mut irrational = Vec::new();
+    let given = |var: Var| found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
+    for scalar in &theorem.scalars {
+        let value = given(scalar.var).unwrap_or_else(|| Coordinate::Rational(typical(&scalar.range)));
+        match &value {
+            Coordinate::Rational(x) => at[scalar.var.0] = x.clone(),
+            Coordinate::Algebraic(_) => irrational.push(scalar.var),
+        }
+        named.push((scalar.name.clone(), value));
+    }
+    let mut notes = Vec::new();
+    for var in theorem.points.iter().flat_map(|point| &point.coordinates) {
+        match given(*var) {
+            Some(Coordinate::Rational(x)) => at[var.0] = x,
+            Some(c @ Coordinate::Algebraic(_)) => {
+                irrational.push(*var);
+                notes.push(c.describe(&theorem.names[var.0]));
+            }
+            None => {}
+        }
+    }
+    let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
+    let value = if negate { -value } else { value };
+    let mut witness = Witness::new(of, named, value, found.refutation.clone());
+    witness.notes = notes;
+    witness.given = net.map_or_else(Vec::new, |net| net.places().to_vec());
+    let own = Net::from_coordinates(theorem, &at);
+    witness.net = evaluated(theorem, net.unwrap_or(&own), &at, &irrational);
+    witness
+}
+
+/// The verdict with a witness; texts leave out the scalars and points that do not matter to the claim.
+pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, what: &str) -> Verdict {
+    witness.idle = idle(theorem, &claim.kind);
+    let at = witness.point();
+    let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
+    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
+    let equation = matches!(
+        claim.kind,
+        ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. }
+    );
+    if !equation {
+        // The sign of a scalar without a range is easily forgotten.
+        let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
+            scalar.range == Range::all()
+                && claim.kind.depends_on(scalar.var)
+                && matches!(value, Coordinate::Rational(x) if !x.is_positive())
+        });
+        let notes: Vec<String> = any
+            .map(|(scalar, _)| {
+                let name = &scalar.name;
+                format!("`{name}` can be any number; `scalar 0 < {name};` declares it positive")
+            })
+            .collect();
+        witness.notes.extend(notes);
+    }
+    Verdict::Refuted(Box::new(witness))
+}
+
+/// What is claimed, with a number in place of every scalar whose range is a single number.
+fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
+    let single = theorem.scalars.iter().any(|p| p.range.finite().is_some_and(|(low, high)| low == high));
+    if !single {
+        return kind.clone();
+    }
+    let put = |f: &Fraction| {
+        theorem.scalars.iter().fold(f.clone(), |f, scalar| match scalar.range.finite() {
+            // No denominator vanishes on the ranges.
+            Some((low, high)) if low == high => {
+                f.substitute(scalar.var, &Fraction::constant(low.clone())).unwrap_or(f)
+            }
+            _ => f,
+        })
+    };
+    let form = |form: &Form| {
+        let Ok(form) = form.map::<Infallible>(&mut |f| Ok(put(f)));
+        form
+    };
+    let side = |side: &Side| Side { text: side.text.clone(), value: form(&side.value) };
+    match kind {
+        ClaimKind::Scalar { comparison, difference } => ClaimKind::Scalar {
+            comparison: *comparison,
+            difference: Difference { value: put(&difference.value), ..difference.clone() },
+        },
+        ClaimKind::Vector { text, value } => ClaimKind::Vector { text: text.clone(), value: form(value) },
+        ClaimKind::Parallel { left, right } => ClaimKind::Parallel { left: side(left), right: side(right) },
+        other => other.clone(),
+    }
+}
+
+/// Nets that show two things to be different, such as a person can read: with most points in one place if there are many.
+pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<Item = Net> {
+    let idle = idle(theorem, &claim.kind);
+    let used = theorem.points.iter().filter(|point| !idle.contains(&point.name)).count();
+    let first = if used > MAX_REGULAR { Some(sparse(theorem)) } else { None };
+    first.into_iter().flatten().chain(nets(theorem))
+}
+
+/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points are
+/// expressed by given ones.
+fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
+    let forms: &[&Form] = match kind {
+        ClaimKind::Vector { value, .. } => &[value],
+        ClaimKind::Parallel { left, right } => &[&left.value, &right.value],
+        _ => &[],
+    };
+    let mut used = Vec::new();
+    if theorem.dimension.is_none() {
+        for unit in forms.iter().flat_map(|form| form.terms.keys()) {
+            match unit {
+                Unit::Point(p) => used.push(*p),
+                Unit::Pair(p, q) => used.extend([*p, *q]),
+            }
+        }
+    }
+    let products = theorem.products.iter().filter(|(var, _)| kind.depends_on(*var));
+    used.extend(products.flat_map(|(_, (p, q))| [*p, *q]));
+    let matters = |label: &String| {
+        let mut given = theorem.points.iter().enumerate().filter(|(_, point)| point.name == *label);
+        given.any(|(k, point)| used.contains(&k) || point.coordinates.iter().any(|var| kind.depends_on(*var)))
+    };
+    let scalars = theorem.scalars.iter().filter(|p| !kind.depends_on(p.var)).map(|p| p.name.clone());
+    let labels = theorem
+        .patches
+        .iter()
+        .flat_map(|patch| patch.points.iter().map(|point| crate::model::label(&patch.name, &point.index)));
+    scalars.chain(labels.filter(|label| !matters(label))).collect()
+}

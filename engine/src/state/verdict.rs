@@ -1,0 +1,161 @@
+//! Verdicts. What is proved holds the kernel's proofs, what is refuted its refutation: nothing else makes one.
+
+use basis_kernel::{Proof, Refutation, Statement};
+use basis_prover::{Coordinate, Symmetries};
+
+use crate::algebra::rational::Rational;
+use crate::claim::Expected;
+use basis_kernel::collections::list::Mapped;
+
+/// A statement with what it is about.
+#[derive(Clone, Debug)]
+pub struct Stated {
+    /// The expression as text, such as `b[1]`.
+    pub of: String,
+    /// What is said of it.
+    pub statement: Statement,
+    /// Of a matrix, permutations that leave it unchanged, as far as they are known: a hint for the search.
+    pub symmetries: Symmetries,
+}
+
+impl Stated {
+    /// A statement about an expression.
+    pub(super) const fn new(of: String, statement: Statement) -> Self {
+        Self { of, statement, symmetries: Symmetries::new() }
+    }
+}
+
+/// What is known about a claim.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// The claim is true.
+    Proved(Evidence),
+    /// The claim is false.
+    Refuted(Box<Witness>),
+    /// The budget is spent; what is left to decide.
+    Undecided(String),
+}
+
+/// Why a claim is true.
+///
+/// Only the kernel makes proofs, and only this crate makes evidence of them:
+///
+/// ```compile_fail,E0451
+/// use basis_engine::{Evidence, Verdict};
+///
+/// let verdict = Verdict::Proved(Evidence { method: String::from("because"), steps: Vec::new() });
+/// ```
+#[derive(Clone, Debug)]
+pub struct Evidence {
+    method: String,
+    steps: Vec<(String, Proof)>,
+}
+
+impl Evidence {
+    /// Proofs of all that a claim says.
+    pub(super) const fn new(method: String, steps: Vec<(String, Proof)>) -> Self {
+        Self { method, steps }
+    }
+
+    /// The method in a few words; where several steps were needed, the most elaborate one.
+    pub fn method(&self) -> &str {
+        &self.method
+    }
+
+    /// A proof for each statement that the claim makes, with what it is about.
+    pub fn steps(&self) -> &[(String, Proof)] {
+        &self.steps
+    }
+}
+
+/// A point at which a claim fails.
+#[derive(Clone, Debug)]
+pub struct Witness {
+    /// The expression whose value contradicts the claim; for an equation left side minus right side.
+    pub of: String,
+    /// The point: every shape parameter and domain variable.
+    pub at: Vec<(String, Coordinate)>,
+    /// Names in `at` and `net` on which the expression does not depend, such as t for a difference at the ends of the domain:
+    /// they are left out of texts.
+    pub idle: Vec<String>,
+    /// For claims of theorems: the control points with their coordinates.
+    pub net: Vec<(String, Vec<Rational>)>,
+    /// The given control points of a theorem, in order; what is refuted is the claim about these.
+    pub given: Vec<Vec<Rational>>,
+    /// The exact value of the expression there.
+    pub value: Rational,
+    /// What it means, in one line each.
+    pub notes: Vec<String>,
+    /// What the refuted statement is about, as [`Stated::of`] has it.
+    stated: String,
+    refutation: Refutation,
+}
+
+/// More points than this are not all written if most of them are zero.
+const MAX_ALL: usize = 8;
+
+impl Witness {
+    /// The witness that a refutation is.
+    pub(super) fn new(
+        of: String,
+        at: Vec<(String, Coordinate)>,
+        value: Rational,
+        refutation: Refutation,
+    ) -> Self {
+        let (idle, net, given, notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { stated: of.clone(), of, at, idle, net, given, value, notes, refutation }
+    }
+
+    /// The same witness, of a statement with another name.
+    pub(super) fn about(mut self, stated: &str) -> Self {
+        self.stated = String::from(stated);
+        self
+    }
+
+    /// What the refuted statement is about, as [`Stated::of`] has it.
+    pub fn of_statement(&self) -> &str {
+        &self.stated
+    }
+
+    /// The statement that is false, and where: what the claim says of `of`, for a theorem about the given points.
+    pub const fn refutation(&self) -> &Refutation {
+        &self.refutation
+    }
+
+    /// The control points that matter, and whether those at zero are left out because most of many are.
+    pub fn points(&self) -> (Vec<&(String, Vec<Rational>)>, bool) {
+        let mut points: Vec<_> = self.net.iter().filter(|(name, _)| !self.idle.contains(name)).collect();
+        let all = points.len();
+        let zero = |place: &[Rational]| place.iter().all(Rational::is_zero);
+        let zeros = points.iter().filter(|(_, place)| zero(place)).count();
+        let short = all > MAX_ALL && 2 * zeros > all;
+        points.retain(|(_, place)| !short || !zero(place));
+        (points, short)
+    }
+
+    /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
+    pub fn point(&self) -> String {
+        let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
+        let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).collect();
+        let (points, short) = self.points();
+        parts.extend(points.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
+        if short {
+            parts.push(String::from("all other points 0"));
+        }
+        parts.join(", ")
+    }
+}
+
+/// The coordinates of a point as they are written in a spec, `(1, 1/2)`.
+pub fn point_text(place: &[Rational]) -> String {
+    let parts: Vec<String> = place.mapped(Rational::to_string);
+    format!("({})", parts.join(", "))
+}
+
+/// Whether a verdict is the one that the author of the claim declared.
+pub const fn as_declared(expected: Expected, verdict: &Verdict) -> bool {
+    matches!(
+        (expected, verdict),
+        (Expected::True, Verdict::Proved(_)) | (Expected::False, Verdict::Refuted(_))
+    )
+}

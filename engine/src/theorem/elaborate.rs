@@ -1,0 +1,610 @@
+//! Goes through the statements of a theorem in the order in which they are written.
+
+use std::rc::Rc;
+
+use proc_macro2::Span;
+
+use super::form::Form;
+use super::patch::PatchDef;
+use super::{GivenPoint, Origin, Theorem, TheoremKind, TheoremRelation};
+use crate::advice::did_you_mean;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
+use crate::diagnostic::Diagnostics;
+use crate::model::budget::TooLarge;
+use crate::model::print::Printer;
+use crate::model::scope::{Scope, Subject};
+use crate::model::{Library, Parameter, build, label};
+use crate::plural::count;
+use crate::source::SourceId;
+use crate::subject::{Item, Subject as About};
+use crate::syntax::{
+    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, PatchKind, TheoremStatement,
+    TheoremStatementKind,
+};
+use basis_kernel::collections::list::Mapped;
+
+/// The first variables stand for the parameters of every patch, until arguments take their places.
+pub(super) const OWN: usize = 3;
+
+/// The most coordinates of a point.
+const MAX_DIMENSION: i64 = 8;
+
+/// The most variables of a theorem.
+const MAX_VARIABLES: usize = 1024;
+
+/// What an expression of a theorem is.
+#[derive(Clone, Debug)]
+pub(super) enum Value {
+    Scalar(Fraction),
+    Vector(Form),
+    /// An outer product in a space of any dimension.
+    Outer(Form),
+    /// A patch, and the variables by which it is differentiated.
+    Map(usize, Vec<Var>),
+}
+
+/// The names of a theorem while it is read.
+pub(super) struct Elaboration<'a> {
+    pub(super) scope: Scope<'a>,
+    pub(super) kind: TheoremKind,
+    pub(super) scalars: Vec<Parameter>,
+    /// Parameters of patches that are scalars only if something mentions them.
+    pub(super) implicit: Vec<(Var, bool)>,
+    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand
+    /// for.
+    pub(super) shape_values: Vec<Var>,
+    /// Vectors that `let` defined.
+    pub(super) vectors: Vec<(String, Option<Value>)>,
+    pub(super) patches: Vec<PatchDef>,
+    /// Whether a curve or surface could not be read, so that the names of its shape values are not known.
+    pub(super) incomplete: bool,
+    pub(super) points: Vec<GivenPoint>,
+    pub(super) dimension: Option<usize>,
+    pub(super) products: Vec<(Var, (usize, usize))>,
+}
+
+/// The theorems and joins of the spec that a library was asked for; those with errors are left out.
+pub fn theorems(library: &Library<'_>) -> Vec<Item> {
+    let mut items = Vec::new();
+    library.each_theorem(&mut |unit, source, written| {
+        let (item, diagnostics) = theorem(library, unit, source, written);
+        items.extend(item.filter(|_| diagnostics.is_empty()));
+        diagnostics
+    });
+    items
+}
+
+/// Reads a theorem; `None`, or anything with messages, cannot be used.
+fn theorem(
+    library: &Library<'_>,
+    unit: usize,
+    source: SourceId,
+    written: &syntax::Theorem,
+) -> (Option<Item>, Diagnostics) {
+    let mut scope = Scope::new(library, unit, source);
+    scope.subject = Subject::Theorem;
+    scope.names = vec![String::new(); OWN];
+    let mut all = Elaboration {
+        scope,
+        kind: written.kind,
+        scalars: Vec::new(),
+        implicit: Vec::new(),
+        shape_values: Vec::new(),
+        vectors: Vec::new(),
+        patches: Vec::new(),
+        incomplete: false,
+        points: Vec::new(),
+        dimension: None,
+        products: Vec::new(),
+    };
+    let theorem = all.theorem(written);
+    (theorem, all.scope.diagnostics.into_inner())
+}
+
+impl Elaboration<'_> {
+    fn theorem(&mut self, written: &syntax::Theorem) -> Option<Item> {
+        self.scope.unread.clone_from(&written.unread);
+        let dimension = self.find_dimension(&written.statements);
+        let mut fine = dimension.is_some();
+        let mut budget = 1;
+        let mut claims = Vec::new();
+        // Claims come last: they see every range as it is narrowed in the end, and every control point.
+        for statement in &written.statements {
+            self.scope.budget.refill();
+            fine &= self.statement(statement, &mut budget).is_some();
+            let names = self.vectors.len() + self.patches.len() + self.scope.lets.len();
+            if !self.scope.has_room(names, statement.span) {
+                return None;
+            }
+            if self.scope.names.len() > MAX_VARIABLES {
+                let message =
+                    format!("a theorem has at most {MAX_VARIABLES} scalars, coordinates and dot products");
+                let error = self.scope.error(statement.span, message);
+                self.scope.report(error.help("state it for fewer control points, or without coordinates"));
+                return None;
+            }
+        }
+        // Without a statement that could not be read, claims would complain about names that it declares.
+        if written.incomplete {
+            return None;
+        }
+        let region = Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) };
+        for statement in &written.statements {
+            if let TheoremStatementKind::Claim(assertion) = &statement.kind {
+                self.scope.budget.refill();
+                fine &= self.assertion(statement, assertion, &mut claims).is_some();
+            }
+        }
+        if fine && claims.is_empty() {
+            let what = written.kind.keyword();
+            let message = format!("the {what} `{}` claims nothing", written.name.text);
+            let error = self.scope.error(written.name.span, message);
+            self.scope.report(error.help("write `prove … == …;`"));
+        }
+        if written.kind == TheoremKind::Join && fine {
+            self.check_join(written, dimension.flatten());
+        }
+        if !fine {
+            return None;
+        }
+        self.scope.settle(&region, budget);
+        let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).collect();
+        self.scalars.retain(|p| !silent.contains(&p.var));
+        let theorem = Theorem {
+            kind: written.kind,
+            name: written.name.text.clone(),
+            doc: written.doc.clone(),
+            source: self.scope.source,
+            place: self.scope.place(written.name.span),
+            names: self.scope.names.clone(),
+            scalars: core::mem::take(&mut self.scalars),
+            dimension: self.dimension,
+            products: core::mem::take(&mut self.products),
+            patches: core::mem::take(&mut self.patches).into_iter().map(PatchDef::finish).collect(),
+            points: core::mem::take(&mut self.points),
+            budget,
+        };
+        let obligations = core::mem::take(&mut self.scope.obligations);
+        Some(Item { subject: About::Theorem(Rc::new(theorem)), obligations, claims })
+    }
+
+    /// A join determines points for any given ones.
+    fn check_join(&self, written: &syntax::Theorem, coordinates: Option<Span>) {
+        let name = &written.name;
+        if let Some(span) = coordinates {
+            let error = self.scope.error(span, "the points of a join have no coordinates");
+            self.scope.report(
+                error
+                    .also(self.scope.place(name.span), "a join is for points of any space")
+                    .help("leave this out; what is true of coordinates is stated in a `theorem`"),
+            );
+        } else if self.patches.iter().all(|p| p.points.iter().all(|p| p.origin != Origin::Determined)) {
+            let error =
+                self.scope.error(name.span, format!("the join `{}` determines no control point", name.text));
+            self.scope.report(error.help("write `let Q[0] = P[2];`, or `theorem` in place of `join`"));
+        }
+    }
+
+    /// Finds the number of coordinates: as declared, or that of the points that are written with coordinates; where
+    /// that is said. `None` if the number makes no sense.
+    #[expect(clippy::option_option, reason = "it can be fine without coordinates")]
+    fn find_dimension(&mut self, statements: &[TheoremStatement]) -> Option<Option<Span>> {
+        let mut declared = None;
+        let mut seen = None;
+        for statement in statements {
+            match &statement.kind {
+                TheoremStatementKind::Dimension(value) => {
+                    let n = self.scope.whole(value, "the dimension")?;
+                    if !(1..=MAX_DIMENSION).contains(&n) {
+                        let error =
+                            self.scope.error(value.span, format!("the dimension {n} is not supported"));
+                        self.scope.report(error.help(format!("write a number from 1 to {MAX_DIMENSION}")));
+                        return None;
+                    }
+                    declared = Some((n as usize, statement.span));
+                }
+                TheoremStatementKind::Patch(_, _, value) | TheoremStatementKind::Let(_, value, _) => {
+                    seen = seen.or_else(|| coordinates(value));
+                }
+                TheoremStatementKind::Claim(claim) => {
+                    seen = seen.or_else(|| coordinates(&claim.left)).or_else(|| coordinates(&claim.right));
+                }
+                _ => {}
+            }
+        }
+        let found = declared.or(seen);
+        self.dimension = found.map(|(n, _)| n);
+        Some(found.map(|(_, span)| span))
+    }
+
+    fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
+        match &statement.kind {
+            TheoremStatementKind::Patch(kind, name, value) => {
+                let done = self.patch(*kind == PatchKind::Curve, name, value);
+                self.incomplete |= done.is_none();
+                if done.is_none() && self.taken(&name.text).is_none() {
+                    // Known without a value, so that nothing more is said about it.
+                    self.vectors.push((name.text.clone(), None));
+                }
+                done
+            }
+            TheoremStatementKind::Scalar(bounds, loops) => self.each(loops, &mut |all| {
+                let range = all.range(bounds);
+                let shown = range.clone().unwrap_or(Range::all());
+                all.declare(&bounds.target, shown, &statement.doc)?;
+                range.map(|_| ())
+            }),
+            TheoremStatementKind::Assume(bounds, loops) => self.each(loops, &mut |all| all.assume(bounds)),
+            TheoremStatementKind::Let(target, value, loops) => {
+                self.each(loops, &mut |all| all.define(target, value))
+            }
+            TheoremStatementKind::Budget(value) => {
+                *budget = build::budget_value(&mut self.scope, value)?;
+                Some(())
+            }
+            TheoremStatementKind::Dimension(_) | TheoremStatementKind::Claim(_) => Some(()),
+        }
+    }
+
+    /// Runs over all values of index variables.
+    pub(super) fn each(
+        &mut self,
+        loops: &Loops,
+        body: &mut dyn FnMut(&mut Self) -> Option<()>,
+    ) -> Option<()> {
+        let depth = self.scope.constants.len();
+        let mut all = Vec::new();
+        let fine = self.scope.each(loops, &mut |scope| {
+            all.push(scope.constants[depth..].to_vec());
+            true
+        });
+        if !fine {
+            return None;
+        }
+        if let (true, Some((condition, ..))) = (all.is_empty(), loops.conditions.first()) {
+            let error = self.scope.error(condition.span, "this is never true: nothing is said here");
+            self.scope.report(
+                error.help(
+                    "conditions choose among the values of index variables, `for i in 0..=3 if i != 1`",
+                ),
+            );
+            return None;
+        }
+        if let (true, Some(first)) = (all.is_empty(), loops.generators.first()) {
+            let name = match first {
+                syntax::Generator::Range(range) => Some(&range.name),
+                syntax::Generator::Simplex(names, _) => names.first(),
+            };
+            let span = name.map_or_else(Span::call_site, |n| n.span);
+            let error = self.scope.error(span, "the loop is empty");
+            self.scope.report(error.help("write the smaller bound first, `0..=n` includes n"));
+            return None;
+        }
+        for values in all {
+            self.scope.constants.extend(values);
+            let done = body(self);
+            self.scope.constants.truncate(depth);
+            done?;
+        }
+        Some(())
+    }
+
+    /// The name that a name, or a name with an index, stands for, such as `γ[1]`.
+    pub(super) fn target_name(&mut self, target: &Expr) -> Option<String> {
+        match &target.kind {
+            ExprKind::Name(name) => Some(name.clone()),
+            ExprKind::Index(base, indices) => {
+                let ExprKind::Name(name) = &base.kind else { return None };
+                let index = self.indices(indices)?;
+                Some(label(name, &index))
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn indices(&mut self, indices: &[Expr]) -> Option<Vec<i64>> {
+        indices.iter().map(|i| self.scope.whole(i, "an index")).collect()
+    }
+
+    /// What already has this name.
+    pub(super) fn taken(&self, name: &str) -> Option<&'static str> {
+        if ["cross", "dot"].contains(&name) {
+            Some("a function of the language")
+        } else if self.patches.iter().any(|p| p.name == name) {
+            Some("a curve or surface")
+        } else if self.vectors.iter().any(|(n, _)| n == name) {
+            Some("a name given by `let`")
+        } else {
+            self.scope.taken(name)
+        }
+    }
+
+    pub(super) fn check_free(&self, name: &str, span: Span) -> Option<()> {
+        let Some(what) = self.taken(name) else { return Some(()) };
+        let error = self.scope.error(span, format!("`{name}` is already {what}"));
+        let help = if what == "a scalar" {
+            format!("`assume` narrows the range of a scalar: `assume {name} > 0;`")
+        } else {
+            String::from("choose another name")
+        };
+        self.scope.report(error.label("declared again here").help(help));
+        None
+    }
+
+    /// A new variable that is a scalar.
+    pub(super) fn new_scalar(&mut self, name: &str, range: Range, doc: &[String], span: Span) -> Var {
+        let var = self.new_variable(name.to_string());
+        let place = self.scope.place(span);
+        self.scalars.push(Parameter { name: name.to_string(), doc: doc.to_vec(), place, var, range });
+        var
+    }
+
+    pub(super) fn new_variable(&mut self, name: String) -> Var {
+        self.scope.names.push(name);
+        Var(self.scope.names.len() - 1)
+    }
+
+    /// `scalar …;`
+    fn declare(&mut self, target: &Expr, range: Range, doc: &[String]) -> Option<()> {
+        let name = self.target_name(target)?;
+        // The parameter of a patch may be declared, with a range of its own.
+        if let Some(var) = self.scope.variable(&name)
+            && let Some(at) = self.implicit.iter().position(|(v, _)| *v == var)
+        {
+            self.implicit.remove(at);
+            let scalar = self.scalars.iter_mut().find(|p| p.var == var)?;
+            scalar.range = range;
+            scalar.doc = doc.to_vec();
+            return Some(());
+        }
+        self.check_free(&name, target.span)?;
+        self.new_scalar(&name, range, doc, target.span);
+        Some(())
+    }
+
+    /// `assume …;`: the scalar lies in both ranges.
+    fn assume(&mut self, bounds: &Bounds) -> Option<()> {
+        let name = self.target_name(&bounds.target)?;
+        let range = self.range(bounds)?;
+        let Some(at) = self.scope.variable(&name).and_then(|v| self.scalars.iter().position(|p| p.var == v))
+        else {
+            if self.taken(&name).is_some() {
+                let error = self.scope.error(bounds.target.span, format!("`{name}` is not a scalar"));
+                self.scope.report(error.help("`assume` narrows the range of one scalar"));
+            } else {
+                self.unknown(&name, bounds.target.span);
+            }
+            return None;
+        };
+        // Who narrows a parameter has met it: it cannot be declared anew.
+        let var = self.scalars[at].var;
+        self.implicit.retain(|(implicit, _)| *implicit != var);
+        self.narrow(at, &range, bounds.target.span)
+    }
+
+    pub(super) fn narrow(&mut self, at: usize, range: &Range, span: Span) -> Option<()> {
+        let old = &self.scalars[at];
+        let both = intersection(&old.range, range);
+        if both.is_empty() {
+            let shown = old.range.display(&old.name).to_string();
+            let error = self.scope.error(span, format!("nothing is left of the range `{shown}`"));
+            self.scope.report(error.help("let the ranges have something in common"));
+            return None;
+        }
+        self.scalars[at].range = both;
+        Some(())
+    }
+
+    fn range(&mut self, bounds: &Bounds) -> Option<Range> {
+        for (end, _) in bounds.low.iter().chain(&bounds.high) {
+            if self.scope.mentions_variable(end) {
+                let error = self.scope.error(end.span, "the end of a range must be a number");
+                self.scope.report(error.label("this contains a variable").help(ASSUME_HELP));
+                return None;
+            }
+        }
+        build::range_of(
+            &mut self.scope,
+            bounds.target.span,
+            bounds.low.as_ref(),
+            bounds.high.as_ref(),
+            &|| Printer { constants: &[], component: None }.print(&bounds.target),
+        )
+    }
+
+    /// `let name = …;` or `let P[i] = …;`
+    fn define(&mut self, target: &Expr, value: &Expr) -> Option<()> {
+        if let ExprKind::Index(base, indices) = &target.kind
+            && let ExprKind::Name(name) = &base.kind
+            && let Some(patch) = self.patches.iter().position(|p| p.name == *name)
+        {
+            let index = self.indices(indices)?;
+            return self.define_point(patch, &index, target.span, value);
+        }
+        let name = self.target_name(target)?;
+        self.check_free(&name, target.span)?;
+        let value_of = self.definite(value);
+        if let (true, ExprKind::Index(base, _), Some(Value::Vector(_))) =
+            (self.kind == TheoremKind::Join, &target.kind, &value_of)
+        {
+            return self.no_patch(base, &name);
+        }
+        match value_of {
+            Some(Value::Scalar(f)) => {
+                self.scope.lets.insert(name, Some(f));
+            }
+            other => {
+                let fine = other.is_some();
+                self.vectors.push((name, other));
+                return fine.then_some(());
+            }
+        }
+        Some(())
+    }
+
+    /// In a join a vector with an index is a control point, of a curve that has to be declared.
+    fn no_patch(&self, base: &Expr, point: &str) -> Option<()> {
+        let patches = self.patches.mapped(|p| p.name.as_str());
+        let written = Printer { constants: &[], component: None }.print(base);
+        // A curve or surface that could not be read.
+        if self.vectors.iter().any(|(name, value)| *name == written && value.is_none())
+            || self.scope.is_mistaken(&written)
+        {
+            return None;
+        }
+        let error = self.scope.error(base.span, format!("there is no curve or surface `{written}`"));
+        let otherwise = || {
+            format!(
+                "declare it, `curve {written} = …;`, before its control point `{point}` is determined; other vectors have names without an index"
+            )
+        };
+        self.scope.undeclared.borrow_mut().push(written.clone());
+        let other_case = patches.iter().find(|p| p.to_lowercase() == written.to_lowercase());
+        self.scope.report(error.help(match other_case {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => did_you_mean(&written, &patches, &otherwise),
+        }));
+        None
+    }
+
+    /// One claim, for each value of its index variables.
+    fn assertion(
+        &mut self,
+        statement: &TheoremStatement,
+        written: &Assertion,
+        claims: &mut Vec<Claim>,
+    ) -> Option<()> {
+        self.each(&written.loops, &mut |all| {
+            let printer = Printer { constants: &all.scope.constants, component: None };
+            let texts = printer.difference(&written.left, &written.right);
+            let text = format!("{} {} {}", texts.0, written.relation.symbol(), texts.1);
+            let kind = all.claim(written, texts)?;
+            let run = all.scope.budget.run();
+            let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
+            all.fits(counted, statement.span)?;
+            let place = all.scope.library.place_to(all.scope.source, statement.span, statement.last);
+            claims.push(Claim { text, doc: statement.doc.clone(), expected: written.expected, place, kind });
+            Some(())
+        })
+    }
+
+    /// What is claimed, with the texts of both sides and of their difference.
+    fn claim(&mut self, written: &Assertion, texts: (String, String, String)) -> Option<ClaimKind> {
+        let (left_text, right_text, text) = texts;
+        let left = self.definite(&written.left)?;
+        let right = self.definite(&written.right)?;
+        let zero = |value: &Value| matches!(value, Value::Scalar(f) if f.is_zero());
+        let comparison = match written.relation {
+            TheoremRelation::Compare(Comparison::NotEqual) => {
+                let error = self.scope.error(written.span, "a claim is an equation or an inequality");
+                self.scope.report(error.help("write `refute … == …;` to say that two things differ"));
+                return None;
+            }
+            TheoremRelation::Compare(comparison) => comparison,
+            TheoremRelation::Parallel => {
+                return match (left, right) {
+                    (Value::Vector(a), Value::Vector(b)) | (Value::Outer(a), Value::Outer(b)) => {
+                        Some(ClaimKind::Parallel {
+                            left: Side { text: left_text, value: a },
+                            right: Side { text: right_text, value: b },
+                        })
+                    }
+                    (a, b) => self.mismatch(written.span, "have a direction in common", &a, &b),
+                };
+            }
+        };
+        let equal = comparison == Comparison::Equal;
+        match (left, right) {
+            (Value::Scalar(a), Value::Scalar(b)) => {
+                let difference = self.scope.budget.sub(&a, &b);
+                let value = self.fits(difference, written.span)?;
+                let difference = Difference { left: left_text, right: right_text, text, value };
+                Some(ClaimKind::Scalar { comparison, difference })
+            }
+            (Value::Vector(a), Value::Vector(b)) | (Value::Outer(a), Value::Outer(b)) if equal => {
+                let mut difference = a;
+                let minus = -&Fraction::constant(crate::algebra::rational::Rational::ONE);
+                let done = difference.add_scaled(&b, &minus, &self.scope.budget);
+                self.fits(done, written.span)?;
+                Some(ClaimKind::Vector { text, value: difference })
+            }
+            (Value::Vector(form) | Value::Outer(form), other)
+            | (other, Value::Vector(form) | Value::Outer(form))
+                if equal && zero(&other) =>
+            {
+                Some(ClaimKind::Vector { text, value: form })
+            }
+            (a, b) => {
+                self.mismatch(written.span, &format!("compare by `{}`", written.relation.symbol()), &a, &b)
+            }
+        }
+    }
+
+    fn mismatch<T>(&self, span: Span, what: &str, a: &Value, b: &Value) -> Option<T> {
+        let (a, b) = (kind(a), kind(b));
+        let both = if a == b {
+            format!("two {}s", &a[a.find(' ').map_or(0, |k| k + 1)..])
+        } else {
+            format!("{a} and {b}")
+        };
+        let error = self.scope.error(span, format!("{both} do not {what}"));
+        let outer = [a, b].contains(&"an outer product") && [a, b].contains(&"a scalar");
+        self.scope.report(error.help(if outer && self.kind == TheoremKind::Theorem {
+            "in the plane the cross product is a scalar: write `dimension 2;` at the beginning of the theorem"
+        } else {
+            "scalars compare by `==`, `<`, `<=`, `>`, `>=`; vectors by `==` and `parallel`; only 0 compares with both"
+        }));
+        None
+    }
+
+    /// Passes on a result, or reports that a formula is too large.
+    pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
+        self.scope.within(result, span, "lower the degree, or state the theorem in several steps")
+    }
+}
+
+/// What a value is, with its article.
+pub(super) const fn kind(value: &Value) -> &'static str {
+    match value {
+        Value::Scalar(_) => "a scalar",
+        Value::Vector(_) => "a vector",
+        Value::Outer(_) => "an outer product",
+        Value::Map(..) => "a patch",
+    }
+}
+
+/// The numbers that lie in both ranges.
+fn intersection(a: &Range, b: &Range) -> Range {
+    // The end that leaves less: the inner one, and of two equal ones that which is excluded.
+    let pick = |a: &End, b: &End, high: bool| match (a.value(), b.value()) {
+        (None, _) => b.clone(),
+        (_, None) => a.clone(),
+        (Some(x), Some(y)) if x == y => (if a.is_included() { b } else { a }).clone(),
+        (Some(x), Some(y)) => (if (x > y) == high { b } else { a }).clone(),
+    };
+    Range { low: pick(&a.low, &b.low, false), high: pick(&a.high, &b.high, true) }
+}
+
+/// The first point in an expression that is written by its coordinates: their number, and where it stands.
+fn coordinates(expr: &Expr) -> Option<(usize, Span)> {
+    match &expr.kind {
+        ExprKind::Tuple(parts) => Some((parts.len(), expr.span)),
+        ExprKind::Number(_) | ExprKind::Name(_) => None,
+        ExprKind::Neg(inner) | ExprKind::Each(inner, _) => coordinates(inner),
+        ExprKind::Sum(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Product(parts) => parts.iter().find_map(|(_, e)| coordinates(e)),
+        ExprKind::Power(base, _) => coordinates(base),
+        ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
+            coordinates(base).or_else(|| rest.iter().find_map(coordinates))
+        }
+        ExprKind::List(parts) => parts.iter().find_map(coordinates),
+    }
+}
+
+/// The points that a patch has, in words.
+pub(super) fn count_points(n: usize) -> String {
+    count(n, "control point")
+}

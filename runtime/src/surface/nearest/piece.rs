@@ -1,0 +1,279 @@
+//! A Bézier patch of differences from a point: bounds of its distance from the origin, halves, and Newton's method.
+
+use alloc::vec;
+use alloc::vec::Vec;
+
+use crate::binomial::Row;
+
+/// The most steps of Newton's method; it needs five or six unless the surface is singular there.
+const STEPS: usize = 60;
+
+/// The highest degree whose squared distance is expanded; its binomial coefficients are exact.
+const SHARP: usize = 15;
+
+/// A Bézier net of `(kv + 1)` rows of `(ku + 1)` points with `dim` components each.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece {
+    degrees: [usize; 2],
+    dim: usize,
+    net: Vec<f64>,
+}
+
+impl Piece {
+    #[inline]
+    pub(crate) fn new(degrees: [usize; 2], dim: usize, net: Vec<f64>) -> Self {
+        Self { degrees, dim, net }
+    }
+
+    #[inline]
+    pub(super) fn is_finite(&self) -> bool {
+        self.net.iter().all(|x| x.is_finite())
+    }
+
+    #[inline]
+    fn size(&self) -> usize {
+        (self.degrees[0] + 1) * (self.degrees[1] + 1)
+    }
+
+    #[inline]
+    fn point(&self, i: usize, j: usize) -> &[f64] {
+        &self.net[(j * (self.degrees[0] + 1) + i) * self.dim..][..self.dim]
+    }
+
+    /// The corners, each with its distance.
+    #[inline]
+    pub(super) fn corners(&self) -> [([f64; 2], f64); 4] {
+        let [ku, kv] = self.degrees;
+        [[0, 0], [0, kv], [ku, 0], [ku, kv]].map(|[i, j]| {
+            let at = [(i, ku), (j, kv)]
+                .map(|(index, degree)| if degree > 0 && index == degree { 1.0 } else { 0.0 });
+            let point = self.point(i, j);
+            (at, crate::Scalar::sqrt(product(point, point)))
+        })
+    }
+
+    /// The distance of the bounding box of the control points.
+    #[inline]
+    pub(super) fn box_bound(&self) -> f64 {
+        let square = (0..self.dim).fold(0.0, |sum, c| {
+            let all = self.net[c..].iter().step_by(self.dim);
+            let (lo, hi) =
+                all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)));
+            let away = lo.max(-hi).max(0.0);
+            sum + away * away
+        });
+        crate::Scalar::sqrt(square)
+    }
+
+    /// The smallest Bernstein coefficient of the squared distance, as a distance; its error falls with the square of
+    /// the size of the patch.
+    ///
+    /// ```text
+    /// |S|² = Σ B[a,2ku] B[b,2kv] c[a,b],
+    /// c[a,b] = Σ_(i+i'=a, j+j'=b) C(ku,i) C(ku,i') C(kv,j) C(kv,j') P[i,j]·P[i',j'] / (C(2ku,a) C(2kv,b))
+    /// ```
+    #[inline]
+    pub(super) fn sharp_bound(&self) -> f64 {
+        let [ku, kv] = self.degrees;
+        if ku.max(kv) > SHARP {
+            return 0.0;
+        }
+        let (single, double) = ([binomials(ku), binomials(kv)], [binomials(2 * ku), binomials(2 * kv)]);
+        let factor = |n: usize| single[0][n % (ku + 1)] * single[1][n / (ku + 1)];
+        let scaled: Vec<f64> = self.net.iter().enumerate().map(|(n, x)| x * factor(n / self.dim)).collect();
+        let point = |n: usize| &scaled[n * self.dim..][..self.dim];
+        let columns = 2 * ku + 1;
+        let mut sums = vec![0.0; columns * (2 * kv + 1)];
+        for n in 0..self.size() {
+            let (i, j) = (n % (ku + 1), n / (ku + 1));
+            sums[2 * j * columns + 2 * i] += product(point(n), point(n));
+            for other in n + 1..self.size() {
+                let (a, b) = (i + other % (ku + 1), j + other / (ku + 1));
+                sums[b * columns + a] += 2.0 * product(point(n), point(other));
+            }
+        }
+        let coefficient = |(n, sum): (usize, &f64)| sum / (double[0][n % columns] * double[1][n / columns]);
+        let smallest = sums.iter().enumerate().map(coefficient).fold(f64::INFINITY, f64::min);
+        let largest = self.net.iter().fold(0.0_f64, |largest, x| largest.max(x * x)) * self.dim as f64;
+        // The terms of a coefficient have weights that sum to 1; each has a few rounding errors.
+        let error = 4.0 * f64::EPSILON * (self.size() + self.dim) as f64 * largest;
+        crate::Scalar::sqrt((smallest - error).max(0.0))
+    }
+
+    #[inline]
+    pub(super) fn sharp_work(&self) -> usize {
+        if self.degrees[0].max(self.degrees[1]) > SHARP { 1 } else { self.size() * self.size() * self.dim }
+    }
+
+    #[inline]
+    pub(super) fn halving_work(&self) -> usize {
+        self.size() * (self.degrees[0].max(self.degrees[1]) + 1) * self.dim
+    }
+
+    /// What rounding errors of all halvings amount to at most.
+    #[inline]
+    pub(crate) fn rounding(&self) -> f64 {
+        32.0 * f64::EPSILON * (self.degrees[0] + self.degrees[1] + 2) as f64
+    }
+
+    /// The direction in which the patch is longer.
+    #[inline]
+    pub(super) fn longer(&self) -> usize {
+        let [ku, kv] = self.degrees;
+        let mut lengths = [0.0_f64; 2];
+        for j in 0..=kv {
+            for i in 0..=ku {
+                let from = self.point(i, j);
+                let step = |to: &[f64]| from.iter().zip(to).map(|(a, b)| (b - a) * (b - a)).sum::<f64>();
+                if i < ku {
+                    lengths[0] = lengths[0].max(step(self.point(i + 1, j)) * (ku * ku) as f64);
+                }
+                if j < kv {
+                    lengths[1] = lengths[1].max(step(self.point(i, j + 1)) * (kv * kv) as f64);
+                }
+            }
+        }
+        usize::from(lengths[1] > lengths[0])
+    }
+
+    /// Both halves in that direction, by de Casteljau's algorithm.
+    #[inline]
+    pub(super) fn halved(&self, along: usize) -> [Self; 2] {
+        let degree = self.degrees[along];
+        // `count` lists of `degree + 1` entries that are `stride` numbers apart, from `start(n)` on.
+        let row = (self.degrees[0] + 1) * self.dim;
+        let (stride, count) =
+            if along == 0 { (self.dim, (self.degrees[1] + 1) * self.dim) } else { (row, row) };
+        let start = |n: usize| if along == 0 { n / self.dim * row + n % self.dim } else { n };
+        let (mut lower, mut upper) = (self.net.clone(), self.net.clone());
+        for n in 0..count {
+            let first = start(n);
+            for step in 1..=degree {
+                for i in 0..=degree - step {
+                    upper[first + i * stride] =
+                        0.5 * (upper[first + i * stride] + upper[first + (i + 1) * stride]);
+                }
+                lower[first + step * stride] = upper[first];
+            }
+        }
+        [lower, upper].map(|net| Self { degrees: self.degrees, dim: self.dim, net })
+    }
+
+    /// `[S, S_u, S_v, S_uu, S_uv, S_vv]` at a place, one after the other.
+    #[inline]
+    fn derivatives(&self, at: [f64; 2]) -> Vec<f64> {
+        let [u, v] = [0, 1].map(|i| [0, 1, 2].map(|order| bernstein(self.degrees[i], at[i], order)));
+        let mut all = vec![0.0; 6 * self.dim];
+        for (n, point) in self.net.chunks_exact(self.dim).enumerate() {
+            let (i, j) = (n % (self.degrees[0] + 1), n / (self.degrees[0] + 1));
+            let orders = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]];
+            for (sum, [a, b]) in all.chunks_exact_mut(self.dim).zip(orders) {
+                let factor = u[a][i] * v[b][j];
+                for (sum, x) in sum.iter_mut().zip(point) {
+                    *sum += factor * x;
+                }
+            }
+        }
+        all
+    }
+
+    #[inline]
+    fn square(&self, at: [f64; 2]) -> f64 {
+        let (u, v) = (bernstein(self.degrees[0], at[0], 0), bernstein(self.degrees[1], at[1], 0));
+        let columns = u.len();
+        (0..self.dim).fold(0.0, |square, c| {
+            let all = self.net[c..].iter().step_by(self.dim).enumerate();
+            let x: f64 = all.map(|(n, x)| u[n % columns] * v[n / columns] * x).sum();
+            square + x * x
+        })
+    }
+
+    /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it
+    /// is no descent, that of Gauss and Newton, and where that has no solution, one direction by itself. Returns the
+    /// place and its distance.
+    #[inline]
+    pub(super) fn descend(&self, start: [f64; 2]) -> ([f64; 2], f64) {
+        let (mut at, mut square) = (start, self.square(start));
+        for _ in 0..STEPS {
+            let all = self.derivatives(at);
+            let part = |n: usize| &all[n * self.dim..][..self.dim];
+            let inner = |a: usize, b: usize| product(part(a), part(b));
+            let gradient = [inner(0, 1), inner(0, 2)];
+            // Directions in which the patch ends are left out.
+            let free =
+                [0, 1].map(|i| !(at[i] <= 0.0 && gradient[i] >= 0.0 || at[i] >= 1.0 && gradient[i] <= 0.0));
+            let first = [inner(1, 1), inner(1, 2), inner(2, 2)];
+            let second = [first[0] + inner(0, 3), first[1] + inner(0, 4), first[2] + inner(0, 5)];
+            let alone = [first[0], 0.0, first[2]];
+            let downhill = |step: &[f64; 2]| step[0] * gradient[0] + step[1] * gradient[1] < 0.0;
+            let steps =
+                [second, first, alone].into_iter().filter_map(|matrix| newton_step(matrix, gradient, free));
+            let Some(step) = steps.into_iter().find(downhill) else { break };
+            let (mut factor, mut moved) = (1.0, false);
+            while factor > 1e-10 && !moved {
+                let next = [0, 1].map(|i| (at[i] + factor * step[i]).clamp(0.0, 1.0));
+                let candidate = self.square(next);
+                moved = candidate < square && next != at;
+                if moved {
+                    (at, square) = (next, candidate);
+                }
+                factor *= 0.5;
+            }
+            if !moved {
+                break;
+            }
+        }
+        (at, crate::Scalar::sqrt(square))
+    }
+}
+
+#[inline]
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The row `n` of Pascal's triangle.
+#[inline]
+fn binomials(n: usize) -> Vec<f64> {
+    let mut row = Row::new(n);
+    (0..=n).map(|_| row.next()).collect()
+}
+
+/// The derivatives of that order of the Bernstein polynomials of that degree.
+#[inline]
+fn bernstein(degree: usize, t: f64, order: usize) -> Vec<f64> {
+    let mut values = vec![0.0; degree + 1];
+    if order > degree {
+        return values;
+    }
+    values[0] = 1.0;
+    for d in 1..=degree {
+        let differentiated = d > degree - order;
+        for i in (0..=d).rev() {
+            let (before, here) =
+                (if i > 0 { values[i - 1] } else { 0.0 }, if i < d { values[i] } else { 0.0 });
+            values[i] =
+                if differentiated { d as f64 * (before - here) } else { t * before + (1.0 - t) * here };
+        }
+    }
+    values
+}
+
+/// `-M⁻¹ gradient` in the free directions, for the symmetric matrix `[[a, b], [b, c]]` if it is positive definite
+/// there.
+#[inline]
+fn newton_step([a, b, c]: [f64; 3], gradient: [f64; 2], free: [bool; 2]) -> Option<[f64; 2]> {
+    let [x, y] = gradient;
+    let alone = |a: f64, x: f64| if a > 0.0 { -x / a } else { 0.0 };
+    match free {
+        [true, true] if b != 0.0 => {
+            let determinant = a * c - b * b;
+            let definite = a > 0.0 && determinant > 1e-14 * a * c;
+            definite.then(|| [(b * y - c * x) / determinant, (b * x - a * y) / determinant])
+        }
+        [true, true] => Some([alone(a, x), alone(c, y)]),
+        [true, false] => Some([alone(a, x), 0.0]),
+        [false, true] => Some([0.0, alone(c, y)]),
+        [false, false] => None,
+    }
+}

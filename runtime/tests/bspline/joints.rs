@@ -1,0 +1,123 @@
+//! What is said of a joint holds for all of its parameters: bounds that no dense sampling exceeds, and that are
+//! attained but for one percent.
+
+use basis_runtime::bspline::{
+    BSplineSurface, Direction, Edge, Joint, KnotVector, Method, Net, SpliceOptions, measure_joint, splice,
+};
+use proptest::prelude::*;
+
+use crate::support::{P3, distance, surface};
+
+fn cross(a: P3, b: P3) -> P3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn dot(a: P3, b: P3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The parameters of an edge as a part of its domain, from 0 to 1: those at which its polynomial may change.
+fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
+    let along = if edge.across() == Direction::U { Direction::V } else { Direction::U };
+    let all = surface.knots(along).breakpoints();
+    let (lo, hi) = (all[0], all[all.len() - 1]);
+    all.iter().map(|t| (t - lo) / (hi - lo)).collect()
+}
+
+/// The largest gap and angle from nothing but points and partial derivatives, at `count` parameters inside of each
+/// piece on which both surfaces are polynomial; and the least sine of the directions along and across an edge.
+fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint, count: usize) -> [f64; 3] {
+    let at = |surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64| {
+        let [du, dv] = surface.domain();
+        let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };
+        let c = across[usize::from(edge.is_end())];
+        let t = along[0] + (along[1] - along[0]) * part;
+        let (u, v, orders) = match edge.across() {
+            Direction::U => (c, t, [[1, 0], [0, 1]]),
+            Direction::V => (t, c, [[0, 1], [1, 0]]),
+        };
+        let [out, tangent] = orders.map(|orders| surface.partial(u, v, orders));
+        let sign = if edge.is_end() { sign } else { -sign };
+        (surface.eval(u, v), out.map(|x| x * sign), tangent)
+    };
+    let turned = |part: f64| if joint.reversed { 1.0 - part } else { part };
+    let mut all = breakpoints(a, joint.edge);
+    all.extend(breakpoints(b, joint.target).into_iter().map(turned));
+    all.sort_by(f64::total_cmp);
+    let (mut gap, mut angle, mut sine) = (0.0_f64, 0.0_f64, 1.0_f64);
+    for piece in all.windows(2).filter(|piece| piece[1] - piece[0] > 1e-9) {
+        for i in 0..count {
+            // Closer together towards the ends, where the largest values are as often as not.
+            let x = 0.5 - 0.5 * (std::f64::consts::PI * (i as f64 + 0.5) / count as f64).cos();
+            let part = piece[0] + (piece[1] - piece[0]) * x;
+            let (p, out, tangent) = at(a, joint.edge, part, 1.0);
+            let (q, into, other) = at(b, joint.target, turned(part), -1.0);
+            let other = other.map(|x| if joint.reversed { -x } else { x });
+            gap = gap.max(distance(p, q));
+            let (n, m) = (cross(out, tangent), cross(into, other));
+            angle = angle.max(distance(cross(n, m), [0.0; 3]).atan2(dot(n, m)));
+            for [x, y] in [[out, tangent], [into, other]] {
+                let sizes = distance(x, [0.0; 3]) * distance(y, [0.0; 3]);
+                sine = sine.min(distance(cross(x, y), [0.0; 3]) / sizes);
+            }
+        }
+    }
+    [gap, angle, sine]
+}
+
+fn edge() -> impl Strategy<Value = Edge> {
+    (0..4_usize).prop_map(|i| Edge::ALL[i])
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Of surfaces that have nothing to do with each other: all angles up to π.
+    #[test]
+    fn figures_of_any_surfaces_are_bounds(
+        a in surface(), b in surface(), edge in edge(), target in edge(), reversed in any::<bool>(),
+    ) {
+        let joint = Joint { edge, target, reversed };
+        if let Ok(found) = measure_joint(&a, &b, joint) {
+            let [gap, angle, sine] = sampled(&a, &b, joint, 200);
+            prop_assert!(gap <= found.gap && angle <= found.angle + 1e-12 / sine, "{:?} {} {}", found, gap, angle);
+            prop_assert!(found.gap <= 1.01 * gap, "{:?} {}", found, gap);
+            // Where directions become nearly parallel an angle has steep maxima, which samples miss.
+            if found.angle > 1.01 * angle && sine > 0.1 {
+                let [_, angle, _] = sampled(&a, &b, joint, 4000);
+                prop_assert!(found.angle <= 1.01 * angle, "{:?} {} {}", found, angle, sine);
+            }
+        }
+    }
+
+    /// Of surfaces that were joined by least squares, where the angle oscillates inside of each span and is small.
+    #[test]
+    fn figures_of_splices_are_bounds(
+        degrees in [2..=5_usize, 1..=5_usize],
+        spans in [1..7_usize, 1..7_usize],
+        waves in [-1.0..1.0, -1.0..1.0, 1.0..4.0, -1.0..1.0],
+        others in [-1.0..1.0, -1.0..1.0, 1.0..4.0, -1.0..1.0],
+        tolerance in -7.0..-1.0,
+    ) {
+        let sheet = |degree: usize, spans: usize, from: f64, waves: [f64; 4]| {
+            let (across, along) = (KnotVector::uniform(degree, 3).unwrap(), KnotVector::uniform(degree, spans).unwrap());
+            let (gu, gv) = (across.greville(), along.greville());
+            let net = Net::from_fn(gu.len(), gv.len(), |i, j| {
+                let (x, y): (f64, f64) = (from + gu[i], gv[j]);
+                [x + 0.1 * waves[0] * y * y, y + 0.1 * waves[1] * x, 0.3 * (waves[2] * y + waves[3] * x).sin()]
+            });
+            BSplineSurface::new(across, along, net.unwrap()).unwrap()
+        };
+        let (a, b) = (sheet(degrees[0], spans[0], -1.0, waves), sheet(degrees[1], spans[1], 0.0, others));
+        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+        let tolerance = 10.0_f64.powf(tolerance);
+        let options = SpliceOptions { method: Method::LeastSquares, angle: tolerance, gap: 1.0, ..Default::default() };
+        if let Ok(found) = splice(&a, &b, joint, &options) {
+            let [gap, angle, _] = sampled(&found.surface, &b, joint, 100);
+            let measure = found.measure;
+            prop_assert!(gap <= measure.gap && angle <= measure.angle && measure.angle <= tolerance, "{:?} {} {}", measure, gap, angle);
+            prop_assert!(measure.gap <= 1.01 * gap + 1e-13, "{:?} {}", measure, gap);
+            prop_assert!(measure.angle <= 1.01 * angle + 1e-12, "{:?} {}", measure, angle);
+        }
+    }
+}

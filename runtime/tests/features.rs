@@ -1,0 +1,113 @@
+//! What the features bring along, and what is said where one is missing.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn cargo(folder: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO"))
+        .args(args)
+        .arg("--offline")
+        .current_dir(folder)
+        .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("features"))
+        .output()
+        .expect("cargo can be started")
+}
+
+/// The packages that are built with these features, in alphabetical order, without those of the development.
+fn packages(features: &str) -> Vec<String> {
+    let args =
+        ["tree", "--no-default-features", "--features", features, "--edges", "normal", "--prefix", "none"];
+    let output = cargo(Path::new(env!("CARGO_MANIFEST_DIR")), &args);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let names = String::from_utf8_lossy(&output.stdout);
+    let mut names: Vec<_> =
+        names.lines().filter_map(|line| line.split(' ').next()).map(str::to_owned).collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+/// What the compiler says about a crate with that source that depends on the runtime with these features.
+fn refusal(name: &str, features: &str, source: &str) -> String {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::create_dir_all(folder.join("src")).expect("a folder can be made");
+    let manifest = format!(
+        "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
+         basis-runtime = {{ path = {:?}, default-features = false, features = [{features}] }}\n",
+        env!("CARGO_MANIFEST_DIR")
+    );
+    let lock = Path::new(env!("CARGO_MANIFEST_DIR")).join("../Cargo.lock");
+    fs::write(folder.join("Cargo.toml"), manifest).expect("a file can be written");
+    fs::copy(lock, folder.join("Cargo.lock")).expect("the lock file is there");
+    fs::write(folder.join("src/lib.rs"), source).expect("a file can be written");
+    let output = cargo(&folder, &["check", "--quiet"]);
+    assert!(!output.status.success(), "it compiles");
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The names in the first cells of the rows of the table of features.
+fn listed(text: &str) -> Vec<String> {
+    let rows = text
+        .lines()
+        .map(|line| line.trim_start_matches("//! "))
+        .skip_while(|line| !line.starts_with("| feature"));
+    let cells = rows.take_while(|line| line.starts_with('|')).skip(2).filter_map(|row| row.split('|').nth(1));
+    let mut names: Vec<_> =
+        cells.flat_map(|cell| cell.split('`').skip(1).step_by(2)).map(str::to_owned).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn both_tables_list_every_feature() {
+    let manifest = include_str!("../Cargo.toml");
+    let section = manifest.split("\n[features]\n").nth(1).and_then(|rest| rest.split("\n\n").next());
+    let lines = section.expect("the manifest has features").lines();
+    let mut declared: Vec<_> =
+        lines.filter_map(|line| line.split(" =").next()).filter(|&name| name != "default").collect();
+    declared.sort_unstable();
+    assert_eq!(listed(include_str!("../src/lib.rs")), declared);
+    assert_eq!(listed(include_str!("../README.md")), declared);
+}
+
+#[test]
+fn std_alone_brings_nothing_along() {
+    assert_eq!(packages("std"), ["basis-runtime"]);
+    assert_eq!(packages("std,bspline,mesh,laws"), ["basis-runtime"]);
+    assert_eq!(packages("libm"), ["basis-runtime", "libm"]);
+}
+
+#[test]
+fn with_std_neither_glam_nor_kurbo_brings_libm() {
+    assert_eq!(packages("std,glam"), ["basis-runtime", "glam"]);
+    let kurbo = packages("std,kurbo");
+    assert!(kurbo.contains(&"kurbo".to_owned()) && !kurbo.contains(&"libm".to_owned()), "{kurbo:?}");
+    assert!(packages("libm,kurbo").contains(&"libm".to_owned()));
+}
+
+#[test]
+fn the_macro_brings_the_engine_along() {
+    let packages = packages("std,macros");
+    assert!(packages.contains(&"basis-macros".to_owned()), "{packages:?}");
+}
+
+#[test]
+fn neither_std_nor_libm_is_refused_in_one_sentence() {
+    let message = refusal("neither", "", "");
+    assert!(message.contains("with the feature `std` or, without it, the feature `libm`"), "{message}");
+    let errors = message.lines().filter(|line| line.starts_with("error"));
+    assert_eq!(errors.count(), 2, "{message}"); // the other one: could not compile
+}
+
+#[test]
+fn what_needs_a_feature_says_which() {
+    let source = "basis_runtime::basis!(\"specs/quartic.basis\");\n\
+                  use basis_runtime::bspline::KnotVector;\n\
+                  use basis_runtime::Tessellation;\n";
+    let message = refusal("missing", "\"std\"", source);
+    assert!(message.contains("`basis!` needs the feature `macros` of basis-runtime"), "{message}");
+    for feature in ["bspline", "mesh"] {
+        assert!(message.contains(&format!("gated behind the `{feature}` feature")), "{message}");
+    }
+}

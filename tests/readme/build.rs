@@ -1,0 +1,111 @@
+//! Takes the Rust out of the README and makes a function of each block: what the text around the block takes for granted, the
+//! block as it stands, and what has to be true after it.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::{env, fs};
+
+/// A block of the README.
+struct Block {
+    /// The function.
+    name: &'static str,
+    /// Something that only this block says.
+    says: &'static str,
+    /// What the text takes for granted.
+    before: &'static str,
+    /// What has to be true afterwards.
+    after: &'static str,
+}
+
+const BLOCKS: [Block; 4] = [
+    Block {
+        name: "curves",
+        says: "curve_after(",
+        before: "",
+        after: "
+            assert!(values.iter().all(|value| *value >= 0.0));
+            assert!(point.iter().chain(&velocity).chain(&acceleration).all(|x| x.is_finite()));
+            assert_eq!(next.start(), curve.end());",
+    },
+    Block {
+        name: "triangles",
+        says: "TriangularPatch::new(",
+        before: "
+            let lattice = (0..=5_u8).flat_map(|i| (0..=5 - i).map(move |j| [f64::from(i), f64::from(j)]));
+            let all: Vec<[f64; 3]> = lattice.map(|[x, y]| [x, y, 0.1 * x * y]).collect();
+            let points: [[f64; 3]; 21] = all.try_into().expect(\"21 points\");
+            let family = TriangularII::new(1.0, 1.0)?;",
+        after: "
+            assert!(point.iter().all(|x| x.is_finite()) && normal.is_some());
+            assert_eq!(edge.control_points().len(), 6);
+            assert!(next.boundary(TriangleEdge::U).start().iter().all(|x| x.is_finite()));",
+    },
+    Block {
+        name: "surfaces",
+        says: "TensorSurface::with_rows(",
+        before: "
+            use basis_runtime::{Curve, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, basis};
+            use std::f64::consts::PI;
+            use std::fs::File;
+            basis!(library \"quartic\");
+            let family = QuarticBernstein::new(0.5)?;
+            let gammas = [family, QuarticBernstein::new(-1.0)?, family, family];
+            let net = [0.0, 1.0, 2.0, 3.0].map(|x: f64| [0.0, 1.0, 2.0, 3.0].map(|y: f64| [x, y, x * y / 4.0]));
+            let curve = Curve::new(family, [[0.0, 1.0], [1.0, 2.0], [2.0, 0.5], [3.0, 1.0]]);",
+        after: "
+            assert!(normal.is_some() && nearest.distance.is_finite() && !mesh.triangles.is_empty());
+            assert!(std::fs::read(\"vase.glb\")?.starts_with(b\"glTF\"));",
+    },
+    Block {
+        name: "splices",
+        says: "splice(&left",
+        before: "
+            use basis_runtime::bspline::{BSplineSurface, KnotVector, Net};
+            let patch = |knots: KnotVector<f64>, from: f64| -> Result<_, Box<dyn std::error::Error>> {
+                let v = KnotVector::uniform(3, 3)?;
+                let (at_u, at_v) = (knots.greville(), v.greville());
+                let grid = Net::from_fn(at_u.len(), at_v.len(), |i, j| {
+                    let [x, y] = [from + at_u[i], at_v[j]];
+                    [x, y, 0.3 * (x * x + y)]
+                })?;
+                Ok(BSplineSurface::fit([knots, v], [&at_u, &at_v], &grid)?)
+            };
+            let left = patch(KnotVector::uniform(3, 4)?, -1.0)?;
+            let right = patch(KnotVector::uniform(3, 2)?, 0.0)?;",
+        after: "
+            assert!(joined.measure.gap <= 1e-5 && joined.measure.angle <= 1e-4);",
+    },
+];
+
+fn main() {
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("Cargo sets it"));
+    let text = fs::read_to_string("README.md").expect("the README can be read");
+    println!("cargo::rerun-if-changed=README.md");
+    println!("cargo::rerun-if-changed=build.rs");
+
+    let found: Vec<&str> =
+        text.split("\n```rust\n").skip(1).filter_map(|rest| rest.split("\n```").next()).collect();
+    assert!(!text.contains("```rust,"), "a block of the README is marked so that nothing compiles it");
+    assert_eq!(
+        found.len(),
+        BLOCKS.len(),
+        "`BLOCKS` in tests/readme/build.rs has to say what the README builds on"
+    );
+    let mut code = String::new();
+    for (block, shown) in BLOCKS.iter().zip(found) {
+        assert!(shown.contains(block.says), "`{}` is not in this block:\n{shown}", block.says);
+        let Block { name, before, after, .. } = block;
+        write!(
+            code,
+            "pub(crate) fn {name}() -> Result<(), Box<dyn std::error::Error>> {{{before}\n{shown}\n{after}\n Ok(())\n}}\n"
+        )
+        .expect("a string takes everything");
+    }
+    fs::write(out.join("readme.rs"), code).expect("the folder can be written");
+
+    // Beside the code, as the README names them.
+    fs::create_dir_all(out.join("specs")).expect("a folder can be made");
+    for (name, text) in basis_specs::SPECS.iter().filter(|(name, _)| !name.contains('/')) {
+        fs::write(out.join("specs").join(format!("{name}.basis")), text).expect("the folder can be written");
+    }
+}
