@@ -14,9 +14,10 @@ use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
 use crate::diagnostic::Diagnostics;
 use crate::model::budget::TooLarge;
-use crate::model::print::Printer;
+use crate::model::formula::numbers::{budget_value, range_of};
+use crate::model::formula::print::Printer;
 use crate::model::scope::{Scope, Subject};
-use crate::model::{Library, Parameter, build, label};
+use crate::model::{Library, Parameter, label};
 use crate::plural::count;
 use crate::source::SourceId;
 use crate::subject::{Item, Subject as About};
@@ -242,7 +243,7 @@ impl Elaboration<'_> {
                 self.each(loops, &mut |all| all.define(target, value))
             }
             TheoremStatementKind::Budget(value) => {
-                *budget = build::budget_value(&mut self.scope, value)?;
+                *budget = budget_value(&mut self.scope, value)?;
                 Some(())
             }
             TheoremStatementKind::Dimension(_) | TheoremStatementKind::Claim(_) => Some(()),
@@ -406,13 +407,9 @@ impl Elaboration<'_> {
                 return None;
             }
         }
-        build::range_of(
-            &mut self.scope,
-            bounds.target.span,
-            bounds.low.as_ref(),
-            bounds.high.as_ref(),
-            &|| Printer { constants: &[], component: None }.print(&bounds.target),
-        )
+        range_of(&mut self.scope, bounds.target.span, bounds.low.as_ref(), bounds.high.as_ref(), &|| {
+            Printer { constants: &[], component: None }.print(&bounds.target)
+        })
     }
 
     /// `let name = …;` or `let P[i] = …;`

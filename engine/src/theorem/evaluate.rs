@@ -9,8 +9,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::model::print::Printer;
-use crate::model::scope::BUILTINS;
+use crate::model::formula::print::Printer;
+use crate::model::words::BUILTINS;
 use crate::plural::here;
 use crate::syntax::{Expr, ExprKind, Role, Sign, TheoremKind};
 
