@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::elaborate::{Elaboration, Value, kind};
+use super::draft::{Elaboration, Value, kind};
 use super::form::{Form, Unit};
 use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;

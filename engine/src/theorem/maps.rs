@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::elaborate::{Elaboration, OWN, Value, kind};
+use super::draft::{Elaboration, OWN, Value, kind};
 use super::form::Form;
 use crate::advice::along_edges;
 use crate::algebra::fraction::Fraction;
