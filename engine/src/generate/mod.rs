@@ -29,8 +29,7 @@ use code::tokens::{doc, site};
 use code::{floats, names};
 use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use formula::factored;
-pub(crate) use formula::factored_on_box;
+pub(crate) use formula::{factored, factored_on_box};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use weights::{combination, zero, zeros};
 
