@@ -1,28 +1,21 @@
-//! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file.
+//! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file, among those
+//! about a [`family`] or those about a [`theorem`].
 //!
 //! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points also if one
 //! of its [`instances`] is, which say the same of definite points.
 
 mod family;
-mod identity;
-mod independent;
 mod inequality;
 mod judge;
-mod net;
-mod parallel;
-mod products;
+mod proofs;
 mod report;
 mod run;
 mod theorem;
 mod verdict;
 
-use basis_kernel::Proof;
-use basis_prover::{Failure, Shown, decide as decide_statement};
-
-pub use family::statements as family_statements;
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use independent::combination_text;
-pub use independent::{Table, coefficient_table};
+pub(crate) use family::combination_text;
+pub use family::{Table, coefficient_table, statements as family_statements};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
@@ -55,7 +48,7 @@ pub fn instances(
     match subject {
         Subject::Family(family) if given.is_empty() => Ok(family::statements(family, claim)),
         Subject::Family(_) => Err("a family has no control points"),
-        Subject::Theorem(theorem) => theorem::instances(theorem, claim, &net::Net::given(theorem, given)?),
+        Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),
     }
 }
 
@@ -65,24 +58,4 @@ pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
         Subject::Family(family) => family::decide(family, claim),
         Subject::Theorem(theorem) => theorem::decide(theorem, claim),
     }
-}
-
-/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is known
-/// about it, one that is refuted before one that is undecided.
-fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
-    let mut proofs = Vec::new();
-    let mut undecided = None;
-    for Stated { of, statement, symmetries } in stated {
-        match decide_statement(statement, &symmetries, budget) {
-            Ok(shown) => proofs.push((of, shown)),
-            Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),
-            Err(left) => undecided = undecided.or(Some((of, left))),
-        }
-    }
-    undecided.map_or(Ok(proofs), Err)
-}
-
-/// The proofs without the methods.
-fn steps(shown: Vec<(String, Shown)>) -> Vec<(String, Proof)> {
-    shown.into_iter().map(|(of, shown)| (of, shown.proof)).collect()
 }

@@ -1,6 +1,7 @@
 //! What theorems and joins mean: curves and surfaces over families as linear forms in control points, scalars with their
 //! ranges, and claims about them as exact differences.
 
+mod draft;
 mod elaborate;
 mod evaluate;
 mod form;
