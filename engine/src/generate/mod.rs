@@ -11,6 +11,7 @@ mod floats;
 pub mod form;
 mod formula;
 mod interval;
+#[cfg(feature = "joins")]
 pub(crate) mod join;
 mod names;
 mod patch;

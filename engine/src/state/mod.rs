@@ -8,11 +8,18 @@ mod identity;
 mod independent;
 mod inequality;
 mod judge;
+#[cfg(feature = "joins")]
 mod net;
+#[cfg(feature = "joins")]
 mod parallel;
+#[cfg(feature = "joins")]
 mod products;
 mod report;
 mod run;
+#[cfg(feature = "joins")]
+mod theorem;
+#[cfg(not(feature = "joins"))]
+#[path = "no_theorem.rs"]
 mod theorem;
 mod verdict;
 
@@ -55,7 +62,7 @@ pub fn instances(
     match subject {
         Subject::Family(family) if given.is_empty() => Ok(family::statements(family, claim)),
         Subject::Family(_) => Err("a family has no control points"),
-        Subject::Theorem(theorem) => theorem::instances(theorem, claim, &net::Net::given(theorem, given)?),
+        Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),
     }
 }
 

@@ -92,7 +92,12 @@ pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Stateme
 }
 
 /// What a claim says of definite points.
-pub(super) fn instances(theorem: &Theorem, claim: &Claim, net: &Net) -> Result<Vec<Stated>, &'static str> {
+pub(super) fn instances(
+    theorem: &Theorem,
+    claim: &Claim,
+    given: &[Vec<Rational>],
+) -> Result<Vec<Stated>, &'static str> {
+    let net = &Net::given(theorem, given)?;
     let kind = settled(theorem, &claim.kind);
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
     let vague = theorem.products.iter().any(|(var, _)| kind.depends_on(*var));
