@@ -66,12 +66,10 @@ rows=()
 # row NAME WHAT
 row() { rows+=("$1|$2"); }
 
-crate macro "$(runtime std macros)" <<<"$with_macro"
-row macro 'one `basis!`, runtime with `std` and `macros`'
-if has basis-macros joins; then
-    # The feature of the macro crate is on by default, and the runtime passes the choice on, or does not: build the macro alone.
-    crate without-joins "basis-macros = { path = \"$root/basis-macros\", default-features = false }
-$(runtime std)" <<<"${with_macro/basis_runtime::basis!/basis_macros::basis!}"
+crate macro "$(runtime std macros joins)" <<<"$with_macro"
+row macro 'one `basis!`, runtime with `std`, `macros` and `joins`'
+if has runtime joins; then
+    crate without-joins "$(runtime std macros)" <<<"$with_macro"
     row without-joins 'the same without `joins`'
 fi
 crate defaults "basis-runtime = { path = \"$root/runtime\" }" <<<"$with_macro"

@@ -163,7 +163,10 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
     }
     let run = &mut state::Run::default();
+    #[cfg(feature = "joins")]
     let joins = joins(library, request, &wanted, run, &mut diagnostics);
+    #[cfg(not(feature = "joins"))] // each theorem and join is an error of the library
+    let joins = TokenStream::new();
     // The names of the types so far, each with what has it.
     let mut types: Vec<(String, String)> = Vec::new();
     if !joins.is_empty() {
@@ -212,6 +215,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
 
 /// The functions of the joins: of all, or of those in the list. A list is about what it names only; without one every
 /// theorem is decided.
+#[cfg(feature = "joins")]
 fn joins(
     library: &Library<'_>,
     request: &Request,

@@ -8,6 +8,7 @@ mod point;
 mod proof;
 mod refusal;
 mod statement;
+#[cfg(feature = "text")]
 pub mod text;
 
 pub use certificate::{

@@ -68,6 +68,7 @@
 //! | `libm` | no | square roots and angles without `std`; with `std` it changes nothing |
 //! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
+//! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
 //! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `alloc` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `alloc` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |

@@ -9,6 +9,7 @@ fn cargo(folder: &Path, args: &[&str]) -> Output {
         .args(args)
         .arg("--offline")
         .current_dir(folder)
+        .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("features"))
         .output()
         .expect("cargo can be started")
@@ -110,4 +111,26 @@ fn what_needs_a_feature_says_which() {
     for feature in ["bspline", "mesh"] {
         assert!(message.contains(&format!("gated behind the `{feature}` feature")), "{message}");
     }
+}
+
+#[test]
+fn theorems_and_joins_say_that_their_feature_is_off() {
+    let claims = "{ curve P = Bernstein(2); prove P(0) == P[0]; }";
+    let source = format!(
+        "basis_runtime::basis! {{\n\
+             family Line {{ domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; prove partition_of_unity; }}\n\
+             theorem First {claims}\n\
+             join Second {claims}\n\
+         }}\n\
+         basis_runtime::basis!(library \"quadratic\", QuadraticBezier);\n\
+         pub fn line() -> [f64; 2] {{ Line::new().values(0.5) }}\n"
+    );
+    let message = refusal("joins", "\"std\", \"macros\"", &source);
+    let said = "theorems and joins need the feature `joins` of basis-runtime, which is off";
+    assert_eq!(message.matches(said).count(), 2, "{message}"); // once for each spec
+    assert!(message.contains("theorem First") && !message.contains("join Second"), "{message}");
+    assert!(message.contains("features = [\"joins\"]"), "{message}");
+    // The families of both specs are there.
+    let errors = message.lines().filter(|line| line.starts_with("error"));
+    assert_eq!(errors.count(), 3, "{message}"); // the last one: could not compile
 }

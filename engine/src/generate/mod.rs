@@ -10,6 +10,7 @@ mod ends;
 pub mod form;
 mod formula;
 mod interval;
+#[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
 pub mod patch_form;

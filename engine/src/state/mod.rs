@@ -10,6 +10,10 @@ mod judge;
 mod proofs;
 mod report;
 mod run;
+#[cfg(feature = "joins")]
+mod theorem;
+#[cfg(not(feature = "joins"))]
+#[path = "no_theorem.rs"]
 mod theorem;
 mod verdict;
 

@@ -14,6 +14,7 @@ mod words;
 
 pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
 pub use parse::{parse_text, parse_tokens};
+#[cfg(feature = "joins")]
 pub(crate) use theorems::ASSUME_HELP;
 
 use proc_macro2::Span;

@@ -3,6 +3,7 @@
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
+#[cfg(feature = "joins")]
 use crate::model::budget::{Budget, TooLarge};
 use basis_prover::map::SortedMap;
 
@@ -43,6 +44,31 @@ impl Form {
         self.terms.get(&unit).cloned().unwrap_or_else(Fraction::zero)
     }
 
+    /// The value at a point of the scalars when the points are given by coordinates; a pair has one coordinate, that of
+    /// the plane of the first two; `None` where a denominator is zero.
+    pub fn eval(&self, scalars: &[Rational], points: &[Vec<Rational>]) -> Option<Vec<Rational>> {
+        let mut sum: Vec<Rational> = Vec::new();
+        for (unit, value) in &self.terms {
+            let factor = value.eval(scalars)?;
+            let vector = match unit {
+                Unit::Point(p) => points.get(*p)?.clone(),
+                Unit::Pair(p, q) => {
+                    let (p, q) = (points.get(*p)?, points.get(*q)?);
+                    vec![&(&p[0] * &q[1]) - &(&p[1] * &q[0])]
+                }
+            };
+            sum.resize(vector.len().max(sum.len()), Rational::ZERO);
+            for (s, x) in sum.iter_mut().zip(vector) {
+                *s += &(&factor * &x);
+            }
+        }
+        Some(sum)
+    }
+}
+
+/// Arithmetic within a budget, for the expressions of theorems and joins.
+#[cfg(feature = "joins")]
+impl Form {
     /// Adds a multiple of a unit.
     pub(super) fn add_term(&mut self, unit: Unit, value: &Fraction, budget: &Budget) -> Result<(), TooLarge> {
         let sum = match self.terms.get(&unit) {
@@ -97,26 +123,5 @@ impl Form {
             }
         }
         Ok(result)
-    }
-
-    /// The value at a point of the scalars when the points are given by coordinates; a pair has one coordinate, that of
-    /// the plane of the first two; `None` where a denominator is zero.
-    pub fn eval(&self, scalars: &[Rational], points: &[Vec<Rational>]) -> Option<Vec<Rational>> {
-        let mut sum: Vec<Rational> = Vec::new();
-        for (unit, value) in &self.terms {
-            let factor = value.eval(scalars)?;
-            let vector = match unit {
-                Unit::Point(p) => points.get(*p)?.clone(),
-                Unit::Pair(p, q) => {
-                    let (p, q) = (points.get(*p)?, points.get(*q)?);
-                    vec![&(&p[0] * &q[1]) - &(&p[1] * &q[0])]
-                }
-            };
-            sum.resize(vector.len().max(sum.len()), Rational::ZERO);
-            for (s, x) in sum.iter_mut().zip(vector) {
-                *s += &(&factor * &x);
-            }
-        }
-        Some(sum)
     }
 }

@@ -1,15 +1,27 @@
 //! What theorems and joins mean: curves and surfaces over families as linear forms in control points, scalars with their
 //! ranges, and claims about them as exact differences.
 
+#[cfg(feature = "joins")]
 mod draft;
+#[cfg(feature = "joins")]
 mod elaborate;
+#[cfg(feature = "joins")]
 mod evaluate;
 mod form;
+#[cfg(feature = "joins")]
 mod maps;
+#[cfg(feature = "joins")]
 mod patch;
 
+#[cfg(feature = "joins")]
 pub use elaborate::theorems;
 pub use form::{Form, Unit};
+
+/// Without the feature `joins` there are none: the library has an error for the first that is written.
+#[cfg(not(feature = "joins"))]
+pub fn theorems(_: &crate::Library<'_>) -> Vec<crate::subject::Item> {
+    Vec::new()
+}
 
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
@@ -48,6 +60,9 @@ pub struct Theorem {
     pub points: Vec<GivenPoint>,
     /// How many times the usual work the provers may spend on a claim.
     pub budget: u32,
+    /// Without the feature `joins` no theorem can be made, so that nothing has to be known of one.
+    #[cfg(not(feature = "joins"))]
+    pub never: core::convert::Infallible,
 }
 
 /// A control point that can be any point.

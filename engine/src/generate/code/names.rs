@@ -87,11 +87,13 @@ fn ident(name: &str) -> Option<Ident> {
 }
 
 /// `G1SurfaceUU` as the name of a function, `g1_surface_uu`.
+#[cfg(feature = "joins")]
 pub(in crate::generate) fn function(name: &str) -> Option<Ident> {
     ident(&snake(name))
 }
 
 /// A name of the spec as that of an argument: `λ1` becomes `lambda1`, `P[1]` becomes `p_1`.
+#[cfg(feature = "joins")]
 pub(in crate::generate) fn argument(name: &str) -> Option<Ident> {
     let parts: Vec<&str> = name.split(['[', ']', ',']).filter(|part| !part.is_empty()).collect();
     let name = snake(&parts.join("_"));

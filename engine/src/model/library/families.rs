@@ -12,7 +12,6 @@ use crate::model::Family;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::expand::{build, claims};
 use crate::model::scope::Scope;
-use crate::source::SourceId;
 use crate::subject::{Item, Subject};
 use crate::syntax;
 use basis_kernel::collections::list::Mapped;
@@ -222,9 +221,10 @@ impl Library<'_> {
 
     /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins, and keeps
     /// the errors that it returns.
+    #[cfg(feature = "joins")]
     pub(crate) fn each_theorem(
         &self,
-        read: &mut dyn FnMut(usize, SourceId, &syntax::Theorem) -> Diagnostics,
+        read: &mut dyn FnMut(usize, crate::source::SourceId, &syntax::Theorem) -> Diagnostics,
     ) {
         for written in self.theorems_of(MAIN) {
             if self.counts_as_family(MAIN, written.name.span).is_none() {
