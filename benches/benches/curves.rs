@@ -160,16 +160,17 @@ fn points() {
     run("bevy_math, f32 3D", each(ts_f32, bevy_math::Vec3::ZERO, move |t| curve.position(t)), ours_f32());
 }
 
+fn ours_with_derivatives<'a, P: Point + 'a, const K: usize>(ts: &'a [P::Scalar]) -> Vec<Contestant<'a>> {
+    let curve = cubic::<P>();
+    vec![
+        each(ts, [P::zero(); K], move |t| curve.eval_with_derivs::<K>(t)),
+        derivative_slices::<_, _, K>(curve, ts),
+        derivative_slices::<_, _, K>(quartic::<P>(), ts),
+    ]
+}
+
 fn derivatives() {
     let (ts, ts_f32) = (&parameters::<f64>(), &parameters::<f32>());
-    fn ours<'a, P: Point + 'a, const K: usize>(ts: &'a [P::Scalar]) -> Vec<Contestant<'a>> {
-        let curve = cubic::<P>();
-        vec![
-            each(ts, [P::zero(); K], move |t| curve.eval_with_derivs::<K>(t)),
-            derivative_slices::<_, _, K>(curve, ts),
-            derivative_slices::<_, _, K>(quartic::<P>(), ts),
-        ]
-    }
     let run = |work: &str, peer: &str, first: Contestant<'_>, ours: Vec<Contestant<'_>>| {
         row(work, peer, &race(COUNT, [first].into_iter().chain(ours).collect()));
     };
@@ -177,21 +178,41 @@ fn derivatives() {
     let curve = enterpolation_cubic!();
     let at = move |t| curve.gen_with_tangent(t);
     let work = "a point and one derivative";
-    run(work, "enterpolation, f64 3D", each(ts, [DVec3::ZERO; 2], at), ours::<[f64; 3], 2>(ts));
+    run(
+        work,
+        "enterpolation, f64 3D",
+        each(ts, [DVec3::ZERO; 2], at),
+        ours_with_derivatives::<[f64; 3], 2>(ts),
+    );
     let work = "a point and two derivatives";
     let curve = kurbo_cubic();
     let (first, second) = (curve.deriv(), curve.deriv().deriv());
     let at = move |t| [curve.eval(t), first.eval(t), second.eval(t)];
-    run(work, "kurbo, f64 2D", each(ts, [kurbo::Point::ZERO; 3], at), ours::<[f64; 2], 3>(ts));
+    run(
+        work,
+        "kurbo, f64 2D",
+        each(ts, [kurbo::Point::ZERO; 3], at),
+        ours_with_derivatives::<[f64; 2], 3>(ts),
+    );
     let curve = curvo_cubic();
     let at = move |t| {
         let derivatives = curve.rational_derivatives(t, 2);
         [derivatives[0], derivatives[1], derivatives[2]]
     };
-    run(work, "curvo, f64 3D", each(ts, [nalgebra::Vector3::zeros(); 3], at), ours::<[f64; 3], 3>(ts));
+    run(
+        work,
+        "curvo, f64 3D",
+        each(ts, [nalgebra::Vector3::zeros(); 3], at),
+        ours_with_derivatives::<[f64; 3], 3>(ts),
+    );
     let curve = bevy_cubic();
     let at = move |t| [curve.position(t), curve.velocity(t), curve.acceleration(t)];
-    run(work, "bevy_math, f32 3D", each(ts_f32, [bevy_math::Vec3::ZERO; 3], at), ours::<[f32; 3], 3>(ts_f32));
+    run(
+        work,
+        "bevy_math, f32 3D",
+        each(ts_f32, [bevy_math::Vec3::ZERO; 3], at),
+        ours_with_derivatives::<[f32; 3], 3>(ts_f32),
+    );
 }
 
 /// So many curves, with different ends.

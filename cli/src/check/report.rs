@@ -114,7 +114,7 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
         Verdict::Undecided(_) => ("undecided", None, None),
     };
     Claim {
-        text: decided.claim.text.to_string(),
+        text: decided.claim.text.clone(),
         line: outcome.line(&decided.claim.place),
         declared: decided.claim.expected.keyword(),
         verdict,

@@ -44,7 +44,7 @@ pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
             if items.len() == 1 && part.len() <= FEW {
                 rows.extend(
                     part.iter()
-                        .map(|e| row(kind, e.decided.claim.text.to_string(), reason(e.decided), &[*e])),
+                        .map(|e| row(kind, e.decided.claim.text.clone(), reason(e.decided), &[*e])),
                 );
             } else {
                 let claim = describe(items, &common_text(&statement, sources), &part);
@@ -84,7 +84,7 @@ fn common_text(statement: &[Entry<'_>], sources: &Sources) -> String {
     let Some(first) = statement.first() else { return String::new() };
     let text = &first.decided.claim.text;
     if statement.iter().all(|e| e.decided.claim.text == *text) {
-        return text.to_string();
+        return text.clone();
     }
     let written = as_written(&first.decided.claim.place, sources).unwrap_or_else(|| format!("{text}, …"));
     // An equation in an `at` block stands alone in the file.

@@ -15,7 +15,7 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::counterexample::{Counterexample, refute};
-use crate::decide::{Decision, decide};
+use crate::decide::{Failure, decide};
 use crate::rank::{Independence, Table, independent};
 use crate::sign::{Found, search};
 use crate::{Budget, Coordinate, Method};
