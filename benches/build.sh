@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# What a user pays: processor seconds (user + system) of clean builds in the dev profile of small crates outside of this
-# repository, beside two derives that also bring a parser. All in one run, `ROUNDS` times (3), each with its own target
-# folder; the smallest counts, because what else the machine does only adds to it.
+# What a user pays: processor seconds (user + system) of clean builds in the dev profile of small crates outside of
+# this repository, beside two derives that also bring a parser. All in one run, `ROUNDS` times (3), each with its own
+# target folder; the smallest counts, because what else the machine does only adds to it.
 #
 #     benches/build.sh            all rows
 #     ROUNDS=1 benches/build.sh   fewer rounds
 #
-# Our crates are built from the folders of this repository; Cargo gives path dependencies incremental compilation,
-# registry dependencies not, so it is switched off for all.
+# Our crates are built from the folders of this repository; Cargo gives path dependencies incremental compilation, registry
+# dependencies not, so it is switched off for all.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -69,8 +69,7 @@ row() { rows+=("$1|$2"); }
 crate macro "$(runtime std macros)" <<<"$with_macro"
 row macro 'one `basis!`, runtime with `std` and `macros`'
 if has basis-macros joins; then
-    # The feature of the macro crate is on by default, and the runtime passes the choice on, or does not: build the
-    # macro alone.
+    # The feature of the macro crate is on by default, and the runtime passes the choice on, or does not: build the macro alone.
     crate without-joins "basis-macros = { path = \"$root/basis-macros\", default-features = false }
 $(runtime std)" <<<"${with_macro/basis_runtime::basis!/basis_macros::basis!}"
     row without-joins 'the same without `joins`'
