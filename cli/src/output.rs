@@ -24,8 +24,14 @@ impl From<Status> for ExitCode {
 
 /// Prints to standard output; styles are left out unless it is a terminal that shows them.
 pub(crate) fn print(text: &str) -> Status {
-    let mut out = anstream::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    let written = if text.contains('\x1b') {
+        let mut out = anstream::stdout().lock();
+        out.write_all(text.as_bytes()).and_then(|()| out.flush())
+    } else {
+        let mut out = io::stdout().lock();
+        out.write_all(text.as_bytes()).and_then(|()| out.flush())
+    };
+    match written {
         Ok(()) => Status::Fine,
         // The reader has seen enough, as in `basis check specs | head`.
         Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Status::Fine,

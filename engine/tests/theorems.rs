@@ -373,7 +373,7 @@ fn barycentric_coordinates_sum_to_one() {
         }",
     ));
     assert!(report.diagnostics.is_empty());
-    assert_eq!(report.items.last().map(|item| item.claims.len()).unwrap_or(0), 3);
+    assert_eq!(report.items.last().map_or(0, |item| item.claims.len()), 3);
 }
 
 #[test]

@@ -51,7 +51,7 @@ impl Point {
             None => 1,
             Some(Root { polynomial, low, high }) => {
                 for x in [low, high] {
-                    work.spend_value(polynomial, x).ok_or(Refusal::Spent)?;
+                    polynomial.spend_sign(x, work).ok_or(Refusal::Spent)?;
                 }
                 let opposite = low < high && polynomial.sign_at(low) * polynomial.sign_at(high) == -1;
                 shown(opposite, "a polynomial is not seen to have a root in its interval")?;
@@ -152,7 +152,8 @@ impl Point {
             if self.coordinate(*var).is_ok() {
                 self.is_in_range(*var, range, work)?;
             } else {
-                shown(!range.is_empty(), "a range is empty")?;
+                let once = domain.region.ranges.iter().filter(|(v, _)| v == var).count() == 1;
+                shown(once && !range.is_empty(), "a range is empty")?;
             }
         }
         for simplex in &domain.simplices {

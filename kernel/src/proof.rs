@@ -11,7 +11,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::certificate::Certificate;
-use crate::check::{check, rank_of_numbers};
+use crate::check::{are_independent, check};
 use crate::point::Point;
 use crate::refusal::{Refusal, fits, shown};
 use crate::statement::{Domain, Quotient, Statement};
@@ -185,15 +185,20 @@ fn fails(statement: &Statement, witness: &Witness, work: &mut Work) -> Result<Op
                 }
                 numbers.push(all);
             }
-            let rank = rank_of_numbers(numbers, work).ok_or(Refusal::Spent)?;
-            shown(rank == rows.len(), "the rows are dependent at the point")?;
+            let full = are_independent(&numbers, work).ok_or(Refusal::Spent)?;
+            shown(full, "the rows are dependent at the point")?;
             Ok(None)
         }
         (Statement::Products { value, relation, products, domain }, Witness::OnLine(point, numbers)) => {
             point.check(work)?;
             point.lies_in(domain, work)?;
             let twice = |k: usize| products[..k].iter().any(|(v, _)| *v == products[k].0);
-            let known = |(v, _): &(Var, _)| point.coordinates.iter().any(|(w, _)| v == w);
+            let ranges = &domain.region.ranges;
+            let known = |(v, _): &(Var, _)| {
+                point.coordinates.iter().any(|(w, _)| v == w)
+                    || ranges.iter().any(|(w, _)| v == w)
+                    || domain.simplices.iter().any(|s| s.variables.contains(v))
+            };
             let proper = !(0..products.len()).any(twice) && !products.iter().any(known);
             fits(proper, "a dot product is given twice")?;
             let number = |p| numbers.iter().find(|(q, _)| *q == p).map_or(Rational::ZERO, |(_, x)| x.clone());

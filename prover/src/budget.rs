@@ -47,7 +47,7 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// So many times the usual work.
+    /// The usual work times a factor.
     pub fn scaled(factor: u32) -> Self {
         let units = UNITS.saturating_mul(u64::from(factor));
         Self { work: Work::new(units), disabled: Vec::new(), units }

@@ -3,20 +3,24 @@
 use std::rc::Rc;
 
 use basis_kernel::{
-    Certificate, Chart, Proof, Quotient, Refusal, Relation, SignProof, Signed, Statement, Witness,
+    Certificate, Chart, Point, Proof, Quotient, Refusal, Refutation, Relation, SignProof, Signed, Statement,
+    Witness,
 };
 
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::budget::{Budget, charge};
+use crate::collections::list::Mapped;
+use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
 use crate::counterexample::{Counterexample, Exact, at};
 use crate::method::Method;
 use crate::nonzero::nonzero;
 use crate::rank::symmetry::Symmetries;
 use crate::rank::{self, Independence, Table};
+use crate::semidefinite::semidefinite;
 use crate::sign::{Found, problem, search};
 
 /// A statement that is proved.
@@ -183,7 +187,7 @@ fn unfit() -> Result<Shown, Failure> {
     Err(Failure::Undecided(String::from("the statement is not one that the search knows")))
 }
 
-/// Sums of dot products: the signs of sums of minors.
+/// Sums of dot products: the signs of sums of minors. Where one of them is negative, so is the matrix for some vector.
 fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     let Statement::Products { value, relation, products, domain } = &**statement else { return unfit() };
     let signs = match basis_kernel::minor_signs(value, *relation, products, &mut Work::usual(budget)) {
@@ -193,16 +197,90 @@ fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     let mut hardest = Method::Constant;
     let mut proofs: Vec<SignProof> = Vec::new();
     for (sum, relation) in signs {
-        match search(&sum, relation, &domain.region, &mut Budget::scaled(budget)) {
+        let Ok(chart) = Chart::new(domain, [&sum, &sum]) else { return unfit() };
+        let budget = &mut Budget::scaled(budget);
+        match search(&chart.pull_back(&sum), relation, chart.region(), budget) {
             Found::Proof(method, proof) => {
                 hardest = hardest.max(method);
                 proofs.push(proof);
             }
-            Found::Point(_) => return Err(Failure::Undecided(String::from("it fails for some points"))),
+            Found::Point(point) => {
+                let found = on_line(statement, &chart, &point, &mut budget.work);
+                return Err(found.map_or_else(
+                    || {
+                        let left = "it fails, but at points that could not be made explicit";
+                        Failure::Undecided(String::from(left))
+                    },
+                    |c| Failure::Refuted(Box::new(c)),
+                ));
+            }
             Found::Nothing(left) => return Err(Failure::Undecided(left)),
         }
     }
     propose(statement, Certificate::Minors(proofs), hardest, budget)
+}
+
+/// The refutation of a sum of dot products at a rational point of the box of a chart, by points on a line; `None` when there
+/// are none, or the work is spent.
+fn on_line(
+    statement: &Rc<Statement>,
+    chart: &Chart,
+    point: &[(Var, Coordinate)],
+    work: &mut Work,
+) -> Option<Counterexample> {
+    let Statement::Products { value, relation, products, domain } = &**statement else { return None };
+    let mut inner = problem::as_rational(&point.to_vec())?;
+    for (var, range) in &chart.region().ranges {
+        if !inner.iter().any(|(v, _)| v == var) {
+            inner.push((*var, simple(range)));
+        }
+    }
+    let by = |var: Var| chart.variables().iter().find(|(v, _)| *v == var);
+    let coordinate = |var: Var| match by(var) {
+        Some((_, by)) => problem::value(by, &inner),
+        None => inner.iter().find(|(v, _)| *v == var).map_or(Rational::ZERO, |(_, x)| x.clone()),
+    };
+    let mut vars: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).collect();
+    vars.extend(domain.simplices.iter().flat_map(|s| s.variables.iter().copied()).chain(value.variables()));
+    vars.retain(|v| products.iter().all(|(w, _)| v != w));
+    sort_unique(&mut vars);
+    let at: Vec<(Var, Rational)> = vars.mapped(|v| (*v, coordinate(*v)));
+    let mut numbers = value.clone();
+    for (var, x) in &at {
+        work.spend_at(&numbers, *var, x)?;
+        numbers = numbers.at(*var, x);
+    }
+    // c + xᵀA x at the point: far out in a direction in which A is negative it is as small as one likes.
+    let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).collect();
+    sort_unique(&mut points);
+    let place = |p: usize| points.binary_search(&p).unwrap_or(0);
+    let mut matrix = vec![vec![Rational::ZERO; points.len()]; points.len()];
+    let constant = numbers.coefficient(&Monomial::one());
+    for (var, (p, q)) in products {
+        let half = &numbers.coefficient(&Monomial::one().with_exponent(*var, 1)) * &Rational::new(1, 2);
+        matrix[place(*p)][place(*q)] += &half;
+        matrix[place(*q)][place(*p)] += &half;
+    }
+    let mut direction = vec![Rational::ZERO; points.len()];
+    if relation.holds(&constant) {
+        direction = semidefinite(&matrix, work)?.err()?;
+    }
+    let form = |x: &[Rational]| {
+        let row = |r: &Vec<Rational>| r.iter().zip(x).fold(Rational::ZERO, |sum, (a, x)| &sum + &(a * x));
+        matrix.iter().zip(x).fold(constant.clone(), |sum, (r, x)| &sum + &(&row(r) * x))
+    };
+    while relation.holds(&form(&direction)) {
+        work.spend_fractions(constant.bits() + form(&direction).bits())?;
+        direction = direction.mapped(|x| x + x);
+    }
+    let witness = Witness::OnLine(
+        Point::rational(at.clone()),
+        points.into_iter().zip(direction).filter(|(_, x)| !x.is_zero()).collect(),
+    );
+    let refutation = Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)).ok()?;
+    let point = problem::rational(at);
+    let exact = Exact::new(&point, work)?;
+    Some(Counterexample { refutation, point, exact })
 }
 
 /// Independence: combinations at the exceptions, and minors elsewhere.

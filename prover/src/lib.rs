@@ -1,8 +1,4 @@
-//! Finds proofs and counterexamples of statements about polynomials. Nothing that is found here counts before the kernel has
-//! accepted it: every decision holds a [`Proof`] or a [`Refutation`], which only the kernel makes.
-//!
-//! [`decide`] offers the empty certificate first. It is enough for nearly all statements, and then everything is computed once.
-//! Otherwise `sign` and `rank` search, and propose what they find.
+#![doc = include_str!("../README.md")]
 
 pub mod algebra;
 mod budget;

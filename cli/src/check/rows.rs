@@ -43,8 +43,7 @@ pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
         for (kind, part) in verdicts {
             if items.len() == 1 && part.len() <= FEW {
                 rows.extend(
-                    part.iter()
-                        .map(|e| row(kind, e.decided.claim.text.clone(), reason(e.decided), &[*e])),
+                    part.iter().map(|e| row(kind, e.decided.claim.text.clone(), reason(e.decided), &[*e])),
                 );
             } else {
                 let claim = describe(items, &common_text(&statement, sources), &part);

@@ -379,6 +379,8 @@ mod tests {
         assert!(found > 15, "the specs are missing");
     }
 
+    type Part = fn(&Run) -> &Cell<u64>;
+
     /// With little left of something, a spec is refused once, in its own words, and nothing more is expanded.
     #[test]
     fn what_is_used_up_is_said_once() {
@@ -386,7 +388,6 @@ mod tests {
         let claims = "family G { domain 0 <= t <= 1; b[0] = t; prove b[0] + i >= 0 for i in 0..=99; }\n";
         let shapes = "family H { domain 0 <= t <= 1; shape 0 < x; let a = 1/(x + 1); let c = 1/(x^2 + x + 1); b[0] = a*c*t; }\n";
         let spec = [orders, claims, shapes].concat();
-        type Part = fn(&Run) -> &Cell<u64>;
         let parts: [(Part, u64, &str); 6] = [
             (|run| &run.work, 200, "products of terms"),
             (|run| &run.steps, 200, "parts of formulas"),

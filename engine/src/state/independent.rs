@@ -51,10 +51,14 @@ pub fn coefficient_table(family: &Family) -> Table {
     }
     let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
     // The shape parameters are the first variables.
+    let shapes = family.shapes.len();
     let parts_of = |m: &Monomial| {
+        if (0..shapes).all(|v| m.exponent(Var(v)) == 0) {
+            return (Monomial::default(), m.clone());
+        }
         let (mut shape, mut others) = (m.exponents(), m.exponents());
-        shape.truncate(family.shapes.len());
-        others.iter_mut().take(family.shapes.len()).for_each(|e| *e = 0);
+        shape.truncate(shapes);
+        others.iter_mut().take(shapes).for_each(|e| *e = 0);
         (Monomial::new(shape), Monomial::new(others))
     };
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;

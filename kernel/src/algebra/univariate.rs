@@ -87,6 +87,13 @@ impl Univariate {
         value.signum()
     }
 
+    /// Counts the work of the sign of the value at a number.
+    pub fn spend_sign(&self, x: &Rational, work: &mut Work) -> Option<()> {
+        let n = self.degree() as u64 + 1;
+        let words = 1 + (self.max_bits() + n * x.bits()) / 64;
+        work.spend((2 * n * words).saturating_mul(1 + x.bits() / 64))
+    }
+
     /// The sign as x goes to +∞ (`up`) or −∞.
     pub fn sign_at_infinity(&self, up: bool) -> i32 {
         let sign = self.leading().signum();

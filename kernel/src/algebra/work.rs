@@ -2,7 +2,6 @@
 
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::univariate::Univariate;
 
 /// No work is left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,16 +50,10 @@ impl Work {
     /// Counts the work of putting a number in place of a variable.
     pub fn spend_at(&mut self, p: &Poly, var: Var, x: &Rational) -> Option<()> {
         let words = 1 + (p.max_bits() + u64::from(p.degree(var)) * x.bits()) / 64;
-        self.spend(p.len() as u64 * words * (1 + words / 8))
+        self.spend((p.len() as u64).saturating_mul(words).saturating_mul(1 + words / 8))
     }
 
-    /// Counts the work of the value of a polynomial at a number.
-    pub fn spend_value(&mut self, p: &Univariate, x: &Rational) -> Option<()> {
-        let n = p.degree() as u64 + 1;
-        self.spend(2 * n * (1 + (p.max_bits() + n * x.bits()) / 64) * (1 + x.bits() / 64))
-    }
-
-    /// Counts the work of a product and a difference of fractions with so many bits.
+    /// Counts the work of a product and a difference of fractions of `bits` bits together.
     pub fn spend_fractions(&mut self, bits: u64) -> Option<()> {
         // Beyond machine words most of it are common divisors.
         let common_divisors = if bits <= 128 { 0 } else { bits / 2 + bits * bits / 1024 };

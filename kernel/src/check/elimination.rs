@@ -27,8 +27,8 @@ pub(super) fn resultant(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Result
     let points = u64::from(points.ok_or(Refusal::Unfit("a resultant is too large"))?);
     // Elimination, and the interpolation of polynomials with as many terms as there are points.
     // A number up to 40 000 in place of a variable has 16 bits.
-    let nodes = 16 * (a.total_degree() + b.total_degree());
-    let words = 1 + u64::from(size) * (a.max_bits() + b.max_bits() + u64::from(nodes)) / 64;
+    let nodes = 16 * (u64::from(a.total_degree()) + u64::from(b.total_degree()));
+    let words = 1 + u64::from(size) * (a.max_bits() + b.max_bits() + nodes) / 64;
     let steps = u64::from(size).pow(3) / 3 + points;
     work.spend(points.saturating_mul(steps).saturating_mul(words)).ok_or(Refusal::Spent)?;
     // A factor of the rows does not matter: whole numbers are fast.

@@ -19,7 +19,7 @@ use crate::refusal::{Refusal, fits, shown};
 use crate::statement::{Domain, Products, Quotient, Relation, Statement};
 
 pub use chart::Chart;
-pub(crate) use rank::rank_of_numbers;
+pub(crate) use rank::are_independent;
 
 /// Checks that a certificate proves a statement.
 pub(crate) fn check(

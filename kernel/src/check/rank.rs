@@ -2,6 +2,7 @@
 //!
 //! **Theorems.** Rows are independent at a point if after a change to other bases they are. If the rows fall into blocks, each of
 //! them zero in the chosen columns of all later blocks, and in each block one of some minors is not zero, they are independent.
+//! A minor of whole numbers that is not zero modulo a prime is not zero.
 //! If Σ cᵢ·(row i) = 0 with polynomials cᵢ that are not all zero, all maximal minors vanish, also where the cᵢ do.
 
 use super::pieces::pieces;
@@ -11,6 +12,7 @@ use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::certificate::{Certificate, ChangeOfBasis, Combination, Minors, Piece, Rank};
+use crate::collections::list::Mapped;
 use crate::refusal::{Refusal, fits, shown};
 use crate::statement::{Relation, Values};
 
@@ -35,9 +37,10 @@ pub(super) fn independent(
             if region.ranges.iter().any(|(_, r)| r.is_empty()) {
                 return Ok(());
             }
-            let numbers = numbers(rows).ok_or(Refusal::Unproved("the table does not consist of numbers"))?;
-            let rank = rank_of_numbers(numbers, work).ok_or(Refusal::Spent)?;
-            return shown(rank == rows.len(), "the rows are dependent");
+            let numbers: Option<Vec<Vec<Rational>>> =
+                rows.iter().map(|row| row.iter().map(Poly::as_constant).collect()).collect();
+            let numbers = numbers.ok_or(Refusal::Unproved("the table does not consist of numbers"))?;
+            return shown(are_independent(&numbers, work).ok_or(Refusal::Spent)?, "the rows are dependent");
         }
         Certificate::Rank(rank) => rank,
         _ => return Err(Refusal::Unfit("the certificate is not one of independence")),
@@ -51,26 +54,41 @@ pub(super) fn independent(
     Ok(())
 }
 
-/// The entries of a table without variables.
-fn numbers(rows: &[Vec<Poly>]) -> Option<Vec<Vec<Rational>>> {
-    rows.iter().map(|row| row.iter().map(Poly::as_constant).collect()).collect()
-}
+/// Primes, and if all minors vanish modulo each of them, independence of rows of numbers is not seen.
+const PRIMES: [i64; 3] = [2_147_483_647, 2_147_483_629, 2_147_483_587];
 
-/// The rank of a matrix of numbers, by elimination; `None` when the work is spent.
-pub(crate) fn rank_of_numbers(mut rows: Vec<Vec<Rational>>, work: &mut Work) -> Option<usize> {
-    let mut rank = 0;
-    while let Some(pivot) = rows.pop() {
-        let Some(column) = pivot.iter().position(|x| !x.is_zero()) else { continue };
-        rank += 1;
-        for row in rows.iter_mut().filter(|r| !r[column].is_zero()) {
-            let factor = &row[column] / &pivot[column];
-            for (x, p) in row.iter_mut().zip(&pivot).filter(|(_, p)| !p.is_zero()) {
-                work.spend_fractions(p.bits().max(x.bits()) + factor.bits())?;
-                *x -= &(p * &factor);
+/// Whether rows of numbers are seen to be independent; `None` when the work is spent.
+pub(crate) fn are_independent(rows: &[Vec<Rational>], work: &mut Work) -> Option<bool> {
+    let mut whole = Vec::new();
+    for row in rows {
+        // The row times a number is whole, without a common factor.
+        let content = row.iter().fold(Rational::ZERO, |g, x| g.gcd(x));
+        work.spend_fractions(content.bits() + row.iter().map(Rational::bits).max().unwrap_or(0))?;
+        let Some(factor) = content.recip() else { return Some(false) };
+        work.spend(row.len() as u64 * (1 + factor.bits() * factor.bits() / 4096))?;
+        whole.push(row.mapped(|x| x * &factor));
+    }
+    for p in PRIMES {
+        let residue = |x: &Rational| match x.to_i64() {
+            Some(x) => x.rem_euclid(p),
+            None => (x - &(&(x / &p.into()).floor() * &p.into())).to_i64().unwrap_or(0),
+        };
+        let mut left: Vec<Vec<i64>> = whole.mapped(|row: &Vec<Rational>| row.mapped(residue));
+        while let Some(pivot) = left.pop() {
+            let Some(column) = pivot.iter().position(|x| *x != 0) else { break };
+            work.spend((left.len() * pivot.len()) as u64 + 1)?;
+            for row in &mut left {
+                let (a, b) = (pivot[column], row[column]);
+                for (x, y) in row.iter_mut().zip(&pivot) {
+                    *x = (*x * a - b * y).rem_euclid(p);
+                }
+            }
+            if left.is_empty() {
+                return Some(true);
             }
         }
     }
-    Some(rank)
+    Some(rows.is_empty())
 }
 
 /// The polynomial where some variables have values.
@@ -169,8 +187,8 @@ fn changed(rows: &[Vec<Poly>], change: &ChangeOfBasis, work: &mut Work) -> Resul
         }
         row
     };
-    let rank = rank_of_numbers(change.rows.iter().map(dense).collect(), work).ok_or(Refusal::Spent)?;
-    shown(rank == height, "the rows of the new basis are dependent")?;
+    let full = are_independent(&change.rows.mapped(dense), work).ok_or(Refusal::Spent)?;
+    shown(full, "the rows of the new basis are dependent")?;
     let mut result = Vec::new();
     for row in &change.rows {
         let mut combined = vec![Poly::zero(); width];

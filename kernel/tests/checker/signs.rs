@@ -388,6 +388,10 @@ fn work_is_counted_before_it_is_done() {
         let statement = sign(&format!("{p} > 0"), "0 < x0, 0 < x1");
         assert!(offer(&statement, &read(&certificate)).is_err());
     }
+    // The work itself is too large for a machine word.
+    let far = Rational::from(2).pow(40_000_000);
+    let terms = (60_000..65_000).map(|e| (Monomial::one().with_exponent(Var(0), e), Rational::ONE));
+    assert_eq!(Work::new(u64::MAX - 1).spend_at(&Poly::from_terms(terms), Var(0), &far), None);
     let point = format!("(at (root (-2 0 1) 1 {huge}) (x0 (0 1)) (x1 {huge}))");
     let Ok(Witness::At(point)) = text::witness(&point) else { panic!("a point") };
     let value = Quotient::from(crate::text::poly("-1*x0^60*x1^60"));

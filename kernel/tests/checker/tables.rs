@@ -34,6 +34,14 @@ fn tables_of_numbers() {
     assert!(!accepted(&independent("1; 2", "", ""), "direct"));
     assert!(!accepted(&independent("1, x0; 3, 4", "", "0 <= x0 <= 1"), "direct"));
     assert!(accepted(&independent("1, 2; 2, 4", "", "0 <= x0 < 0"), "direct"));
+    // Determinants that vanish modulo primes, and one that does not though all entries do.
+    assert!(accepted(&independent("1, 0; 1, 2147483647", "", ""), "direct"));
+    assert!(accepted(&independent("2147483647, 0; 1/2147483629, 4611685975477714963", "", ""), "direct"));
+    assert!(!accepted(&independent("1/3, 2147483648; 2147483647, 1", "", ""), "(rank ((((0) ((0)) +))) ())"));
+    assert!(!accepted(&independent("1, 2, 3; 4, 5, 6; 7, 8, 9", "", ""), "direct"));
+    assert!(accepted(&independent("1, 2, 3; 4, 5, 6; 7, 8, 10", "", ""), "direct"));
+    assert!(!accepted(&independent("1, 2; 3, 4; 5, 6", "", ""), "direct"));
+    assert!(!accepted(&independent("0, 0; 3, 4", "", ""), "direct"));
     assert!(!accepted(&independent("1, 2; 3, 4", "x0 = 0", "0 <= x0 <= 1"), "direct"));
     assert!(accepted(&independent("1, 2; 3, 4", "", ""), "(rank ((((0 1) ((0 1)) -))) ())"));
     assert!(!accepted(&independent("1, 2; 3, 4", "", ""), "(rank ((((0 1) ((0 1)) +))) ())"));

@@ -55,6 +55,10 @@ fn signs() {
     assert_eq!(refuted(&open, "(at (x0 2))"), None);
     assert_eq!(refuted(&open, "(at (x0 3/2))").as_deref(), Some("-3/2"));
     assert_eq!(refuted(&open, root).as_deref(), Some("-"));
+    // A variable that does not matter has some value of its range, if there is one.
+    assert!(refuted(&sign("x0 - 3 > 0", "0 <= x0 <= 1, 0 <= x1 < 1"), "(at (x0 1))").is_some());
+    assert_eq!(refuted(&sign("x0 - 3 > 0", "0 <= x0 <= 1, 1 <= x1 < 1"), "(at (x0 1))"), None);
+    assert_eq!(refuted(&sign("x0 - 3 > 0", "0 <= x0 <= 1, 0 <= x1 <= 1, 2 <= x1 <= 3"), "(at (x0 1))"), None);
     // A denominator that is negative, and one that vanishes.
     let quotient = sign("x0 // x0 - 1 >= 0", "0 <= x0 <= 2");
     assert_eq!(refuted(&quotient, "(at (x0 1/2))").as_deref(), Some("-1"));
@@ -131,6 +135,8 @@ fn dot_products_on_a_line() {
     let statement = products("x0 - 2*x1 + x2 - x3", Relation::NonNegative, "0 <= x3 <= 1");
     assert_eq!(refuted(&statement, "(line (at (x3 1)) 0 1 1 1)").as_deref(), Some("-1"));
     assert_eq!(refuted(&statement, "(line (at (x3 1)))").as_deref(), Some("-1"));
+    let ranged = products("x0 - 2*x1 + x2 - 1", Relation::NonNegative, "2 <= x0 <= 3");
+    assert_eq!(refuted(&ranged, "(line (at))"), None);
     for witness in [
         "(line (at (x3 1)) 0 1 1 3)",
         "(line (at (x3 2)) 0 1 1 1)",

@@ -64,7 +64,7 @@ impl Algebraic {
         while &(&self.high - &self.low) >= width {
             for x in [&self.low, &self.high] {
                 work.spend_fractions(x.bits())?;
-                work.spend_value(&self.polynomial, x)?;
+                self.polynomial.spend_sign(x, work)?;
             }
             self.refine();
         }

@@ -349,11 +349,11 @@ mod tests {
         let mut field = Field::new(sqrt(2, 1));
         let n = |c: &[i64]| Univariate::integers(c);
         // (1, √2) and (√2, 2) are multiples of each other, (1, √2) and (√2, 1) are not.
-        let rows = vec![vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[2])]];
+        let rows = [vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[2])]];
         let row = |_: &Field, k: usize, _: &mut Work| Some(rows[k].clone());
         let found = field.vanishing_combination(2, &row, work).expect("unlimited");
         assert_eq!(found, Some(vec![n(&[0, -1]), n(&[1])]));
-        let rows = vec![vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[1])]];
+        let rows = [vec![n(&[1]), n(&[0, 1])], vec![n(&[0, 1]), n(&[1])]];
         let row = |_: &Field, k: usize, _: &mut Work| Some(rows[k].clone());
         assert_eq!(field.vanishing_combination(2, &row, work), Some(None));
     }

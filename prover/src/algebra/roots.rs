@@ -106,7 +106,7 @@ fn half(x: &Rational) -> Rational {
 /// Counts the work of one value, of fractions in lowest terms.
 fn spend_value(p: &Univariate, x: &Rational, work: &mut Work) -> Option<()> {
     work.spend_fractions(x.bits())?;
-    work.spend_value(p, x)
+    p.spend_sign(x, work)
 }
 
 /// Whether the polynomial has no root modulo one of a few primes, and so no rational root.

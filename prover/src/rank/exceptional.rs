@@ -4,9 +4,9 @@ use basis_kernel::Values;
 
 use super::cut::Cut;
 use super::exception::{Exception, Generic, dependent, generic};
+use super::independent::{Independence, independent};
 use super::irrational::{Irrational, irrational};
 use super::table::{Table, at, complete};
-use super::{Independence, independent};
 use crate::algebra::matrix::{nonzero_minors, vanishing_combination};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};

@@ -9,7 +9,7 @@ use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
 use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
-use crate::sign::zeros::is_zero;
+use crate::sign::decomposition::zeros::is_zero;
 
 /// The rank at a point with irrational coordinates.
 pub(super) enum Irrational {

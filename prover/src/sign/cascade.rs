@@ -1,9 +1,10 @@
 //! The order in which the methods are tried.
 
+use super::decomposition::{cells, slices};
 use super::outcome::{Outcome, spent};
 use super::problem::{Point, Problem, as_rational, rational, simple};
 use super::subdivision::{self, Attempt};
-use super::{cells, corners, factors, slices, univariate, witness};
+use super::{corners, descent, diagonal, factors, univariate, witness};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
@@ -109,6 +110,20 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
             return outcome;
         }
     }
+    let mut part = budget.take(budget.left() / 8);
+    let found = diagonal::on_diagonals(problem, relation, &mut part, prove);
+    budget.put_back(&part);
+    if let Some(point) = found {
+        return Outcome::Refuted(point);
+    }
+    if problem.ranges.len() > 2 {
+        let mut part = budget.take(budget.left() / 4);
+        let found = descent::downhill(problem, relation, &mut part);
+        budget.put_back(&part);
+        if let Some(point) = found {
+            return Outcome::Refuted(rational(point));
+        }
+    }
     let complete = match relation {
         Relation::NonNegative if budget.allows(Method::Cells) => {
             let mut part = budget.take(budget.left() / 4 * 3);
@@ -132,7 +147,7 @@ pub(crate) fn prove(problem: &Problem, relation: Relation, budget: &mut Budget) 
     spent(problem, "the complete methods")
 }
 
-/// By Bernstein coefficients with at most so many cuts.
+/// By Bernstein coefficients with at most `cuts` cuts.
 fn by_subdivision(
     problem: &Problem,
     relation: Relation,

@@ -59,7 +59,7 @@ impl Problem {
         value(&self.poly, point)
     }
 
-    /// Counts the work of the value at a point with coordinates of so many bits.
+    /// Counts the work of the value at a point whose coordinates have `bits` bits each.
     pub(crate) fn spend_value(&self, bits: u64, work: &mut Work) -> Option<()> {
         let words = 1 + (self.poly.max_bits() + u64::from(self.poly.total_degree()) * bits) / 64;
         work.spend(self.poly.len() as u64 * (1 + self.ranges.len() as u64) * 2 * words)

@@ -24,7 +24,7 @@ const MAX_DEPTH: usize = 200;
 /// The most variables: the corners of a cell are looked at one by one.
 const MAX_VARIABLES: usize = 10;
 
-/// Looks at the Bernstein coefficients, with at most so many cuts of the box.
+/// Looks at the Bernstein coefficients, with at most `cuts` cuts of the box.
 pub(super) fn search(problem: &Problem, relation: Relation, cuts: usize, work: &mut Work) -> Attempt {
     if problem.ranges.len() > MAX_VARIABLES {
         return Attempt::Open;

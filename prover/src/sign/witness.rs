@@ -250,7 +250,7 @@ fn simplest_coordinate(
             let (before, after) = (cell.checked_sub(1).and_then(|k| roots.get(k)), roots.get(cell));
             for root in before.into_iter().chain(after) {
                 spend_simplest(root.low(), root.high(), work)?;
-                work.spend_value(&p, root.low())?;
+                p.spend_sign(root.low(), work)?;
             }
             // The widest interval that the cell can be: if the simplest number there is bad, there is none simpler.
             let widest = simplest_between(

@@ -100,7 +100,7 @@ fn irrational_zeros_and_open_or_infinite_ranges() {
     refuted(
         "(t^2 + λ^2 - 1)^2 + (t-λ)^2 > 0",
         "0<=t<=2, 0<=λ<=2",
-        "t = root of -1 + 2*t^2 between 0.707106 and 0.707107, λ = root of -1 + 2*λ^2 between 0.707106 and 0.707107: 0",
+        "t = root of -1 + 2*t^2 between 0.707 and 0.708, λ = root of -1 + 2*λ^2 between 0.707 and 0.708: 0",
     );
     proved("(t^2 + λ^2 - 1)^2 + (t-λ)^2 >= 0", "0<=t<=2, 0<=λ<=2", "cylindrical decomposition");
     refuted(

@@ -1,6 +1,7 @@
 //! What must be decided, and how.
 
 mod examples;
+mod hard;
 #[cfg(feature = "ranges")]
 mod independence;
 mod random;
@@ -15,7 +16,7 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::counterexample::{Counterexample, refute};
-use crate::decide::{Failure, decide};
+use crate::decide::{Failure, Shown, decide};
 use crate::rank::{Independence, Table, independent};
 use crate::sign::{Found, search};
 use crate::{Budget, Coordinate, Method};
@@ -33,7 +34,7 @@ fn accepted(
     relation: Relation,
     region: &Region,
     budget: &mut Budget,
-) -> Result<Method, Option<Counterexample>> {
+) -> Result<Method, Option<Box<Counterexample>>> {
     let statement = statement(p, relation, region);
     match search(p, relation, region, budget) {
         Found::Proof(method, numerator) => {
@@ -48,7 +49,7 @@ fn accepted(
             let vars = p.variables();
             point.retain(|(v, _)| vars.contains(v) || region.ranges.iter().any(|(w, _)| w == v));
             let found = refute(&statement, &point, &mut Work::unlimited());
-            Err(Some(found.unwrap_or_else(|| panic!("{p:?} {region:?} {point:?} is refused"))))
+            Err(Some(Box::new(found.unwrap_or_else(|| panic!("{p:?} {region:?} {point:?} is refused")))))
         }
         Found::Nothing(_) => Err(None),
     }

@@ -5,8 +5,6 @@
 
 use core::slice;
 
-use super::outcome::{Outcome, spent};
-use super::problem::{Problem, rational};
 use super::projection::{Levels, all_roots, levels, univariates};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
@@ -15,11 +13,13 @@ use crate::algebra::work::Work;
 use crate::budget::Budget;
 use crate::collections::list::Mapped;
 use crate::method::Method;
+use crate::sign::outcome::{Outcome, spent};
+use crate::sign::problem::{Problem, rational};
 use basis_kernel::Relation;
 use basis_kernel::{Cells, Sample, SignProof};
 
 /// Decides p ≥ 0.
-pub(super) fn by_cells(problem: &Problem, budget: &mut Budget) -> Outcome {
+pub(in crate::sign) fn by_cells(problem: &Problem, budget: &mut Budget) -> Outcome {
     let work = &mut budget.work;
     let Some(levels) = levels(slice::from_ref(&problem.poly), &problem.ranges, None, false, work) else {
         return spent(problem, "projections");

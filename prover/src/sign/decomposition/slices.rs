@@ -6,8 +6,6 @@
 
 use core::slice;
 
-use super::outcome::{Outcome, Prove, spent};
-use super::problem::{Point, Problem, open, rational};
 use super::projection::{all_roots, levels, univariates};
 use super::zeros::{Near, near};
 use crate::algebra::algebraic::Algebraic;
@@ -20,6 +18,8 @@ use crate::collections::list::Mapped;
 use crate::collections::sort::sort_by;
 use crate::coordinate::Coordinate;
 use crate::method::Method;
+use crate::sign::outcome::{Outcome, Prove, spent};
+use crate::sign::problem::{Point, Problem, open, rational};
 use basis_kernel::Relation;
 use basis_kernel::{Base, Section, SignProof, Slices};
 
@@ -29,7 +29,7 @@ const MAX_FACES: usize = 1000;
 const MAX_BOXES: usize = 20_000;
 
 /// Decides p > 0 in two variables or more.
-pub(super) fn by_faces(problem: &Problem, budget: &mut Budget, prove: Prove) -> Option<Outcome> {
+pub(in crate::sign) fn by_faces(problem: &Problem, budget: &mut Budget, prove: Prove) -> Option<Outcome> {
     let closed = |r: &Range| r.low.is_included() || r.high.is_included();
     if !problem.ranges.iter().any(|(_, r)| closed(r)) {
         return if budget.allows(Method::Cells) { by_slices(problem, budget, prove) } else { None };
