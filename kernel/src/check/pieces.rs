@@ -9,8 +9,8 @@ use crate::algebra::rational::Rational;
 use crate::collections::sort::sort_by;
 use crate::statement::Values;
 
-/// The parts of a box in which no point has all values of one of the exceptions, none of them empty; `None` when there are more
-/// than `most`.
+/// The parts of a box in which no point has all values of one of the exceptions, none of them empty; `None` when there
+/// are more than `most`.
 pub fn pieces(region: &Region, except: &[Values], most: usize) -> Option<Vec<Region>> {
     let mut parts: Vec<Region> = Vec::new();
     if !region.ranges.iter().any(|(_, r)| r.is_empty()) {

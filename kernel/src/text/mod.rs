@@ -1,7 +1,8 @@
 //! Certificates and witnesses as text: nested lists in round brackets, on one line.
 //!
-//! Variables are `x0`, `x1`, …; numbers fractions in lowest terms, `-3/2`; polynomials expanded sums without spaces in the order
-//! of [`Poly`](crate::algebra::poly::Poly), `1-3*x0+x0*x1^2`. There is one text for each certificate, and no other text is read.
+//! Variables are `x0`, `x1`, …; numbers fractions in lowest terms, `-3/2`; polynomials expanded sums without spaces in
+//! the order of [`Poly`](crate::algebra::poly::Poly), `1-3*x0+x0*x1^2`. There is one text for each certificate, and no
+//! other text is read.
 //!
 //! ```text
 //! certificate  direct

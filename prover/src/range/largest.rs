@@ -27,11 +27,11 @@ pub enum LargestRange {
     Undecided(String),
 }
 
-/// Finds the largest interval of `var` around its range in the region on which all polynomials are nonnegative, the other
-/// variables on their ranges.
+/// Finds the largest interval of `var` around its range in the region on which all polynomials are nonnegative, the
+/// other variables on their ranges.
 ///
-/// A condition that holds for all values of the others in a range holds on a closed set of values of `var`, whose ends are
-/// among the roots of the projection to `var`; so one value between neighbouring roots decides for all of them.
+/// A condition that holds for all values of the others in a range holds on a closed set of values of `var`, whose ends
+/// are among the roots of the projection to `var`; so one value between neighbouring roots decides for all of them.
 pub fn largest_range(polys: &[Poly], var: Var, region: &Region, budget: &mut Budget) -> LargestRange {
     if region.ranges.iter().any(|(_, r)| r.is_empty()) {
         return LargestRange::Between(None, None);

@@ -21,9 +21,10 @@ pub struct Symmetry {
 
 /// Sums of symmetries of order 2, such that any two of the sums commute.
 ///
-/// Of a reflection the reflection itself; of all permutations of m things the Jucys–Murphy elements: for each k the sum of
-/// the exchanges of k with all that stand before it. Their eigenvalues are whole numbers, and their common eigenspaces are
-/// small (A. Jucys 1974; A. Okounkov and A. Vershik, "A new approach to representation theory of symmetric groups", 1996).
+/// Of a reflection the reflection itself; of all permutations of m things the Jucys–Murphy elements: for each k the sum
+/// of the exchanges of k with all that stand before it. Their eigenvalues are whole numbers, and their common
+/// eigenspaces are small (A. Jucys 1974; A. Okounkov and A. Vershik, "A new approach to representation theory of
+/// symmetric groups", 1996).
 pub type Symmetries = Vec<Vec<Symmetry>>;
 
 /// The bases of common eigenvectors, in which a symmetric matrix is zero wherever eigenvalues differ; `None` when the

@@ -16,8 +16,8 @@ use basis_kernel::SignProof;
 
 /// Decides a polynomial in one variable; `None` when the work is spent.
 ///
-/// A polynomial with multiple roots inside of the range is decided only if it is negative somewhere or p > 0 is claimed:
-/// the others are the business of the factors.
+/// A polynomial with multiple roots inside of the range is decided only if it is negative somewhere or p > 0 is
+/// claimed: the others are the business of the factors.
 pub(crate) fn decide(problem: &Problem, relation: Relation, work: &mut Work) -> Option<Outcome> {
     let [(var, range)] = &problem.ranges[..] else { return None };
     let p = Univariate::from_poly(&problem.poly, *var)?;
