@@ -66,7 +66,7 @@ pub(crate) enum Command {
     /// Check the certificates that `basis check --certificates` wrote
     ///
     /// The specs are read, what has to be shown is worked out again, and the kernel checks that each certificate shows
-    /// it. Nothing is searched.
+    /// it. No proof is searched for.
     #[command(after_help = VERIFY_HELP)]
     Verify(VerifyArguments),
 }

@@ -1,7 +1,7 @@
 //! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file.
 //!
-//! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points
-//! also if one of its [`instances`] is, which say the same of definite points.
+//! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points also if one
+//! of its [`instances`] is, which say the same of definite points.
 
 mod family;
 mod identity;
@@ -42,8 +42,8 @@ pub fn statements(subject: &Subject, claim: &Claim) -> Vec<Stated> {
     }
 }
 
-/// What a claim says of definite points in place of the given ones of a theorem; of a family, what it says. It is false
-/// if one of these statements is.
+/// What a claim says of definite points in place of the given ones of a theorem; of a family, what it says. It is false if one
+/// of these statements is.
 ///
 /// # Errors
 /// When there is not one place for each given point, or they have different dimensions.
@@ -67,8 +67,8 @@ pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
     }
 }
 
-/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is
-/// known about it, one that is refuted before one that is undecided.
+/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is known
+/// about it, one that is refuted before one that is undecided.
 fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
     let mut proofs = Vec::new();
     let mut undecided = None;

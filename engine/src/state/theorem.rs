@@ -24,7 +24,7 @@ const MAX_REGULAR: usize = 8;
 /// Nets that are tried where an inequality between coordinates stays undecided.
 const ATTEMPTS: usize = 16;
 
-/// Why an equation stays undecided: no point was found.
+/// What is not shown, but for want of a point.
 const NO_WITNESS: &str =
     "the two sides are different expressions, but no point was found at which they differ";
 
@@ -350,8 +350,7 @@ fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
     }
 }
 
-/// Nets that show two things to be different, such as a person can read: with most points in one place if there are
-/// many.
+/// Nets that show two things to be different, such as a person can read: with most points in one place if there are many.
 pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<Item = Net> {
     let idle = idle(theorem, &claim.kind);
     let used = theorem.points.iter().filter(|point| !idle.contains(&point.name)).count();
@@ -359,8 +358,8 @@ pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<It
     first.into_iter().flatten().chain(nets(theorem))
 }
 
-/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points
-/// are expressed by given ones.
+/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points are
+/// expressed by given ones.
 fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
     let forms: &[&Form] = match kind {
         ClaimKind::Vector { value, .. } => &[value],
