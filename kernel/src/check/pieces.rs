@@ -1,7 +1,7 @@
 //! A box without some flats, as boxes.
 //!
-//! **Theorem.** The points of a box that do not have all of the values x₁ = c₁, …, xₖ = cₖ are those with x₁ < c₁ or x₁ > c₁,
-//! those with x₁ = c₁ and x₂ < c₂ or x₂ > c₂, and so on: at most 2k boxes.
+//! **Theorem.** The points of a box that do not have all of the values x₁ = c₁, …, xₖ = cₖ are those with x₁ < c₁ or
+//! x₁ > c₁, those with x₁ = c₁ and x₂ < c₂ or x₂ > c₂, and so on: at most 2k boxes.
 
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};

@@ -11,7 +11,7 @@
 //!              (rank (PIECE …) (EXCEPTION …))
 //! PROOF        .                             Bernstein coefficients on the whole box
 //!              (cut x0 PROOF PROOF)          the lower half, the upper half; inside only . and (cut …)
-//!              (corners x0 PROOF PROOF)      for both ends; (corners x0 PROOF PROOF 1/2 PROOF) with a point between them
+//!              (corners x0 PROOF PROOF)      for both ends; (corners x0 PROOF PROOF 1/2 PROOF) with a point between
 //!              (factors (FACTOR ANY) … SIGNED)   ANY: ^ for an even power, else SIGNED; last the sign of what is left
 //!              (faces PROOF …)
 //!              (cells (x0 …) ((POLYNOMIAL …) …) (SAMPLE …))      SAMPLE: 1/2, or (1/2 SAMPLE …) with those above

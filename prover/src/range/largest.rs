@@ -146,7 +146,7 @@ fn of_one(p: &Poly, var: Var, region: &Region, budget: &mut Budget) -> LargestRa
     let Some((polys, roots)) = found else { return undecided() };
     let plain: Vec<Root> = roots.mapped(|(_, root)| root.clone());
     let samples = between_roots(&plain, None, None);
-    // How many roots lie below a number that is none of them.
+    // The number of roots below a number that is not one of them.
     let below = |x: &Rational| {
         let before = |(k, root): &(usize, Root)| match root {
             Root::Exact(r) => r < x,

@@ -76,7 +76,7 @@ fn is_involution(permutation: &[usize], len: usize) -> bool {
         && permutation.iter().enumerate().all(|(from, to)| permutation.get(*to) == Some(&from))
 }
 
-/// A basis of 0..len of common eigenvectors of sums of permutations; `None` when there is none with whole eigenvalues.
+/// A basis of 0..len of common eigenvectors of sums of permutations; `None` when their eigenvalues are not whole.
 fn eigenvectors(len: usize, sums: &[Vec<&[usize]>]) -> Option<Vec<Combination>> {
     let mut basis = Vec::with_capacity(len);
     let mut seen = vec![false; len];

@@ -97,8 +97,8 @@ impl<'p> Walk<'p> {
         Some(valued.into_iter().map(|(_, point)| point).collect())
     }
 
-    /// A lower point whose coordinates are multiples of 2^−bits, and its value; `None` when there is none in Newton's
-    /// direction, or the work is spent.
+    /// A lower point whose coordinates are multiples of 2^−bits, and its value; `None` when Newton's
+    /// direction has none, or the work is spent.
     fn step(
         &self,
         point: &[Rational],
