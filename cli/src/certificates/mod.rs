@@ -23,6 +23,7 @@
 //! `DIR/manifest.json` lists the specs with their claims, so that `verify` notices when certificates are missing.
 
 mod fields;
+mod head;
 mod manifest;
 mod specs;
 #[cfg(test)]
@@ -33,6 +34,3 @@ mod write;
 pub(crate) use manifest::Manifest;
 pub(crate) use verify::run as verify;
 pub(crate) use write::write;
-
-/// The first field of every certificate.
-const FORMAT: &str = "basis certificate 2";

@@ -17,8 +17,9 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::fields::{Fields, list, text as word};
+use super::head::{self, FORMAT};
+use super::manifest;
 use super::specs::{Specs, Stated};
-use super::{FORMAT, manifest, write};
 use crate::args::{Format, VerifyArguments};
 use crate::name::count;
 use crate::output::{self, Status, complain, error};
@@ -167,7 +168,7 @@ fn one(path: &Path, specs: &mut Specs) -> Verified {
 /// What is wrong with a certificate about one of the items of a spec.
 pub(super) fn certificate(value: &Value, spec: &str, items: &mut [Stated]) -> Vec<String> {
     let of = |stated: &Stated| {
-        let subject = write::subject(&stated.item.subject);
+        let subject = head::subject(&stated.item.subject);
         ["kind", "name", "order"].iter().all(|key| value.get(*key) == subject.get(*key))
     };
     let Some(stated) = items.iter_mut().find(|stated| of(stated)) else {
@@ -190,7 +191,7 @@ fn against(value: &Value, spec: &str, stated: &Stated) -> Result<Vec<String>, St
         return Err(String::from("the spec is another one"));
     }
     let item = &stated.item;
-    for (key, expected) in write::subject(&item.subject) {
+    for (key, expected) in head::subject(&item.subject) {
         if *fields.take(&key)? != expected {
             return Err(format!("`{key}` is not what the spec says"));
         }
@@ -262,7 +263,7 @@ pub(super) fn claim(
     line: Option<usize>,
 ) -> Result<(), String> {
     let mut fields = Fields::of(value)?;
-    for (key, expected) in write::head(claim, line) {
+    for (key, expected) in head::claim(claim, line) {
         if *fields.take(&key)? != expected {
             return Err(format!("`{key}` is not what the spec says"));
         }

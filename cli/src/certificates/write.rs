@@ -6,11 +6,11 @@ use std::path::{Component, Path, PathBuf};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::obligation::Obligation;
 use basis_engine::source::LIBRARY;
-use basis_engine::{Claim, Diagnostic, Subject, Verdict};
+use basis_engine::{Diagnostic, Subject, Verdict};
 use basis_kernel::{Certificate, Proof, text};
 use serde_json::{Map, Value};
 
-use super::FORMAT;
+use super::head::{FORMAT, claim as head, subject};
 use crate::check::prove::{Decided, DecidedClaim, Outcome};
 use crate::output::error;
 
@@ -65,18 +65,6 @@ fn each(key: &str, values: impl Iterator<Item = Value>) -> String {
     format!("  {}: {list}", Value::from(key))
 }
 
-/// What the claims are about.
-pub(super) fn subject(subject: &Subject) -> Map<String, Value> {
-    let order: Map<String, Value> =
-        subject.order().iter().map(|(n, v)| (n.clone(), Value::from(*v))).collect();
-    Map::from_iter([
-        (String::from("kind"), Value::from(subject.kind())),
-        (String::from("name"), Value::from(subject.name())),
-        (String::from("order"), if order.is_empty() { Value::Null } else { Value::Object(order) }),
-        (String::from("variables"), Value::from(subject.names())),
-    ])
-}
-
 /// A proof as text, unless it only computes.
 fn proof(proof: &Proof) -> Option<Value> {
     match proof.certificate() {
@@ -129,13 +117,4 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Value {
         }
     }
     Value::Object(fields)
-}
-
-/// What a claim says.
-pub(super) fn head(claim: &Claim, line: Option<usize>) -> Map<String, Value> {
-    Map::from_iter([
-        (String::from("claim"), Value::from(claim.text.as_str())),
-        (String::from("line"), Value::from(line)),
-        (String::from("declared"), Value::from(claim.expected.keyword())),
-    ])
 }

@@ -2,9 +2,8 @@
 
 use std::rc::Rc;
 
-use basis_engine::{Diagnostic, Family, Library, Subject};
+use basis_engine::{Diagnostic, Family, Library, Severity, Subject};
 
-use super::errors;
 use crate::name;
 use crate::output::error;
 
@@ -110,6 +109,11 @@ fn parse(text: &str) -> Result<Typed<'_>, Diagnostic> {
         values.push((index, value));
     }
     Ok(Typed { name: family, order: values })
+}
+
+/// The errors among messages.
+fn errors(diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect()
 }
 
 #[cfg(test)]

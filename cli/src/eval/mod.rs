@@ -8,7 +8,7 @@ mod report;
 
 use std::rc::Rc;
 
-use basis_engine::{Diagnostic, Disk, Family, Library, Prover, Severity, Sources};
+use basis_engine::{Diagnostic, Disk, Family, Library, Prover, Sources};
 
 use crate::args::{EvalArguments, Format};
 use crate::output::{self, Status, complain};
@@ -48,9 +48,4 @@ fn evaluate(arguments: &EvalArguments, library: &Library<'_>) -> Result<Values, 
     let functions = point.bind(&family).map_err(|e| vec![e])?;
     let derivatives = derivatives::up_to(&family, functions, arguments.order).map_err(|e| vec![e])?;
     Ok(Values::new(&family, &point, &derivatives))
-}
-
-/// The errors among messages.
-fn errors(diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
-    diagnostics.into_iter().filter(|d| d.severity == Severity::Error).collect()
 }

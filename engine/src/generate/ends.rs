@@ -4,9 +4,9 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
-use super::shell::Shell;
+use super::code::shell::Shell;
+use super::code::tokens::{doc, site};
 use super::weights::{combination, zero, zeros};
-use super::{doc, site};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;

@@ -3,19 +3,20 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
+use super::code::docs;
+use super::code::powers::Powers;
+use super::code::scalar::{self, ScalarCode};
+use super::code::shell::Shell;
+use super::code::tokens::{doc, number, site};
 use super::ends::Ends;
 use super::form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
 use super::formula::factored;
-use super::powers::Powers;
-use super::shell::Shell;
-use super::{doc, docs, number, scalar, site};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::state::Verdict;
 use basis_kernel::collections::list::Mapped;
-use scalar::ScalarCode;
 
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {

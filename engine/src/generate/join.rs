@@ -4,8 +4,10 @@ use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
-use super::scalar::{ScalarCode, Variable};
-use super::{doc, docs, floats, names, shell, site, weights};
+use super::code::scalar::{ScalarCode, Variable};
+use super::code::tokens::{doc, site};
+use super::code::{docs, floats, names, shell};
+use super::weights;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Parameter, label};

@@ -5,37 +5,32 @@
 //! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for
 //! those on simplices and boxes, which other targets can share.
 
-mod docs;
+mod code;
 mod ends;
-mod floats;
 pub mod form;
 mod formula;
 mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
-mod names;
 mod patch;
 pub mod patch_form;
-mod powers;
-mod scalar;
-mod shell;
 mod weights;
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{ToTokens, quote_spanned};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote_spanned;
 
-use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
+pub use code::names::ascii;
+use code::shell::Shell;
+use code::tokens::{doc, site};
+use code::{floats, names};
 use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use formula::factored;
-pub(crate) use formula::factored_on_box;
-pub use names::ascii;
-use shell::Shell;
+pub(crate) use formula::{factored, factored_on_box};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use weights::{combination, zero, zeros};
 
@@ -142,33 +137,4 @@ fn in_module(name: &Ident, code: &TokenStream) -> TokenStream {
         #[allow(unused_imports, unreachable_pub)]
         pub use #module::#name;
     }
-}
-
-/// Locals of the emitted code do not see names of the caller.
-fn site() -> Span {
-    Span::mixed_site()
-}
-
-/// A number of the scalar type.
-fn number(value: &Rational) -> TokenStream {
-    let literal = float(value);
-    if value.is_negative() {
-        quote_spanned!(site()=> -S::of(#literal))
-    } else {
-        quote_spanned!(site()=> S::of(#literal))
-    }
-}
-
-/// The magnitude of a number as a literal; a name without meaning where there is no such float, [`floats`].
-fn float(value: &Rational) -> TokenStream {
-    match floats::nearest(&value.abs()) {
-        Some(value) => Literal::f64_unsuffixed(value).to_token_stream(),
-        None => Ident::new(floats::MISSING, site()).to_token_stream(),
-    }
-}
-
-/// `/// line`
-fn doc(line: &str) -> TokenStream {
-    let line = if line.is_empty() { String::new() } else { format!(" {line}") };
-    quote_spanned!(site()=> #[doc = #line])
 }

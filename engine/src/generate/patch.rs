@@ -6,12 +6,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
-use super::factored_on_box;
+use super::code::docs;
+use super::code::powers::Powers;
+use super::code::scalar::{self, ScalarCode};
+use super::code::shell::Shell;
+use super::code::tokens::{doc, number, site};
+use super::formula::factored_on_box;
 use super::patch_form::{PatchForm, PatchFunction, exponents, factored_text, multi_indices, raised};
-use super::powers::Powers;
-use super::scalar::{self, ScalarCode};
-use super::shell::Shell;
-use super::{doc, docs, number, site};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;

@@ -1,6 +1,8 @@
-//! Inequalities: what they say of a value, and of which points.
+//! Comparisons with zero: what they say of a value, and of which points.
 
-use basis_kernel::{Domain, Relation, Simplex};
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Relation, Simplex, Statement};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -17,6 +19,18 @@ pub(super) const fn relation(comparison: Comparison) -> Option<(Relation, bool)>
         Comparison::GreaterEqual => Some((Relation::NonNegative, false)),
         Comparison::Less => Some((Relation::Positive, true)),
         Comparison::LessEqual => Some((Relation::NonNegative, true)),
+    }
+}
+
+/// The statement that a value compares with zero as stated, at all points of a domain.
+pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Domain>) -> Statement {
+    let domain = Rc::clone(domain);
+    match relation(comparison) {
+        None => Statement::Zero { value: value.quotient(), domain },
+        Some((relation, negate)) => {
+            let value = if negate { (-value).quotient() } else { value.quotient() };
+            Statement::Sign { value, relation, domain }
+        }
     }
 }
 

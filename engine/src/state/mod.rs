@@ -1,19 +1,13 @@
-//! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file.
+//! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file, among those
+//! about a [`family`] or those about a [`theorem`].
 //!
 //! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points also if one
 //! of its [`instances`] is, which say the same of definite points.
 
 mod family;
-mod identity;
-mod independent;
 mod inequality;
 mod judge;
-#[cfg(feature = "joins")]
-mod net;
-#[cfg(feature = "joins")]
-mod parallel;
-#[cfg(feature = "joins")]
-mod products;
+mod proofs;
 mod report;
 mod run;
 #[cfg(feature = "joins")]
@@ -23,13 +17,9 @@ mod theorem;
 mod theorem;
 mod verdict;
 
-use basis_kernel::Proof;
-use basis_prover::{Failure, Shown, decide as decide_statement};
-
-pub use family::statements as family_statements;
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use independent::combination_text;
-pub use independent::{Table, coefficient_table};
+pub(crate) use family::combination_text;
+pub use family::{Table, coefficient_table, statements as family_statements};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
@@ -72,24 +62,4 @@ pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
         Subject::Family(family) => family::decide(family, claim),
         Subject::Theorem(theorem) => theorem::decide(theorem, claim),
     }
-}
-
-/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is known
-/// about it, one that is refuted before one that is undecided.
-fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
-    let mut proofs = Vec::new();
-    let mut undecided = None;
-    for Stated { of, statement, symmetries } in stated {
-        match decide_statement(statement, &symmetries, budget) {
-            Ok(shown) => proofs.push((of, shown)),
-            Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),
-            Err(left) => undecided = undecided.or(Some((of, left))),
-        }
-    }
-    undecided.map_or(Ok(proofs), Err)
-}
-
-/// The proofs without the methods.
-fn steps(shown: Vec<(String, Shown)>) -> Vec<(String, Proof)> {
-    shown.into_iter().map(|(of, shown)| (of, shown.proof)).collect()
 }

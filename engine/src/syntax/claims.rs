@@ -6,7 +6,7 @@ use syn::{Result, Token};
 
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
-use super::statements::{at_word, equals, take_word};
+use super::words::{at_word, equals, take_word};
 use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
 use crate::advice::did_you_mean;
 

@@ -7,8 +7,10 @@ mod error;
 mod expr;
 mod glyphs;
 mod parse;
+mod ranges;
 mod statements;
 mod theorems;
+mod words;
 
 pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
 pub use parse::{parse_text, parse_tokens};

@@ -5,7 +5,8 @@ use syn::Token;
 use syn::parse::{ParseStream, Parser};
 
 use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
-use super::statements::{at_word, doc, family, take_word};
+use super::statements::family;
+use super::words::{at_word, doc, take_word};
 use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
 use crate::advice::did_you_mean;
 use crate::source::MAX_BYTES;

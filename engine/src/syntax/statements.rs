@@ -6,11 +6,10 @@ use syn::{Result, Token};
 
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
-use super::expr::{MAX_INDICES, comparison, expr, index_range, join, loops, name, unexpected};
-use super::{
-    Binding, Bounds, Comparison, Expr, ExprKind, Family, FunctionDef, Name, RangeDecl, Statement,
-    StatementKind, SyntaxErrors,
-};
+use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
+use super::ranges::{SHAPE_HELP, range};
+use super::words::{at_word, doc, equals, names_between, skip_statement, take_word};
+use super::{Binding, Family, FunctionDef, Name, Statement, StatementKind, SyntaxErrors};
 use crate::advice::did_you_mean;
 use basis_kernel::collections::sort::sort_unique;
 
@@ -19,21 +18,6 @@ pub(super) const STATEMENTS: [&str; 9] =
     ["domain", "shape", "let", "permute", "base", "raise", "prove", "refute", "budget"];
 
 const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <= 1;`";
-
-/// What the range of a parameter may look like.
-pub(super) const SHAPE_HELP: &str =
-    "write a range such as `-3 <= λ <= 1`, `0 < λ`, or a name alone for all real numbers";
-
-/// Whether the next token is this word.
-pub(super) fn at_word(input: ParseStream<'_>, word: &str) -> bool {
-    input.cursor().ident().is_some_and(|(ident, _)| ident == word)
-}
-
-/// Takes the next token, which is a word; its span.
-pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
-    use syn::ext::IdentExt;
-    Ok(input.call(syn::Ident::parse_any)?.span())
-}
 
 /// `family Name(n in 1..=3) { … }`, after its doc comment.
 pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut SyntaxErrors) -> Result<Family> {
@@ -88,36 +72,6 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
     Ok(Family { doc, name, orders, statements, incomplete, unread })
 }
 
-/// The names in the tokens from one place to a later one; an empty one stands for a name that is missing where a
-/// statement declares one.
-pub(super) fn names_between(start: ParseStream<'_>, end: ParseStream<'_>, names: &mut Vec<String>) {
-    // What went wrong in a doc comment has no names.
-    let _ = doc(start, false);
-    let before = names.len();
-    let named = ["let", "curve", "surface"].iter().any(|word| at_word(start, word));
-    let mut position = 0;
-    while start.cursor() != end.cursor()
-        && let Ok(token) = start.parse::<TokenTree>()
-    {
-        if named && position == 1 && !matches!(token, TokenTree::Ident(_)) {
-            names.push(String::new());
-        }
-        names_in(token, names);
-        position += 1;
-    }
-    if names.len() == before + 1 {
-        names.push(String::new());
-    }
-}
-
-fn names_in(token: TokenTree, names: &mut Vec<String>) {
-    match token {
-        TokenTree::Ident(ident) => names.push(ident.to_string()),
-        TokenTree::Group(group) => group.stream().into_iter().for_each(|token| names_in(token, names)),
-        TokenTree::Punct(_) | TokenTree::Literal(_) => {}
-    }
-}
-
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
 fn begins_claim(input: ParseStream<'_>) -> bool {
     let ahead = input.fork();
@@ -125,49 +79,6 @@ fn begins_claim(input: ParseStream<'_>) -> bool {
     let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
     ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
-}
-
-/// Goes on after the next `;`, or after a block.
-pub(super) fn skip_statement(input: ParseStream<'_>) {
-    while let Some((token, _)) = input.cursor().token_tree() {
-        // The token was seen, so it can be taken.
-        let _ = input.parse::<TokenTree>();
-        match token {
-            TokenTree::Punct(p) if p.as_char() == ';' => return,
-            TokenTree::Group(g) if g.delimiter() == Delimiter::Brace => return,
-            _ => {}
-        }
-    }
-}
-
-/// The lines of the doc comment that stands here, if one does: `///` or, with `inner`, `//!`.
-pub(super) fn doc(input: ParseStream<'_>, inner: bool) -> Result<Vec<String>> {
-    let mut lines = Vec::new();
-    while input.peek(Token![#]) && input.peek2(Token![!]) == inner {
-        let hash = input.parse::<Token![#]>()?;
-        if inner {
-            input.parse::<Token![!]>()?;
-        }
-        let content;
-        syn::bracketed!(content in input);
-        if !at_word(&content, "doc") {
-            return Err(error(
-                hash.span,
-                "attributes have no meaning in a spec",
-                "remove it, or write a doc comment, `/// …`",
-            ));
-        }
-        take_word(&content)?;
-        content.parse::<Token![=]>()?;
-        let text: syn::LitStr = content.parse()?;
-        // A block comment is one string with several lines, an empty line between paragraphs one with none.
-        let text = text.value();
-        let written = if text.is_empty() { vec![""] } else { text.lines().collect() };
-        lines.extend(
-            written.into_iter().map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end().to_string()),
-        );
-    }
-    Ok(lines)
 }
 
 fn statement(input: ParseStream<'_>) -> Result<Statement> {
@@ -272,14 +183,6 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
 }
 
-/// `=` between a name and its value.
-pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
-    match comparison(input)? {
-        Some(Comparison::Equal) => Ok(()),
-        _ => Err(unexpected(input, &format!("`=` after `{}`", name.text))),
-    }
-}
-
 fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
     let name = name(input)?;
     let content;
@@ -377,70 +280,4 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
         return Err(error(word.span(), message, help));
     }
     Ok(Some(names))
-}
-
-/// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
-fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
-    let Bounds { target, low, high } = bounds(input, false, help)?;
-    let ExprKind::Name(text) = target.kind else { return Err(unexpected(input, "a name")) };
-    Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
-}
-
-/// A range as papers write it, whose name may have an index, `-3 < γ[1]`, if that is `indexed`.
-pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Result<Bounds> {
-    let start = input.span();
-    let mut parts = vec![expr(input)?];
-    let mut signs = Vec::new();
-    loop {
-        let at = input.span();
-        let Some(sign) = comparison(input)? else { break };
-        signs.push((sign, at));
-        parts.push(expr(input)?);
-    }
-    if at_word(input, "in") {
-        return Err(error(input.span(), "`in` cannot be used here", help));
-    }
-    // With >, the chain is read from the other end.
-    let descending = matches!(signs.first(), Some((Comparison::Greater | Comparison::GreaterEqual, _)));
-    if descending {
-        parts.reverse();
-        signs.reverse();
-    }
-    let mut included = Vec::new();
-    for (sign, span) in &signs {
-        included.push(match (sign, descending) {
-            (Comparison::Less, false) | (Comparison::Greater, true) => false,
-            (Comparison::LessEqual, false) | (Comparison::GreaterEqual, true) => true,
-            (Comparison::Equal, _) => {
-                let help = "a range of one value is written `1 <= λ <= 1`";
-                return Err(error(*span, "a range is made of inequalities, this is an equation", help));
-            }
-            _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
-        });
-    }
-    let is_target = |e: &Expr| match &e.kind {
-        ExprKind::Name(_) => true,
-        ExprKind::Index(base, _) => indexed && matches!(base.kind, ExprKind::Name(_)),
-        _ => false,
-    };
-    let target = |e: Expr| {
-        if is_target(&e) { Ok(e) } else { Err(error(e.span, "expected the name whose range this is", help)) }
-    };
-    let mut parts = parts.into_iter();
-    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
-        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
-        (Some(a), Some(b), None, [i]) => {
-            if is_target(&b) {
-                Ok(Bounds { target: b, low: Some((a, *i)), high: None })
-            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
-                target(b).map(|target| Bounds { target, low: Some((a, *i)), high: None })
-            } else {
-                Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
-            }
-        }
-        (Some(a), Some(b), Some(c), [i, j]) => {
-            Ok(Bounds { target: target(b)?, low: Some((a, *i)), high: Some((c, *j)) })
-        }
-        _ => Err(error(start, "a range has at most two ends", help)),
-    }
 }

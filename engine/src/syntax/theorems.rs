@@ -6,7 +6,8 @@ use syn::{Result, Token};
 
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
-use super::statements::{SHAPE_HELP, at_word, bounds, doc, names_between, skip_statement, take_word};
+use super::ranges::{SHAPE_HELP, bounds};
+use super::words::{at_word, doc, names_between, skip_statement, take_word};
 use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, PatchKind, SyntaxErrors, Theorem, TheoremKind,
     TheoremRelation, TheoremStatement, TheoremStatementKind,

@@ -4,67 +4,30 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::form::Form;
-use super::patch::PatchDef;
-use super::{GivenPoint, Origin, Theorem, TheoremKind, TheoremRelation};
+use super::draft::{Elaboration, OWN, PatchDef, Value, kind};
+use super::{Origin, Theorem, TheoremKind, TheoremRelation};
 use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
 use crate::diagnostic::Diagnostics;
-use crate::model::budget::TooLarge;
-use crate::model::print::Printer;
+use crate::model::Library;
+use crate::model::formula::numbers::{budget_value, range_of};
+use crate::model::formula::print::Printer;
 use crate::model::scope::{Scope, Subject};
-use crate::model::{Library, Parameter, build, label};
-use crate::plural::count;
 use crate::source::SourceId;
 use crate::subject::{Item, Subject as About};
 use crate::syntax::{
-    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Loops, PatchKind, TheoremStatement,
-    TheoremStatementKind,
+    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, PatchKind, TheoremStatement, TheoremStatementKind,
 };
 use basis_kernel::collections::list::Mapped;
-
-/// The first variables stand for the parameters of every patch, until arguments take their places.
-pub(super) const OWN: usize = 3;
 
 /// The most coordinates of a point.
 const MAX_DIMENSION: i64 = 8;
 
 /// The most variables of a theorem.
 const MAX_VARIABLES: usize = 1024;
-
-/// What an expression of a theorem is.
-#[derive(Clone, Debug)]
-pub(super) enum Value {
-    Scalar(Fraction),
-    Vector(Form),
-    /// An outer product in a space of any dimension.
-    Outer(Form),
-    /// A patch, and the variables by which it is differentiated.
-    Map(usize, Vec<Var>),
-}
-
-/// The names of a theorem while it is read.
-pub(super) struct Elaboration<'a> {
-    pub(super) scope: Scope<'a>,
-    pub(super) kind: TheoremKind,
-    pub(super) scalars: Vec<Parameter>,
-    /// Parameters of patches that are scalars only if something mentions them.
-    pub(super) implicit: Vec<(Var, bool)>,
-    /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand
-    /// for.
-    pub(super) shape_values: Vec<Var>,
-    /// Vectors that `let` defined.
-    pub(super) vectors: Vec<(String, Option<Value>)>,
-    pub(super) patches: Vec<PatchDef>,
-    /// Whether a curve or surface could not be read, so that the names of its shape values are not known.
-    pub(super) incomplete: bool,
-    pub(super) points: Vec<GivenPoint>,
-    pub(super) dimension: Option<usize>,
-    pub(super) products: Vec<(Var, (usize, usize))>,
-}
 
 /// The theorems and joins of the spec that a library was asked for; those with errors are left out.
 pub fn theorems(library: &Library<'_>) -> Vec<Item> {
@@ -242,109 +205,11 @@ impl Elaboration<'_> {
                 self.each(loops, &mut |all| all.define(target, value))
             }
             TheoremStatementKind::Budget(value) => {
-                *budget = build::budget_value(&mut self.scope, value)?;
+                *budget = budget_value(&mut self.scope, value)?;
                 Some(())
             }
             TheoremStatementKind::Dimension(_) | TheoremStatementKind::Claim(_) => Some(()),
         }
-    }
-
-    /// Runs over all values of index variables.
-    pub(super) fn each(
-        &mut self,
-        loops: &Loops,
-        body: &mut dyn FnMut(&mut Self) -> Option<()>,
-    ) -> Option<()> {
-        let depth = self.scope.constants.len();
-        let mut all = Vec::new();
-        let fine = self.scope.each(loops, &mut |scope| {
-            all.push(scope.constants[depth..].to_vec());
-            true
-        });
-        if !fine {
-            return None;
-        }
-        if let (true, Some((condition, ..))) = (all.is_empty(), loops.conditions.first()) {
-            let error = self.scope.error(condition.span, "this is never true: nothing is said here");
-            self.scope.report(
-                error.help(
-                    "conditions choose among the values of index variables, `for i in 0..=3 if i != 1`",
-                ),
-            );
-            return None;
-        }
-        if let (true, Some(first)) = (all.is_empty(), loops.generators.first()) {
-            let name = match first {
-                syntax::Generator::Range(range) => Some(&range.name),
-                syntax::Generator::Simplex(names, _) => names.first(),
-            };
-            let span = name.map_or_else(Span::call_site, |n| n.span);
-            let error = self.scope.error(span, "the loop is empty");
-            self.scope.report(error.help("write the smaller bound first, `0..=n` includes n"));
-            return None;
-        }
-        for values in all {
-            self.scope.constants.extend(values);
-            let done = body(self);
-            self.scope.constants.truncate(depth);
-            done?;
-        }
-        Some(())
-    }
-
-    /// The name that a name, or a name with an index, stands for, such as `γ[1]`.
-    pub(super) fn target_name(&mut self, target: &Expr) -> Option<String> {
-        match &target.kind {
-            ExprKind::Name(name) => Some(name.clone()),
-            ExprKind::Index(base, indices) => {
-                let ExprKind::Name(name) = &base.kind else { return None };
-                let index = self.indices(indices)?;
-                Some(label(name, &index))
-            }
-            _ => None,
-        }
-    }
-
-    pub(super) fn indices(&mut self, indices: &[Expr]) -> Option<Vec<i64>> {
-        indices.iter().map(|i| self.scope.whole(i, "an index")).collect()
-    }
-
-    /// What already has this name.
-    pub(super) fn taken(&self, name: &str) -> Option<&'static str> {
-        if ["cross", "dot"].contains(&name) {
-            Some("a function of the language")
-        } else if self.patches.iter().any(|p| p.name == name) {
-            Some("a curve or surface")
-        } else if self.vectors.iter().any(|(n, _)| n == name) {
-            Some("a name given by `let`")
-        } else {
-            self.scope.taken(name)
-        }
-    }
-
-    pub(super) fn check_free(&self, name: &str, span: Span) -> Option<()> {
-        let Some(what) = self.taken(name) else { return Some(()) };
-        let error = self.scope.error(span, format!("`{name}` is already {what}"));
-        let help = if what == "a scalar" {
-            format!("`assume` narrows the range of a scalar: `assume {name} > 0;`")
-        } else {
-            String::from("choose another name")
-        };
-        self.scope.report(error.label("declared again here").help(help));
-        None
-    }
-
-    /// A new variable that is a scalar.
-    pub(super) fn new_scalar(&mut self, name: &str, range: Range, doc: &[String], span: Span) -> Var {
-        let var = self.new_variable(name.to_string());
-        let place = self.scope.place(span);
-        self.scalars.push(Parameter { name: name.to_string(), doc: doc.to_vec(), place, var, range });
-        var
-    }
-
-    pub(super) fn new_variable(&mut self, name: String) -> Var {
-        self.scope.names.push(name);
-        Var(self.scope.names.len() - 1)
     }
 
     /// `scalar …;`
@@ -406,13 +271,9 @@ impl Elaboration<'_> {
                 return None;
             }
         }
-        build::range_of(
-            &mut self.scope,
-            bounds.target.span,
-            bounds.low.as_ref(),
-            bounds.high.as_ref(),
-            &|| Printer { constants: &[], component: None }.print(&bounds.target),
-        )
+        range_of(&mut self.scope, bounds.target.span, bounds.low.as_ref(), bounds.high.as_ref(), &|| {
+            Printer { constants: &[], component: None }.print(&bounds.target)
+        })
     }
 
     /// `let name = …;` or `let P[i] = …;`
@@ -559,21 +420,6 @@ impl Elaboration<'_> {
         }));
         None
     }
-
-    /// Passes on a result, or reports that a formula is too large.
-    pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
-        self.scope.within(result, span, "lower the degree, or state the theorem in several steps")
-    }
-}
-
-/// What a value is, with its article.
-pub(super) const fn kind(value: &Value) -> &'static str {
-    match value {
-        Value::Scalar(_) => "a scalar",
-        Value::Vector(_) => "a vector",
-        Value::Outer(_) => "an outer product",
-        Value::Map(..) => "a patch",
-    }
 }
 
 /// The numbers that lie in both ranges.
@@ -602,9 +448,4 @@ fn coordinates(expr: &Expr) -> Option<(usize, Span)> {
         }
         ExprKind::List(parts) => parts.iter().find_map(coordinates),
     }
-}
-
-/// The points that a patch has, in words.
-pub(super) fn count_points(n: usize) -> String {
-    count(n, "control point")
 }

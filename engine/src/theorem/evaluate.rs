@@ -2,15 +2,15 @@
 
 use proc_macro2::Span;
 
-use super::elaborate::{Elaboration, Value, kind};
+use super::draft::{Elaboration, Value, kind};
 use super::form::{Form, Unit};
 use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::model::print::Printer;
-use crate::model::scope::BUILTINS;
+use crate::model::formula::print::Printer;
+use crate::model::words::BUILTINS;
 use crate::plural::here;
 use crate::syntax::{Expr, ExprKind, Role, Sign, TheoremKind};
 

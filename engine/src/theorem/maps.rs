@@ -2,13 +2,13 @@
 
 use proc_macro2::Span;
 
-use super::elaborate::{Elaboration, OWN, Value, kind};
+use super::draft::{Elaboration, OWN, Value, kind};
 use super::form::Form;
 use crate::advice::along_edges;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::print::Printer;
+use crate::model::formula::print::Printer;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
 use basis_kernel::collections::list::Mapped;

@@ -2,6 +2,8 @@
 //! ranges, and claims about them as exact differences.
 
 #[cfg(feature = "joins")]
+mod draft;
+#[cfg(feature = "joins")]
 mod elaborate;
 #[cfg(feature = "joins")]
 mod evaluate;

@@ -4,41 +4,18 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::elaborate::{Elaboration, OWN, Value, count_points, kind};
+use super::draft::{Elaboration, OWN, PatchDef, Value, kind};
 use super::form::{Form, Unit};
-use super::{ControlPoint, GivenPoint, Origin, Patch};
+use super::{ControlPoint, GivenPoint, Origin};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
-use crate::model::obligations::Inside;
-use crate::model::print::Printer;
+use crate::model::formula::print::Printer;
+use crate::model::scope::Inside;
 use crate::model::{Family, Parameter, label};
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Name, Role};
 use basis_kernel::collections::list::Mapped;
-
-/// A patch while the theorem is read.
-pub(super) struct PatchDef {
-    pub(super) name: String,
-    written: String,
-    curve: bool,
-    /// The names of the parameters; the variables `0..` stand for them.
-    pub(super) parameters: Vec<String>,
-    /// The last barycentric coordinate.
-    pub(super) dependent: Option<String>,
-    /// The basis functions in these variables, with the shape values put in.
-    pub(super) functions: Vec<(Vec<i64>, Fraction)>,
-    pub(super) points: Vec<ControlPoint>,
-    /// Where a point was first used while it was still given; listed points are not determined any more.
-    used: Vec<Option<Span>>,
-}
-
-impl PatchDef {
-    pub(super) fn finish(self) -> Patch {
-        let Self { name, written, curve, parameters, points, .. } = self;
-        Patch { name, written, curve, parameters, points }
-    }
-}
 
 /// One factor of a surface: a family with its shape values as they are written, and the name of its parameter.
 struct Factor<'e> {
@@ -565,4 +542,9 @@ fn split_points(value: &Expr) -> (Option<Vec<&Expr>>, Option<&[Expr]>) {
             (Some(factors), None)
         }
     }
+}
+
+/// The points that a patch has, in words.
+fn count_points(n: usize) -> String {
+    count(n, "control point")
 }

@@ -7,7 +7,11 @@ use crate::state::Verdict;
 use basis_kernel::collections::list::Mapped;
 
 /// The lines of the doc comment; one formula a line.
-pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, Verdict)]) -> Vec<String> {
+pub(in crate::generate) fn family(
+    family: &Family,
+    formulas: &[String],
+    verdicts: &[(Claim, Verdict)],
+) -> Vec<String> {
     let mut lines = family.doc.clone();
     if lines.is_empty() {
         lines.push(format!("The family of basis functions `{}`.", family.title()));
@@ -43,7 +47,7 @@ pub(super) fn family(family: &Family, formulas: &[String], verdicts: &[(Claim, V
 }
 
 /// A row of the table of claims.
-pub(super) fn row(claim: &str, verdict: &Verdict) -> String {
+pub(in crate::generate) fn row(claim: &str, verdict: &Verdict) -> String {
     let verdict = match verdict {
         Verdict::Proved(evidence) => format!("proved by {}", evidence.method()),
         Verdict::Refuted(witness) => {

@@ -1,11 +1,14 @@
 //! Whether the indices of a family's functions leave no gap.
 
-use super::functions::MAX_FUNCTIONS;
-use super::label;
-use super::scope::{Scope, multi_indices};
 use crate::diagnostic::Diagnostic;
+use crate::model::label;
+use crate::model::scope::Scope;
+use crate::model::tuples::{grid, multi_indices};
 use crate::plural::list;
 use crate::syntax;
+
+/// More functions than this are refused.
+pub(crate) const MAX_FUNCTIONS: usize = 512;
 
 /// Whether indices run from 0 without a gap: on a simplex with one index for each corner all tuples of one sum, else
 /// every place on its own. Reports what is missing.
@@ -20,7 +23,8 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
         return false;
     }
     let sum = scope.functions.keys().next().map_or(0, |index| index.iter().sum());
-    let wanted = if corners { multi_indices(width, sum, MAX_FUNCTIONS) } else { grid(&sizes(scope)) };
+    let wanted =
+        if corners { multi_indices(width, sum, MAX_FUNCTIONS) } else { grid(&sizes(scope), MAX_FUNCTIONS) };
     let missing: Vec<&Vec<i64>> =
         wanted.iter().filter(|index| !scope.functions.contains_key(*index)).collect();
     if missing.is_empty() {
@@ -122,17 +126,4 @@ fn too_few_names(scope: &Scope<'_>, width: usize, sum: i64) -> Option<String> {
 pub(crate) fn sizes(scope: &Scope<'_>) -> Vec<i64> {
     let width = scope.functions.keys().next().map_or(0, Vec::len);
     (0..width).map(|k| scope.functions.keys().map(|index| index[k]).max().unwrap_or(0) + 1).collect()
-}
-
-/// All tuples below the given sizes, in lexicographic order; at most one more than a family may have.
-pub(crate) fn grid(sizes: &[i64]) -> Vec<Vec<i64>> {
-    let mut all = vec![Vec::new()];
-    for size in sizes {
-        all = all
-            .iter()
-            .flat_map(|start: &Vec<i64>| (0..*size).map(move |k| [start.as_slice(), &[k]].concat()))
-            .take(MAX_FUNCTIONS + 1)
-            .collect();
-    }
-    all
 }

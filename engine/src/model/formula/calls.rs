@@ -2,10 +2,10 @@
 
 use proc_macro2::Span;
 
-use super::obligations::Inside;
-use super::scope::{Scope, Value};
+use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
+use crate::model::scope::{Inside, Scope};
 use crate::plural::{count, here};
 use crate::syntax::Expr;
 use basis_kernel::collections::list::Mapped;

@@ -3,13 +3,13 @@
 use basis_kernel::Statement;
 use basis_kernel::collections::list::Mapped;
 
-use super::verdict::Witness;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::claim::ClaimKind;
 use crate::model::Family;
 use crate::plural::abbreviated;
+use crate::state::verdict::Witness;
 
 /// Σ bᵢ = 1.
 pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {

@@ -6,12 +6,12 @@ use basis_kernel::{Statement, Values};
 use basis_prover::map::SortedMap;
 use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
-use super::family::{domain_names, named_point};
-use super::verdict::{Stated, Witness};
+use super::point::{domain_names, named_point};
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use crate::model::bernstein::{bernstein_table, graded_table};
+use crate::state::verdict::{Stated, Witness};
 
 /// What the claim is about, in place of an expression.
 const COEFFICIENTS: &str = "table of coefficients";

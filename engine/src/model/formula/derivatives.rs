@@ -2,9 +2,10 @@
 
 use proc_macro2::Span;
 
-use super::scope::{Scope, Value};
+use super::Value;
 use crate::advice::along_edges;
 use crate::algebra::poly::Var;
+use crate::model::scope::Scope;
 use crate::syntax::{Expr, ExprKind};
 use basis_kernel::collections::list::Mapped;
 

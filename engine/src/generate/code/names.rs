@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use super::site;
+use super::tokens::site;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
@@ -88,13 +88,13 @@ fn ident(name: &str) -> Option<Ident> {
 
 /// `G1SurfaceUU` as the name of a function, `g1_surface_uu`.
 #[cfg(feature = "joins")]
-pub(super) fn function(name: &str) -> Option<Ident> {
+pub(in crate::generate) fn function(name: &str) -> Option<Ident> {
     ident(&snake(name))
 }
 
 /// A name of the spec as that of an argument: `λ1` becomes `lambda1`, `P[1]` becomes `p_1`.
 #[cfg(feature = "joins")]
-pub(super) fn argument(name: &str) -> Option<Ident> {
+pub(in crate::generate) fn argument(name: &str) -> Option<Ident> {
     let parts: Vec<&str> = name.split(['[', ']', ',']).filter(|part| !part.is_empty()).collect();
     let name = snake(&parts.join("_"));
     // Locals of the function's own.
@@ -102,7 +102,7 @@ pub(super) fn argument(name: &str) -> Option<Ident> {
 }
 
 /// The last part of a path as the name of a module: `specs/quadratic.basis` becomes `quadratic`.
-pub(super) fn module(path: &str) -> Option<Ident> {
+pub(in crate::generate) fn module(path: &str) -> Option<Ident> {
     let stem = path.rsplit(['/', '\\']).next()?;
     let stem = stem.split_once('.').map_or(stem, |(stem, _)| stem);
     let name: String = ascii(stem).chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
@@ -134,7 +134,7 @@ const TAKEN: [&str; 20] = [
 ];
 
 /// The name of the type of a family: as the macro call has it, `wanted`, or else the family's own.
-pub(super) fn type_name(family: &Family, wanted: Option<&Ident>) -> Result<Ident, Diagnostic> {
+pub(in crate::generate) fn type_name(family: &Family, wanted: Option<&Ident>) -> Result<Ident, Diagnostic> {
     let name = wanted.map_or_else(|| ascii(&family.name), plain);
     let found = match wanted {
         // The span is that of the name in the call.
@@ -158,7 +158,7 @@ pub(super) fn type_name(family: &Family, wanted: Option<&Ident>) -> Result<Ident
 }
 
 /// A name without the mark of a raw one.
-pub(super) fn plain(ident: &Ident) -> String {
+pub(in crate::generate) fn plain(ident: &Ident) -> String {
     ident.to_string().trim_start_matches("r#").to_string()
 }
 
@@ -166,7 +166,7 @@ pub(super) fn plain(ident: &Ident) -> String {
 ///
 /// # Errors
 /// All names that cannot be such names.
-pub(super) fn fields(family: &Family) -> Result<Vec<Ident>, Vec<Diagnostic>> {
+pub(in crate::generate) fn fields(family: &Family) -> Result<Vec<Ident>, Vec<Diagnostic>> {
     let mut fields: Vec<Ident> = Vec::new();
     let mut errors = Vec::new();
     for (k, shape) in family.shapes.iter().enumerate() {

@@ -7,23 +7,23 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Family, Parameter};
 
 /// Stands in generated code for a number that is no float: nothing has this name.
-pub(super) const MISSING: &str = "__number_beyond_f64";
+pub(in crate::generate) const MISSING: &str = "__number_beyond_f64";
 
 /// What the errors about such numbers begin with.
-pub(super) const ERROR: &str = "no code can be generated:";
+pub(in crate::generate) const ERROR: &str = "no code can be generated:";
 
 /// What to do about them.
-pub(super) const HELP: &str =
+pub(in crate::generate) const HELP: &str =
     "the numbers of generated code lie between 2.2e-308 and 1.8e308: scale the functions or the parameters";
 
 /// The nearest float of a number ≥ 0; `None` beyond the largest, and below the smallest with all its digits.
-pub(super) fn nearest(value: &Rational) -> Option<f64> {
+pub(in crate::generate) fn nearest(value: &Rational) -> Option<f64> {
     let float = value.to_f64();
     (value.is_zero() || float.is_normal()).then_some(float)
 }
 
 /// Whether numbers of the code of a family can be so large or small: a cheap bound, which nearly all families keep.
-pub(super) fn of_family(family: &Family) -> bool {
+pub(in crate::generate) fn of_family(family: &Family) -> bool {
     let ends = |p: &Parameter| [&p.range.low, &p.range.high].map(|end| end.value().map_or(0, Rational::bits));
     let parameters = || family.shapes.iter().chain(&family.domain);
     let widest = parameters().flat_map(ends).max().unwrap_or(0);
@@ -35,7 +35,7 @@ pub(super) fn of_family(family: &Family) -> bool {
 }
 
 /// Whether a number is missing in generated code.
-pub(super) fn misses_a_number(code: &TokenStream) -> bool {
+pub(in crate::generate) fn misses_a_number(code: &TokenStream) -> bool {
     code.clone().into_iter().any(|token| match token {
         TokenTree::Group(group) => misses_a_number(&group.stream()),
         TokenTree::Ident(ident) => ident == MISSING,
@@ -45,7 +45,7 @@ pub(super) fn misses_a_number(code: &TokenStream) -> bool {
 
 /// The error for a family that is written with a number for which there is no float, at the range or function that
 /// has it.
-pub(super) fn direct(family: &Family) -> Option<Diagnostic> {
+pub(in crate::generate) fn direct(family: &Family) -> Option<Diagnostic> {
     let has_no_float = |value: &Rational| nearest(&value.abs()).is_none();
     for parameter in family.shapes.iter().chain(&family.domain) {
         let ends = [&parameter.range.low, &parameter.range.high];
@@ -65,7 +65,7 @@ pub(super) fn direct(family: &Family) -> Option<Diagnostic> {
 }
 
 /// The error for a family whose Bernstein form has such a number.
-pub(super) fn indirect(family: &Family) -> Diagnostic {
+pub(in crate::generate) fn indirect(family: &Family) -> Diagnostic {
     let message = format!("{ERROR} coefficients of the Bernstein form of the functions are beyond f64");
     Diagnostic::error(family.place.clone(), message).help(HELP)
 }

@@ -1,18 +1,26 @@
 //! Claims about families.
 
+mod identity;
+mod independent;
+mod point;
+
 use std::rc::Rc;
 
-use basis_kernel::{Domain, Statement};
-use basis_prover::{Coordinate, Counterexample, Failure, Method, Shown, typical};
+use basis_prover::{Counterexample, Failure, Method, Shown};
 
+use super::inequality::{self, compared};
+use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
-use super::{all, identity, independent, inequality, steps};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
 use basis_kernel::collections::list::Mapped;
+use point::{domain_names, named_point};
+
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use independent::combination_text;
+pub use independent::{Table, coefficient_table};
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials.
 fn expressions(family: &Family, kind: &ClaimKind) -> Vec<(String, Fraction)> {
@@ -43,18 +51,6 @@ pub fn statements(family: &Family, claim: &Claim) -> Vec<Stated> {
     };
     let expressions = expressions(family, kind).into_iter();
     expressions.map(|(of, value)| Stated::new(of, compared(&value, comparison, &domain))).collect()
-}
-
-/// The statement that a value compares with zero as stated, at all points of a domain.
-pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Domain>) -> Statement {
-    let domain = Rc::clone(domain);
-    match inequality::relation(comparison) {
-        None => Statement::Zero { value: value.quotient(), domain },
-        Some((relation, negate)) => {
-            let value = if negate { (-value).quotient() } else { value.quotient() };
-            Statement::Sign { value, relation, domain }
-        }
-    }
 }
 
 /// Decides a claim.
@@ -107,48 +103,4 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     }
     witness.notes = identity::notes(family, kind, &witness);
     witness
-}
-
-/// The names of the domain variables.
-pub(super) fn domain_names(family: &Family) -> Vec<String> {
-    family.domain_variables().map(|p| p.name.clone()).collect()
-}
-
-/// A counterexample as a point of the names, complete with what `at` fixes and with values for what plays no part.
-pub(super) fn named_point(
-    family: &Family,
-    found: &Counterexample,
-    fixed: &[(Var, Fraction)],
-) -> Vec<(String, Coordinate)> {
-    // On a simplex no more than what is left.
-    let mut left = Rational::ONE;
-    let mut all: Vec<(String, Coordinate)> = Vec::new();
-    let mut last = Fraction::constant(Rational::ONE);
-    for (k, parameter) in family.shapes.iter().chain(&family.domain).enumerate() {
-        let var = parameter.var;
-        let on_simplex = family.is_simplex() && k >= family.shapes.len();
-        let given = found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
-        let fixed_value = fixed.iter().find(|(v, _)| *v == var).map(|(_, f)| f);
-        if on_simplex {
-            last = &last - &fixed_value.cloned().unwrap_or_else(|| Fraction::var(var));
-        }
-        let known = given.or_else(|| found.evaluate(&fixed_value?.quotient()));
-        let value = known.unwrap_or_else(|| {
-            let simple = typical(&parameter.range);
-            let simple = if on_simplex { simple.min(left.clone()) } else { simple };
-            if on_simplex {
-                last =
-                    last.substitute(var, &Fraction::constant(simple.clone())).unwrap_or_else(Fraction::zero);
-            }
-            Coordinate::Rational(simple)
-        });
-        if let (true, Coordinate::Rational(x)) = (on_simplex, &value) {
-            left -= x;
-        }
-        all.push((parameter.name.clone(), value));
-    }
-    if let Some(dependent) = &family.dependent {
-        all.extend(found.evaluate(&last.quotient()).map(|c| (dependent.name.clone(), c)));
-    }
-    all
 }

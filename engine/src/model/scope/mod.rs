@@ -6,41 +6,24 @@ use proc_macro2::Span;
 
 use super::budget::{Budget, SPLIT, TooLarge};
 use super::obligation::Obligation;
-use super::obligations::{Duty, Pending};
+use super::words::{BINOMIALS, BUILTINS, ELSEWHERE};
 use super::{Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
-use crate::syntax::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name};
+use crate::syntax::Name;
 use basis_kernel::collections::list::Mapped;
 use basis_prover::map::SortedMap;
 
+mod duty;
+
+pub(crate) use duty::{Duty, Inside, Pending};
+
 /// The most names that `let` gives in a family, and curves, surfaces and `let` in a theorem.
 const MAX_NAMES: usize = 5_000;
-
-/// Loops that run longer than this are refused.
-const MAX_ITERATIONS: i64 = 20_000;
-
-/// Names that the language itself defines.
-pub(crate) const BUILTINS: [&str; 9] =
-    ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
-
-/// Functions that are not polynomials.
-const ELSEWHERE: [&str; 10] = ["sin", "cos", "tan", "exp", "log", "ln", "sqrt", "abs", "sinh", "cosh"];
-
-/// Names that papers have for binomial coefficients.
-const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
-
-/// What an expression is.
-#[derive(Clone, Debug)]
-pub(crate) enum Value {
-    /// One function or number.
-    Scalar(Fraction),
-    /// Several, each with its index.
-    List(Vec<(Vec<i64>, Fraction)>),
-}
 
 /// How far a family is.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -160,6 +143,17 @@ impl Scope<'_> {
         self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v)
     }
 
+    /// A barycentric coordinate by its place; the last one is 1 minus the others.
+    pub(crate) fn barycentric(&self, place: usize) -> Fraction {
+        match self.domain.get(place) {
+            Some(var) => Fraction::var(*var),
+            None => {
+                let one = Fraction::constant(Rational::ONE);
+                self.domain.iter().fold(one, |rest, var: &Var| &rest - &Fraction::var(*var))
+            }
+        }
+    }
+
     /// What already has this name, for an error when it is declared again.
     pub(crate) fn taken(&self, name: &str) -> Option<&'static str> {
         if BUILTINS.contains(&name) {
@@ -255,7 +249,7 @@ impl Scope<'_> {
     }
 
     /// Reports an unknown name in front of arguments: it is meant as a function.
-    pub(super) fn unknown_function(&self, name: &str, span: Span) {
+    pub(crate) fn unknown_function(&self, name: &str, span: Span) {
         if self.is_full() || self.is_mistaken(name) {
             return self.unknown(name, span);
         }
@@ -273,135 +267,6 @@ impl Scope<'_> {
             "functions of the language are `{}`; write `{name}*(…)` for a product",
             BUILTINS.join("`, `")
         )));
-    }
-
-    /// The number that an expression is; reports anything else.
-    pub(crate) fn number(&mut self, expr: &Expr, what: &str) -> Option<crate::algebra::rational::Rational> {
-        match self.scalar(expr)?.as_constant() {
-            Some(value) => Some(value),
-            None => {
-                self.report(
-                    self.error(expr.span, format!("{what} must be a number"))
-                        .label("this contains a variable"),
-                );
-                None
-            }
-        }
-    }
-
-    /// The whole number that an expression is; reports anything else.
-    pub(crate) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
-        let value = self.number(expr, what)?;
-        match value.to_i64() {
-            Some(n) => Some(n),
-            None => {
-                self.report(self.error(expr.span, format!("{what} must be a whole number, but is {value}")));
-                None
-            }
-        }
-    }
-
-    /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
-    /// body said so.
-    pub(crate) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
-        let depth = self.constants.len();
-        for generator in &loops.generators {
-            let names = match generator {
-                Generator::Range(range) => core::slice::from_ref(&range.name),
-                Generator::Simplex(names, _) => names,
-            };
-            if !names.iter().all(|name| self.check_loop_name(name)) {
-                return false;
-            }
-        }
-        let mut left = MAX_ITERATIONS;
-        let fine = self.each_from(loops, 0, &mut left, body);
-        self.constants.truncate(depth);
-        fine
-    }
-
-    fn check_loop_name(&self, name: &Name) -> bool {
-        match self.taken(&name.text) {
-            None | Some("an index") => true,
-            Some("a scalar") => {
-                let error = self.error(name.span, format!("`{}` is a scalar, not an index", name.text));
-                self.report(error.help(format!(
-                    "a claim is about all values of its scalars: leave `for {} …` out; indices run over whole numbers",
-                    name.text
-                )));
-                false
-            }
-            Some(_) => self.check_free(name),
-        }
-    }
-
-    fn each_from(
-        &mut self,
-        loops: &Loops,
-        level: usize,
-        left: &mut i64,
-        body: &mut dyn FnMut(&mut Self) -> bool,
-    ) -> bool {
-        let Some(generator) = loops.generators.get(level) else {
-            for (a, sign, b) in &loops.conditions {
-                let (Some(x), Some(y)) =
-                    (self.number(a, "a side of a condition"), self.number(b, "a side of a condition"))
-                else {
-                    return false;
-                };
-                let holds = match sign {
-                    Comparison::Equal => x == y,
-                    Comparison::NotEqual => x != y,
-                    Comparison::Less => x < y,
-                    Comparison::LessEqual => x <= y,
-                    Comparison::Greater => x > y,
-                    Comparison::GreaterEqual => x >= y,
-                };
-                if !holds {
-                    return true;
-                }
-            }
-            return body(self);
-        };
-        let (names, values) = match generator {
-            Generator::Range(range) => {
-                let Some((first, last)) = self.bounds(range) else { return false };
-                let last = last.min(first.saturating_add(MAX_ITERATIONS));
-                (core::slice::from_ref(&range.name), (first..=last).map(|v| vec![v]).collect::<Vec<_>>())
-            }
-            Generator::Simplex(names, sum) => {
-                let Some(sum) = self.whole(sum, "the sum of the indices") else { return false };
-                (names.as_slice(), multi_indices(names.len(), sum, MAX_ITERATIONS as usize))
-            }
-        };
-        for index in values {
-            if self.within(self.budget.step(1), names[0].span, SPLIT).is_none() {
-                return false;
-            }
-            *left -= 1;
-            if *left < 0 {
-                self.report(
-                    self.error(names[0].span, format!("the loop runs more than {MAX_ITERATIONS} times")),
-                );
-                return false;
-            }
-            let depth = self.constants.len();
-            self.constants.extend(names.iter().zip(index).map(|(name, value)| (name.text.clone(), value)));
-            let fine = self.each_from(loops, level + 1, left, body);
-            self.constants.truncate(depth);
-            if !fine {
-                return false;
-            }
-        }
-        true
-    }
-
-    /// The first and last value that a generator runs over.
-    pub(crate) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
-        let low = self.whole(&generator.low, "the first value of an index")?;
-        let high = self.whole(&generator.high, "the last value of an index")?;
-        let last = if generator.inclusive { high } else { high.checked_sub(1)? };
-        Some((low, last))
     }
 
     /// A new scope for a family, without any variables yet.
@@ -446,58 +311,5 @@ impl Scope<'_> {
         }
         scope.stage = Stage::Complete;
         scope
-    }
-
-    /// Whether an expression mentions a function, a variable, or another family: anything that can vary.
-    pub(crate) fn mentions_variable(&self, expr: &Expr) -> bool {
-        match &expr.kind {
-            ExprKind::Number(_) => false,
-            ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
-            ExprKind::Neg(inner) | ExprKind::Each(inner, _) => self.mentions_variable(inner),
-            ExprKind::Sum(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
-            ExprKind::Product(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
-            ExprKind::Power(base, exponent) => {
-                self.mentions_variable(base) || self.mentions_variable(exponent)
-            }
-            ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
-                self.mentions_variable(base) || rest.iter().any(|e| self.mentions_variable(e))
-            }
-            ExprKind::List(parts) | ExprKind::Tuple(parts) => parts.iter().any(|e| self.mentions_variable(e)),
-        }
-    }
-}
-
-/// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
-pub(crate) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
-    let mut all = Vec::new();
-    if sum < 0 || len == 0 {
-        return all;
-    }
-    // The first tuple in lexicographic order has everything in the last place.
-    let mut index = vec![0; len];
-    index[len - 1] = sum;
-    while all.len() <= limit {
-        all.push(index.clone());
-        // The next one: move one unit left from the last place that has any, the rest back to the end.
-        let Some(from) = (1..len).rev().find(|k| index[*k] > 0) else { break };
-        let rest = index[from] - 1;
-        index[from] = 0;
-        index[from - 1] += 1;
-        index[len - 1] = rest;
-    }
-    all
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn multi_indices_are_lexicographic() {
-        let all = multi_indices(3, 2, 100);
-        assert_eq!(all, [[0, 0, 2], [0, 1, 1], [0, 2, 0], [1, 0, 1], [1, 1, 0], [2, 0, 0]]);
-        assert_eq!(multi_indices(3, 8, 100).len(), 45);
-        assert_eq!(multi_indices(4, 1_000_000, 10).len(), 11);
-        assert!(multi_indices(2, -1, 10).is_empty());
     }
 }

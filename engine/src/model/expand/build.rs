@@ -2,13 +2,15 @@
 
 use proc_macro2::Span;
 
-use super::scope::{Scope, Stage};
-use super::{Family, Function, Library, Parameter, functions};
+use super::{claims, functions, indices};
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range};
+use crate::algebra::range::Range;
 use crate::diagnostic::Diagnostics;
+use crate::model::formula::numbers::{budget_value, range_of};
+use crate::model::scope::{Scope, Stage};
+use crate::model::{Family, Function, Library, Parameter};
 use crate::source::SourceId;
-use crate::syntax::{self, Expr, Name, RangeDecl, StatementKind};
+use crate::syntax::{self, Name, RangeDecl, StatementKind};
 use basis_kernel::collections::list::Mapped;
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
@@ -41,7 +43,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         scope.report(error.help("write `b[0] = …;`, or `b[i] = … for i in 0..=n;`"));
         return None;
     }
-    super::indices::check_indices(scope, written);
+    indices::check_indices(scope, written);
     let (shapes, (domain, dependent)) = (shapes?, domain?);
     // A function whose formula went wrong is left out here; the family is then not used, except to look for
     // more mistakes in its claims.
@@ -76,7 +78,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         return Some(family);
     }
     scope.stage = Stage::Broken;
-    super::claims::look_for_mistakes(scope, written, &family);
+    claims::look_for_mistakes(scope, written, &family);
     None
 }
 
@@ -228,49 +230,7 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     budget
 }
 
-/// How many times the usual work `budget …;` allows.
-pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
-    if let n @ 1..=10_000 = scope.whole(value, "the budget")? {
-        return Some(n as u32);
-    }
-    let error = scope.error(value.span, "the budget is from 1 to 10000");
-    scope.report(error.help("`budget 10;` allows ten times the usual work"));
-    None
-}
-
 /// The declared range, with exact ends.
 fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
     range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
-}
-
-/// A range from its ends as they are written; the name is for messages.
-pub(crate) fn range_of(
-    scope: &mut Scope<'_>,
-    span: Span,
-    low: Option<&(Expr, bool)>,
-    high: Option<&(Expr, bool)>,
-    name: &dyn Fn() -> String,
-) -> Option<Range> {
-    let end = |scope: &mut Scope<'_>, end: Option<&(Expr, bool)>| match end {
-        None => Some(End::Infinite),
-        Some((value, included)) => {
-            let value = scope.number(value, "the end of a range")?;
-            Some(if *included { End::Included(value) } else { End::Excluded(value) })
-        }
-    };
-    let (low, high) = (end(scope, low), end(scope, high));
-    let range = Range { low: low?, high: high? };
-    if !range.is_empty() {
-        return Some(range);
-    }
-    let name = name();
-    let error = scope.error(span, format!("the range of `{name}` is empty"));
-    let reversed = range.finite().is_some_and(|(a, b)| a > b);
-    scope.report(match range.finite() {
-        Some((a, b)) if reversed => error
-            .label(format!("{a} is above {b}"))
-            .help(format!("write the smaller end first: `{b} <= {name} <= {a}`")),
-        _ => error.help("let the range contain more than nothing"),
-    });
-    None
 }

@@ -3,19 +3,20 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
-use super::{scalar, site};
+use super::scalar;
+use super::tokens::site;
 use basis_kernel::collections::list::Mapped;
 
 /// The powers of the coordinates.
 #[derive(Default)]
-pub(super) struct Powers {
+pub(in crate::generate) struct Powers {
     known: Vec<(String, u32)>,
     lets: TokenStream,
 }
 
 impl Powers {
     /// The power of a local variable; `None` for the exponent 0.
-    pub(super) fn get(&mut self, base: &str, exponent: u32) -> Option<Ident> {
+    pub(in crate::generate) fn get(&mut self, base: &str, exponent: u32) -> Option<Ident> {
         if exponent == 0 {
             return None;
         }
@@ -33,7 +34,11 @@ impl Powers {
     }
 
     /// The product of powers; `None` for 1.
-    pub(super) fn product(&mut self, bases: &[String], exponents: &[u32]) -> Option<TokenStream> {
+    pub(in crate::generate) fn product(
+        &mut self,
+        bases: &[String],
+        exponents: &[u32],
+    ) -> Option<TokenStream> {
         let factors: Vec<Ident> =
             bases.iter().zip(exponents).filter_map(|(base, e)| self.get(base, *e)).collect();
         match factors.as_slice() {
@@ -46,7 +51,7 @@ impl Powers {
         }
     }
 
-    pub(super) fn lets(self) -> TokenStream {
+    pub(in crate::generate) fn lets(self) -> TokenStream {
         self.lets
     }
 }

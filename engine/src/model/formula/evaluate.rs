@@ -2,13 +2,15 @@
 
 use proc_macro2::Span;
 
-use super::budget::TooLarge;
-use super::obligations::{Duty, Pending};
-use super::scope::{BUILTINS, Scope, Stage, Value};
+use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::model::budget::TooLarge;
+use crate::model::label;
+use crate::model::scope::{Duty, Pending, Scope, Stage};
+use crate::model::words::BUILTINS;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
 use basis_kernel::collections::list::Mapped;
@@ -153,7 +155,7 @@ impl Scope<'_> {
         a: Value,
         b: Value,
         span: Span,
-        with: impl Fn(&super::budget::Budget, &Fraction, &Fraction) -> Result<Fraction, TooLarge>,
+        with: impl Fn(&crate::model::budget::Budget, &Fraction, &Fraction) -> Result<Fraction, TooLarge>,
     ) -> Option<Value> {
         match (a, b) {
             (Value::Scalar(x), Value::Scalar(y)) => {
@@ -289,7 +291,7 @@ impl Scope<'_> {
                 return Some(Value::Scalar(value.clone()));
             }
             if self.missing_is_zero {
-                let Some((message, help)) = super::functions::gap(self, &index) else {
+                let Some((message, help)) = gap(self, &index) else {
                     return Some(Value::Scalar(Fraction::zero()));
                 };
                 self.report(self.error(span, message).help(help));
@@ -299,21 +301,21 @@ impl Scope<'_> {
             if self.cut_short {
                 return None;
             }
-            let wanted = super::label(name, &index);
+            let wanted = label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
             let known = (self.stage != Stage::Defining)
                 .then(|| self.functions.keys())
                 .and_then(|mut keys| Some((keys.next()?, keys.next_back())));
             self.report(match known {
                 Some((first, last)) => {
-                    let last = super::label(name, last.unwrap_or(first));
+                    let last = label(name, last.unwrap_or(first));
                     error.help(if first.len() == index.len() {
                         format!("the last one is `{last}`")
                     } else {
                         format!(
                             "the functions have {}: from `{}` to `{last}`",
                             crate::plural::indices(first.len()),
-                            super::label(name, first)
+                            label(name, first)
                         )
                     })
                 }
@@ -541,4 +543,22 @@ fn map(value: Value, with: impl Fn(&Fraction) -> Fraction) -> Value {
         Value::Scalar(f) => Value::Scalar(with(&f)),
         Value::List(list) => Value::List(list.into_iter().map(|(i, f)| (i, with(&f))).collect()),
     }
+}
+
+/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the
+/// order before, which has no gap and whose functions are 0 elsewhere.
+fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
+    let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
+    if !corners || index.iter().any(|i| *i < 0) {
+        return None;
+    }
+    let (sum, before) =
+        (index.iter().sum::<i64>(), scope.functions.keys().next().map_or(0, |other| other.iter().sum()));
+    let wanted = label(&scope.function_name, index);
+    (sum != before).then(|| {
+        (
+            format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
+            "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
+        )
+    })
 }

@@ -6,13 +6,12 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Domain, Relation};
+use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide as decide_statement, refute};
 
 use super::net::{Net, nets, parts_of_both};
-use super::theorem::{explained, sign, witness, witness_nets};
-use super::verdict::{Evidence, Stated, Verdict, Witness};
-use super::{family, products, steps};
+use super::products;
+use super::witness::{explained, witness, witness_nets};
 use crate::algebra::factor::factor;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::checked_gcd;
@@ -20,6 +19,9 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, Comparison, Side};
+use crate::state::inequality::compared;
+use crate::state::proofs::steps;
+use crate::state::verdict::{Evidence, Stated, Verdict, Witness};
 use crate::theorem::{Form, Theorem, Unit};
 
 /// The work for common factors, and for values at algebraic points.
@@ -145,7 +147,7 @@ fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
 /// Values of the scalars at which a polynomial in them is not zero.
 fn nonzero(theorem: &Theorem, p: &Poly) -> Option<Vec<Rational>> {
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
-    let zero = family::compared(&Fraction::from(p.clone()), Comparison::Equal, &domain);
+    let zero = compared(&Fraction::from(p.clone()), Comparison::Equal, &domain);
     let Err(Failure::Refuted(found)) = decide_statement(zero, &Symmetries::new(), 1) else { return None };
     let mut at = vec![Rational::ZERO; theorem.names.len()];
     for (var, c) in &found.point {
@@ -156,11 +158,16 @@ fn nonzero(theorem: &Theorem, p: &Poly) -> Option<Vec<Rational>> {
     Some(at)
 }
 
+/// The statement that a polynomial is ≥ 0 (> 0).
+pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Statement {
+    Statement::Sign { value: Fraction::from(p.clone()).quotient(), relation, domain: Rc::clone(domain) }
+}
+
 /// What has to be shown for two vectors to have the same direction: that they are proportional, and the signs of the factors.
 pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<Stated> {
     let (a, b) = (&left.value, &right.value);
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
-    let zero = |of: String, f: &Fraction| Stated::new(of, family::compared(f, Comparison::Equal, &domain));
+    let zero = |of: String, f: &Fraction| Stated::new(of, compared(f, Comparison::Equal, &domain));
     let of = format!("{} - {}", left.text, right.text);
     if a.is_zero() && b.is_zero() {
         return vec![zero(of, &Fraction::zero())];
@@ -203,7 +210,7 @@ pub(super) fn on_points(
     }
     let mut where_not_zero = (**domain).clone();
     where_not_zero.premises.push((squares, Relation::Positive));
-    let positive = family::compared(&dot, Comparison::Greater, &Rc::new(where_not_zero));
+    let positive = compared(&dot, Comparison::Greater, &Rc::new(where_not_zero));
     let mut all = vec![Stated::new(format!("dot({left}, {right})"), positive)];
     for i in 0..x.len() {
         for j in i + 1..x.len().min(y.len()) {
@@ -214,7 +221,7 @@ pub(super) fn on_points(
             } else {
                 format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
             };
-            all.push(Stated::new(of, family::compared(&minor, Comparison::Equal, domain)));
+            all.push(Stated::new(of, compared(&minor, Comparison::Equal, domain)));
         }
     }
     all

@@ -4,35 +4,35 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 
 use super::scalar::ScalarCode;
-use super::{doc, float, site};
+use super::tokens::{doc, float, site};
 use crate::algebra::range::{DisplayRange as _, End};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use basis_kernel::collections::list::Mapped;
 
 /// A family as a type.
-pub(super) struct Shell<'a> {
-    pub(super) family: &'a Family,
-    pub(super) name: Ident,
+pub(in crate::generate) struct Shell<'a> {
+    pub(in crate::generate) family: &'a Family,
+    pub(in crate::generate) name: Ident,
     /// The Rust names of the shape parameters.
-    pub(super) fields: Vec<Ident>,
-    pub(super) runtime: &'a TokenStream,
+    pub(in crate::generate) fields: Vec<Ident>,
+    pub(in crate::generate) runtime: &'a TokenStream,
 }
 
 impl Shell<'_> {
     /// The path of `core`.
-    pub(super) fn core(&self) -> TokenStream {
+    pub(in crate::generate) fn core(&self) -> TokenStream {
         let runtime = self.runtime;
         quote_spanned!(site()=> #runtime::__private::core)
     }
 
     /// Code for expressions in the shape values.
-    pub(super) fn scalars(&self) -> ScalarCode {
+    pub(in crate::generate) fn scalars(&self) -> ScalarCode {
         ScalarCode::of_fields(self.family, &self.fields)
     }
 
     /// The definition of the type with its documentation, methods, and the implementations of traits.
-    pub(super) fn definition(
+    pub(in crate::generate) fn definition(
         &self,
         docs: &[String],
         methods: &TokenStream,
@@ -136,7 +136,7 @@ impl Shell<'_> {
     }
 }
 
-pub(super) fn bound(end: &End, core: &TokenStream) -> TokenStream {
+pub(in crate::generate) fn bound(end: &End, core: &TokenStream) -> TokenStream {
     let literal = |value: &Rational| {
         let literal = float(value);
         if value.is_negative() {

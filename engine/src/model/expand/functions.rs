@@ -4,19 +4,15 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::indices::{check_indices, grid, sizes};
-use super::scope::{Definition, Scope, multi_indices};
-use super::{Family, Function, label};
+use super::indices::{MAX_FUNCTIONS, check_indices, sizes};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
-use crate::algebra::rational::Rational;
+use crate::model::scope::{Definition, Scope};
+use crate::model::tuples::{grid, multi_indices};
+use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use basis_kernel::collections::list::Mapped;
 use basis_prover::map::SortedMap;
-
-/// More functions than this are refused.
-pub(crate) const MAX_FUNCTIONS: usize = 512;
 
 /// Defines what the statements define, in the order in which they are written.
 pub(crate) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
@@ -393,7 +389,7 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
     let indices = if scope.dependent.is_some() && width == scope.domain.len() + 1 {
         multi_indices(width, last.iter().sum::<i64>() + 1, MAX_FUNCTIONS)
     } else {
-        grid(&sizes(scope).mapped(|s| s + 1))
+        grid(&sizes(scope).mapped(|s| s + 1), MAX_FUNCTIONS)
     };
     if indices.len() > MAX_FUNCTIONS {
         scope.report(
@@ -402,35 +398,4 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
         return None;
     }
     Some(indices)
-}
-
-/// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the
-/// order before, which has no gap and whose functions are 0 elsewhere.
-pub(crate) fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
-    let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
-    if !corners || index.iter().any(|i| *i < 0) {
-        return None;
-    }
-    let (sum, before) =
-        (index.iter().sum::<i64>(), scope.functions.keys().next().map_or(0, |other| other.iter().sum()));
-    let wanted = label(&scope.function_name, index);
-    (sum != before).then(|| {
-        (
-            format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
-            "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
-        )
-    })
-}
-
-impl Scope<'_> {
-    /// A barycentric coordinate by its place; the last one is 1 minus the others.
-    pub(crate) fn barycentric(&self, place: usize) -> Fraction {
-        match self.domain.get(place) {
-            Some(var) => Fraction::var(*var),
-            None => {
-                let one = Fraction::constant(Rational::ONE);
-                self.domain.iter().fold(one, |rest, var: &Var| &rest - &Fraction::var(*var))
-            }
-        }
-    }
 }

@@ -3,16 +3,16 @@
 use crate::algebra::range::DisplayRange as _;
 use proc_macro2::Span;
 
-use super::obligation::Obligation;
-use super::obligations::Inside;
-use super::print::{Component, Printer};
-use super::scope::{Scope, Value};
-use super::{Family, Library};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference};
 use crate::diagnostic::Diagnostics;
+use crate::model::formula::Value;
+use crate::model::formula::print::{Component, Printer};
+use crate::model::obligation::Obligation;
+use crate::model::scope::{Inside, Scope};
+use crate::model::{Family, Library};
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
 use basis_kernel::collections::list::Mapped;
 
@@ -143,7 +143,8 @@ fn property(
         }
         syntax::ClaimKind::Continuity(order) => {
             let value = scope.whole(order, "the number of continuous derivatives")?;
-            let Some(order) = u32::try_from(value).ok().filter(|k| *k <= super::budget::MAX_DEGREE) else {
+            let Some(order) = u32::try_from(value).ok().filter(|k| *k <= crate::model::budget::MAX_DEGREE)
+            else {
                 let error = scope.error(order.span, format!("{value} continuous derivatives make no sense"));
                 scope.report(error.help("write a number from 0 to the degree"));
                 return None;

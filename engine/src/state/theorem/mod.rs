@@ -1,25 +1,26 @@
 //! Claims about theorems: identities between linear forms, signs of scalars, directions of vectors.
 
+mod net;
+mod parallel;
+mod products;
+mod witness;
+
 use core::convert::Infallible;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
-use basis_prover::{
-    Coordinate, Counterexample, Failure, Shown, Symmetries, decide as decide_statement, typical,
-};
+use basis_prover::{Coordinate, Failure, Shown, Symmetries, decide as decide_statement, typical};
 
-use super::net::{Net, evaluated, nets, on_net, parts, sparse};
-use super::verdict::{Evidence, Stated, Verdict, Witness};
-use super::{all, family, inequality, parallel, products, steps};
+use super::inequality::{self, compared};
+use super::proofs::{all, steps};
+use super::verdict::{Evidence, Stated, Verdict};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::Range;
+use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
 use crate::theorem::{Form, Theorem, Unit};
-
-/// Regular nets have at most this number of points that matter.
-const MAX_REGULAR: usize = 8;
+use net::{Net, nets, on_net, parts};
+use witness::{explained, witness, witness_nets};
 
 /// Nets that are tried where an inequality between coordinates stays undecided.
 const ATTEMPTS: usize = 16;
@@ -34,7 +35,7 @@ pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
         ClaimKind::Scalar { comparison, difference } => scalar(theorem, *comparison, difference),
         ClaimKind::Vector { text, value } => {
             let domain = Rc::new(Domain::of(theorem.scalar_region()));
-            let zero = |f: &Fraction| family::compared(f, Comparison::Equal, &domain);
+            let zero = |f: &Fraction| compared(f, Comparison::Equal, &domain);
             let mut all = Vec::new();
             for (unit, coefficient) in &value.terms {
                 all.push(Stated::new(coefficient_of(theorem, text, *unit), zero(coefficient)));
@@ -77,18 +78,13 @@ fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) ->
                 let denominator = if below { -value.denom() } else { value.denom().clone() };
                 let domain = Rc::new(Domain::of(theorem.scalar_region()));
                 let of = denominator.display(&theorem.names).to_string();
-                all.push(Stated::new(of, sign(&denominator, Relation::NonNegative, &domain)));
+                all.push(Stated::new(of, parallel::sign(&denominator, Relation::NonNegative, &domain)));
             }
             return all;
         }
     }
     let domain = Rc::new(Domain::of(theorem.region()));
-    vec![Stated::new(text.clone(), family::compared(value, comparison, &domain))]
-}
-
-/// The statement that a polynomial is ≥ 0 (> 0).
-pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Statement {
-    Statement::Sign { value: Fraction::from(p.clone()).quotient(), relation, domain: Rc::clone(domain) }
+    vec![Stated::new(text.clone(), compared(value, comparison, &domain))]
 }
 
 /// What a claim says of definite points.
@@ -107,7 +103,7 @@ pub(super) fn instances(
             ClaimKind::Scalar { .. } if vague => Err("the claim is about points, and none are given"),
             ClaimKind::Scalar { comparison, difference } => {
                 let domain = Rc::new(Domain::of(theorem.region()));
-                let statement = family::compared(&difference.value, *comparison, &domain);
+                let statement = compared(&difference.value, *comparison, &domain);
                 Ok(vec![Stated::new(difference.text.clone(), statement)])
             }
             _ if theorem.points.is_empty() => Ok(on_points(theorem, &kind, net, &domain)),
@@ -122,12 +118,12 @@ fn on_points(theorem: &Theorem, kind: &ClaimKind, net: &Net, domain: &Rc<Domain>
     match kind {
         ClaimKind::Scalar { comparison, difference } => {
             let value = on_net(theorem, &difference.value, net);
-            vec![Stated::new(difference.text.clone(), family::compared(&value, *comparison, domain))]
+            vec![Stated::new(difference.text.clone(), compared(&value, *comparison, domain))]
         }
         ClaimKind::Vector { text, value } => {
             let zero = |(label, value): (String, Fraction)| {
                 let of = if label.is_empty() { text.clone() } else { format!("({text}){label}") };
-                Stated::new(of, family::compared(&value, Comparison::Equal, domain))
+                Stated::new(of, compared(&value, Comparison::Equal, domain))
             };
             parts(theorem, value, net).into_iter().map(zero).collect()
         }
@@ -255,75 +251,6 @@ fn inequality(
 /// The work for making a counterexample explicit.
 const EXPLICIT: u64 = 20_000_000;
 
-/// A witness from a counterexample to what the claim says of the points of a net; without one, of any points.
-pub(super) fn witness(
-    theorem: &Theorem,
-    of: String,
-    net: Option<&Net>,
-    found: &Counterexample,
-    negate: bool,
-) -> Witness {
-    let mut at = vec![Rational::ZERO; theorem.names.len()];
-    let mut named = Vec::new();
-    let mut irrational = Vec::new();
-    let given = |var: Var| found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
-    for scalar in &theorem.scalars {
-        let value = given(scalar.var).unwrap_or_else(|| Coordinate::Rational(typical(&scalar.range)));
-        match &value {
-            Coordinate::Rational(x) => at[scalar.var.0] = x.clone(),
-            Coordinate::Algebraic(_) => irrational.push(scalar.var),
-        }
-        named.push((scalar.name.clone(), value));
-    }
-    let mut notes = Vec::new();
-    for var in theorem.points.iter().flat_map(|point| &point.coordinates) {
-        match given(*var) {
-            Some(Coordinate::Rational(x)) => at[var.0] = x,
-            Some(c @ Coordinate::Algebraic(_)) => {
-                irrational.push(*var);
-                notes.push(c.describe(&theorem.names[var.0]));
-            }
-            None => {}
-        }
-    }
-    let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
-    let value = if negate { -value } else { value };
-    let mut witness = Witness::new(of, named, value, found.refutation.clone());
-    witness.notes = notes;
-    witness.given = net.map_or_else(Vec::new, |net| net.places().to_vec());
-    let own = Net::from_coordinates(theorem, &at);
-    witness.net = evaluated(theorem, net.unwrap_or(&own), &at, &irrational);
-    witness
-}
-
-/// The verdict with a witness; texts leave out the scalars and points that do not matter to the claim.
-pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, what: &str) -> Verdict {
-    witness.idle = idle(theorem, &claim.kind);
-    let at = witness.point();
-    let place = if at.is_empty() { String::new() } else { format!(" at {at}") };
-    witness.notes.push(format!("{what} `{}` = {}{place}", witness.of, witness.value));
-    let equation = matches!(
-        claim.kind,
-        ClaimKind::Vector { .. } | ClaimKind::Scalar { comparison: Comparison::Equal, .. }
-    );
-    if !equation {
-        // The sign of a scalar without a range is easily forgotten.
-        let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
-            scalar.range == Range::all()
-                && claim.kind.depends_on(scalar.var)
-                && matches!(value, Coordinate::Rational(x) if !x.is_positive())
-        });
-        let notes: Vec<String> = any
-            .map(|(scalar, _)| {
-                let name = &scalar.name;
-                format!("`{name}` can be any number; `scalar 0 < {name};` declares it positive")
-            })
-            .collect();
-        witness.notes.extend(notes);
-    }
-    Verdict::Refuted(Box::new(witness))
-}
-
 /// What is claimed, with a number in place of every scalar whose range is a single number.
 fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
     let single = theorem.scalars.iter().any(|p| p.range.finite().is_some_and(|(low, high)| low == high));
@@ -353,43 +280,4 @@ fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
         ClaimKind::Parallel { left, right } => ClaimKind::Parallel { left: side(left), right: side(right) },
         other => other.clone(),
     }
-}
-
-/// Nets that show two things to be different, such as a person can read: with most points in one place if there are many.
-pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<Item = Net> {
-    let idle = idle(theorem, &claim.kind);
-    let used = theorem.points.iter().filter(|point| !idle.contains(&point.name)).count();
-    let first = if used > MAX_REGULAR { Some(sparse(theorem)) } else { None };
-    first.into_iter().flatten().chain(nets(theorem))
-}
-
-/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points are
-/// expressed by given ones.
-fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
-    let forms: &[&Form] = match kind {
-        ClaimKind::Vector { value, .. } => &[value],
-        ClaimKind::Parallel { left, right } => &[&left.value, &right.value],
-        _ => &[],
-    };
-    let mut used = Vec::new();
-    if theorem.dimension.is_none() {
-        for unit in forms.iter().flat_map(|form| form.terms.keys()) {
-            match unit {
-                Unit::Point(p) => used.push(*p),
-                Unit::Pair(p, q) => used.extend([*p, *q]),
-            }
-        }
-    }
-    let products = theorem.products.iter().filter(|(var, _)| kind.depends_on(*var));
-    used.extend(products.flat_map(|(_, (p, q))| [*p, *q]));
-    let matters = |label: &String| {
-        let mut given = theorem.points.iter().enumerate().filter(|(_, point)| point.name == *label);
-        given.any(|(k, point)| used.contains(&k) || point.coordinates.iter().any(|var| kind.depends_on(*var)))
-    };
-    let scalars = theorem.scalars.iter().filter(|p| !kind.depends_on(p.var)).map(|p| p.name.clone());
-    let labels = theorem
-        .patches
-        .iter()
-        .flat_map(|patch| patch.points.iter().map(|point| crate::model::label(&patch.name, &point.index)));
-    scalars.chain(labels.filter(|label| !matters(label))).collect()
 }

@@ -3,21 +3,21 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
-use super::{number, site};
+use super::tokens::{number, site};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::model::{Family, Parameter};
 
 /// A variable of the expressions, and the code of its value.
-pub(super) struct Variable {
-    pub(super) var: Var,
-    pub(super) range: Range,
-    pub(super) value: TokenStream,
+pub(in crate::generate) struct Variable {
+    pub(in crate::generate) var: Var,
+    pub(in crate::generate) range: Range,
+    pub(in crate::generate) value: TokenStream,
 }
 
 /// Collects the `let` lines of a function body.
-pub(super) struct ScalarCode {
+pub(in crate::generate) struct ScalarCode {
     variables: Vec<Variable>,
     /// The polynomials that have a name.
     named: Vec<(Poly, Ident)>,
@@ -28,7 +28,7 @@ pub(super) struct ScalarCode {
 
 impl ScalarCode {
     /// The shape values of a type, as its methods see them.
-    pub(super) fn of_fields(family: &Family, fields: &[Ident]) -> Self {
+    pub(in crate::generate) fn of_fields(family: &Family, fields: &[Ident]) -> Self {
         let variable = |(p, field): (&Parameter, &Ident)| Variable {
             var: p.var,
             range: p.range.clone(),
@@ -37,16 +37,16 @@ impl ScalarCode {
         Self::new(family.shapes.iter().zip(fields).map(variable).collect())
     }
 
-    pub(super) fn new(variables: Vec<Variable>) -> Self {
+    pub(in crate::generate) fn new(variables: Vec<Variable>) -> Self {
         Self { variables, named: Vec::new(), reciprocals: Vec::new(), lets: TokenStream::new() }
     }
 
-    pub(super) fn lets(self) -> TokenStream {
+    pub(in crate::generate) fn lets(self) -> TokenStream {
         self.lets
     }
 
     /// The value of a polynomial in the shape parameters.
-    pub(super) fn scalar(&mut self, poly: &Poly) -> TokenStream {
+    pub(in crate::generate) fn scalar(&mut self, poly: &Poly) -> TokenStream {
         if let Some(value) = poly.as_constant() {
             return number(&value);
         }
@@ -65,7 +65,7 @@ impl ScalarCode {
     }
 
     /// 1 divided by a denominator; `None` for 1.
-    pub(super) fn reciprocal(&mut self, denom: &Poly) -> Option<TokenStream> {
+    pub(in crate::generate) fn reciprocal(&mut self, denom: &Poly) -> Option<TokenStream> {
         if denom.is_one() {
             return None;
         }
@@ -80,7 +80,7 @@ impl ScalarCode {
     }
 
     /// A quotient of polynomials, in lowest terms.
-    pub(super) fn quotient(&mut self, poly: &Poly, denom: &Poly) -> TokenStream {
+    pub(in crate::generate) fn quotient(&mut self, poly: &Poly, denom: &Poly) -> TokenStream {
         if denom.is_one() || poly.is_zero() {
             return self.scalar(poly);
         }
@@ -213,7 +213,7 @@ impl Piece {
 }
 
 /// f * g * …
-pub(super) fn product(factors: Vec<TokenStream>) -> TokenStream {
+pub(in crate::generate) fn product(factors: Vec<TokenStream>) -> TokenStream {
     let mut factors = factors.into_iter();
     let first = factors.next().unwrap_or_else(|| number(&Rational::ONE));
     factors.fold(first, |product, factor| quote_spanned!(site()=> #product * #factor))

@@ -1,0 +1,106 @@
+//! Loops over index variables.
+
+use crate::model::budget::SPLIT;
+use crate::model::scope::Scope;
+use crate::model::tuples::multi_indices;
+use crate::syntax::{Comparison, Generator, Loops, Name};
+
+/// Loops that run longer than this are refused.
+const MAX_ITERATIONS: i64 = 20_000;
+
+impl Scope<'_> {
+    /// Runs over all values of the index variables; `false` when a bound or condition went wrong or the
+    /// body said so.
+    pub(crate) fn each(&mut self, loops: &Loops, body: &mut dyn FnMut(&mut Self) -> bool) -> bool {
+        let depth = self.constants.len();
+        for generator in &loops.generators {
+            let names = match generator {
+                Generator::Range(range) => core::slice::from_ref(&range.name),
+                Generator::Simplex(names, _) => names,
+            };
+            if !names.iter().all(|name| self.check_loop_name(name)) {
+                return false;
+            }
+        }
+        let mut left = MAX_ITERATIONS;
+        let fine = self.each_from(loops, 0, &mut left, body);
+        self.constants.truncate(depth);
+        fine
+    }
+
+    fn check_loop_name(&self, name: &Name) -> bool {
+        match self.taken(&name.text) {
+            None | Some("an index") => true,
+            Some("a scalar") => {
+                let error = self.error(name.span, format!("`{}` is a scalar, not an index", name.text));
+                self.report(error.help(format!(
+                    "a claim is about all values of its scalars: leave `for {} …` out; indices run over whole numbers",
+                    name.text
+                )));
+                false
+            }
+            Some(_) => self.check_free(name),
+        }
+    }
+
+    fn each_from(
+        &mut self,
+        loops: &Loops,
+        level: usize,
+        left: &mut i64,
+        body: &mut dyn FnMut(&mut Self) -> bool,
+    ) -> bool {
+        let Some(generator) = loops.generators.get(level) else {
+            for (a, sign, b) in &loops.conditions {
+                let (Some(x), Some(y)) =
+                    (self.number(a, "a side of a condition"), self.number(b, "a side of a condition"))
+                else {
+                    return false;
+                };
+                let holds = match sign {
+                    Comparison::Equal => x == y,
+                    Comparison::NotEqual => x != y,
+                    Comparison::Less => x < y,
+                    Comparison::LessEqual => x <= y,
+                    Comparison::Greater => x > y,
+                    Comparison::GreaterEqual => x >= y,
+                };
+                if !holds {
+                    return true;
+                }
+            }
+            return body(self);
+        };
+        let (names, values) = match generator {
+            Generator::Range(range) => {
+                let Some((first, last)) = self.bounds(range) else { return false };
+                let last = last.min(first.saturating_add(MAX_ITERATIONS));
+                (core::slice::from_ref(&range.name), (first..=last).map(|v| vec![v]).collect::<Vec<_>>())
+            }
+            Generator::Simplex(names, sum) => {
+                let Some(sum) = self.whole(sum, "the sum of the indices") else { return false };
+                (names.as_slice(), multi_indices(names.len(), sum, MAX_ITERATIONS as usize))
+            }
+        };
+        for index in values {
+            if self.within(self.budget.step(1), names[0].span, SPLIT).is_none() {
+                return false;
+            }
+            *left -= 1;
+            if *left < 0 {
+                self.report(
+                    self.error(names[0].span, format!("the loop runs more than {MAX_ITERATIONS} times")),
+                );
+                return false;
+            }
+            let depth = self.constants.len();
+            self.constants.extend(names.iter().zip(index).map(|(name, value)| (name.text.clone(), value)));
+            let fine = self.each_from(loops, level + 1, left, body);
+            self.constants.truncate(depth);
+            if !fine {
+                return false;
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,22 @@
+//! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, calls of
+//! other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to mean
+//! something; `print` writes them into messages.
+
+mod calls;
+mod derivatives;
+mod evaluate;
+mod loops;
+pub(crate) mod numbers;
+pub(crate) mod print;
+mod settle;
+
+use crate::algebra::fraction::Fraction;
+
+/// What an expression is.
+#[derive(Clone, Debug)]
+pub(crate) enum Value {
+    /// One function or number.
+    Scalar(Fraction),
+    /// Several, each with its index.
+    List(Vec<(Vec<i64>, Fraction)>),
+}

@@ -1,0 +1,105 @@
+//! Expressions that must be numbers: whole numbers, ends of ranges, budgets.
+
+use proc_macro2::Span;
+
+use crate::algebra::range::{End, Range};
+use crate::algebra::rational::Rational;
+use crate::model::scope::Scope;
+use crate::model::words::BUILTINS;
+use crate::syntax::{Expr, ExprKind, IndexRange};
+
+impl Scope<'_> {
+    /// The number that an expression is; reports anything else.
+    pub(crate) fn number(&mut self, expr: &Expr, what: &str) -> Option<Rational> {
+        match self.scalar(expr)?.as_constant() {
+            Some(value) => Some(value),
+            None => {
+                self.report(
+                    self.error(expr.span, format!("{what} must be a number"))
+                        .label("this contains a variable"),
+                );
+                None
+            }
+        }
+    }
+
+    /// The whole number that an expression is; reports anything else.
+    pub(crate) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
+        let value = self.number(expr, what)?;
+        match value.to_i64() {
+            Some(n) => Some(n),
+            None => {
+                self.report(self.error(expr.span, format!("{what} must be a whole number, but is {value}")));
+                None
+            }
+        }
+    }
+
+    /// The first and last value that a generator runs over.
+    pub(crate) fn bounds(&mut self, generator: &IndexRange) -> Option<(i64, i64)> {
+        let low = self.whole(&generator.low, "the first value of an index")?;
+        let high = self.whole(&generator.high, "the last value of an index")?;
+        let last = if generator.inclusive { high } else { high.checked_sub(1)? };
+        Some((low, last))
+    }
+
+    /// Whether an expression mentions a function, a variable, or another family: anything that can vary.
+    pub(crate) fn mentions_variable(&self, expr: &Expr) -> bool {
+        match &expr.kind {
+            ExprKind::Number(_) => false,
+            ExprKind::Name(name) => self.constant(name).is_none() && !BUILTINS.contains(&name.as_str()),
+            ExprKind::Neg(inner) | ExprKind::Each(inner, _) => self.mentions_variable(inner),
+            ExprKind::Sum(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
+            ExprKind::Product(parts) => parts.iter().any(|(_, e)| self.mentions_variable(e)),
+            ExprKind::Power(base, exponent) => {
+                self.mentions_variable(base) || self.mentions_variable(exponent)
+            }
+            ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
+                self.mentions_variable(base) || rest.iter().any(|e| self.mentions_variable(e))
+            }
+            ExprKind::List(parts) | ExprKind::Tuple(parts) => parts.iter().any(|e| self.mentions_variable(e)),
+        }
+    }
+}
+
+/// How many times the usual work `budget …;` allows.
+pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
+    if let n @ 1..=10_000 = scope.whole(value, "the budget")? {
+        return Some(n as u32);
+    }
+    let error = scope.error(value.span, "the budget is from 1 to 10000");
+    scope.report(error.help("`budget 10;` allows ten times the usual work"));
+    None
+}
+
+/// A range from its ends as they are written; the name is for messages.
+pub(crate) fn range_of(
+    scope: &mut Scope<'_>,
+    span: Span,
+    low: Option<&(Expr, bool)>,
+    high: Option<&(Expr, bool)>,
+    name: &dyn Fn() -> String,
+) -> Option<Range> {
+    let end = |scope: &mut Scope<'_>, end: Option<&(Expr, bool)>| match end {
+        None => Some(End::Infinite),
+        Some((value, included)) => {
+            let value = scope.number(value, "the end of a range")?;
+            Some(if *included { End::Included(value) } else { End::Excluded(value) })
+        }
+    };
+    let (low, high) = (end(scope, low), end(scope, high));
+    let range = Range { low: low?, high: high? };
+    if !range.is_empty() {
+        return Some(range);
+    }
+    let name = name();
+    let error = scope.error(span, format!("the range of `{name}` is empty"));
+    let reversed = range.finite().is_some_and(|(a, b)| a > b);
+    scope.report(match range.finite() {
+        Some((a, b)) if reversed => error
+            .label(format!("{a} is above {b}"))
+            .help(format!("write the smaller end first: `{b} <= {name} <= {a}`")),
+        _ => error.help("let the range contain more than nothing"),
+    });
+    None
+}

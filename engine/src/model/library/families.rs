@@ -1,0 +1,263 @@
+//! The families of the specs, expanded on demand and once, in the orders of their declared ranges; theorems as they are
+//! written.
+
+use std::rc::Rc;
+
+use proc_macro2::Span;
+
+use super::{Library, MAIN};
+use crate::advice::did_you_mean;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::Family;
+use crate::model::budget::{SPLIT, TooLarge};
+use crate::model::expand::{build, claims};
+use crate::model::scope::Scope;
+#[cfg(feature = "joins")]
+use crate::source::SourceId;
+use crate::subject::{Item, Subject};
+use crate::syntax;
+use basis_kernel::collections::list::Mapped;
+
+/// Families that refer to one another through more levels than this are refused.
+const MAX_DEPTH: usize = 48;
+
+/// More orders of one family than this are refused.
+const MAX_ORDERS: i64 = 1000;
+
+/// Which families of a spec are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Selected {
+    /// All, in every order of their declared ranges.
+    EveryOrder,
+    /// Those without index parameters.
+    WithoutOrder,
+}
+
+impl Library<'_> {
+    /// The family of this name and order, expanded.
+    ///
+    /// # Errors
+    /// What is wrong and what to write instead; `None` when its own errors are reported already.
+    pub(crate) fn family(
+        &self,
+        unit: usize,
+        name: &str,
+        order: &[i64],
+    ) -> Result<Rc<Family>, Option<(String, String)>> {
+        let Some((home, position)) = self.find(unit, name) else {
+            if self.is_unread(unit, name) {
+                return Err(None);
+            }
+            if self.is_full() {
+                return Err(Some((String::new(), String::new()))); // only counted
+            }
+            let visible = self.visible(unit);
+            let known: Vec<&str> = visible.mapped(String::as_str);
+            let help = did_you_mean(name, &known, &|| {
+                format!("families here are {}", crate::plural::list(&visible))
+            });
+            return Err(Some((format!("there is no family `{name}`"), help)));
+        };
+        if let Some([first, second]) = self.ambiguous(unit, name) {
+            let message = format!("`{name}` is defined in `{first}` and in `{second}`");
+            return Err(Some((
+                message,
+                String::from("use one of the two files, or rename one of the families"),
+            )));
+        }
+        let family = self.units[home].family(position).ok_or(None)?;
+        if family.orders.len() != order.len() {
+            let wanted: Vec<String> = family.orders.mapped(|g| g.name.text.clone());
+            let help = if wanted.is_empty() {
+                format!("write `{name}`")
+            } else {
+                format!("write `{name}({})` with numbers", wanted.join(", "))
+            };
+            let message = format!(
+                "`{name}` has {}, {}",
+                crate::plural::count(wanted.len(), "index parameter"),
+                crate::plural::here(order.len())
+            );
+            return Err(Some((message, help)));
+        }
+        let key = (home, position, order.to_vec());
+        if let Some(done) = self.expanded.borrow().get(&key) {
+            return done.clone().ok_or(None);
+        }
+        if self.active.borrow().contains(&key) {
+            return Err(Some((
+                format!("`{name}` is defined by itself"),
+                String::from("a formula may use only families that do not need this one"),
+            )));
+        }
+        if self.active.borrow().len() >= MAX_DEPTH {
+            return Err(Some((
+                format!("`{name}` needs more than {MAX_DEPTH} other families, one inside the other"),
+                String::from("give a closed formula"),
+            )));
+        }
+        self.check_order(home, family, order)?;
+        self.counts_as_family(home, family.name.span).ok_or(None)?;
+        self.active.borrow_mut().push(key.clone());
+        let (result, diagnostics) = build::family(self, home, self.units[home].source, family, order);
+        self.active.borrow_mut().pop();
+        let clean = diagnostics.is_empty();
+        self.report_all(at_order(diagnostics, family, order));
+        let result = result.filter(|_| clean).map(Rc::new);
+        self.expanded.borrow_mut().insert(key, result.clone());
+        result.ok_or(None)
+    }
+
+    fn check_order(
+        &self,
+        home: usize,
+        family: &syntax::Family,
+        order: &[i64],
+    ) -> Result<(), Option<(String, String)>> {
+        for (k, value) in order.iter().enumerate() {
+            let (first, last) = self.order_range(home, family, &order[..k]).ok_or(None)?;
+            if !(first..=last).contains(value) {
+                let name = &family.orders[k].name.text;
+                let message = format!(
+                    "{name} = {value} is outside of the declared range {first}..={last} of `{}`",
+                    family.name.text
+                );
+                return Err(Some((message, format!("widen the range `{name} in {first}..={last}`"))));
+            }
+        }
+        Ok(())
+    }
+
+    /// The first and last value of the index parameter that follows those with values already; what is wrong with it is
+    /// reported.
+    fn order_range(&self, home: usize, family: &syntax::Family, before: &[i64]) -> Option<(i64, i64)> {
+        let mut scope = Scope::new(self, home, self.units[home].source);
+        let generator = &family.orders[before.len()];
+        let mut range = None;
+        let known = family.orders.iter().zip(before).all(|(known, value)| {
+            let free = scope.check_free(&known.name);
+            scope.constants.push((known.name.text.clone(), *value));
+            free
+        });
+        if known && scope.check_free(&generator.name) {
+            range = scope.bounds(generator);
+        }
+        let name = &generator.name.text;
+        if let Some((first, last)) = range {
+            if first > last && before.is_empty() {
+                let error = scope.error(generator.name.span, format!("the range of `{name}` is empty"));
+                scope.report(error.help("write the smaller order first, such as `n in 1..=8`"));
+                range = None;
+            } else if last.saturating_sub(first) >= MAX_ORDERS {
+                let message = format!("the range of `{name}` has more than {MAX_ORDERS} orders");
+                scope.report(scope.error(generator.name.span, message));
+                range = None;
+            }
+        }
+        self.report_all(scope.diagnostics.into_inner());
+        range
+    }
+
+    /// All orders of a family, in lexicographic order; the range of an index parameter may depend on those before it.
+    fn orders(&self, home: usize, family: &syntax::Family) -> Option<Vec<Vec<i64>>> {
+        let mut orders: Vec<Vec<i64>> = vec![Vec::new()];
+        for _ in &family.orders {
+            let mut longer = Vec::new();
+            for order in &orders {
+                let (first, last) = self.order_range(home, family, order)?;
+                for value in first..=last {
+                    longer.push(order.iter().copied().chain([value]).collect());
+                }
+                if longer.len() as i64 > MAX_ORDERS {
+                    let place = self.place(self.units[home].source, family.name.span);
+                    let message = format!(
+                        "the index parameters of `{}` have more than {MAX_ORDERS} combinations",
+                        family.name.text
+                    );
+                    self.report(Diagnostic::error(place, message).help("narrow their ranges"));
+                    return None;
+                }
+            }
+            orders = longer;
+        }
+        if orders.is_empty() {
+            let place = self.place(self.units[home].source, family.name.span);
+            let message = format!("the index parameters of `{}` have no values", family.name.text);
+            self.report(Diagnostic::error(place, message).help("widen their ranges"));
+        }
+        Some(orders)
+    }
+
+    /// The families of the spec that was asked for, with their claims; families with errors are left out.
+    pub fn items(&self, selected: Selected) -> Vec<Item> {
+        let mut items = Vec::new();
+        for family in self.families_of(MAIN) {
+            if selected == Selected::WithoutOrder && !family.orders.is_empty() {
+                continue;
+            }
+            let Some(orders) = self.orders(MAIN, family) else { continue };
+            for order in &orders {
+                if self.run.is_stopped() {
+                    return items;
+                }
+                if let Ok(item) = self.item(&family.name.text, order) {
+                    items.push(item);
+                }
+            }
+        }
+        items
+    }
+
+    /// One family of the spec that was asked for, with its claims.
+    ///
+    /// # Errors
+    /// What is wrong and what to write instead; `None` when its own errors are reported already.
+    pub fn item(&self, name: &str, order: &[i64]) -> Result<Item, Option<(String, String)>> {
+        let family = self.family(MAIN, name, order)?;
+        let (home, position) = self.find(MAIN, name).ok_or(None)?;
+        let written = self.units[home].family(position).ok_or(None)?;
+        let (claims, obligations, diagnostics) = claims::claims(self, home, written, &family);
+        self.report_all(at_order(diagnostics, written, order));
+        Ok(Item { subject: Subject::Family(family), obligations, claims })
+    }
+
+    /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins, and keeps
+    /// the errors that it returns.
+    #[cfg(feature = "joins")]
+    pub(crate) fn each_theorem(
+        &self,
+        read: &mut dyn FnMut(usize, SourceId, &syntax::Theorem) -> Diagnostics,
+    ) {
+        for written in self.theorems_of(MAIN) {
+            if self.counts_as_family(MAIN, written.name.span).is_none() {
+                break;
+            }
+            self.report_all(read(MAIN, self.units[MAIN].source, written));
+        }
+    }
+
+    /// Counts a family of one order, or a theorem; `None` when there are too many.
+    fn counts_as_family(&self, unit: usize, span: Span) -> Option<()> {
+        match self.run.family() {
+            Ok(()) => return Some(()),
+            Err(TooLarge::Run(message)) => {
+                let error = Diagnostic::error(self.place(self.units[unit].source, span), message);
+                self.report(error.help(SPLIT));
+            }
+            Err(TooLarge::Formula(_) | TooLarge::Said) => {}
+        }
+        None
+    }
+}
+
+/// Errors in a family with index parameters say at which values they were met.
+fn at_order(mut diagnostics: Diagnostics, family: &syntax::Family, order: &[i64]) -> Diagnostics {
+    if !order.is_empty() && !diagnostics.is_empty() {
+        let values: Vec<String> =
+            family.orders.iter().zip(order).map(|(g, v)| format!("{} = {v}", g.name.text)).collect();
+        for diagnostic in diagnostics.shown_mut() {
+            diagnostic.notes.push(format!("for {}", values.join(", ")));
+        }
+    }
+    diagnostics
+}

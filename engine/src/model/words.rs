@@ -1,0 +1,12 @@
+//! Words of formulas: those that the language defines, and those that are written for want of better knowledge.
+
+/// Names that the language itself defines.
+pub(crate) const BUILTINS: [&str; 9] =
+    ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
+
+/// Functions that are not polynomials.
+pub(crate) const ELSEWHERE: [&str; 10] =
+    ["sin", "cos", "tan", "exp", "log", "ln", "sqrt", "abs", "sinh", "cosh"];
+
+/// Names that papers have for binomial coefficients.
+pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];

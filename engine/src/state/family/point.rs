@@ -1,0 +1,52 @@
+//! Counterexamples as points of the names of a family.
+
+use basis_prover::{Coordinate, Counterexample, typical};
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::model::Family;
+
+/// The names of the domain variables.
+pub(super) fn domain_names(family: &Family) -> Vec<String> {
+    family.domain_variables().map(|p| p.name.clone()).collect()
+}
+
+/// A counterexample as a point of the names, complete with what `at` fixes and with values for what plays no part.
+pub(super) fn named_point(
+    family: &Family,
+    found: &Counterexample,
+    fixed: &[(Var, Fraction)],
+) -> Vec<(String, Coordinate)> {
+    // On a simplex no more than what is left.
+    let mut left = Rational::ONE;
+    let mut all: Vec<(String, Coordinate)> = Vec::new();
+    let mut last = Fraction::constant(Rational::ONE);
+    for (k, parameter) in family.shapes.iter().chain(&family.domain).enumerate() {
+        let var = parameter.var;
+        let on_simplex = family.is_simplex() && k >= family.shapes.len();
+        let given = found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
+        let fixed_value = fixed.iter().find(|(v, _)| *v == var).map(|(_, f)| f);
+        if on_simplex {
+            last = &last - &fixed_value.cloned().unwrap_or_else(|| Fraction::var(var));
+        }
+        let known = given.or_else(|| found.evaluate(&fixed_value?.quotient()));
+        let value = known.unwrap_or_else(|| {
+            let simple = typical(&parameter.range);
+            let simple = if on_simplex { simple.min(left.clone()) } else { simple };
+            if on_simplex {
+                last =
+                    last.substitute(var, &Fraction::constant(simple.clone())).unwrap_or_else(Fraction::zero);
+            }
+            Coordinate::Rational(simple)
+        });
+        if let (true, Coordinate::Rational(x)) = (on_simplex, &value) {
+            left -= x;
+        }
+        all.push((parameter.name.clone(), value));
+    }
+    if let Some(dependent) = &family.dependent {
+        all.extend(found.evaluate(&last.quotient()).map(|c| (dependent.name.clone(), c)));
+    }
+    all
+}

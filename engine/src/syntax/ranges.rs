@@ -1,0 +1,79 @@
+//! Ranges as papers write them: `0 <= t <= 1`, `0 < λ`, `λ >= -2`.
+
+use syn::Result;
+use syn::parse::ParseStream;
+
+use super::error::error;
+use super::expr::{comparison, expr, unexpected};
+use super::words::at_word;
+use super::{Bounds, Comparison, Expr, ExprKind, Name, RangeDecl};
+
+/// What the range of a parameter may look like.
+pub(super) const SHAPE_HELP: &str =
+    "write a range such as `-3 <= λ <= 1`, `0 < λ`, or a name alone for all real numbers";
+
+/// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
+pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
+    let Bounds { target, low, high } = bounds(input, false, help)?;
+    let ExprKind::Name(text) = target.kind else { return Err(unexpected(input, "a name")) };
+    Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
+}
+
+/// A range as papers write it, whose name may have an index, `-3 < γ[1]`, if that is `indexed`.
+pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Result<Bounds> {
+    let start = input.span();
+    let mut parts = vec![expr(input)?];
+    let mut signs = Vec::new();
+    loop {
+        let at = input.span();
+        let Some(sign) = comparison(input)? else { break };
+        signs.push((sign, at));
+        parts.push(expr(input)?);
+    }
+    if at_word(input, "in") {
+        return Err(error(input.span(), "`in` cannot be used here", help));
+    }
+    // With >, the chain is read from the other end.
+    let descending = matches!(signs.first(), Some((Comparison::Greater | Comparison::GreaterEqual, _)));
+    if descending {
+        parts.reverse();
+        signs.reverse();
+    }
+    let mut included = Vec::new();
+    for (sign, span) in &signs {
+        included.push(match (sign, descending) {
+            (Comparison::Less, false) | (Comparison::Greater, true) => false,
+            (Comparison::LessEqual, false) | (Comparison::GreaterEqual, true) => true,
+            (Comparison::Equal, _) => {
+                let help = "a range of one value is written `1 <= λ <= 1`";
+                return Err(error(*span, "a range is made of inequalities, this is an equation", help));
+            }
+            _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
+        });
+    }
+    let is_target = |e: &Expr| match &e.kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Index(base, _) => indexed && matches!(base.kind, ExprKind::Name(_)),
+        _ => false,
+    };
+    let target = |e: Expr| {
+        if is_target(&e) { Ok(e) } else { Err(error(e.span, "expected the name whose range this is", help)) }
+    };
+    let mut parts = parts.into_iter();
+    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
+        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
+        (Some(a), Some(b), None, [i]) => {
+            if is_target(&b) {
+                Ok(Bounds { target: b, low: Some((a, *i)), high: None })
+            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
+                target(b).map(|target| Bounds { target, low: Some((a, *i)), high: None })
+            } else {
+                Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
+            }
+        }
+        (Some(a), Some(b), Some(c), [i, j]) => {
+            Ok(Bounds { target: target(b)?, low: Some((a, *i)), high: Some((c, *j)) })
+        }
+        _ => Err(error(start, "a range has at most two ends", help)),
+    }
+}
