@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# What a user pays: processor seconds (user + system) of clean builds in the dev profile of small crates outside of this
-# repository, beside two derives that also bring a parser. All in one run, `ROUNDS` times (3), each with its own target folder;
-# the smallest counts, because what else the machine does only adds to it.
+# What a user pays: processor seconds (user + system) of clean builds in the dev profile of small crates outside of
+# this repository, beside two derives that also bring a parser. All in one run, `ROUNDS` times (3), each with its own
+# target folder; the smallest counts, because what else the machine does only adds to it.
 #
 #     benches/build.sh            all rows
 #     ROUNDS=1 benches/build.sh   fewer rounds

@@ -1,8 +1,8 @@
 //! The library of polynomial basis families: the texts of the spec files in this package, by name.
 //!
 //! A name is the path of the file without its ending: `quartic` is `quartic.basis`, `papers/quartic` is the file
-//! `papers/quartic.basis` with every claim of a paper. What each family is, where it comes from and what is proved of it
-//! stands in the files. They are used as
+//! `papers/quartic.basis` with every claim of a paper. What each family is, where it comes from and what is proved of
+//! it stands in the files. They are used as
 //!
 //! - `basis!(library "quartic")` in Rust, with basis-runtime,
 //! - `use library "quartic";` in other specs,

@@ -20,27 +20,28 @@ use path::SpecPath;
 /// defines a type with evaluators for each family.
 ///
 /// ```ignore
-/// basis!("specs/quartic.basis");                                      // every family without index parameters
+/// basis!("specs/quartic.basis");                                    // every family without index parameters
 /// basis!("specs/bernstein.basis", Bernstein(3), Bernstein(5) as Quintic);   // families of these orders
-/// basis!(library "lagrange", TriangularLagrange(2));                  // from the library that comes with the package
-/// basis!(concat!(env!("OUT_DIR"), "/mine.basis"));                    // a spec that a build script writes
-/// basis!("specs/quartic.basis", crate = my_crate::basis_runtime);     // a renamed or re-exported runtime: the name of a
-///                                                                     // dependency, or a path from crate, self or super
+/// basis!(library "lagrange", TriangularLagrange(2));                // from the library that comes with the package
+/// basis!(concat!(env!("OUT_DIR"), "/mine.basis"));                  // a spec that a build script writes
+/// basis!("specs/quartic.basis", crate = my_crate::basis_runtime);   // a renamed or re-exported runtime: the name of
+///                                                     // a dependency, or a path from crate, self or super
 /// basis! { family Line { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; } }    // the spec in place
 /// ```
 ///
-/// Where basis-runtime has another name in `Cargo.toml`, or another crate re-exports it, say so with `crate = …`, in a spec in
-/// place before the families: `basis! { crate = curves; family … }`. Without it the compiler finds no `basis_runtime` in the
-/// crate root.
+/// Where basis-runtime has another name in `Cargo.toml`, or another crate re-exports it, say so with `crate = …`, in a
+/// spec in place before the families: `basis! { crate = curves; family … }`. Without it the compiler finds no
+/// `basis_runtime` in the crate root.
 ///
-/// Orders are chosen for specs in files; of a spec in place every family without index parameters is taken, which may use the
-/// others. Its letters are those of the calling crate: rustc warns (`mixed_script_confusables`) where a crate has no other Greek
-/// letters than such as `κ` and `α` that look like Latin ones; spelled out, `kappa`, or in a file, it has nothing to say.
+/// Orders are chosen for specs in files; of a spec in place every family without index parameters is taken, which may
+/// use the others. Its letters are those of the calling crate: rustc warns (`mixed_script_confusables`) where a crate
+/// has no other Greek letters than such as `κ` and `α` that look like Latin ones; spelled out, `kappa`, or in a file,
+/// it has nothing to say.
 ///
-/// A path is relative to the file that calls the macro, or else to the folder of `Cargo.toml`. It is a string, `env!("NAME")`,
-/// or `concat!(…)` of strings, numbers and such. The specs of the library are those of the package
-/// [`basis-specs`](https://docs.rs/basis-specs). The build stops with an error when a claim of a chosen family is not as the spec
-/// declares it.
+/// A path is relative to the file that calls the macro, or else to the folder of `Cargo.toml`. It is a string,
+/// `env!("NAME")`, or `concat!(…)` of strings, numbers and such. The specs of the library are those of the package
+/// [`basis-specs`](https://docs.rs/basis-specs). The build stops with an error when a claim of a chosen family is not
+/// as the spec declares it.
 ///
 #[doc = include_str!("../SPEC.md")]
 #[proc_macro]
@@ -83,8 +84,8 @@ fn expand(input: Input, call_site: Span) -> TokenStream {
     quote!(#code #errors #watched #variables)
 }
 
-/// The path of a spec as a terminal or an editor opens it: relative to the folder in which the compiler runs, as its own
-/// messages are, or else absolute.
+/// The path of a spec as a terminal or an editor opens it: relative to the folder in which the compiler runs, as its
+/// own messages are, or else absolute.
 fn shown(source: &Source) -> String {
     let Some(path) = &source.path else { return source.name.clone() };
     let here = std::env::current_dir().and_then(|folder| folder.canonicalize());
@@ -110,7 +111,7 @@ fn watch(library: &Library<'_>) -> TokenStream {
     quote!(#(const _: &[::core::primitive::u8] = ::core::include_bytes!(#paths);)*)
 }
 
-/// Makes Cargo build the crate anew when an environment variable of the path changes.
+/// Makes Cargo build the crate again when an environment variable of the path changes.
 fn watch_variables(path: &SpecPath) -> TokenStream {
     let names = &path.variables;
     quote!(#(

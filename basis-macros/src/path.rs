@@ -1,4 +1,5 @@
-//! The path of a spec: a string, or `concat!` and `env!` of strings, which a macro sees before the compiler expands them.
+//! The path of a spec: a string, or `concat!` and `env!` of strings, which a macro sees before the compiler expands
+//! them.
 
 use std::env::{self, VarError};
 

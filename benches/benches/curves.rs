@@ -215,7 +215,7 @@ fn derivatives() {
     );
 }
 
-/// So many curves, with different ends.
+/// How many curves there are, with different ends.
 const CURVES: usize = 64;
 
 fn shifted(i: usize) -> [[f64; 3]; 4] {

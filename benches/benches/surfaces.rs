@@ -91,7 +91,7 @@ fn points<P>(u: f64, vs: &[f64], row: &mut [P], point: impl Fn(f64, f64) -> P) {
     }
 }
 
-/// Every row of the grid into the same place, for a reader who takes it from there.
+/// Every row of the grid written to the same place, as for a consumer that takes rows one by one.
 fn rows<P>(us: &[f64], row: &mut [P], fill: impl Fn(f64, &mut [P])) {
     for &u in us {
         fill(u, row);
@@ -99,7 +99,7 @@ fn rows<P>(us: &[f64], row: &mut [P], fill: impl Fn(f64, &mut [P])) {
     }
 }
 
-/// `Σ_i Σ_j b_i(u) c_j(v) P_ij`, with the functions evaluated anew for each point.
+/// `Σ_i Σ_j b_i(u) c_j(v) P_ij`, with the functions evaluated again for each point.
 fn naive<U, V>(surface: &TensorSurface<U, V, [f64; 3]>, u: f64, v: f64) -> [f64; 3]
 where
     U: Basis<Scalar = f64>,

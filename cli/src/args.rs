@@ -49,13 +49,13 @@ pub(crate) enum Command {
     Eval(EvalArguments),
     /// Show what follows from the formulas of a family, and what joins and theorems say
     ///
-    /// Of a family: the functions in factored and expanded form; the derivatives of a curve at both ends as combinations of
-    /// its control points; the shape values at which the functions are linearly dependent; which control points C1, G1, C2 and
-    /// G2 contact with another curve determines at either end, as formulas; and the largest ranges of the shape parameters on
-    /// which all functions stay nonnegative.
+    /// Of a family: the functions in factored and expanded form; the derivatives of a curve at both ends as
+    /// combinations of its control points; the shape values at which the functions are linearly dependent; which
+    /// control points C1, G1, C2 and G2 contact with another curve determines at either end, as formulas; and the
+    /// largest ranges of the shape parameters on which all functions stay nonnegative.
     ///
-    /// Of a join or theorem: its curves, surfaces and scalars with their ranges, the control points that it determines as
-    /// formulas in the given ones, and its claims, each with its verdict and the reason.
+    /// Of a join or theorem: its curves, surfaces and scalars with their ranges, the control points that it determines
+    /// as formulas in the given ones, and its claims, each with its verdict and the reason.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
     /// Print the families of spec files with what is proved of them, as a table in Markdown
@@ -65,8 +65,8 @@ pub(crate) enum Command {
     Table(TableArguments),
     /// Check the certificates that `basis check --certificates` wrote
     ///
-    /// Certificates are compared with the specs, which are read anew, and their proofs are checked without repeating the
-    /// search that found them.
+    /// The specs are read, what has to be shown is worked out again, and the kernel checks that each certificate shows
+    /// it. No proof is searched for.
     #[command(after_help = VERIFY_HELP)]
     Verify(VerifyArguments),
 }
@@ -80,7 +80,8 @@ pub(crate) struct CheckArguments {
     /// Write a certificate for every family and order into this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) certificates: Option<PathBuf>,
-    /// Spec files, and folders in which every file *.basis is checked; library:NAME is a spec of the library, library: all
+    /// Spec files, and folders in which every file *.basis is checked; library:NAME is a spec of the library, library:
+    /// all
     #[arg(required = true, value_name = "PATH")]
     pub(crate) paths: Vec<PathBuf>,
 }
@@ -123,8 +124,8 @@ pub(crate) struct VerifyArguments {
     /// The folder with the certificates
     #[arg(value_name = "DIR")]
     pub(crate) folder: PathBuf,
-    /// Specs, or folders of specs, all of which must have certificates in the folder; those that `basis check` was given
-    /// must in any case
+    /// Specs, or folders of specs, all of which must have certificates in the folder; those that `basis check` was
+    /// given must in any case
     #[arg(value_name = "PATH")]
     pub(crate) specs: Vec<PathBuf>,
 }
@@ -175,8 +176,8 @@ Examples:
 pub(crate) struct ExplainArguments {
     /// The spec file, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
-    /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of the
-    /// file, families in their lowest orders
+    /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
+    /// the file, families in their lowest orders
     pub(crate) name: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! Standard output and standard error: colours only on a terminal, no panic when nobody reads.
+//! Standard output and standard error: colours only on a terminal, no panic when the reader is gone.
 
 use std::io::{self, Write};
 use std::process::ExitCode;

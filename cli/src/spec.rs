@@ -17,7 +17,8 @@ pub(crate) fn in_library(path: &Path) -> Option<&str> {
     path.to_str()?.strip_prefix(LIBRARY)
 }
 
-/// The paths of all specs of the library whose names are in the folder `name`; those of the whole library for the empty name.
+/// The paths of all specs of the library whose names are in the folder `name`; those of the whole library for the empty
+/// name.
 pub(crate) fn library_folder(name: &str) -> Vec<PathBuf> {
     let folder = name.trim_end_matches('/');
     let names = Disk.library().iter().map(|(known, _)| *known);

@@ -104,7 +104,7 @@ fn a_spec_without_any_certificate_is_noticed() {
     assert_eq!(run.code, 1);
     let missing = "✗ specs/quartic.basis: QuarticBernstein: there is no certificate";
     assert!(run.stdout.contains(missing), "{}", run.stdout);
-    // Whoever takes it off the list as well is betrayed by the folder that was checked.
+    // Taken off the list as well, it is missed in the folder that was checked.
     let list = folder.path().join("proofs/manifest.json");
     let manifest: Value = serde_json::from_slice(&std::fs::read(&list).expect("a file")).expect("JSON");
     let mut less = manifest.clone();
@@ -113,7 +113,7 @@ fn a_spec_without_any_certificate_is_noticed() {
     let run = folder.run(&["verify", "--format", "json", "proofs"]);
     let lacks = json!(["specs/quartic.basis: the list of the specs lacks it"]);
     assert_eq!((run.code, &run.json()["manifest"]), (1, &lacks));
-    // And whoever changes that, too, by whoever names the specs that must have certificates.
+    // With that changed too, it is missed when the command names the specs that must have certificates.
     less["paths"] = json!(["specs/b.basis"]);
     std::fs::write(&list, less.to_string()).expect("a file");
     assert_eq!(folder.run(&["verify", "proofs"]).code, 0);

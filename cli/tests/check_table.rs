@@ -1,4 +1,4 @@
-//! `basis check`: tables and messages for people.
+//! `basis check`: tables and messages as text.
 
 mod support;
 

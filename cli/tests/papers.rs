@@ -1,6 +1,8 @@
-//! `specs/papers`: every published claim is as declared, none is missing, and the table in the documentation is current.
+//! `specs/papers`: every published claim is as declared, none is missing, and the table in the documentation is
+//! current.
 //!
-//! `BASIS_TESTS=overwrite cargo test -p basis-cli --test papers` writes the table of today; read the difference before you keep it.
+//! `BASIS_TESTS=overwrite cargo test -p basis-cli --test papers` writes the table of today; read the difference before
+//! you keep it.
 
 mod support;
 

@@ -35,6 +35,19 @@ fn exact_values_are_as_shown() {
 }
 
 #[test]
+fn certificates_are_as_shown() {
+    let folder = Folder::with("quartic.basis", &spec("quartic.basis"));
+    assert_eq!(folder.run(&["check", "--certificates", "proofs", "quartic.basis"]).code, 0);
+    let certificate = folder.path().join("proofs/quartic/QuarticBernstein.json");
+    let certificate = std::fs::read_to_string(certificate).expect("a certificate is written");
+    let shown: Vec<&str> = README.lines().filter(|line| line.starts_with("{\"claim\"")).collect();
+    assert!(!shown.is_empty(), "the README shows no certificate");
+    for line in shown {
+        assert!(certificate.contains(line), "{line} is not what is written:\n{certificate}");
+    }
+}
+
+#[test]
 fn the_shown_family_is_as_declared() {
     let family = README
         .split("```text\n")

@@ -1,5 +1,5 @@
-//! What can be said about a family besides its claims: formulas in factored and expanded form, and what its curves do
-//! at their ends.
+//! What follows from the formulas of a family, apart from its claims: factored and expanded forms, and what its curves
+//! do at their ends.
 
 mod contacts;
 mod theorems;
@@ -35,7 +35,8 @@ const DENOMINATORS: u64 = 1_000_000;
 pub struct Formula {
     /// The name, such as `b[1]`.
     pub label: String,
-    /// As a product; the powers of the distances to the ends of an interval and the faces of a box are factors, on a simplex those of the coordinates.
+    /// As a product; the powers of the distances to the ends of an interval and the faces of a box are factors, on a
+    /// simplex those of the coordinates.
     pub factored: String,
     /// Expanded into monomials.
     pub expanded: String,
@@ -62,8 +63,8 @@ pub fn formulas(family: &Family) -> Vec<Formula> {
         .collect()
 }
 
-/// The derivatives of a curve `C = Σ b[i] P[i]` at both ends of an interval as combinations of the control points, such as
-/// `C'(0) = (3 + λ)*(-P[0] + P[1])`, for the orders 0 to `order`; empty on other domains.
+/// The derivatives of a curve `C = Σ b[i] P[i]` at both ends of an interval as combinations of the control points, such
+/// as `C'(0) = (3 + λ)*(-P[0] + P[1])`, for the orders 0 to `order`; empty on other domains.
 pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let Some((var, low, high)) = family.interval() else { return Vec::new() };
     let mut lines = Vec::new();
@@ -90,11 +91,11 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     lines
 }
 
-/// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the other
-/// parameters on their declared ranges.
+/// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the
+/// other parameters on their declared ranges.
 ///
-/// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative somewhere on the
-/// declared ranges, the largest ranges that meet the declared one.
+/// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative
+/// somewhere on the declared ranges, the largest ranges that meet the declared one.
 pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
     let (polys, region) = function_signs(family);
     let mut denominators: Vec<Poly> = Vec::new();
@@ -162,8 +163,8 @@ fn range_text(name: &str, (low, high): &Part, poles: &Part) -> String {
     if low.is_empty() && high.is_empty() { format!("every {name}") } else { format!("{low}{name}{high}") }
 }
 
-/// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None` when
-/// the denominator is too large.
+/// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None`
+/// when the denominator is too large.
 fn with_simple_zeros(family: &Family, denom: &Poly) -> Option<Poly> {
     let parts = square_free(denom, &mut Work::new(DENOMINATORS))?;
     let product = parts.iter().fold(Poly::one(), |product, (p, _)| &product * p);
@@ -188,8 +189,8 @@ fn function_signs(family: &Family) -> (Vec<Poly>, Region) {
     (polys, region)
 }
 
-/// Whether it is proved that all functions are ≥ 0 where a shape parameter is between two ends; of an irrational end, up to
-/// a rational number next to it.
+/// Whether it is proved that all functions are ≥ 0 where a shape parameter is between two ends; of an irrational end,
+/// up to a rational number next to it.
 fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> bool {
     let end = |c: &Option<Coordinate>, upper: bool| match c {
         None => End::Infinite,
@@ -209,8 +210,8 @@ fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> boo
     })
 }
 
-/// The shape values at which the functions of a family are dependent, and what is left open: nothing only if it is proved that
-/// they are independent everywhere else.
+/// The shape values at which the functions of a family are dependent, and what is left open: nothing only if it is
+/// proved that they are independent everywhere else.
 pub fn exceptional_set(family: &Family) -> ExceptionalSet {
     let state::Table { rows, symmetries } = state::coefficient_table(family);
     let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };

@@ -19,6 +19,8 @@
 //! assert_eq!(report.items[0].claims.len(), 1);
 //! ```
 
+#![cfg_attr(docsrs, feature(doc_cfg))] // items say which feature they need
+
 mod advice;
 pub mod algebra;
 pub mod claim;

@@ -1,8 +1,9 @@
-//! Published statements and what became of them: which claims belong to which statement of a paper, told by doc comments.
+//! Published statements and what became of them: which claims belong to which statement of a paper, told by doc
+//! comments.
 //!
-//! A paragraph of a doc comment that begins with an identifier and a colon, `quad-T2: The join is …`, says that a claim, or
-//! every claim of a theorem, is part of a published statement. `quad-T2 corrected: …` marks the claims of what is true
-//! instead, and `quad-T2 not expressed: …` in the comment of a file says why there are no claims.
+//! A paragraph of a doc comment that begins with an identifier and a colon, `quad-T2: The join is …`, says that a
+//! claim, or every claim of a theorem, is part of a published statement. `quad-T2 corrected: …` marks the claims of
+//! what is true instead, and `quad-T2 not expressed: …` in the comment of a file says why there are no claims.
 
 use crate::claim::Expected;
 use crate::model::{Library, Selected};

@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 pub struct Source {
     /// The name to show in messages: a path as the user wrote it.
     pub name: String,
-    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory and in the library.
+    /// Where the text was read, for `use` relative to it and for rebuilds; `None` for texts in memory and in the
+    /// library.
     pub path: Option<PathBuf>,
     /// The name of a spec of the library, such as `papers/quartic`, for `use` relative to it; such a spec has no path.
     pub library: Option<String>,
@@ -159,8 +160,8 @@ pub trait Files {
         false
     }
 
-    /// The specs that `use library "…"` can name, as names with their texts: those of basis-specs, unless the caller keeps
-    /// others.
+    /// The specs that `use library "…"` can name, as names with their texts: those of basis-specs, unless the caller
+    /// keeps others.
     fn library(&self) -> &[(&str, &str)] {
         basis_specs::SPECS
     }
@@ -172,7 +173,7 @@ pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
-        // Before it is opened: opening a pipe waits for somebody who writes into it.
+        // Before it is opened: opening a pipe waits for a writer.
         if !std::fs::metadata(path)?.is_file() {
             let message = "it is not a regular file, but a pipe or a device";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
@@ -254,8 +255,8 @@ pub fn library(files: &dyn Files, name: &str) -> Result<Source, ReadError> {
     })
 }
 
-/// The name in the library of `path`, which a spec of the library with the name `from` uses: `bspline.basis` is `bspline`
-/// beside `beta_spline`, and `papers/bspline` beside `papers/quartic`.
+/// The name in the library of `path`, which a spec of the library with the name `from` uses: `bspline.basis` is
+/// `bspline` beside `beta_spline`, and `papers/bspline` beside `papers/quartic`.
 ///
 /// # Errors
 /// When the path does not name a spec file, or leaves the library.

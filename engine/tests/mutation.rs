@@ -1,5 +1,5 @@
-//! Mutants of the shipped specs: one coefficient, sign, exponent or range end is changed at a time, and every mutant that
-//! changes the mathematics must be rejected with evidence that checks out.
+//! Mutants of the shipped specs: one coefficient, sign, exponent or range end is changed at a time, and every mutant
+//! that changes the mathematics must be rejected with evidence that checks out.
 //!
 //! `cargo test` looks at every 71st mutant; all of them, with their numbers:
 //! `cargo test --release -p basis-engine --features tools --test mutation -- --ignored --nocapture`.
@@ -46,7 +46,8 @@ struct Mutation {
     new: String,
 }
 
-/// All mutations of the code of a spec: numbers grow by one, signs are exchanged, ends of ranges are left out or included.
+/// All mutations of the code of a spec: numbers grow by one, signs are exchanged, ends of ranges are left out or
+/// included.
 fn mutations(text: &str) -> Vec<Mutation> {
     let bytes = text.as_bytes();
     let mut all = Vec::new();
@@ -167,7 +168,7 @@ fn specs() -> Vec<PathBuf> {
     specs
 }
 
-/// Every so many-th mutant; how many have which fate, and those that are undecided.
+/// The fates of every `every`-th mutant: the number of each, and the mutants that are undecided.
 fn run(every: usize) -> (BTreeMap<Fate, usize>, Vec<String>) {
     let (mut fates, mut undecided) = (BTreeMap::new(), Vec::new());
     let mut number = 0;

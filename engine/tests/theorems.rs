@@ -18,8 +18,8 @@ fn checked(theorem: &str) -> Report {
     check(Source::text("theorem.basis", &format!("{QUADRATIC}{theorem}")))
 }
 
-/// The verdicts of a theorem without errors, `=` for proved, else the value of the counterexample and its place. All of them
-/// check out.
+/// The verdicts of a theorem without errors, `=` for proved, else the value of the counterexample and its place. All of
+/// them check out.
 fn verdicts(theorem: &str) -> Vec<String> {
     let report = checked(&format!("theorem T {{ {theorem} }}"));
     let errors: Vec<&str> =
@@ -147,7 +147,8 @@ fn directions_where_both_sides_vanish_together() {
     assert_ne!(verdicts(&format!("{anywhere} {claim}"))[0].chars().next(), Some('0'));
 }
 
-/// Also where a scalar is irrational; points that do not matter are left out, those that depend on it follow from the others.
+/// Also where a scalar is irrational; points that do not matter are left out, those that depend on it follow from the
+/// others.
 #[test]
 fn irrational_counterexamples_name_the_control_points() {
     let found = verdicts(
@@ -238,7 +239,8 @@ fn sums_of_dot_products_are_decided_in_every_dimension() {
     assert_eq!(found.len(), 10);
 }
 
-/// Linear in dot products, an inequality says that a matrix is positive semidefinite: it is decided for points of any space.
+/// Linear in dot products, an inequality says that a matrix is positive semidefinite: it is decided for points of any
+/// space.
 #[test]
 fn inequalities_between_dot_products() {
     let claims = "

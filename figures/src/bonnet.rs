@@ -1,5 +1,5 @@
-//! The bonnet of a car (spl-ex): two B-spline patches that share the centre line; the right one is deformed through four
-//! points near it, and the left one follows.
+//! The bonnet of a car (spl-ex): two B-spline patches that share the centre line; the right one is deformed through
+//! four points near it, and the left one follows.
 
 use std::error::Error;
 
@@ -25,8 +25,8 @@ pub(crate) struct Bonnet {
     pub(crate) facts: Vec<(&'static str, f64)>,
 }
 
-/// Heights of a smooth bonnet over `x` along the car, 0 at the windscreen and 1 at the nose, and `y` across, 0 on the centre
-/// line and 1 at the wings.
+/// Heights of a smooth bonnet over `x` along the car, 0 at the windscreen and 1 at the nose, and `y` across, 0 on the
+/// centre line and 1 at the wings.
 fn shape(x: f64, y: f64) -> Point3d {
     let fall = 0.42 - 0.10 * x - 0.16 * x.powi(3);
     let arch = 1.0 - 0.55 * y.powi(2) - 0.15 * y.powi(4);

@@ -1,5 +1,5 @@
-//! The bonnet of "A smooth splicing method for B-spline surfaces": the right patch is deformed through four points, the left one
-//! follows.
+//! The bonnet of "A smooth splicing method for B-spline surfaces": the right patch is deformed through four points, the
+//! left one follows.
 
 use std::error::Error;
 
@@ -45,7 +45,7 @@ fn draw(stage: Stage) -> Result<Drawing, Box<dyn Error>> {
         Stage::After => (
             after,
             ["gap", "angle"],
-            "The edge row of the left patch, and the one beside it, are computed anew from the right patch.",
+            "The edge row of the left patch, and the one beside it, are recomputed from the right patch.",
         ),
     };
     let mut scene = Scene::default();

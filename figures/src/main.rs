@@ -79,7 +79,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// One line to standard error; that nobody reads it is no reason to stop.
+/// Prints a line to standard error; a closed pipe is no reason to stop.
 fn progress(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }

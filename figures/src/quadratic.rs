@@ -1,5 +1,5 @@
-//! Figures of "Continuity conditions for a class of quadratic Bezier curve with parameters": curves over one triangle, the
-//! hat and the vase.
+//! Figures of "Continuity conditions for a class of quadratic Bezier curve with parameters": curves over one triangle,
+//! the hat and the vase.
 
 #![allow(clippy::approx_constant)] // 3.14 is a coordinate of the hat
 
@@ -38,9 +38,9 @@ const VASE: Profile<2> = Profile {
     points: [[[2.58, 6.27], [0.11, 4.45], [2.05, 2.81]], [[2.05, 2.81], [3.75, 2.13], [2.01, 0.02]]],
 };
 
-/// The hat with the first digits of two abscissae as they may have been meant, 4.45 and 5.52 instead of 0.45 and 0.52, and all
-/// joins smooth as claimed: middle points turned onto the tangents, and λ = 1 where the curve changes the side to which it
-/// turns.
+/// The hat with the first digits of two abscissae as they may have been meant, 4.45 and 5.52 instead of 0.45 and 0.52,
+/// and all joins smooth as claimed: middle points turned onto the tangents, and λ = 1 where the curve changes the side
+/// to which it turns.
 const HAT_RESTORED: Profile<4> = Profile {
     lambda: [1.0, 1.0, 0.81, 0.60],
     points: [
@@ -257,8 +257,8 @@ fn list(points: &[Plane]) -> serde_json::Value {
     points.iter().map(|p| p.to_vec()).collect()
 }
 
-/// The hat with smooth joins, its joints where they are published: the second curve ends in the direction of the third, the
-/// first one in that of the second.
+/// The hat with smooth joins, its joints where they are published: the second curve ends in the direction of the third,
+/// the first one in that of the second.
 fn hat_smooth() -> Profile<4> {
     let Profile { mut lambda, mut points } = HAT;
     points[1][1] = continued_back(points[2][1], points[2][0], points[1][1]);

@@ -1,5 +1,5 @@
-//! Figures of "Quartic generalized Bézier surfaces with multiple shape parameters": special patches, joins, a tablecloth and
-//! a tent. The paper prints no control points, so those of the figures are our own.
+//! Figures of "Quartic generalized Bézier surfaces with multiple shape parameters": special patches, joins, a
+//! tablecloth and a tent. The paper prints no control points, so those of the figures are our own.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -274,11 +274,12 @@ fn continuity(edges: &[EdgeContinuity<f64>]) -> Facts {
         .with("largest curvature difference", most(|e| e.curvature))
 }
 
-/// Four patches over the quarters of a square table: flat on it, hanging down over its edges, with pleats at the corners.
+/// Four patches over the quarters of a square table: flat on it, hanging down over its edges, with pleats at the
+/// corners.
 fn tablecloth() -> Result<Drawing, Box<dyn Error>> {
     let (lambda, gamma) = (0.6, 0.6);
-    // One net of 7 × 7 points for the whole cloth; the quarters share its middle lines. The points next to these lie straight
-    // across, so that the joins are G1 with f = 1.
+    // One net of 7 × 7 points for the whole cloth; the quarters share its middle lines. The points next to these lie
+    // straight across, so that the joins are G1 with f = 1.
     let quarter = |x: f64, y: f64| -> Result<Patch, ShapeError> {
         let net = core::array::from_fn(|i| {
             core::array::from_fn(|j| {

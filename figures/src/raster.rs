@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 /// Red, green, blue; each from 0 to 1.
 pub(crate) type Colour = [f32; 3];
 
-/// So many pixels are averaged in each direction, against jagged edges.
+/// How many pixels are averaged in each direction, against jagged edges.
 const FINE: usize = 2;
 
 /// A picture that is being drawn. Positions are in pixels, `x` to the right, `y` down, with the depth in the same unit;

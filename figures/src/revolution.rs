@@ -20,8 +20,8 @@ const ONE: [Plane; 4] = [[0.0, 0.0], [0.5, 0.4], [0.2, 1.8], [1.0, 2.0]];
 const TWO: [[Plane; 4]; 2] =
     [[[0.0, 0.5], [0.5, 1.0], [0.5, 1.6], [1.0, 2.0]], [[1.0, 2.0], [2.0, 1.5], [3.0, 0.5], [4.0, 1.0]]];
 
-/// As the second example, with the first inner point of the second segment on the common tangent: at equal λ, rev-T1 holds with
-/// α = |Q1 - P3| / |P3 - P2|.
+/// As the second example, with the first inner point of the second segment on the common tangent: at equal λ, rev-T1
+/// holds with α = |Q1 - P3| / |P3 - P2|.
 const TWO_SMOOTH: [[Plane; 4]; 2] =
     [[[0.0, 0.5], [0.5, 1.0], [0.5, 1.6], [1.0, 2.0]], [[1.0, 2.0], [1.9, 2.72], [3.0, 0.5], [4.0, 1.0]]];
 

@@ -1,5 +1,5 @@
-//! Figures of "Two classes of triangular quasi-Bézier surfaces with two shape parameters": both types over one net each, with one
-//! parameter growing and the other fixed. The paper prints no control points, so the nets are our own.
+//! Figures of "Two classes of triangular quasi-Bézier surfaces with two shape parameters": both types over one net
+//! each, with one parameter growing and the other fixed. The paper prints no control points, so the nets are our own.
 
 use std::error::Error;
 
@@ -46,7 +46,8 @@ pub(crate) fn figures() -> Vec<Figure> {
             format!("tri-fig-type2-{}", k + 1),
             format!("Type II, order 3, λ₁ = {}, λ₂ = {}", short(a), short(b)),
             move || {
-                // The paper draws λ1 = 0, which its own definition leaves out (0 < λ1); here it is the smallest float above 0.
+                // The paper draws λ1 = 0, which its own definition leaves out (0 < λ1); here it is the smallest float
+                // above 0.
                 let inside = if a > 0.0 { a } else { f64::MIN_POSITIVE };
                 patch(TriangularII::new(inside, b)?, TriangularII::new(3.0, 2.0)?, 3, [a, b])
             },

@@ -7,8 +7,8 @@ use crate::algebra::rational::Rational;
 /// How a statement is proved.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Certificate {
-    /// By computing alone: a value that expands to 0; numerator and denominator whose Bernstein coefficients have one sign
-    /// each; a matrix of numbers that has full rank or is positive semidefinite.
+    /// By computing alone: a value that expands to 0; numerator and denominator whose Bernstein coefficients have one
+    /// sign each; a matrix of numbers that has full rank or is positive semidefinite.
     #[default]
     Direct,
     /// The sign of a quotient.
@@ -18,8 +18,8 @@ pub enum Certificate {
         /// Why the numerator, times −1 where the denominator is negative, has the sign that is claimed.
         numerator: SignProof,
     },
-    /// The signs of what makes a sum of dot products nonnegative: first the value with all points at the origin, then the
-    /// sums of the principal minors of sizes 1, 2, … of its matrix.
+    /// The signs of what makes a sum of dot products nonnegative: first the value with all points at the origin, then
+    /// the sums of the principal minors of sizes 1, 2, … of its matrix.
     Minors(Vec<SignProof>),
     /// Linear independence.
     Rank(Rank),
@@ -36,8 +36,8 @@ pub enum Signed {
 
 /// Why p ≥ 0 or p > 0 on a box.
 ///
-/// Variables that do not occur in p play no part, and a variable whose range is a single number is replaced by it, in p and in
-/// all its parts. What is left of p when no variable is left, and anything on an empty box, needs no proof but
+/// Variables that do not occur in p play no part, and a variable whose range is a single number is replaced by it, in p
+/// and in all its parts. What is left of p when no variable is left, and anything on an empty box, needs no proof but
 /// [`SignProof::direct`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SignProof {
@@ -90,8 +90,8 @@ pub enum FactorSign {
     Known(Box<Signed>),
 }
 
-/// How a box is cut: always in the middle of a side, which is the point 1 beyond the end of an infinite side and 0 on a side
-/// without ends.
+/// How a box is cut: always in the middle of a side, which is the point 1 beyond the end of an infinite side and 0 on a
+/// side without ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Cuts {
     /// Not at all, but for sides without ends, which are cut at 0.
@@ -181,8 +181,8 @@ pub struct Rank {
 pub struct Piece {
     /// The bases in which the matrix is cut into blocks, if they are not the given ones.
     pub change: Option<ChangeOfBasis>,
-    /// The blocks, with all rows, each of them in one block: the rows of a block are zero in the columns of the minors of all
-    /// later blocks.
+    /// The blocks, with all rows, each of them in one block: the rows of a block are zero in the columns of the minors
+    /// of all later blocks.
     pub blocks: Vec<Minors>,
 }
 

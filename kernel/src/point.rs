@@ -1,8 +1,8 @@
-//! Points at which something is evaluated exactly: with rational coordinates, or with coordinates in a field Q(θ) for a real
-//! root θ of a polynomial.
+//! Points at which something is evaluated exactly: with rational coordinates, or with coordinates in a field Q(θ) for a
+//! real root θ of a polynomial.
 //!
-//! **Theorems.** A polynomial m with opposite signs at two numbers has a root θ between them. What m divides is zero at θ. A value
-//! lies between what interval arithmetic makes of bounds for its parts.
+//! **Theorems.** A polynomial m with opposite signs at two numbers has a root θ between them. What m divides is zero at
+//! θ. A value lies between what interval arithmetic makes of bounds for its parts.
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
@@ -145,8 +145,8 @@ impl Point {
         Ok(if both { above.leading().checked_div(&below.leading()) } else { None })
     }
 
-    /// Checks that the point lies in a domain, or can be completed to one that does: a variable without a coordinate has any
-    /// value of its range, and is 0 on a simplex.
+    /// Checks that the point lies in a domain, or can be completed to one that does: a variable without a coordinate
+    /// has any value of its range, and is 0 on a simplex.
     pub(crate) fn lies_in(&self, domain: &Domain, work: &mut Work) -> Result<(), Refusal> {
         for (var, range) in &domain.region.ranges {
             if self.coordinate(*var).is_ok() {

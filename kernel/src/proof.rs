@@ -1,8 +1,8 @@
-//! The two values that mean something: a [`Proof`] is a statement that has been checked to be true, a [`Refutation`] one that has
-//! been checked to be false.
+//! The two values that mean something: a [`Proof`] is a statement that has been checked to be true, a [`Refutation`]
+//! one that has been checked to be false.
 //!
-//! Their fields are private and this file makes them nowhere but behind a check, so that whoever holds one holds the truth of
-//! its statement, as far as this crate is right.
+//! Their fields are private and this file makes them nowhere but behind a check, so that to hold one is to know that its
+//! statement is true, or false, as far as this crate is right.
 
 use std::rc::Rc;
 
@@ -70,14 +70,14 @@ impl Proof {
 pub enum Witness {
     /// At this point the value is not as claimed.
     At(Point),
-    /// At this point, which has the values of no exception, a combination of the rows is zero: its factors are polynomials in
-    /// the root of the point, and one of them is a number different from 0.
+    /// At this point, which has the values of no exception, a combination of the rows is zero: its factors are
+    /// polynomials in the root of the point, and one of them is a number different from 0.
     Dependent(Point, Vec<Univariate>),
     /// At this point, which has rational coordinates and the values of the exception with this number, the rows are
     /// independent.
     Independent(Point, usize),
-    /// At this point, with these numbers for the points of the dot products, which lie on a line; those without a number are
-    /// at its origin.
+    /// At this point, with these numbers for the points of the dot products, which lie on a line; those without a
+    /// number are at its origin.
     OnLine(Point, Vec<(usize, Rational)>),
 }
 

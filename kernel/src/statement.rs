@@ -33,7 +33,8 @@ impl Relation {
     }
 }
 
-/// Variables x₁, …, xₖ with xᵢ ≥ 0 and x₁ + … + xₖ ≤ c: of k + 1 barycentric coordinates that sum to c all but the last.
+/// Variables x₁, …, xₖ with xᵢ ≥ 0 and x₁ + … + xₖ ≤ c: of k + 1 barycentric coordinates that sum to c all but the
+/// last.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Simplex {
     /// The variables, at least one.
@@ -102,8 +103,8 @@ pub enum Statement {
         /// The points.
         domain: Rc<Domain>,
     },
-    /// A polynomial of degree 1 in dot products pᵢ·pⱼ is ≥ 0 (> 0) for all points pᵢ of any space, at every point of the
-    /// domain of the other variables.
+    /// A polynomial of degree 1 in dot products pᵢ·pⱼ is ≥ 0 (> 0) for all points pᵢ of any space, at every point of
+    /// the domain of the other variables.
     Products {
         /// The polynomial.
         value: Poly,
@@ -114,8 +115,8 @@ pub enum Statement {
         /// The ranges of the other variables.
         domain: Rc<Domain>,
     },
-    /// The rows of a matrix are linearly independent at all points of a box but the exceptions, and dependent at all points
-    /// of the box that have the values of an exception.
+    /// The rows of a matrix are linearly independent at all points of a box but the exceptions, and dependent at all
+    /// points of the box that have the values of an exception.
     Independent {
         /// The rows, all of one length; their entries are polynomials in the variables of the box.
         rows: Vec<Vec<Poly>>,

@@ -150,8 +150,8 @@ impl Exact {
         Some(numbers)
     }
 
-    /// The refutation at this point, with an interval of the root that is short enough for all signs to be seen; `None` when the
-    /// kernel does not accept it.
+    /// The refutation at this point, with an interval of the root that is short enough for all signs to be seen; `None`
+    /// when the kernel does not accept it.
     pub(crate) fn refute(
         &mut self,
         statement: &Rc<Statement>,
@@ -185,8 +185,8 @@ fn number(field: Option<&Field>, x: &Element, work: &mut Work) -> Option<Coordin
     })
 }
 
-/// The refutation of a statement about a value at a point that has a coordinate for each of its variables; `None` when it does
-/// not fail there, or the work is spent.
+/// The refutation of a statement about a value at a point that has a coordinate for each of its variables; `None` when
+/// it does not fail there, or the work is spent.
 pub fn refute(
     statement: &Rc<Statement>,
     point: &[(Var, Coordinate)],

@@ -44,7 +44,8 @@ pub enum Failure {
 /// The work for making an irrational counterexample explicit.
 const EXPLICIT: u64 = 20_000_000;
 
-/// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it unchanged.
+/// Decides a statement, with `budget` times the usual work. For a matrix, permutations may be known that leave it
+/// unchanged.
 ///
 /// # Errors
 /// The statement is false, or the budget is spent.
@@ -220,8 +221,8 @@ fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     propose(statement, Certificate::Minors(proofs), hardest, budget)
 }
 
-/// The refutation of a sum of dot products at a rational point of the box of a chart, by points on a line; `None` when there
-/// are none, or the work is spent.
+/// The refutation of a sum of dot products at a rational point of the box of a chart, by points on a line; `None` when
+/// there are none, or the work is spent.
 fn on_line(
     statement: &Rc<Statement>,
     chart: &Chart,

@@ -1,7 +1,7 @@
 //! A map that costs little to compile.
 //!
-//! Every pair of types in a `BTreeMap` compiles a whole search tree, and every user of the macro builds them all. Maps of
-//! the engine have few keys: two lists will do.
+//! Every pair of types in a `BTreeMap` compiles a whole search tree, and every user of the macro builds them all. Maps
+//! of the engine have few keys: two lists will do.
 
 use core::cmp::Ordering;
 

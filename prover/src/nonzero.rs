@@ -56,10 +56,11 @@ pub fn typical(range: &Range) -> Rational {
     candidates(range, 1).into_iter().next().unwrap_or(Rational::ZERO)
 }
 
-/// A point of a domain without premises at which a value is defined and not zero; `None` only where a range of one number makes
-/// that impossible.
+/// A point of a domain without premises at which a value is defined and not zero; `None` only where a range of one
+/// number makes that impossible.
 pub(crate) fn nonzero(value: &Quotient, domain: &Domain) -> Option<Vec<(Var, Coordinate)>> {
-    // Variables with a single value leave no choice; on a simplex the coordinates that are chosen leave less for the next one.
+    // Variables with a single value leave no choice; on a simplex the coordinates that are chosen leave less for the
+    // next one.
     let mut choices: Vec<(Var, Option<usize>, Range)> = Vec::new();
     for (var, range) in &domain.region.ranges {
         choices.push((*var, None, range.clone()));

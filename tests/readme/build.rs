@@ -1,5 +1,5 @@
-//! Takes the Rust out of the README and makes a function of each block: what the text around the block takes for granted, the
-//! block as it stands, and what has to be true after it.
+//! Takes the Rust out of the README and makes a function of each block: what the text around the block takes for
+//! granted, the block as it stands, and what has to be true after it.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;

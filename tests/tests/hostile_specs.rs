@@ -234,7 +234,7 @@ fn the_sum_of_all_loops_and_orders_is_limited() {
     assert_eq!(messages(&with(&shapes)), ["a family has at most 64 shape parameters and domain variables"]);
 }
 
-/// A pipe may wait for ever for somebody who writes into it.
+/// Reading a pipe may wait for ever for a writer.
 #[test]
 #[cfg(unix)]
 fn only_regular_files_are_read() {

@@ -122,7 +122,7 @@ fn points_that_are_not_finite_are_an_error() {
     );
     let surface = [[[0.0_f64, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0], [0.0, 3.0, 0.0]]; 4];
     assert_eq!(quartic_surface::g1_uu(&surface, [0.5; 4], [0.5; 4], 1e-310), Err(CurveError::NotFinite));
-    // A small δ alone is none.
+    // A small δ alone is no error.
     assert!(quadratic::g1(&p, 0.5, 0.5, 1e-300).is_ok());
 }
 

@@ -1,5 +1,5 @@
-//! An edit of a spec file, of a file that it uses, or of an environment variable in its path makes Cargo build the crate
-//! anew, also after an error.
+//! An edit of a spec file, of a file that it uses, or of an environment variable in its path makes Cargo rebuild the
+//! crate, also after an error.
 
 use std::fs;
 use std::path::Path;

@@ -1,7 +1,8 @@
-//! The list of what a folder of certificates holds, so that nobody takes certificates away unnoticed.
+//! The list of what a folder of certificates holds, by which a missing one is noticed.
 //!
-//! `DIR/manifest.json` has the paths that were given to `check` and, for each spec that they stand for, its families in all
-//! orders, theorems and joins with the numbers of their claims. `verify` finds and reads the specs anew and expects the same.
+//! `DIR/manifest.json` has the paths that were given to `check` and, for each spec that they stand for, its families in
+//! all orders, theorems and joins with the numbers of their claims. `verify` finds and reads the specs itself and
+//! expects the same.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -86,7 +87,8 @@ fn read(folder: &Path) -> Result<Manifest, String> {
     Ok(Manifest { paths, specs })
 }
 
-/// What is wrong with the list of a folder; `asked` are paths of specs that must be on it, those that they stand for included.
+/// What is wrong with the list of a folder; `asked` are paths of specs that must be on it, those that they stand for
+/// included.
 ///
 /// All specs that should have certificates are read.
 pub(super) fn verify(folder: &Path, asked: &[PathBuf], specs: &mut Specs) -> Vec<String> {

@@ -1,20 +1,20 @@
 //! Certificates as files: what `basis check --certificates` writes and `basis verify` reads.
 //!
-//! There is one JSON file for each family and order, `DIR/<path of the spec>/<name>-<order>.json`. It says which claims the spec
-//! makes and how each is proved or where it fails, and nothing that follows from the spec: `verify` reads the spec anew,
-//! works out what has to be shown, and has the kernel check it.
+//! There is one JSON file for each family and order, `DIR/<path of the spec>/<name>-<order>.json`. It says which claims
+//! the spec makes and how each is proved or where it fails, and nothing that follows from the spec: `verify` reads the
+//! spec itself, works out what has to be shown, and has the kernel check it.
 //!
 //! ```text
 //! format       "basis certificate 2"
 //! spec         the path of the spec as it was given
 //! kind, name, order, variables     the family; variables are x0, x1, … in proofs
-//! obligations  what must be true for the formulas to mean something; for each: of, proof, and `negative` where a denominator is
-//!              negative everywhere
+//! obligations  what must be true for the formulas to mean something; for each: of, proof, and `negative` where a
+//!              denominator is negative everywhere
 //! claims       for each: claim, line, declared, and
-//!   proved     steps: the number of statements that the claim makes; proofs: those of them that need more than computing, by
-//!              their places
-//!   refuted    of: the expression that is not as claimed; witness: where; value: its value there; given: the control points
-//!              of a theorem, if it is about any points
+//!   proved     steps: the number of statements that the claim makes; proofs: those of them that need more than
+//!              computing, by their places
+//!   refuted    of: the expression that is not as claimed; witness: where; value: its value there; given: the control
+//!              points of a theorem, if it is about any points
 //!   undecided  left: what is left to decide
 //! ```
 //!

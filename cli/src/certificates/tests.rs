@@ -245,7 +245,7 @@ fn kind(place: &str) -> String {
     place.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<_>>().join("/")
 }
 
-/// So many places of one kind are corrupted in each claim.
+/// How many places of one kind are corrupted in each claim.
 const ALIKE: usize = 2;
 
 #[test]
@@ -349,7 +349,7 @@ fn claims_are_neither_lost_nor_exchanged() {
         corrupt["claims"] = Value::from(claims[..k].to_vec());
         assert_ne!(certificate(&corrupt, &spec, &mut items), [""; 0]);
     }
-    // The certificate of one order is none of another.
+    // The certificate of one order is not valid for another.
     let orders: Vec<&Value> = values.iter().filter(|v| v["name"] == "Patch").collect();
     let mut corrupt = orders[0].clone();
     corrupt["order"] = orders[1]["order"].clone();

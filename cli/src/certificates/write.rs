@@ -28,8 +28,8 @@ pub(crate) fn write(folder: &Path, outcome: &Outcome) -> Vec<Diagnostic> {
     problems
 }
 
-/// `specs/quartic.basis`, `Bernstein(3)` → `specs/quartic/Bernstein-3.json`, `library:quartic` → `library/quartic/…`; always
-/// inside of the folder.
+/// `specs/quartic.basis`, `Bernstein(3)` → `specs/quartic/Bernstein-3.json`, `library:quartic` → `library/quartic/…`;
+/// always inside of the folder.
 fn place(spec: &str, subject: &Subject) -> PathBuf {
     let mut place = PathBuf::new();
     let spec = spec.strip_prefix(LIBRARY).map_or_else(|| spec.to_string(), |name| format!("library/{name}"));

@@ -1,6 +1,6 @@
 //! Values of index parameters as text: `n = 1..=30`.
 
-/// So many orders that do not form a range are listed.
+/// The most orders that are listed when they do not form a range.
 const FEW: usize = 4;
 
 /// The values of one order, such as `m = 2, n = 3`.

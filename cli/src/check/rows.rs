@@ -11,7 +11,7 @@ use super::orders;
 use super::prove::{Decided, DecidedClaim};
 use super::statements::{Entry, Kind, statements};
 
-/// So many claims of one statement, made by a `for`, are still shown one by one.
+/// The most claims of one statement, made by a `for`, that are shown one by one.
 const FEW: usize = 8;
 
 /// Nets with more points are not printed in tables.

@@ -62,7 +62,7 @@ impl Folder {
         self
     }
 
-    /// Writes a file of the folder anew.
+    /// Overwrites a file of the folder.
     pub(crate) fn write(&self, name: &str, text: &str) -> &Self {
         fs::write(self.path().join(name), text).expect("a file can be written");
         self

@@ -20,8 +20,8 @@ pub struct Contact {
     pub conditions: Vec<String>,
 }
 
-/// What the contacts C1, G1, C2 and G2 at both ends of a curve P over a family on an interval say about another curve Q; a contact is
-/// left out where the derivatives at the end are dependent for all shape values.
+/// What the contacts C1, G1, C2 and G2 at both ends of a curve P over a family on an interval say about another curve
+/// Q; a contact is left out where the derivatives at the end are dependent for all shape values.
 pub fn contacts(family: &Family) -> Vec<Contact> {
     [Side::After, Side::Before].iter().flat_map(|side| at_end(family, *side)).collect()
 }

@@ -4,7 +4,8 @@ use crate::generate::combination;
 use crate::model::label;
 use crate::theorem::{Origin, Theorem, Unit};
 
-/// The control points that `let` determines, such as `Q[0]` and `P[2]`, in terms of given points, or by their coordinates.
+/// The control points that `let` determines, such as `Q[0]` and `P[2]`, in terms of given points, or by their
+/// coordinates.
 pub fn determined_points(theorem: &Theorem) -> Vec<(String, String)> {
     let mut all = Vec::new();
     for patch in &theorem.patches {

@@ -1,5 +1,5 @@
-//! Curves that continue curves: the control points next to an end as formulas in the derivatives there, and the documented methods
-//! that use them.
+//! Curves that continue curves: the control points next to an end as formulas in the derivatives there, and the
+//! documented methods that use them.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
@@ -44,7 +44,7 @@ impl<'a> Ends<'a> {
         Self { shell, start: solved(true), end: solved(false) }
     }
 
-    /// The methods for people: curves that continue a curve.
+    /// The methods that users call: curves that continue a curve.
     pub(super) fn methods(&self) -> TokenStream {
         let runtime = self.shell.runtime;
         let core = self.shell.core();

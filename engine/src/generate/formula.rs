@@ -41,7 +41,8 @@ fn distances(var: Var, low: &Rational, high: &Rational) -> [Poly; 2] {
     [&t - &Poly::constant(low.clone()), &Poly::constant(high.clone()) - &t]
 }
 
-/// A polynomial times powers, over a denominator; a number stands before the product where the polynomial would have fractions.
+/// A polynomial times powers, over a denominator; a number stands before the product where the polynomial would have
+/// fractions.
 fn product(whole: &Poly, powers: &[(Poly, u32)], denom: &Poly, names: &[String]) -> String {
     let content = whole.numeric_content();
     let alone = powers.iter().all(|(_, power)| *power == 0) && denom.is_one();

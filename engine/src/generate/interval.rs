@@ -47,7 +47,7 @@ struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
-    /// The methods for people; the trait has the same for generic code.
+    /// The methods that users call; the trait has the same for generic code.
     fn methods(&self) -> TokenStream {
         let Self { runtime, form, .. } = self;
         let (len, terms) =

@@ -1,7 +1,8 @@
 //! Families on triangles, tetrahedra and boxes: values, and the table from which everything else follows.
 //!
-//! A family that is raised from a lowest order is emitted as the functions of that order and the steps, written out, to its
-//! own; each step is a sum of products of nonnegative coordinates with functions, so it keeps signs and small relative errors.
+//! A family that is raised from a lowest order is emitted as the functions of that order and the steps, written out, to
+//! its own; each step is a sum of products of nonnegative coordinates with functions, so it keeps signs and small
+//! relative errors.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
@@ -40,8 +41,8 @@ pub(super) fn emit(shell: &Shell<'_>, verdicts: &[(Claim, Verdict)]) -> Result<T
     Ok(shell.definition(&docs::family(family, &formulas, verdicts), &emitter.methods(), &emitter.traits()))
 }
 
-/// How many steps b[I] = Σ_j x_j b[I − e_j] lead from the functions of the lowest order to those of the family; 0 when its
-/// recursion is another one.
+/// How many steps b[I] = Σ_j x_j b[I − e_j] lead from the functions of the lowest order to those of the family; 0 when
+/// its recursion is another one.
 fn recursion(family: &Family) -> u32 {
     let corners = family.domain.len() + 1;
     if !family.is_simplex() || !lattice(&family.base, corners) || !lattice(&family.functions, corners) {
@@ -132,7 +133,7 @@ impl Emitter<'_> {
         (Literal::usize_unsuffixed(self.shell.family.functions.len()), Literal::usize_unsuffixed(terms))
     }
 
-    /// The methods for people; the trait has the same for generic code.
+    /// The methods that users call; the trait has the same for generic code.
     fn methods(&self) -> TokenStream {
         let Shell { runtime, family, .. } = self.shell;
         let simplex = family.is_simplex();
@@ -269,7 +270,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// What a triangle has besides: edges. When on every edge the functions of its control points alone are different from
+    /// What only a triangle has: edges. When on every edge the functions of its control points alone are different from
     /// zero, an edge of a patch is a curve over these points, else over the Bernstein points of the edge.
     fn triangle(&self) -> TokenStream {
         let Shell { runtime, name, family, .. } = self.shell;
@@ -427,8 +428,8 @@ impl Emitter<'_> {
         if present == 1 { sum } else { quote_spanned!(site()=> (#sum)) }
     }
 
-    /// The Bernstein coefficients, one column for each function: the different ones, and which of them stands where as a
-    /// string of bytes, the shortest code for a table.
+    /// The Bernstein coefficients, one column for each function: the different ones, and which of them stands where as
+    /// a string of bytes, the shortest code for a table.
     fn weights(&self) -> TokenStream {
         let runtime = self.shell.runtime;
         let mut code = self.shell.scalars();

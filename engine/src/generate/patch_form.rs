@@ -1,8 +1,8 @@
 //! The exact formulas that are emitted for families on simplices and boxes: factored values and Bernstein tables.
 //!
 //! A domain is a product of simplices: a triangle is one group of coordinates (u, v, w) with the sum 1, a box one group
-//! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with the
-//! powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
+//! (x, s), x = (t − low)/(high − low), for each of its variables. In every group a function is made homogeneous with
+//! the powers of the sum, which is 1; its coefficients are then those of the Bernstein form, up to multinomial factors.
 
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
@@ -151,7 +151,8 @@ fn degrees(numer: &Poly, groups: &[Group]) -> Vec<u32> {
     groups.mapped(|g| numer.terms().map(|(m, _)| of(m, g)).max().unwrap_or(0))
 }
 
-/// The coefficients, polynomials in the shape parameters, of the monomials in all coordinates, homogeneous of these degrees.
+/// The coefficients, polynomials in the shape parameters, of the monomials in all coordinates, homogeneous of these
+/// degrees.
 fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec<u32>, Poly> {
     let mut result: SortedMap<Vec<u32>, Poly> = SortedMap::new();
     for (monomial, c) in numer.terms() {
@@ -273,7 +274,8 @@ fn reciprocal(exponents: &[u32], groups: &[Group]) -> Rational {
     product.recip().unwrap_or(Rational::ONE)
 }
 
-/// The functions of the next order by the recursion b[I] = Σ_j x_j b[I − e_j] on a simplex, x_j the barycentric coordinates.
+/// The functions of the next order by the recursion b[I] = Σ_j x_j b[I − e_j] on a simplex, x_j the barycentric
+/// coordinates.
 pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
     use crate::algebra::fraction::Fraction;
     let mut known: SortedMap<&[i64], &Fraction> = SortedMap::new();
@@ -301,8 +303,8 @@ pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
         .listed()
 }
 
-/// A function as a product in the coordinates of a simplex, for reading; what is left beside their powers is homogeneous in
-/// all coordinates, or a polynomial in the independent ones where that is shorter.
+/// A function as a product in the coordinates of a simplex, for reading; what is left beside their powers is
+/// homogeneous in all coordinates, or a polynomial in the independent ones where that is shorter.
 pub fn factored_text(family: &Family, f: &PatchFunction, form: &PatchForm) -> String {
     let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
     let monomial = |exponents: &[u32]| {

@@ -158,7 +158,7 @@ pub struct Theorem {
 pub enum TheoremKind {
     /// Its claims are decided.
     Theorem,
-    /// Besides, it becomes a function that computes the control points that it determines.
+    /// It also becomes a function that computes the control points that it determines.
     Join,
 }
 

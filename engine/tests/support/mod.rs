@@ -6,7 +6,8 @@ use basis_engine::algebra::work::Work;
 use basis_engine::{Claim, Subject, Verdict, state};
 use basis_kernel::{Proof, Refutation, text};
 
-/// Whether a verdict is about the statements that the claim makes, and its certificates can be written, read and checked again.
+/// Whether a verdict is about the statements that the claim makes, and its certificates can be written, read and
+/// checked again.
 pub(crate) fn recheck(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Result<(), String> {
     let work = &mut Work::usual(subject.budget());
     match verdict {

@@ -115,8 +115,8 @@ impl Monomial {
         }
     }
 
-    /// The product; panics when an exponent exceeds 65535, as a wrapped one would make false identities true. The checker
-    /// refuses polynomials that come near to it, see [`Work::spend_product`](super::work::Work::spend_product).
+    /// The product; panics when an exponent exceeds 65535, as a wrapped one would make false identities true. The
+    /// checker refuses polynomials that come near to it, see [`Work::spend_product`](super::work::Work::spend_product).
     pub(super) fn mul(&self, other: &Self) -> Self {
         if let (Packed(a), Packed(b)) = (&self.0, &other.0)
             && (a | b) & HIGH_BITS == 0

@@ -14,8 +14,8 @@ pub struct Work {
 }
 
 impl Work {
-    /// The work that checking one proof may take, for a spec that allows `factor` times the usual budget: many times what a
-    /// search may spend to find one.
+    /// The work that checking one proof may take, for a spec that allows `factor` times the usual budget: many times
+    /// what a search may spend to find one.
     pub fn usual(factor: u32) -> Self {
         Self::new(200_000_000_u64.saturating_mul(u64::from(factor)))
     }

@@ -1,10 +1,10 @@
 //! Signs from Bernstein coefficients, on a box or on the cells into which it is cut.
 //!
-//! **Theorem.** On a box, p is a combination of its Bernstein coefficients with nonnegative weights that sum to 1: p ≥ 0 if none
-//! is negative. At a point of a face, exactly the weights of the coefficients on that face are positive inside of it: p > 0
-//! there if one of these is positive. A face has at least the coefficients of the smaller faces in it, so that the smallest
-//! ones which belong to the box are enough. On a side without an upper end, with x = a + s/(1 − s), the same is true of
-//! (1 − s)ⁿ p.
+//! **Theorem.** On a box, p is a combination of its Bernstein coefficients with nonnegative weights that sum to 1: p ≥
+//! 0 if none is negative. At a point of a face, exactly the weights of the coefficients on that face are positive
+//! inside of it: p > 0 there if one of these is positive. A face has at least the coefficients of the smaller faces in
+//! it, so that the smallest ones which belong to the box are enough. On a side without an upper end, with x = a + s/(1
+//! − s), the same is true of (1 − s)ⁿ p.
 
 use super::claim::Claim;
 use crate::algebra::bernstein::{Form, Side};

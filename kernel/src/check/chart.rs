@@ -1,11 +1,11 @@
 //! Simplices as images of boxes.
 //!
-//! **Theorem.** The simplex xᵢ ≥ 0, x₁ + … + xₖ ≤ c is the image of the unit box under x₁ = c(1 − s₁), x₂ = c·s₁(1 − s₂),
-//! x₃ = c·s₁s₂(1 − s₃), …; so p ≥ 0 (> 0) holds on the simplex if and only if it does on the box, with these polynomials
-//! in place of the xᵢ.
+//! **Theorem.** The simplex xᵢ ≥ 0, x₁ + … + xₖ ≤ c is the image of the unit box under x₁ = c(1 − s₁), x₂ = c·s₁(1 −
+//! s₂), x₃ = c·s₁s₂(1 − s₃), …; so p ≥ 0 (> 0) holds on the simplex if and only if it does on the box, with these
+//! polynomials in place of the xᵢ.
 //!
-//! *Proof.* c·s₁⋯sᵢ is what x₁, …, xᵢ leave of c. It determines sᵢ unless nothing was left before, and then any number will
-//! do for sᵢ.
+//! *Proof.* c·s₁⋯sᵢ is what x₁, …, xᵢ leave of c. It determines sᵢ unless nothing was left before, and then any number
+//! will do for sᵢ.
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
@@ -25,8 +25,9 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// The chart of a domain on which polynomials are looked at. The variables sᵢ of the box follow those that occur in the
-    /// domain or in the polynomials, simplex by simplex. Premises play no part: what holds without them holds with them.
+    /// The chart of a domain on which polynomials are looked at. The variables sᵢ of the box follow those that occur in
+    /// the domain or in the polynomials, simplex by simplex. Premises play no part: what holds without them holds with
+    /// them.
     ///
     /// # Errors
     /// When a variable belongs to two simplices or has a range beside, or a simplex has no variable.

@@ -1,8 +1,8 @@
 //! Resultants.
 //!
-//! **Theorem.** The resultant of a and b in x is the determinant of their Sylvester matrix. It is a polynomial in the other
-//! variables whose degree in y is at most deg_y a · deg_x b + deg_y b · deg_x a; so its values on a grid with one more
-//! point for each variable determine it.
+//! **Theorem.** The resultant of a and b in x is the determinant of their Sylvester matrix. It is a polynomial in the
+//! other variables whose degree in y is at most deg_y a · deg_x b + deg_y b · deg_x a; so its values on a grid with one
+//! more point for each variable determine it.
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;

@@ -1,10 +1,10 @@
 //! Signs from sample points: projections, and one point in each open cell of a decomposition.
 //!
-//! **Theorem** (Collins; McCallum; Strzeboński for open cells). Let p be made of polynomials of the highest level, and the
-//! leading coefficients, discriminants, pairwise resultants and restrictions to the ends of the range of each level be made of
-//! polynomials of the lower ones. Over an open cell of the lower variables on which none of those vanishes, the roots
-//! of the level are continuous and keep apart: p has one sign on each of the open cells between them. The open cells together
-//! are dense in the box; so p ≥ 0 if it is at one point of each.
+//! **Theorem** (Collins; McCallum; Strzeboński for open cells). Let p be made of polynomials of the highest level, and
+//! the leading coefficients, discriminants, pairwise resultants and restrictions to the ends of the range of each level
+//! be made of polynomials of the lower ones. Over an open cell of the lower variables on which none of those vanishes,
+//! the roots of the level are continuous and keep apart: p has one sign on each of the open cells between them. The
+//! open cells together are dense in the box; so p ≥ 0 if it is at one point of each.
 
 use super::claim::{Claim, divided};
 use super::elimination::resultant;

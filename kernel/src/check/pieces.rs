@@ -1,7 +1,7 @@
 //! A box without some flats, as boxes.
 //!
-//! **Theorem.** The points of a box that do not have all of the values x₁ = c₁, …, xₖ = cₖ are those with x₁ < c₁ or x₁ > c₁,
-//! those with x₁ = c₁ and x₂ < c₂ or x₂ > c₂, and so on: at most 2k boxes.
+//! **Theorem.** The points of a box that do not have all of the values x₁ = c₁, …, xₖ = cₖ are those with x₁ < c₁ or
+//! x₁ > c₁, those with x₁ = c₁ and x₂ < c₂ or x₂ > c₂, and so on: at most 2k boxes.
 
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
@@ -9,8 +9,8 @@ use crate::algebra::rational::Rational;
 use crate::collections::sort::sort_by;
 use crate::statement::Values;
 
-/// The parts of a box in which no point has all values of one of the exceptions, none of them empty; `None` when there are more
-/// than `most`.
+/// The parts of a box in which no point has all values of one of the exceptions, none of them empty; `None` when there
+/// are more than `most`.
 pub fn pieces(region: &Region, except: &[Values], most: usize) -> Option<Vec<Region>> {
     let mut parts: Vec<Region> = Vec::new();
     if !region.ranges.iter().any(|(_, r)| r.is_empty()) {

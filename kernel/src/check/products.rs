@@ -1,12 +1,12 @@
 //! Sums of dot products of points, for all points of a space of any dimension.
 //!
-//! **Theorem.** c + Σ aᵢⱼ pᵢ·pⱼ ≥ 0 (> 0) for all points pᵢ if and only if c ≥ 0 (> 0) and the symmetric matrix A = (aᵢⱼ) is
-//! positive semidefinite. That it is can be seen from a decomposition L D Lᵀ with D ≥ 0, or from e₁, …, eₙ ≥ 0, where eₖ is the
-//! sum of its principal minors of size k.
+//! **Theorem.** c + Σ aᵢⱼ pᵢ·pⱼ ≥ 0 (> 0) for all points pᵢ if and only if c ≥ 0 (> 0) and the symmetric matrix A =
+//! (aᵢⱼ) is positive semidefinite. That it is can be seen from a decomposition L D Lᵀ with D ≥ 0, or from e₁, …, eₙ ≥
+//! 0, where eₖ is the sum of its principal minors of size k.
 //!
-//! *Proof.* The sum of the forms in each coordinate is c + Σ xᵀA x; far out c does not matter. det(λ + A) = Σ eₖ λⁿ⁻ᵏ has no
-//! positive root if no eₖ is negative, so that A has no negative eigenvalue; and the eₖ are the elementary symmetric functions
-//! of the eigenvalues.
+//! *Proof.* The sum of the forms in each coordinate is c + Σ xᵀA x; far out c does not matter. det(λ + A) = Σ eₖ λⁿ⁻ᵏ
+//! has no positive root if no eₖ is negative, so that A has no negative eigenvalue; and the eₖ are the elementary
+//! symmetric functions of the eigenvalues.
 
 use crate::algebra::poly::{Monomial, Poly};
 use crate::algebra::rational::Rational;
@@ -91,8 +91,8 @@ impl Gram {
     }
 }
 
-/// What must be ≥ 0 (> 0) for a polynomial of degree 1 in dot products to be so for all points: its value with all points at the
-/// origin, and the sums of the principal minors of its matrix, those of size 1 first.
+/// What must be ≥ 0 (> 0) for a polynomial of degree 1 in dot products to be so for all points: its value with all
+/// points at the origin, and the sums of the principal minors of its matrix, those of size 1 first.
 ///
 /// # Errors
 /// When it is not of degree 1, there are too many points, or the work is spent.

@@ -1,9 +1,9 @@
 //! Linear independence of the rows of a matrix of polynomials.
 //!
-//! **Theorems.** Rows are independent at a point if after a change to other bases they are. If the rows fall into blocks, each of
-//! them zero in the chosen columns of all later blocks, and in each block one of some minors is not zero, they are independent.
-//! A minor of whole numbers that is not zero modulo a prime is not zero.
-//! If Σ cᵢ·(row i) = 0 with polynomials cᵢ that are not all zero, all maximal minors vanish, also where the cᵢ do.
+//! **Theorems.** Rows are independent at a point if after a change to other bases they are. If the rows fall into
+//! blocks, each of them zero in the chosen columns of all later blocks, and in each block one of some minors is not
+//! zero, they are independent. A minor of whole numbers that is not zero modulo a prime is not zero. If Σ cᵢ·(row i) =
+//! 0 with polynomials cᵢ that are not all zero, all maximal minors vanish, also where the cᵢ do.
 
 use super::pieces::pieces;
 use super::sign::signed;
@@ -212,7 +212,8 @@ fn changed(rows: &[Vec<Poly>], change: &ChangeOfBasis, work: &mut Work) -> Resul
     Ok(result)
 }
 
-/// Checks that minors do not vanish together: a single one has a sign, or the sum of the squares of several is positive.
+/// Checks that minors do not vanish together: a single one has a sign, or the sum of the squares of several is
+/// positive.
 fn minors(rows: &[Vec<Poly>], block: &Minors, region: &Region, work: &mut Work) -> Result<(), Refusal> {
     fits(block.columns.len() <= MAX_MINORS, "a block has too many minors")?;
     let rows: Vec<&[Poly]> = block.rows.iter().map(|r| &rows[*r][..]).collect();

@@ -1,7 +1,7 @@
 //! Signs of polynomials on boxes.
 //!
-//! **Theorems.** p of degree 1 in x lies between its values at the ends of the range of x. A product has the product of the
-//! signs of its factors. A box is the union of its relatively open faces.
+//! **Theorems.** p of degree 1 in x lies between its values at the ends of the range of x. A product has the product of
+//! the signs of its factors. A box is the union of its relatively open faces.
 
 use super::claim::{Claim, divided, inside, without_ends};
 use super::{bernstein, levels, slices};

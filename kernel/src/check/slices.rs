@@ -1,11 +1,12 @@
 //! Strict signs on open boxes, by slices.
 //!
-//! **Theorem** (Lazard 1994; proof by McCallum, Parusiński and Paunescu 2019). Let the polynomials of the levels be as in
-//! `levels`, and for three variables or more contain the trailing coefficients too. Over an interval between neighbouring
-//! roots of the lowest level all cells are alike, those that are not open as well: p has a zero in every slice x = c of the
-//! open box or in none. So if p has no zero in one slice of each interval, nor in those at the rational roots, then a zero of p has
-//! an irrational root of the lowest level as this coordinate. If that is so for each variable, and p is not zero near
-//! the points with such coordinates, p has no zero at all; the box is connected, and one positive value is enough.
+//! **Theorem** (Lazard 1994; proof by McCallum, Parusiński and Paunescu 2019). Let the polynomials of the levels be as
+//! in `levels`, and for three variables or more contain the trailing coefficients too. Over an interval between
+//! neighbouring roots of the lowest level all cells are alike, those that are not open as well: p has a zero in every
+//! slice x = c of the open box or in none. So if p has no zero in one slice of each interval, nor in those at the
+//! rational roots, then a zero of p has an irrational root of the lowest level as this coordinate. If that is so for
+//! each variable, and p is not zero near the points with such coordinates, p has no zero at all; the box is connected,
+//! and one positive value is enough.
 
 use std::rc::Rc;
 

@@ -1,8 +1,8 @@
 //! Real roots in an interval.
 //!
-//! **Theorem** (Sturm 1829). Let p₀ be a polynomial without multiple roots, p₁ its derivative, and each further one the negative
-//! remainder of the two before, up to positive factors. With V(x) the number of changes of sign in p₀(x), p₁(x), …, there are
-//! V(a) − V(b) roots with a < x ≤ b.
+//! **Theorem** (Sturm 1829). Let p₀ be a polynomial without multiple roots, p₁ its derivative, and each further one the
+//! negative remainder of the two before, up to positive factors. With V(x) the number of changes of sign in p₀(x),
+//! p₁(x), …, there are V(a) − V(b) roots with a < x ≤ b.
 
 use super::claim::inside;
 use crate::algebra::poly::{Poly, Var};

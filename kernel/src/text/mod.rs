@@ -1,7 +1,8 @@
 //! Certificates and witnesses as text: nested lists in round brackets, on one line.
 //!
-//! Variables are `x0`, `x1`, …; numbers fractions in lowest terms, `-3/2`; polynomials expanded sums without spaces in the order
-//! of [`Poly`](crate::algebra::poly::Poly), `1-3*x0+x0*x1^2`. There is one text for each certificate, and no other text is read.
+//! Variables are `x0`, `x1`, …; numbers fractions in lowest terms, `-3/2`; polynomials expanded sums without spaces in
+//! the order of [`Poly`](crate::algebra::poly::Poly), `1-3*x0+x0*x1^2`. There is one text for each certificate, and no
+//! other text is read.
 //!
 //! ```text
 //! certificate  direct
@@ -10,7 +11,7 @@
 //!              (rank (PIECE …) (EXCEPTION …))
 //! PROOF        .                             Bernstein coefficients on the whole box
 //!              (cut x0 PROOF PROOF)          the lower half, the upper half; inside only . and (cut …)
-//!              (corners x0 PROOF PROOF)      for both ends; (corners x0 PROOF PROOF 1/2 PROOF) with a point between them
+//!              (corners x0 PROOF PROOF)      for both ends; (corners x0 PROOF PROOF 1/2 PROOF) with a point between
 //!              (factors (FACTOR ANY) … SIGNED)   ANY: ^ for an even power, else SIGNED; last the sign of what is left
 //!              (faces PROOF …)
 //!              (cells (x0 …) ((POLYNOMIAL …) …) (SAMPLE …))      SAMPLE: 1/2, or (1/2 SAMPLE …) with those above

@@ -1,5 +1,5 @@
-//! Forged certificates: random changes of real ones, and random ones, for statements that are false by construction. None of
-//! them may be accepted.
+//! Forged certificates: random changes of real ones, and random ones, for statements that are false by construction.
+//! None of them may be accepted.
 
 use std::rc::Rc;
 

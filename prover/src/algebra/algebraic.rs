@@ -71,8 +71,8 @@ impl Algebraic {
         Some(())
     }
 
-    /// The same number as root of a polynomial without rational roots, if it is irrational, in an interval inside the old
-    /// one whose ends are short decimals; `None` when the work is spent.
+    /// The same number as root of a polynomial without rational roots, if it is irrational, in an interval inside the
+    /// old one whose ends are short decimals; `None` when the work is spent.
     pub fn tidy(&self, work: &mut Work) -> Option<Self> {
         let mut polynomial = self.polynomial.clone();
         for root in rational_roots(&polynomial, work)? {

@@ -50,7 +50,7 @@ fn quotient<'a>(p: &Poly, factors: impl Iterator<Item = (&'a Poly, u32)>) -> Rat
     factors.fold(lead(p), |c, (f, e)| c.checked_div(&lead(f).pow(e)).unwrap_or(Rational::ZERO))
 }
 
-/// Two factors of a square-free polynomial that are no numbers; none when there are none of the kinds that are looked for.
+/// Two factors of a square-free polynomial, neither a number; no factors when it has none of the forms looked for.
 fn split(f: &Poly, work: &mut Work) -> Option<Vec<Poly>> {
     let variables = f.variables();
     if let [only] = &variables[..] {

@@ -1,8 +1,8 @@
 //! Arithmetic in Q(θ) for a real algebraic number θ, with polynomials in θ as numbers.
 //!
-//! The polynomial m of θ need not be irreducible. When it turns out that a value has a common factor with m, one of the two
-//! parts of m has the root θ, and takes the place of m: so a value is zero exactly if m divides it, and invertible otherwise
-//! ("dynamic evaluation": J. Della Dora, C. Dicrescenzo, D. Duval 1985).
+//! The polynomial m of θ need not be irreducible. When it turns out that a value has a common factor with m, one of the
+//! two parts of m has the root θ, and takes the place of m: so a value is zero exactly if m divides it, and invertible
+//! otherwise ("dynamic evaluation": J. Della Dora, C. Dicrescenzo, D. Duval 1985).
 
 use super::algebraic::Algebraic;
 use super::poly::{Poly, Var};
@@ -229,8 +229,8 @@ impl Field {
         Some(())
     }
 
-    /// Factors with which the sum of some rows of a matrix is zero: of the first row that depends on those before it, 1, and of
-    /// these the others; nothing when all rows are independent. Rows are asked for one after the other.
+    /// Factors with which the sum of some rows of a matrix is zero: of the first row that depends on those before it,
+    /// 1, and of these the others; nothing when all rows are independent. Rows are asked for one after the other.
     pub fn vanishing_combination(
         &mut self,
         count: usize,
@@ -276,7 +276,8 @@ impl Field {
 /// A row of a matrix over a field, by its number; `None` when the work is spent.
 pub type RowOf<'a> = dyn Fn(&Field, usize, &mut Work) -> Option<Vec<Element>> + 'a;
 
-/// A field that contains all of some numbers, and what they are in it; `None` for no numbers, or when the work is spent.
+/// A field that contains all of some numbers, and what they are in it; `None` for no numbers, or when the work is
+/// spent.
 pub fn field_of(numbers: &[Algebraic], work: &mut Work) -> Option<(Field, Vec<Element>)> {
     let (first, others) = numbers.split_first()?;
     let mut field = Field::new(first.clone());

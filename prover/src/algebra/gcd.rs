@@ -223,8 +223,9 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
     Some(factors)
 }
 
-/// The polynomial with a positive leading coefficient whose square this is, if there is one; from the greatest term on, each
-/// term of a square is twice the product of the greatest term of the root and one that is not known yet, plus what is known.
+/// The polynomial with a positive leading coefficient whose square this is, if there is one; from the greatest term on,
+/// each term of a square is twice the product of the greatest term of the root and one that is not known yet, plus what
+/// is known.
 fn square_root(poly: &Poly) -> Option<Poly> {
     let half = |m: &Monomial| {
         let exponents = m.exponents();

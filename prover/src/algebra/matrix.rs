@@ -219,7 +219,7 @@ pub fn polynomial_combination(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec
 /// What is known about a linear system over the rational functions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Solution {
-    /// There is none.
+    /// There is no solution.
     Unsolvable,
     /// xⱼ = numeratorⱼ / denominator; unknowns that the equations leave free are zero.
     Solved {

@@ -1,5 +1,5 @@
-//! The kernel's numbers and polynomials, and what only a search needs of algebra: common divisors, factors, resultants, roots,
-//! real algebraic numbers, matrices.
+//! The kernel's numbers and polynomials, and what only a search needs of algebra: common divisors, factors, resultants,
+//! roots, real algebraic numbers, matrices.
 
 pub use basis_kernel::algebra::{bernstein, fibre, poly, rational, univariate, work};
 

@@ -26,8 +26,8 @@ pub fn spend_simplest(low: &Rational, high: &Rational, work: &mut Work) -> Optio
 
 /// The simplest number in the open interval (low, high) for 0 ≤ low < high.
 ///
-/// Walks down the continued fraction that the two ends share, x = n + 1/y, in whole numbers: the ends are a/b and c/d, with
-/// d = 0 for +∞, and (p, q; r, s) is the product of the matrices (n, 1; 1, 0), so that x = (p·y + q)/(r·y + s).
+/// Walks down the continued fraction that the two ends share, x = n + 1/y, in whole numbers: the ends are a/b and c/d,
+/// with d = 0 for +∞, and (p, q; r, s) is the product of the matrices (n, 1; 1, 0), so that x = (p·y + q)/(r·y + s).
 fn above_zero(low: &Rational, high: Option<&Rational>) -> Rational {
     let (mut a, mut b) = (low.numer(), low.denom());
     let (mut c, mut d) = high.map_or((Rational::ONE, Rational::ZERO), |x| (x.numer(), x.denom()));

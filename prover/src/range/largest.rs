@@ -27,11 +27,11 @@ pub enum LargestRange {
     Undecided(String),
 }
 
-/// Finds the largest interval of `var` around its range in the region on which all polynomials are nonnegative, the other
-/// variables on their ranges.
+/// Finds the largest interval of `var` around its range in the region on which all polynomials are nonnegative, the
+/// other variables on their ranges.
 ///
-/// A condition that holds for all values of the others in a range holds on a closed set of values of `var`, whose ends are
-/// among the roots of the projection to `var`; so one value between neighbouring roots decides for all of them.
+/// A condition that holds for all values of the others in a range holds on a closed set of values of `var`, whose ends
+/// are among the roots of the projection to `var`; so one value between neighbouring roots decides for all of them.
 pub fn largest_range(polys: &[Poly], var: Var, region: &Region, budget: &mut Budget) -> LargestRange {
     if region.ranges.iter().any(|(_, r)| r.is_empty()) {
         return LargestRange::Between(None, None);
@@ -146,7 +146,7 @@ fn of_one(p: &Poly, var: Var, region: &Region, budget: &mut Budget) -> LargestRa
     let Some((polys, roots)) = found else { return undecided() };
     let plain: Vec<Root> = roots.mapped(|(_, root)| root.clone());
     let samples = between_roots(&plain, None, None);
-    // How many roots lie below a number that is none of them.
+    // The number of roots below a number that is not one of them.
     let below = |x: &Rational| {
         let before = |(k, root): &(usize, Root)| match root {
             Root::Exact(r) => r < x,

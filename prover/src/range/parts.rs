@@ -18,8 +18,8 @@ use basis_kernel::{Relation, with};
 /// A closed interval; `None` where it has no end.
 pub type Part = (Option<Coordinate>, Option<Coordinate>);
 
-/// The largest intervals of `var` that meet its range in the region and on which all polynomials are nonnegative, the other
-/// variables on their ranges, in increasing order; single irrational numbers are left out.
+/// The largest intervals of `var` that meet its range in the region and on which all polynomials are nonnegative, the
+/// other variables on their ranges, in increasing order; single irrational numbers are left out.
 ///
 /// # Errors
 /// What is left to decide when the budget is spent.
@@ -99,8 +99,8 @@ pub fn nonnegative_parts(
     Ok(result)
 }
 
-/// A problem for each choice of ends of the ranges of those variables in which a polynomial has degree 1: with fewer variables
-/// to project.
+/// A problem for each choice of ends of the ranges of those variables in which a polynomial has degree 1: with fewer
+/// variables to project.
 fn corners(p: &Poly, var: Var, region: &Region, problems: &mut Vec<Problem>) {
     let problem = Problem::new(p, &with(region, var, Range::all()));
     let affine = |(v, r): &&(Var, Range)| *v != var && problem.poly.degree(*v) == 1 && *r != Range::all();

@@ -14,12 +14,12 @@ pub(super) struct Block {
 /// Blocks with all rows, each row in one of them, and no column in two, such that the rows of a block are zero in the
 /// columns of all later blocks: when the rows of every block are independent in its own columns, all rows are.
 ///
-/// `None` when there are no such blocks with as many columns as rows: then the rows are dependent whatever stands in the
-/// places that are not zero.
+/// `None` when there are no such blocks with as many columns as rows: then the rows are dependent whatever stands in
+/// the places that are not zero.
 ///
-/// Every row is matched with a column in which it is not zero. Rows that need each other's columns form a block: these are
-/// the strongly connected components of the graph with an edge from a row to the row of each column in which it is not
-/// zero (Dulmage and Mendelsohn 1958). Columns without a row go to the first block that they touch.
+/// Every row is matched with a column in which it is not zero. Rows that need each other's columns form a block: these
+/// are the strongly connected components of the graph with an edge from a row to the row of each column in which it is
+/// not zero (Dulmage and Mendelsohn 1958). Columns without a row go to the first block that they touch.
 pub(super) fn triangular(rows: &[Vec<Poly>]) -> Option<Vec<Block>> {
     let support: Vec<Vec<usize>> = rows.mapped(|row| (0..row.len()).filter(|c| !row[*c].is_zero()).collect());
     let width = rows.first().map_or(0, Vec::len);

@@ -10,8 +10,8 @@ use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::counterexample::Exact;
 
-/// Factors of the rows with which their sum is zero at a point, one of them a number: whole numbers without common factor at a
-/// rational one; `None` when the rows are independent there, or the work is spent.
+/// Factors of the rows with which their sum is zero at a point, one of them a number: whole numbers without common
+/// factor at a rational one; `None` when the rows are independent there, or the work is spent.
 pub(crate) fn combination(exact: &mut Exact, table: Table<'_>, work: &mut Work) -> Option<Vec<Element>> {
     let Some(field) = &exact.field else {
         let mut numbers: Vec<Vec<Rational>> = Vec::new();

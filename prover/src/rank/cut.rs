@@ -51,8 +51,8 @@ pub(super) enum Failed {
 }
 
 impl Cut {
-    /// By the places of the zeros, and if that leaves large blocks by symmetries; `None` when the rows are dependent whatever
-    /// the parameters are.
+    /// By the places of the zeros, and if that leaves large blocks by symmetries; `None` when the rows are dependent
+    /// whatever the parameters are.
     pub(super) fn new(rows: &[Vec<Poly>], symmetries: &Symmetries) -> Option<Self> {
         let plain = Self { change: None, rows: rows.to_vec(), blocks: triangular(rows)? };
         let large = |b: &Block| b.rows.len() > LARGE && !plain.is_constant(b);
@@ -82,7 +82,8 @@ impl Cut {
         let mut square = true;
         for block in &self.blocks {
             let rows = self.block(block);
-            // The rows up to here have no other columns than those up to here: if these are as many, a determinant vanishes.
+            // The rows up to here have no other columns than those up to here: if these are as many, a determinant
+            // vanishes.
             square &= block.rows.len() == block.columns.len();
             // Equal blocks, which symmetries make, have equal proofs.
             let (columns, sign) = match known.iter().find(|(r, _)| *r == rows) {
@@ -182,16 +183,16 @@ fn is_negative(p: &Poly, point: &Vec<(Var, Coordinate)>) -> bool {
     as_rational(point).is_some_and(|exact| value(p, &exact).is_negative())
 }
 
-/// A proof that the minor of some columns, or its negative if it is negative at a point with this matrix, is positive; `None`
-/// when the work is spent.
+/// A proof that the minor of some columns, or its negative if it is negative at a point with this matrix, is positive;
+/// `None` when the work is spent.
 fn signed(numbers: &[Vec<Rational>], columns: &[usize], proof: SignProof, work: &mut Work) -> Option<Signed> {
     let square = numbers.mapped(|row| columns.mapped(|c| row[*c].clone()));
     let negative = determinant(square, work)?.is_negative();
     Some(if negative { Signed::Negative(proof) } else { Signed::Positive(proof) })
 }
 
-/// The polynomial whose positivity shows that minors do not vanish together: a single one with the sign that it has at a
-/// point, or the sum of the squares; `None` when the work is spent.
+/// The polynomial whose positivity shows that minors do not vanish together: a single one with the sign that it has at
+/// a point, or the sum of the squares; `None` when the work is spent.
 pub(super) fn positive_claim(minors: &[Poly], at: &[(Var, Rational)], work: &mut Work) -> Option<Poly> {
     if let [only] = minors {
         return Some(if value(only, at).is_negative() { -only } else { only.clone() });

@@ -42,8 +42,8 @@ pub struct Exceptional {
 /// The most exceptions that are looked for.
 const MAX_EXCEPTIONS: usize = 24;
 
-/// Finds the points of a region, with `factor` times the usual work, at which the rows of a matrix are dependent: the real zeros that all maximal minors have
-/// in common.
+/// Finds the points of a region, with `factor` times the usual work, at which the rows of a matrix are dependent: the
+/// real zeros that all maximal minors have in common.
 ///
 /// Complete for one parameter; for several as long as the zeros are flats on which some of them have fixed rational
 /// values, else `open` says what is left.

@@ -31,8 +31,8 @@ pub enum Independence {
     Undecided(String),
 }
 
-/// Decides whether the rows of a matrix are linearly independent at every point of a region that does not have the values
-/// of one of the exceptions, and dependent at all others. Exceptions outside of the region play no part.
+/// Decides whether the rows of a matrix are linearly independent at every point of a region that does not have the
+/// values of one of the exceptions, and dependent at all others. Exceptions outside of the region play no part.
 pub fn independent(table: Table<'_>, except: &[Values], region: &Region, budget: u32) -> Independence {
     let mut exceptions = Vec::new();
     for (number, values) in except.iter().enumerate() {

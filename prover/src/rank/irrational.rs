@@ -63,7 +63,8 @@ pub(super) fn irrational(
     is_zero(&determinant, &algebraic, work)?.then_some(Irrational::Dependent)
 }
 
-/// The columns of the pivots when always the entry with the greatest absolute value is taken; `None` when the work is spent.
+/// The columns of the pivots when always the entry with the greatest absolute value is taken; `None` when the work is
+/// spent.
 fn largest_pivots(mut rows: Vec<Vec<Rational>>, work: &mut Work) -> Option<Vec<usize>> {
     let mut columns = Vec::new();
     while !rows.is_empty() {

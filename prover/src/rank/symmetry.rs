@@ -21,9 +21,10 @@ pub struct Symmetry {
 
 /// Sums of symmetries of order 2, such that any two of the sums commute.
 ///
-/// Of a reflection the reflection itself; of all permutations of m things the Jucys–Murphy elements: for each k the sum of
-/// the exchanges of k with all that stand before it. Their eigenvalues are whole numbers, and their common eigenspaces are
-/// small (A. Jucys 1974; A. Okounkov and A. Vershik, "A new approach to representation theory of symmetric groups", 1996).
+/// Of a reflection the reflection itself; of all permutations of m things the Jucys–Murphy elements: for each k the sum
+/// of the exchanges of k with all that stand before it. Their eigenvalues are whole numbers, and their common
+/// eigenspaces are small (A. Jucys 1974; A. Okounkov and A. Vershik, "A new approach to representation theory of
+/// symmetric groups", 1996).
 pub type Symmetries = Vec<Vec<Symmetry>>;
 
 /// The bases of common eigenvectors, in which a symmetric matrix is zero wherever eigenvalues differ; `None` when the
@@ -75,7 +76,7 @@ fn is_involution(permutation: &[usize], len: usize) -> bool {
         && permutation.iter().enumerate().all(|(from, to)| permutation.get(*to) == Some(&from))
 }
 
-/// A basis of 0..len of common eigenvectors of sums of permutations; `None` when there is none with whole eigenvalues.
+/// A basis of 0..len of common eigenvectors of sums of permutations; `None` when their eigenvalues are not whole.
 fn eigenvectors(len: usize, sums: &[Vec<&[usize]>]) -> Option<Vec<Combination>> {
     let mut basis = Vec::with_capacity(len);
     let mut seen = vec![false; len];

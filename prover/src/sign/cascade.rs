@@ -21,8 +21,8 @@ use basis_kernel::SignProof;
 pub enum Found {
     /// A proof, by this method.
     Proof(Method, SignProof),
-    /// A point with a coordinate for each variable of the box and of the polynomial, in increasing order, at which the claim
-    /// fails; where a coordinate is irrational, the value is 0.
+    /// A point with a coordinate for each variable of the box and of the polynomial, in increasing order, at which the
+    /// claim fails; where a coordinate is irrational, the value is 0.
     Point(Point),
     /// The budget is spent; what is left to decide, in words.
     Nothing(String),

@@ -19,7 +19,8 @@ const STEPS: u32 = 90;
 /// How often a step is halved until the value falls.
 const HALVINGS: u32 = 6;
 
-/// A rational point at which the claim fails, found by walking downhill; `None` when none is found, and that says nothing.
+/// A rational point at which the claim fails, found by walking downhill; `None` when none is found, and that says
+/// nothing.
 pub(super) fn downhill(
     problem: &Problem,
     relation: Relation,
@@ -96,8 +97,8 @@ impl<'p> Walk<'p> {
         Some(valued.into_iter().map(|(_, point)| point).collect())
     }
 
-    /// A lower point whose coordinates are multiples of 2^−bits, and its value; `None` when there is none in Newton's direction, or the
-    /// work is spent.
+    /// A lower point whose coordinates are multiples of 2^−bits, and its value; `None` when Newton's
+    /// direction has none, or the work is spent.
     fn step(
         &self,
         point: &[Rational],

@@ -1,5 +1,5 @@
-//! Counterexamples on diagonals: where an exchange of two variables changes nothing, a function is often least where they
-//! are equal.
+//! Counterexamples on diagonals: where an exchange of two variables changes nothing, a function is often least where
+//! they are equal.
 
 use basis_kernel::Relation;
 

@@ -178,8 +178,8 @@ fn unsupported_face(axes: &[Axis], form: &Form) -> Option<Vec<Option<bool>>> {
         .find(|face| !form.has_support(face))
 }
 
-/// The form divided by s and r as long as all coefficients of a face of the box are zero; by axis, the exponents of s and r
-/// that it was divided by. The zero form stays as it is.
+/// The form divided by s and r as long as all coefficients of a face of the box are zero; by axis, the exponents of s
+/// and r that it was divided by. The zero form stays as it is.
 fn stripped(form: &Form) -> (Form, Vec<(usize, usize)>) {
     let (mut degrees, mut coefficients) = (form.degrees().to_vec(), form.coefficients().to_vec());
     let mut exponents = vec![(0, 0); degrees.len()];

@@ -16,8 +16,8 @@ use basis_kernel::SignProof;
 
 /// Decides a polynomial in one variable; `None` when the work is spent.
 ///
-/// A polynomial with multiple roots inside of the range is decided only if it is negative somewhere or p > 0 is claimed:
-/// the others are the business of the factors.
+/// A polynomial with multiple roots inside of the range is decided only if it is negative somewhere or p > 0 is
+/// claimed: the others are the business of the factors.
 pub(crate) fn decide(problem: &Problem, relation: Relation, work: &mut Work) -> Option<Outcome> {
     let [(var, range)] = &problem.ranges[..] else { return None };
     let p = Univariate::from_poly(&problem.poly, *var)?;
@@ -63,7 +63,7 @@ pub(crate) fn coordinate(p: &Univariate, root: &Root, work: &mut Work) -> Option
     })
 }
 
-/// A zero of a polynomial in one variable on its range; `None` when there is none or the work is spent.
+/// A zero of a polynomial in one variable on its range; `None` when it has no zero there or the work is spent.
 pub(crate) fn some_zero(problem: &Problem, work: &mut Work) -> Option<Coordinate> {
     let [(var, range)] = &problem.ranges[..] else { return None };
     let p = Univariate::from_poly(&problem.poly, *var)?;

@@ -46,7 +46,7 @@ impl<P: Point> Kernel for BernsteinPoints<'_, P> {
     }
 }
 
-// The powers are formed anew for each component: rows of their own for all components together came out slower.
+// The powers are formed again for each component: rows of powers for all components together were slower.
 #[inline(always)]
 fn component<const FUSED: bool, P: Point>(
     points: &[P],

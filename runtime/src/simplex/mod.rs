@@ -130,7 +130,7 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
     }
 }
 
-/// A family on a triangle; what its edges are besides.
+/// A family on a triangle, with its edges.
 ///
 /// [`basis!`](crate::basis!) implements it for every family on a triangle.
 pub trait TriangularBasis:

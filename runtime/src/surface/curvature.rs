@@ -16,7 +16,8 @@ use crate::{Point3, Scalar};
 /// use basis_runtime::{Surface, TensorSurface};
 ///
 /// // The saddle z = x y.
-/// let net: [[[f64; 3]; 4]; 4] = core::array::from_fn(|i| core::array::from_fn(|j| [i as f64, j as f64, (i * j) as f64]));
+/// let row = |i| core::array::from_fn(|j| [i as f64, j as f64, (i * j) as f64]);
+/// let net: [[[f64; 3]; 4]; 4] = core::array::from_fn(row);
 /// let saddle = TensorSurface::new(QuarticBernstein::new(0.0)?, QuarticBernstein::new(0.0)?, net);
 /// let curvature = saddle.curvature(0.0, 0.0).unwrap();
 /// assert_eq!(curvature.principal, [1.0, -1.0]);

@@ -132,8 +132,9 @@ impl<S: Scalar> EdgeContinuity<S> {
 ///
 /// // Two sides of a roof.
 /// let linear = BernsteinBasis::<f64, 2>::new();
-/// let left = TensorSurface::new(linear, linear, [[[0.0, 0.0, 0.0], [0.0, 1.0, 1.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
-/// let right = TensorSurface::new(linear, linear, [[[0.0, 1.0, 1.0], [0.0, 2.0, 0.0]], [[1.0, 1.0, 1.0], [1.0, 2.0, 0.0]]]);
+/// let side = |net: [[[f64; 3]; 2]; 2]| TensorSurface::new(linear, linear, net);
+/// let left = side([[[0.0, 0.0, 0.0], [0.0, 1.0, 1.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
+/// let right = side([[[0.0, 1.0, 1.0], [0.0, 2.0, 0.0]], [[1.0, 1.0, 1.0], [1.0, 2.0, 0.0]]]);
 /// let ridge = edge_continuity(&left, Edge::VEnd, &right, Edge::VStart, false, 9);
 /// assert_eq!(ridge.gap, 0.0);
 /// assert!((ridge.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && ridge.same_side);

@@ -109,7 +109,8 @@ fn is_box([low, high]: [P; 2]) -> bool {
     low.iter().zip(high).all(|(&l, h)| l <= h || l.is_nan() || h.is_nan())
 }
 
-/// The type of which a line begins the implementation: `Net` of `impl<P: Copy> Net<P> {` and of `impl<P> Surface for Net<P> {`.
+/// The type of which a line begins the implementation: `Net` of `impl<P: Copy> Net<P> {` and of
+/// `impl<P> Surface for Net<P> {`.
 fn implemented(line: &str) -> Option<&str> {
     let mut rest = line.strip_prefix("impl")?;
     if rest.starts_with('<') {
@@ -124,7 +125,8 @@ fn implemented(line: &str) -> Option<&str> {
     name.split(|c: char| !c.is_alphanumeric() && c != '_').next()
 }
 
-/// Every public function of the folders stands in a table: of the splines, where many types have functions of one name, with its type.
+/// Every public function of the folders stands in a table: of the splines, where many types have functions of one name,
+/// with its type.
 #[test]
 fn none_is_forgotten() {
     let tables = [curves::NAMES, patches::NAMES, slices::NAMES, surfaces::NAMES].concat();

@@ -1,4 +1,5 @@
-//! Knot vectors, B-spline curves and surfaces, polynomial and rational, and what is made of them. The names begin with the type.
+//! Knot vectors, B-spline curves and surfaces, polynomial and rational, and what is made of them. The names begin with
+//! the type.
 
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, Direction, Edge, FollowOptions, Homogeneous, Joint, KnotVector, Method,

@@ -42,7 +42,7 @@ fn of_random_curves() {
 
 /// On a grid of whole numbers the derivative of the distance often vanishes at an end of the curve, exactly: because
 /// two control points are one, or because the first leg is perpendicular to the line of sight. The nearest point is
-/// inside all the same.
+/// inside nevertheless.
 #[test]
 fn where_the_start_is_farther_than_its_neighbours() {
     let nearest =

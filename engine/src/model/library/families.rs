@@ -12,8 +12,6 @@ use crate::model::Family;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::expand::{build, claims};
 use crate::model::scope::Scope;
-#[cfg(feature = "joins")]
-use crate::source::SourceId;
 use crate::subject::{Item, Subject};
 use crate::syntax;
 use basis_kernel::collections::list::{Listed, Mapped};
@@ -226,7 +224,7 @@ impl Library<'_> {
     #[cfg(feature = "joins")]
     pub(crate) fn each_theorem(
         &self,
-        read: &mut dyn FnMut(usize, SourceId, &syntax::Theorem) -> Diagnostics,
+        read: &mut dyn FnMut(usize, crate::source::SourceId, &syntax::Theorem) -> Diagnostics,
     ) {
         for written in self.theorems_of(MAIN) {
             if self.counts_as_family(MAIN, written.name.span).is_none() {

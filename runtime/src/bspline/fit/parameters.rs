@@ -11,7 +11,7 @@ use crate::{Point, Scalar};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Spacing {
-    /// All the same.
+    /// The same distance between all of them.
     Uniform,
     /// In proportion to their distance.
     Chord,
@@ -66,7 +66,7 @@ pub fn parameters<P: Point>(points: &[P], spacing: Spacing) -> Result<Vec<P::Sca
 
 /// One list of parameters for all rows of a grid: the mean of the rows' own.
 ///
-/// Rows all of whose points coincide, such as poles, have no say.
+/// Rows all of whose points coincide, such as poles, do not count.
 pub(super) fn common_parameters<P: Point>(
     grid: &Net<P>,
     spacing: Spacing,
