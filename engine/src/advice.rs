@@ -1,5 +1,6 @@
 //! What was probably meant, and what to write instead.
 
+use basis_kernel::collections::list::Listed;
 /// The candidate that differs least from `word`, if it is near enough to be meant (Damerau–Levenshtein).
 pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let length = word.chars().count();
@@ -39,7 +40,7 @@ pub(crate) fn did_you_mean(word: &str, candidates: &[&str], otherwise: &dyn Fn()
 }
 
 fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).collect(), b.chars().take(64).collect());
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).listed(), b.chars().take(64).listed());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
     for (i, row) in rows.iter_mut().enumerate() {
         row[0] = i;

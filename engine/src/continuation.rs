@@ -8,7 +8,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::{Family, Parameter, label};
 use crate::theorem::{Form, GivenPoint, Unit};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
 const WORK: u64 = 200_000;
@@ -64,7 +64,7 @@ impl EndPoints {
         let Some((var, low, high)) = family.interval() else { return Vec::new() };
         let end = if at_start { low } else { high };
         let Some(rows) = derivatives(family, var, end, order, work) else { return Vec::new() };
-        (1..=rows.len()).filter_map(|count| Self::of(&rows[..count], at_start, work)).collect()
+        (1..=rows.len()).filter_map(|count| Self::of(&rows[..count], at_start, work)).listed()
     }
 
     /// From the derivatives of all functions, one row for each order.
@@ -131,7 +131,7 @@ pub fn continuation(family: &Family, order: u32, side: Side) -> Option<Continuat
     let work = &mut Work::new(WORK);
     let given = derivatives(family, var, if side == Side::After { high } else { low }, order, work)?;
     // Shape parameters of P are variables 0, 1, …, those of Q follow, then f and c.
-    let of_q: Vec<Var> = (0..family.names.len()).map(|k| Var(k + shapes)).collect();
+    let of_q: Vec<Var> = (0..family.names.len()).map(|k| Var(k + shapes)).listed();
     let (f, c) = (Var(2 * shapes), Var(2 * shapes + 1));
     // What f and c make of the derivatives of P: Q′ = P′/f, Q″ = (P″ − c·Q′)/f².
     let mut targets: Vec<Form> = Vec::new();
@@ -188,7 +188,7 @@ pub fn continuation(family: &Family, order: u32, side: Side) -> Option<Continuat
             GivenPoint { name, patch, index, coordinates: Vec::new() }
         })
     });
-    let points = points.collect();
+    let points = points.listed();
     Some(Continuation { side, order, names, scalars, points, determined, determinant })
 }
 
@@ -197,7 +197,7 @@ fn entries(form: &Form) -> Vec<(usize, Fraction)> {
         Unit::Point(p) => Some((*p, value.clone())),
         Unit::Pair(..) => None,
     };
-    form.terms.iter().filter_map(entry).collect()
+    form.terms.iter().filter_map(entry).listed()
 }
 
 /// Adds weight·factor times a point; `None` when the work is spent.
@@ -273,7 +273,7 @@ fn inverse(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<(Vec<Vec<Fra
             }
         }
     }
-    let inverse = rows.into_iter().map(|row| row[n..].to_vec()).collect();
+    let inverse = rows.into_iter().map(|row| row[n..].to_vec()).listed();
     Some((inverse, determinant.numer().clone()))
 }
 

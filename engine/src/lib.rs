@@ -39,6 +39,7 @@ pub mod subject;
 pub mod syntax;
 pub mod theorem;
 
+use basis_kernel::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use advice::closest;
@@ -77,7 +78,7 @@ pub fn check(source: Source) -> Report {
     let families = library.items(Selected::EveryOrder);
     let warnings = generate::no_floats(&families);
     let items = families.into_iter().chain(theorem::theorems(&library));
-    let items: Vec<Checked> = items.map(|item| decide_within(item, run)).collect();
+    let items: Vec<Checked> = items.map(|item| decide_within(item, run)).listed();
     let mut diagnostics: Diagnostics = library.diagnostics().into_iter().collect();
     diagnostics.extend(warnings);
     diagnostics.extend(items.iter().flat_map(contradictions));
@@ -98,14 +99,14 @@ pub fn decide_within(item: Item, run: &mut state::Run) -> Checked {
             let verdict = run.decide(&subject, &claim);
             (claim, verdict)
         })
-        .collect();
+        .listed();
     Checked { subject, claims }
 }
 
 /// The errors for the claims whose verdict is not the declared one.
 pub fn contradictions(checked: &Checked) -> Vec<Diagnostic> {
     let claims = checked.claims.iter();
-    claims.filter_map(|(claim, verdict)| state::diagnose(&checked.subject, claim, verdict)).collect()
+    claims.filter_map(|(claim, verdict)| state::diagnose(&checked.subject, claim, verdict)).listed()
 }
 
 /// What is to be generated from a spec.

@@ -2,7 +2,7 @@
 
 use crate::advice::closest;
 use crate::plural::list;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use core::cell::OnceCell;
 use core::fmt;
 use core::ops::Range;
@@ -267,7 +267,7 @@ pub(crate) fn beside(from: &str, path: &str) -> Result<String, ReadError> {
         help: None,
     };
     let file = path.strip_suffix(".basis").ok_or_else(|| refuse("its files are called `*.basis`"))?;
-    let mut parts: Vec<&str> = from.split('/').collect();
+    let mut parts: Vec<&str> = from.split('/').listed();
     parts.pop();
     for part in file.split('/') {
         match part {

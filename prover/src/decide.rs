@@ -12,7 +12,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::budget::{Budget, charge};
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
 use crate::counterexample::{Counterexample, Exact, at};
@@ -131,7 +131,7 @@ fn sign(
         None => {
             let below = chart.pull_back(&value.denominator);
             let start: Vec<(Var, Rational)> =
-                below.variables().iter().map(|v| (*v, simple(&region.range(*v)))).collect();
+                below.variables().iter().map(|v| (*v, simple(&region.range(*v)))).listed();
             let negative = problem::value(&below, &start).is_negative();
             match search(&if negative { -&below } else { below }, Relation::NonNegative) {
                 Found::Proof(method, proof) => {
@@ -162,7 +162,7 @@ fn sign(
             let found = Exact::new(&point, work).and_then(|mut exact| {
                 // Only what is no variable of the box alone.
                 let inner = |var: Var| chart.variables().iter().all(|(_, by)| !by.depends_on(var));
-                let simplices: Vec<Var> = region.ranges.iter().map(|(v, _)| *v).collect();
+                let simplices: Vec<Var> = region.ranges.iter().map(|(v, _)| *v).listed();
                 let declared = |var: Var| domain.region.ranges.iter().any(|(v, _)| *v == var);
                 exact.image(
                     chart.variables(),
@@ -241,7 +241,7 @@ fn on_line(
         Some((_, by)) => problem::value(by, &inner),
         None => inner.iter().find(|(v, _)| *v == var).map_or(Rational::ZERO, |(_, x)| x.clone()),
     };
-    let mut vars: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).collect();
+    let mut vars: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).listed();
     vars.extend(domain.simplices.iter().flat_map(|s| s.variables.iter().copied()).chain(value.variables()));
     vars.retain(|v| products.iter().all(|(w, _)| v != w));
     sort_unique(&mut vars);
@@ -252,7 +252,7 @@ fn on_line(
         numbers = numbers.at(*var, x);
     }
     // c + xᵀA x at the point: far out in a direction in which A is negative it is as small as one likes.
-    let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).collect();
+    let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).listed();
     sort_unique(&mut points);
     let place = |p: usize| points.binary_search(&p).unwrap_or(0);
     let mut matrix = vec![vec![Rational::ZERO; points.len()]; points.len()];
@@ -276,7 +276,7 @@ fn on_line(
     }
     let witness = Witness::OnLine(
         Point::rational(at.clone()),
-        points.into_iter().zip(direction).filter(|(_, x)| !x.is_zero()).collect(),
+        points.into_iter().zip(direction).filter(|(_, x)| !x.is_zero()).listed(),
     );
     let refutation = Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)).ok()?;
     let point = problem::rational(at);
@@ -291,7 +291,7 @@ fn rank(statement: &Rc<Statement>, symmetries: &Symmetries, budget: u32) -> Resu
         Independence::Proved(proof) => propose(statement, Certificate::Rank(proof), Method::Minors, budget),
         Independence::NoException(number, point) => {
             let coordinates: Vec<(Var, Coordinate)> =
-                point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).collect();
+                point.iter().map(|(v, x)| (*v, Coordinate::Rational(x.clone()))).listed();
             let work = &mut Work::new(EXPLICIT);
             let found = Exact::new(&coordinates, work).and_then(|mut exact| {
                 let refutation = exact.refute(statement, &|p| Witness::Independent(p, number), work)?;

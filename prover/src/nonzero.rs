@@ -1,5 +1,6 @@
 //! Simple points: where a value that is not zero everywhere is defined and not zero.
 
+use basis_kernel::collections::list::Listed;
 use basis_kernel::{Domain, Quotient};
 
 use crate::algebra::poly::Var;
@@ -76,7 +77,7 @@ pub(crate) fn nonzero(value: &Quotient, domain: &Domain) -> Option<Vec<(Var, Coo
     let single = |range: &Range| range.finite().is_some_and(|(low, high)| low == high);
     sort_by(&mut choices, |a, b| (!single(&a.2), a.0).cmp(&(!single(&b.2), b.0)));
     let mut rest = [value.numerator.clone(), value.denominator.clone()];
-    let mut left: Vec<Rational> = domain.simplices.iter().map(|s| s.sum.clone()).collect();
+    let mut left: Vec<Rational> = domain.simplices.iter().map(|s| s.sum.clone()).listed();
     let mut point: Vec<(Var, Coordinate)> = Vec::new();
     for (var, simplex, range) in choices {
         let range = match simplex {

@@ -2,6 +2,7 @@
 
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use basis_kernel::collections::list::Listed;
 
 /// Whether a symmetric matrix is positive semidefinite, by a decomposition L D Lᵀ; `None` when the work is spent.
 ///
@@ -10,7 +11,7 @@ use crate::algebra::work::Work;
 pub fn semidefinite(matrix: &[Vec<Rational>], work: &mut Work) -> Option<Result<(), Vec<Rational>>> {
     let count = matrix.len();
     let mut rest = matrix.to_vec();
-    let mut left: Vec<usize> = (0..count).collect();
+    let mut left: Vec<usize> = (0..count).listed();
     // The rows of Lᵀ, each with the place at which it is 1 and all later ones are 0.
     let mut rows: Vec<(usize, Vec<Rational>)> = Vec::new();
     let negative = loop {

@@ -12,7 +12,7 @@ use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// Derivatives up to this order are solved for by formulas.
 const ORDER: u32 = 2;
@@ -39,7 +39,7 @@ impl<'a> Ends<'a> {
             let points = EndPoints::up_to(family, ORDER, at_start).into_iter();
             points
                 .map(|points| Solved { zeros: zeros(&points.determinant, &region, family.budget), points })
-                .collect()
+                .listed()
         };
         Self { shell, start: solved(true), end: solved(false) }
     }
@@ -105,7 +105,7 @@ impl<'a> Ends<'a> {
                 shown = rows;
             }
             let found = solved.zeros.iter().map(|factor| format!("`{}`", zero(factor, names)));
-            exceptions.extend(found.filter(|text| !exceptions.contains(text)).collect::<Vec<_>>());
+            exceptions.extend(found.filter(|text| !exceptions.contains(text)).listed());
         }
         lines.extend(["```", "", "# Errors", ""].map(String::from));
         let at = if exceptions.is_empty() { String::new() } else { format!(": {}", exceptions.join(", ")) };
@@ -154,7 +154,7 @@ impl Solved {
         let Shell { family, runtime, .. } = shell;
         let mut code = shell.scalars();
         let derivatives: Vec<Ident> =
-            (0..self.points.positions.len()).map(|k| Ident::new(&format!("d{k}"), site())).collect();
+            (0..self.points.positions.len()).map(|k| Ident::new(&format!("d{k}"), site())).listed();
         let mut assignments = TokenStream::new();
         for row in self.rows() {
             let of_derivatives = row.derivatives.iter().map(|(k, w)| {
@@ -165,7 +165,7 @@ impl Solved {
                 let k = Literal::usize_unsuffixed(*k);
                 (quote_spanned!(site()=> points[#k]), w)
             });
-            let terms: Vec<(TokenStream, &Fraction)> = of_derivatives.chain(of_others).collect();
+            let terms: Vec<(TokenStream, &Fraction)> = of_derivatives.chain(of_others).listed();
             let value = match terms.as_slice() {
                 [(term, weight)] if weight.as_constant().is_some_and(|w| w.is_one()) => term.clone(),
                 _ => {
@@ -197,9 +197,9 @@ impl Solved {
         let end = &self.points;
         let row = |(row, position): (usize, &usize)| {
             let weights = end.inverse[row].iter().enumerate().filter(|(_, w)| !w.is_zero());
-            Row { position: *position, derivatives: weights.collect(), others: &end.others[row] }
+            Row { position: *position, derivatives: weights.listed(), others: &end.others[row] }
         };
-        end.positions.iter().enumerate().map(row).collect()
+        end.positions.iter().enumerate().map(row).listed()
     }
 }
 
@@ -217,7 +217,7 @@ impl Row<'_> {
         let name = |k: usize| label("Q", &family.functions[k].index);
         let derivatives = self.derivatives.iter().map(|(k, w)| (format!("Q{}", "'".repeat(*k)), *w));
         let others = self.others.iter().map(|(k, w)| (name(*k), w));
-        let terms: Vec<(String, &Fraction)> = derivatives.chain(others).collect();
+        let terms: Vec<(String, &Fraction)> = derivatives.chain(others).listed();
         let value = combination(terms.iter().map(|(term, w)| (term.as_str(), *w)), &family.names);
         format!("{} = {value}", name(self.position))
     }

@@ -1,6 +1,6 @@
 //! The formulas that are emitted, still exact: factored values, Bernstein tables, the endpoint form.
 
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};
@@ -163,5 +163,5 @@ fn endpoint(unit: &[Poly], degree: u32) -> Vec<Poly> {
     // x = (1 + y)/2
     let half = Rational::new(1, 2);
     let inner = affine(&quotient, &half, &half);
-    [start, end].into_iter().chain(inner).collect()
+    [start, end].into_iter().chain(inner).listed()
 }

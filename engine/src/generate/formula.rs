@@ -5,6 +5,7 @@ use super::patch_form::{PatchForm, PatchFunction};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
+use basis_kernel::collections::list::Listed;
 
 /// A function on an interval as a product: number · polynomial · powers of the distances to both ends.
 pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &FunctionForm) -> String {
@@ -14,7 +15,7 @@ pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &Function
     }
     let whole = f.inner_monomial(form).scale(&f.content);
     let ends = distances(form.var, &form.low, &form.high);
-    let powers: Vec<(Poly, u32)> = ends.into_iter().zip([f.x_power, f.s_power]).collect();
+    let powers: Vec<(Poly, u32)> = ends.into_iter().zip([f.x_power, f.s_power]).listed();
     product(&whole, &powers, &function.denom, &family.names)
 }
 

@@ -16,7 +16,7 @@ use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::state::Verdict;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {
@@ -26,7 +26,7 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
         .iter()
         .enumerate()
         .map(|(k, f)| format!("{} = {}", family.function_label(k), factored(family, form, f)))
-        .collect();
+        .listed();
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
     let basis = emitter.basis(&shell.core());
     let traits = quote_spanned! {site()=>
@@ -52,7 +52,7 @@ impl Emitter<'_> {
         let Self { runtime, form, .. } = self;
         let (len, terms) =
             (Literal::usize_unsuffixed(form.len()), Literal::usize_unsuffixed(form.degree as usize + 1));
-        let names: Vec<String> = (0..form.len()).map(|k| self.family.function_label(k)).collect();
+        let names: Vec<String> = (0..form.len()).map(|k| self.family.function_label(k)).listed();
         let all = if names.len() > 6 {
             format!("{}, …, {}", names[0], names[names.len() - 1])
         } else {
@@ -211,7 +211,7 @@ impl Emitter<'_> {
     fn weights(&self) -> TokenStream {
         let functions = &self.form.functions;
         let row = |j: usize| functions.mapped(|f| (&f.bernstein[j], &f.denom));
-        self.table((0..=self.form.degree as usize).map(row).collect())
+        self.table((0..=self.form.degree as usize).map(row).listed())
     }
 
     /// A table of quotients in the shape values.
@@ -221,10 +221,10 @@ impl Emitter<'_> {
             .into_iter()
             .map(|row| {
                 let entries: Vec<TokenStream> =
-                    row.into_iter().map(|(p, denom)| code.quotient(p, denom)).collect();
+                    row.into_iter().map(|(p, denom)| code.quotient(p, denom)).listed();
                 quote_spanned!(site()=> [#(#entries),*])
             })
-            .collect();
+            .listed();
         let lets = code.lets();
         quote_spanned!(site()=> #lets [#(#rows),*])
     }
@@ -246,12 +246,12 @@ impl Emitter<'_> {
                 let k = Literal::usize_unsuffixed(k);
                 return quote_spanned!(site()=> points[#k]);
             }
-            let weights = weights.into_iter().map(|(p, d)| code.quotient(p, d)).collect::<Vec<_>>();
+            let weights = weights.into_iter().map(|(p, d)| code.quotient(p, d)).listed();
             quote_spanned!(site()=> #runtime::__private::combine(points, [#(#weights),*]))
         };
         let mut column = |k: usize| combination(form.functions.mapped(|f| (&f.endpoint[k], &f.denom)));
         let (start, end) = (column(0), column(1));
-        let inner: Vec<TokenStream> = (0..inner_len as usize).map(|k| column(k + 2)).collect();
+        let inner: Vec<TokenStream> = (0..inner_len as usize).map(|k| column(k + 2)).listed();
         let lets = code.lets();
         let n = Literal::usize_unsuffixed(inner_len as usize);
         let form_type = quote_spanned!(site()=> #runtime::EndpointForm<P, #n>);

@@ -13,7 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Parameter, label};
 use crate::state::Verdict;
 use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …
@@ -54,10 +54,10 @@ pub(crate) fn join(
         .iter()
         .map(|patch| {
             let points = patch.points.iter().filter(|p| p.origin == Origin::Determined);
-            (patch, points.map(|p| (p.index.as_slice(), &p.value)).collect::<Vec<_>>())
+            (patch, points.map(|p| (p.index.as_slice(), &p.value)).listed())
         })
         .filter(|(_, points)| !points.is_empty())
-        .collect();
+        .listed();
     let forms = || determined.iter().flat_map(|(_, points)| points.iter().map(|(_, form)| *form));
     let coefficients = || forms().flat_map(|form| form.terms.values());
     if theorem.products.iter().any(|(var, _)| coefficients().any(|f| f.depends_on(*var))) {
@@ -66,7 +66,7 @@ pub(crate) fn join(
     }
     let used: Vec<usize> = (0..theorem.points.len())
         .filter(|k| forms().any(|form| form.terms.contains_key(&Unit::Point(*k))))
-        .collect();
+        .listed();
     let points = point_arguments(theorem, &used)?;
     let scalars = scalar_arguments(theorem, &|p: &Parameter| coefficients().any(|f| f.depends_on(p.var)))?;
     let mut taken: Vec<&Ident> = Vec::new();
@@ -349,7 +349,7 @@ fn documentation(
         };
         let ranges: Vec<String> = argument.scalars.mapped(range);
         let about: Vec<&str> =
-            argument.scalars.iter().take(1).flat_map(|p| &p.doc).map(String::as_str).collect();
+            argument.scalars.iter().take(1).flat_map(|p| &p.doc).map(String::as_str).listed();
         let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
         lines.push(format!("- `{}`: {}{about}", argument.name, ranges.join(", ")));
     }

@@ -20,7 +20,7 @@ use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Family, Function, label};
 use crate::state::Verdict;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// The type of a family on a simplex or a box.
@@ -92,7 +92,7 @@ impl Emitter<'_> {
                 };
                 format!("{} = {formula}", label(&family.function_name, &f.index))
             })
-            .collect();
+            .listed();
         if self.steps > 0 {
             let letters: Vec<String> = ["i", "j", "k", "l"][..self.corners()].mapped(ToString::to_string);
             let term = |(j, x): (usize, &str)| {
@@ -101,7 +101,7 @@ impl Emitter<'_> {
                 format!("{x}*{}[{}]", family.function_name, index.join(","))
             };
             let names = family.domain_variables().map(|p| p.name.as_str());
-            let terms: Vec<String> = names.enumerate().map(term).collect();
+            let terms: Vec<String> = names.enumerate().map(term).listed();
             let steps = if self.steps == 1 { String::from("once") } else { format!("{} times", self.steps) };
             lines.push(String::new());
             let left = format!("{}[{}]", family.function_name, letters.join(","));
@@ -140,7 +140,7 @@ impl Emitter<'_> {
         let (len, terms) = self.lengths();
         let (k, orders) =
             (Literal::usize_unsuffixed(self.corners()), Literal::usize_unsuffixed(family.domain.len()));
-        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
+        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
         let (at, independent) = (names.join(", "), names[..family.domain.len()].join(", "));
         let (first, last) = (family.function_label(0), family.function_label(family.functions.len() - 1));
         let values_doc = doc(&format!("The values `[{first}, …, {last}]` at `[{at}]`."));
@@ -215,7 +215,7 @@ impl Emitter<'_> {
             (Literal::usize_unsuffixed(self.corners()), Literal::usize_unsuffixed(family.domain.len()));
         let title = family.title();
         let weights = self.weights();
-        let degrees: Vec<Literal> = self.degrees().into_iter().map(Literal::u32_unsuffixed).collect();
+        let degrees: Vec<Literal> = self.degrees().into_iter().map(Literal::u32_unsuffixed).listed();
         let shape = if family.is_simplex() {
             let order = if lattice(&family.functions, self.corners()) {
                 let order = Literal::i64_unsuffixed(family.functions[0].index.iter().sum());
@@ -307,7 +307,7 @@ impl Emitter<'_> {
         let Shell { runtime, family, .. } = self.shell;
         let ident = |name: &String| Ident::new(name, site());
         if family.is_simplex() {
-            let names: Vec<String> = (0..self.corners()).map(|k| format!("x{k}")).collect();
+            let names: Vec<String> = (0..self.corners()).map(|k| format!("x{k}")).listed();
             let idents = names.iter().map(ident);
             let code = quote_spanned!(site()=> let [#(#idents),*] = at;);
             return (names, code);
@@ -351,7 +351,7 @@ impl Emitter<'_> {
             let before = multi_indices(names.len(), order);
             let entries = multi_indices(names.len(), order + 1).into_iter().map(|mut index| {
                 let mut terms: Vec<TokenStream> = Vec::new();
-                for (j, name) in names.iter().enumerate().filter(|(j, _)| index[*j] > 0).collect::<Vec<_>>() {
+                for (j, name) in names.iter().enumerate().filter(|(j, _)| index[*j] > 0).listed() {
                     index[j] -= 1;
                     let place = before.binary_search(&index).unwrap_or(0);
                     index[j] += 1;
@@ -418,7 +418,7 @@ impl Emitter<'_> {
             let c = if negative { -c } else { c.clone() };
             let monomial = powers.product(names, &e);
             let factor = (!c.is_one() || monomial.is_none()).then(|| code.scalar(&c));
-            let term = scalar::product(factor.into_iter().chain(monomial).collect());
+            let term = scalar::product(factor.into_iter().chain(monomial).listed());
             sum.extend(match (sum.is_empty(), negative) {
                 (true, false) => term,
                 (false, false) => quote_spanned!(site()=> + #term),
@@ -452,7 +452,7 @@ impl Emitter<'_> {
         let bytes: Vec<u8> = if entries.len() <= 256 {
             places.mapped(|p| *p as u8)
         } else {
-            places.iter().flat_map(|p| (*p as u16).to_le_bytes()).collect()
+            places.iter().flat_map(|p| (*p as u16).to_le_bytes()).listed()
         };
         let (lets, bytes) = (code.lets(), Literal::byte_string(&bytes));
         let table = quote_spanned!(site()=> #runtime::__private::table(&[#(#entries),*], #bytes));

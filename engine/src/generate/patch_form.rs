@@ -8,7 +8,7 @@ use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::{Family, Function};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// More Bernstein coefficients, for all functions together, are not emitted.
@@ -65,7 +65,7 @@ impl PatchForm {
         let numers: Vec<Poly> = functions.mapped(|f| in_units(f.value.numer(), &groups));
         let own: Vec<Vec<u32>> = numers.mapped(|p| degrees(p, &groups));
         let degrees: Vec<u32> =
-            (0..groups.len()).map(|g| own.iter().map(|d| d[g]).max().unwrap_or(0)).collect();
+            (0..groups.len()).map(|g| own.iter().map(|d| d[g]).max().unwrap_or(0)).listed();
         let count = lattice_size(&groups, &degrees)?.checked_mul(functions.len())?;
         if count > MAX_COEFFICIENTS {
             return None;
@@ -84,7 +84,7 @@ impl PatchForm {
                 let denom = f.value.denom().clone();
                 PatchFunction { denom, content, powers, inner_degrees, inner, bernstein }
             })
-            .collect();
+            .listed();
         Some(Self { groups, degrees, functions })
     }
 
@@ -97,7 +97,7 @@ impl PatchForm {
 impl PatchFunction {
     /// content · Σ `inner[α]` · (the monomial with the exponents α) in the independent variables, for reading.
     pub fn inner_polynomial(&self, form: &PatchForm) -> Poly {
-        let coordinates: Vec<Poly> = form.groups.iter().flat_map(Group::coordinates).collect();
+        let coordinates: Vec<Poly> = form.groups.iter().flat_map(Group::coordinates).listed();
         let mut sum = Poly::zero();
         for (c, e) in self.inner.iter().zip(exponents(&form.groups, &self.inner_degrees)) {
             if !c.is_zero() {
@@ -112,7 +112,7 @@ impl PatchFunction {
 impl Group {
     /// Its coordinates in the independent variables.
     fn coordinates(&self) -> Vec<Poly> {
-        let mut all: Vec<Poly> = self.vars.iter().map(|v| Poly::var(*v)).collect();
+        let mut all: Vec<Poly> = self.vars.iter().map(|v| Poly::var(*v)).listed();
         if let (Some((low, high)), Some(first)) = (&self.range, all.first_mut()) {
             let unit = (high - low).recip().unwrap_or(Rational::ONE);
             *first = (&*first - &Poly::constant(low.clone())).scale(&unit);
@@ -169,7 +169,7 @@ fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec
             for (start, factor) in &terms {
                 for power in &powers {
                     let raised = own.iter().zip(power).map(|(a, b)| a + b);
-                    let exponents: Vec<u32> = start.iter().copied().chain(raised).collect();
+                    let exponents: Vec<u32> = start.iter().copied().chain(raised).listed();
                     next.push((exponents, factor * &multinomial(power)));
                 }
             }
@@ -193,7 +193,7 @@ fn factored(
     let Some(first) = terms.keys().next() else {
         return (Rational::ZERO, vec![0; width], vec![0; groups.len()], Vec::new());
     };
-    let powers = terms.keys().fold(first.clone(), |p, e| p.iter().zip(e).map(|(a, b)| *a.min(b)).collect());
+    let powers = terms.keys().fold(first.clone(), |p, e| p.iter().zip(e).map(|(a, b)| *a.min(b)).listed());
     let mut content = terms.values().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
     if terms.values().all(|p| p.leading_term().is_none_or(|(_, c)| c.is_negative())) {
         content = -content;
@@ -208,15 +208,15 @@ fn factored(
             start = end;
             degree - taken
         })
-        .collect();
+        .listed();
     let factor = content.recip().unwrap_or(Rational::ONE);
     let inner = exponents(groups, &inner_degrees)
         .into_iter()
         .map(|e| {
-            let e: Vec<u32> = e.iter().zip(&powers).map(|(a, b)| a + b).collect();
+            let e: Vec<u32> = e.iter().zip(&powers).map(|(a, b)| a + b).listed();
             terms.get(&e).map_or_else(Poly::zero, |c| c.scale(&factor))
         })
-        .collect();
+        .listed();
     (content, powers, inner_degrees, inner)
 }
 
@@ -226,7 +226,7 @@ pub fn exponents(groups: &[Group], degrees: &[u32]) -> Vec<Vec<u32>> {
         let own = multi_indices(group.vars.len() + 1, *degree);
         all.iter()
             .flat_map(|start: &Vec<u32>| own.iter().map(move |e| [start.as_slice(), e].concat()))
-            .collect()
+            .listed()
     })
 }
 
@@ -250,7 +250,7 @@ pub fn multi_indices(len: usize, sum: u32) -> Vec<Vec<u32>> {
                 .into_iter()
                 .map(move |rest| [&[first], rest.as_slice()].concat())
         })
-        .collect()
+        .listed()
 }
 
 /// (Σ e)! / ∏ e!
@@ -289,7 +289,7 @@ pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
     multi_indices(coordinates.len(), u32::try_from(order + 1).unwrap_or(0))
         .into_iter()
         .map(|index| {
-            let index: Vec<i64> = index.into_iter().map(i64::from).collect();
+            let index: Vec<i64> = index.into_iter().map(i64::from).listed();
             let mut value = Fraction::zero();
             for (j, x) in coordinates.iter().enumerate() {
                 let mut before = index.clone();
@@ -300,20 +300,20 @@ pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
             }
             Function { index, value }
         })
-        .collect()
+        .listed()
 }
 
 /// A function as a product in the coordinates of a simplex, for reading; what is left beside their powers is
 /// homogeneous in all coordinates, or a polynomial in the independent ones where that is shorter.
 pub fn factored_text(family: &Family, f: &PatchFunction, form: &PatchForm) -> String {
-    let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
+    let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
     let monomial = |exponents: &[u32]| {
         let factors: Vec<String> = exponents
             .iter()
             .zip(&names)
             .filter(|(e, _)| **e > 0)
             .map(|(e, name)| if *e == 1 { (*name).to_string() } else { format!("{name}^{e}") })
-            .collect();
+            .listed();
         factors.join("*")
     };
     let powers = monomial(&f.powers);

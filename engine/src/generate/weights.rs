@@ -5,6 +5,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use basis_kernel::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -19,7 +20,7 @@ pub(crate) fn zeros(p: &Poly, region: &Region, budget: u32) -> Vec<Poly> {
         decide(positive, &Symmetries::new(), budget).is_ok()
     };
     let factors = factor(p).1.into_iter().map(|(factor, _)| factor);
-    factors.filter(|f| f.as_constant().is_none() && !zero_free(f) && !zero_free(&-f)).collect()
+    factors.filter(|f| f.as_constant().is_none() && !zero_free(f) && !zero_free(&-f)).listed()
 }
 
 /// Where a factor is zero, such as `λ = -2`.

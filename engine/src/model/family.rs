@@ -7,7 +7,7 @@ use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::source::SourceId;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// A family of basis functions of one order.
 #[derive(Clone, Debug)]
@@ -95,7 +95,7 @@ impl Family {
 
     /// The declared ranges of all independent variables; of a simplex the surrounding box.
     pub fn region(&self) -> Region {
-        Region { ranges: self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone())).collect() }
+        Region { ranges: self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone())).listed() }
     }
 
     /// The declared ranges of the shape parameters.

@@ -1,5 +1,6 @@
 //! Tuples of indices: those with one sum, and those below given sizes.
 
+use basis_kernel::collections::list::Listed;
 /// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
 pub(crate) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
     let mut all = Vec::new();
@@ -29,7 +30,7 @@ pub(crate) fn grid(sizes: &[i64], limit: usize) -> Vec<Vec<i64>> {
             .iter()
             .flat_map(|start: &Vec<i64>| (0..*size).map(move |k| [start.as_slice(), &[k]].concat()))
             .take(limit + 1)
-            .collect();
+            .listed();
     }
     all
 }

@@ -1,5 +1,6 @@
 //! Comparisons with zero: what they say of a value, and of which points.
 
+use basis_kernel::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Simplex, Statement};
@@ -39,10 +40,10 @@ pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Dom
 pub(crate) fn domain(family: &Family, fixed: &[(Var, Fraction)]) -> Domain {
     let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
     let parameters = family.shapes.iter().chain(if family.is_simplex() { &[] } else { &family.domain[..] });
-    let ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).collect();
+    let ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).listed();
     let mut domain = Domain::of(Region { ranges });
     let variables: Vec<Var> = if family.is_simplex() {
-        family.domain.iter().map(|p| p.var).filter(free).collect()
+        family.domain.iter().map(|p| p.var).filter(free).listed()
     } else {
         Vec::new()
     };

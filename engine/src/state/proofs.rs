@@ -1,6 +1,7 @@
 //! Several statements decided together.
 
 use basis_kernel::Proof;
+use basis_kernel::collections::list::Listed;
 use basis_prover::{Failure, Shown, decide};
 
 use super::verdict::Stated;
@@ -22,5 +23,5 @@ pub(super) fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown
 
 /// The proofs without the methods.
 pub(super) fn steps(shown: Vec<(String, Shown)>) -> Vec<(String, Proof)> {
-    shown.into_iter().map(|(of, shown)| (of, shown.proof)).collect()
+    shown.into_iter().map(|(of, shown)| (of, shown.proof)).listed()
 }

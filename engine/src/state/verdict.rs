@@ -5,7 +5,7 @@ use basis_prover::{Coordinate, Symmetries};
 
 use crate::algebra::rational::Rational;
 use crate::claim::Expected;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// A statement with what it is about.
 #[derive(Clone, Debug)]
@@ -124,7 +124,7 @@ impl Witness {
 
     /// The control points that matter, and whether those at zero are left out because most of many are.
     pub fn points(&self) -> (Vec<&(String, Vec<Rational>)>, bool) {
-        let mut points: Vec<_> = self.net.iter().filter(|(name, _)| !self.idle.contains(name)).collect();
+        let mut points: Vec<_> = self.net.iter().filter(|(name, _)| !self.idle.contains(name)).listed();
         let all = points.len();
         let zero = |place: &[Rational]| place.iter().all(Rational::is_zero);
         let zeros = points.iter().filter(|(_, place)| zero(place)).count();
@@ -136,7 +136,7 @@ impl Witness {
     /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
         let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
-        let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).collect();
+        let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).listed();
         let (points, short) = self.points();
         parts.extend(points.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
         if short {

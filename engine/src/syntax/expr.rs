@@ -2,6 +2,7 @@
 //!
 //! From loose to tight: `+ -`, `* /`, unary `-`, `^` (to the right), then calls and indices.
 
+use basis_kernel::collections::list::Listed;
 use proc_macro2::{Delimiter, Literal, Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -252,7 +253,7 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             let mut inner = sum(&content, depth + 1)?;
             if content.peek(Token![,]) {
                 content.parse::<Token![,]>()?;
-                let parts = core::iter::once(inner).chain(list(&content, depth + 1)?).collect();
+                let parts = core::iter::once(inner).chain(list(&content, depth + 1)?).listed();
                 return Ok(Expr { span: g.span(), kind: ExprKind::Tuple(parts) });
             }
             if !content.is_empty() {
@@ -268,7 +269,7 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             let each = parts.len() == 1 && matches!(parts[0].kind, ExprKind::Each(..));
             let kind = match parts.pop() {
                 Some(only) if each => only.kind,
-                last => ExprKind::List(parts.into_iter().chain(last).collect()),
+                last => ExprKind::List(parts.into_iter().chain(last).listed()),
             };
             Ok(Expr { span: g.span(), kind })
         }

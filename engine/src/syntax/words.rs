@@ -1,5 +1,6 @@
 //! Single words, doc comments, and what is skipped after a mistake.
 
+use basis_kernel::collections::list::Listed;
 use proc_macro2::{Delimiter, Span, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
@@ -62,7 +63,7 @@ pub(super) fn doc(input: ParseStream<'_>, inner: bool) -> Result<Vec<String>> {
         let text: syn::LitStr = content.parse()?;
         // A block comment is one string with several lines, an empty line between paragraphs one with none.
         let text = text.value();
-        let written = if text.is_empty() { vec![""] } else { text.lines().collect() };
+        let written = if text.is_empty() { vec![""] } else { text.lines().listed() };
         lines.extend(
             written.into_iter().map(|line| line.strip_prefix(' ').unwrap_or(line).trim_end().to_string()),
         );

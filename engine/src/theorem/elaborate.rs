@@ -21,7 +21,7 @@ use crate::subject::{Item, Subject as About};
 use crate::syntax::{
     self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, PatchKind, TheoremStatement, TheoremStatementKind,
 };
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The most coordinates of a point.
 const MAX_DIMENSION: i64 = 8;
@@ -114,7 +114,7 @@ impl Elaboration<'_> {
             return None;
         }
         self.scope.settle(&region, budget);
-        let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).collect();
+        let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).listed();
         self.scalars.retain(|p| !silent.contains(&p.var));
         let theorem = Theorem {
             kind: written.kind,
@@ -126,7 +126,7 @@ impl Elaboration<'_> {
             scalars: core::mem::take(&mut self.scalars),
             dimension: self.dimension,
             products: core::mem::take(&mut self.products),
-            patches: core::mem::take(&mut self.patches).into_iter().map(PatchDef::finish).collect(),
+            patches: core::mem::take(&mut self.patches).into_iter().map(PatchDef::finish).listed(),
             points: core::mem::take(&mut self.points),
             budget,
         };

@@ -1,5 +1,6 @@
 //! From an expression of a theorem to the scalar, vector or outer product that it denotes.
 
+use basis_kernel::collections::list::Listed;
 use proc_macro2::Span;
 
 use super::draft::{Elaboration, Value, kind};
@@ -107,7 +108,7 @@ impl Elaboration<'_> {
         let Value::Map(patch, _) = &value else { return Some(value) };
         let printer = Printer { constants: &self.scope.constants, component: None };
         let patch = &self.patches[*patch];
-        let names: Vec<&str> = patch.parameters.iter().chain(&patch.dependent).map(String::as_str).collect();
+        let names: Vec<&str> = patch.parameters.iter().chain(&patch.dependent).map(String::as_str).listed();
         let (shown, names) = (printer.print(expr), names.join(", "));
         let error = self.scope.error(expr.span, format!("`{shown}` needs a parameter value"));
         let order = match &expr.kind {
@@ -233,7 +234,7 @@ impl Elaboration<'_> {
             self.scope.report(error.help(help));
             return;
         }
-        let mut known: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().collect();
+        let mut known: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().listed();
         known.extend(self.scope.names.iter().map(String::as_str));
         known.extend(self.scope.constants.iter().map(|(n, _)| n.as_str()));
         known.extend(self.scope.lets.keys().map(String::as_str));
@@ -422,9 +423,9 @@ impl Elaboration<'_> {
             && !self.scope.library.knows(self.scope.unit, name)
             && elsewhere(name).is_none()
         {
-            let functions: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().collect();
+            let functions: Vec<&str> = BUILTINS.iter().chain(&PRODUCTS).copied().listed();
             let curves = self.patches.iter().map(|p| p.name.as_str());
-            let known: Vec<&str> = functions.iter().copied().chain(curves).collect();
+            let known: Vec<&str> = functions.iter().copied().chain(curves).listed();
             let help = did_you_mean(name, &known, &|| {
                 if name.starts_with(char::is_uppercase) {
                     return format!("declare it: `curve {name} = Bernstein(3);`");

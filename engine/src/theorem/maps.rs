@@ -11,7 +11,7 @@ use crate::algebra::rational::Rational;
 use crate::model::formula::print::Printer;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 impl Elaboration<'_> {
     /// P(t), D(S, v, 2)(u, 0): Σ of the differentiated functions at the arguments, times the control points.
@@ -27,7 +27,7 @@ impl Elaboration<'_> {
         let (name, own) = (def.name.clone(), def.parameters.len());
         let all = own + usize::from(def.dependent.is_some());
         if arguments.len() != all {
-            let names: Vec<&str> = def.parameters.iter().chain(&def.dependent).map(String::as_str).collect();
+            let names: Vec<&str> = def.parameters.iter().chain(&def.dependent).map(String::as_str).listed();
             let (wanted, names) = (count(all, "parameter"), names.join(", "));
             let error = self.scope.error(span, format!("`{name}` has {wanted}, {}", here(arguments.len())));
             let written = Printer { constants: &self.scope.constants, component: None }.print(callee);

@@ -30,7 +30,7 @@ use crate::diagnostic::Place;
 use crate::model::Parameter;
 use crate::source::SourceId;
 pub use crate::syntax::{TheoremKind, TheoremRelation};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// A theorem or a join.
 #[derive(Clone, Debug)]
@@ -126,7 +126,7 @@ impl Theorem {
         let scalars = self.scalars.iter().map(|p| (p.var, p.range.clone()));
         let squares = self.products.iter().filter(|(_, (p, q))| p == q);
         let nonnegative = Range { low: End::Included(Rational::ZERO), high: End::Infinite };
-        Region { ranges: scalars.chain(squares.map(|(var, _)| (*var, nonnegative.clone()))).collect() }
+        Region { ranges: scalars.chain(squares.map(|(var, _)| (*var, nonnegative.clone()))).listed() }
     }
 
     /// The ranges of the scalars alone.

@@ -15,7 +15,7 @@ use crate::model::scope::Inside;
 use crate::model::{Family, Parameter, label};
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Name, Role};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// One factor of a surface: a family with its shape values as they are written, and the name of its parameter.
 struct Factor<'e> {
@@ -172,7 +172,7 @@ impl Elaboration<'_> {
             self.dependent_parameter(&last, family);
         }
         let shapes = self.shapes(factor)?;
-        let own: Vec<Var> = (0..family.domain.len()).map(Var).collect();
+        let own: Vec<Var> = (0..family.domain.len()).map(Var).listed();
         for f in &family.functions {
             def.functions.push((f.index.clone(), self.put_shapes(&f.value, &shapes, &own, factor.span)?));
         }
@@ -232,7 +232,7 @@ impl Elaboration<'_> {
             for (j, column) in columns.iter().enumerate() {
                 let (x, y) = (&first[j % first.len()][i], &second[i % second.len()][j]);
                 let product = self.fits(self.scope.budget.mul(x, y), a.span)?;
-                let index = row.index.iter().chain(&column.index).copied().collect();
+                let index = row.index.iter().chain(&column.index).copied().listed();
                 def.functions.push((index, product));
             }
         }
@@ -319,8 +319,8 @@ impl Elaboration<'_> {
     /// A function of a family with shape values, and with the variables of the patch, in place of its own.
     fn put_shapes(&mut self, f: &Fraction, shapes: &[Fraction], own: &[Var], span: Span) -> Option<Fraction> {
         // The family's shape parameters stand aside, so that no value is substituted into another.
-        let aside: Vec<Var> = (0..shapes.len()).map(|k| Var(self.scope.names.len() + k)).collect();
-        let names: Vec<Var> = aside.iter().chain(own).copied().chain([Var(OWN - 1)]).collect();
+        let aside: Vec<Var> = (0..shapes.len()).map(|k| Var(self.scope.names.len() + k)).listed();
+        let names: Vec<Var> = aside.iter().chain(own).copied().chain([Var(OWN - 1)]).listed();
         let mut value = f.rename(&names);
         for (var, by) in aside.iter().zip(shapes) {
             let put = self.scope.budget.substitute(&value, *var, by);
@@ -375,10 +375,10 @@ impl Elaboration<'_> {
         let flat: Vec<&Expr> = listed
             .iter()
             .flat_map(|e| match &e.kind {
-                ExprKind::List(row) => row.iter().collect::<Vec<_>>(),
+                ExprKind::List(row) => row.iter().listed(),
                 _ => vec![e],
             })
-            .collect();
+            .listed();
         if flat.len() != def.functions.len() {
             let wanted = count_points(def.functions.len());
             let error =

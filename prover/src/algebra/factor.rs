@@ -6,7 +6,7 @@ use super::rational::Rational;
 use super::roots::{linear, rational_roots};
 use super::univariate::Univariate;
 use super::work::Work;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 
 /// The work that [`factor`] may take.
@@ -88,13 +88,13 @@ fn with_rest(f: &Poly, divisor: Poly) -> Vec<Poly> {
 /// A factor x − a − Σ bⱼ yⱼ and the rest, if there is one: it passes through rational roots at a point of the other
 /// variables and at its neighbours.
 fn linear_in(f: &Poly, x: Var, variables: &[Var], work: &mut Work) -> Option<Vec<Poly>> {
-    let others: Vec<Var> = variables.iter().copied().filter(|v| *v != x).collect();
+    let others: Vec<Var> = variables.iter().copied().filter(|v| *v != x).listed();
     let lead = leading_coefficient(f, x);
     let at = |p: &Poly, start: i64, step: Option<Var>| {
         others.iter().fold(p.clone(), |p, v| p.at(*v, &Rational::from(start + i64::from(step == Some(*v)))))
     };
     // A point at which, as at its neighbours, the degree in x is kept.
-    let steps: Vec<Option<Var>> = [None].into_iter().chain(others.iter().map(|v| Some(*v))).collect();
+    let steps: Vec<Option<Var>> = [None].into_iter().chain(others.iter().map(|v| Some(*v))).listed();
     let keeps = |start: &i64| steps.iter().all(|s| !at(&lead, *start, *s).is_zero());
     let Some(start) = [0, 2, -3, 5].into_iter().find(keeps) else { return Some(Vec::new()) };
     let mut candidates: Vec<Poly> = Vec::new();

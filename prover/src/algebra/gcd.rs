@@ -5,6 +5,7 @@ use super::poly::{Monomial, Poly, Var};
 use super::univariate::Univariate;
 use super::work::Work;
 use crate::collections::sort::sort_by;
+use basis_kernel::collections::list::Listed;
 
 /// The greatest common divisor, with whole coefficients without common factor and a positive leading one; 0 for
 /// gcd(0, 0).
@@ -29,7 +30,7 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
 
 /// The greatest common divisor of several polynomials; 0 for none.
 pub fn gcd_all<'a>(polys: impl IntoIterator<Item = &'a Poly>, work: &mut Work) -> Option<Poly> {
-    let mut polys: Vec<&Poly> = polys.into_iter().collect();
+    let mut polys: Vec<&Poly> = polys.into_iter().listed();
     sort_by(&mut polys, |p, q| (p.total_degree(), p.len()).cmp(&(q.total_degree(), q.len()))); // the simplest first, for an early end
     let mut common = Poly::zero();
     for p in polys {
@@ -229,7 +230,7 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
 fn square_root(poly: &Poly) -> Option<Poly> {
     let half = |m: &Monomial| {
         let exponents = m.exponents();
-        exponents.iter().all(|e| e % 2 == 0).then(|| Monomial::new(exponents.iter().map(|e| e / 2).collect()))
+        exponents.iter().all(|e| e % 2 == 0).then(|| Monomial::new(exponents.iter().map(|e| e / 2).listed()))
     };
     let (m, c) = poly.leading_term()?;
     half(poly.terms().next()?.0)?;
@@ -275,7 +276,7 @@ fn meet(a: &Monomial, b: &Monomial) -> Monomial {
     if a.is_one() || b.is_one() {
         return Monomial::one();
     }
-    Monomial::new(a.exponents().iter().zip(&b.exponents()).map(|(x, y)| *x.min(y)).collect())
+    Monomial::new(a.exponents().iter().zip(&b.exponents()).map(|(x, y)| *x.min(y)).listed())
 }
 
 /// The quotient, if one divides the other and the work is not spent.

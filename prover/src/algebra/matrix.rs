@@ -5,7 +5,7 @@ use super::modular;
 use super::poly::Poly;
 use super::rational::Rational;
 use super::work::{Spent, Work};
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 
 /// A matrix by rows.
@@ -108,7 +108,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>], work: &mut Work) -> Option
     let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
     let unit = |i: usize| (0..height).map(move |k| if k == i { Rational::ONE } else { Rational::ZERO });
     let mut rows: Rows<Rational> =
-        rows.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).collect()).collect();
+        rows.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).listed()).listed();
     let mut done = 0;
     for column in 0..width {
         let Some(pivot) = (done..height).find(|r| !rows[*r][column].is_zero()) else { continue };
@@ -119,7 +119,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>], work: &mut Work) -> Option
     }
     // What is left of the other rows are independent combinations; reduced among themselves they are simple.
     let mut combinations: Rows<Rational> =
-        rows.split_off(done).into_iter().map(|row| row[width..].to_vec()).collect();
+        rows.split_off(done).into_iter().map(|row| row[width..].to_vec()).listed();
     let mut reduced = 0;
     for column in 0..height {
         let Some(pivot) = (reduced..combinations.len()).find(|r| !combinations[*r][column].is_zero()) else {
@@ -137,7 +137,7 @@ pub fn vanishing_combinations(rows: &[Vec<Rational>], work: &mut Work) -> Option
         let factor = if lead.is_negative() { -content } else { content }.recip()?;
         Some(row.mapped(|c| c * &factor))
     };
-    Some(combinations.iter().filter_map(whole).collect())
+    Some(combinations.iter().filter_map(whole).listed())
 }
 
 /// The determinant of the square matrix of some columns.
@@ -203,7 +203,7 @@ pub fn polynomial_combination(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec
     let width = rows.first().map_or(0, Vec::len);
     let unit = |i: usize| (0..height).map(move |k| if k == i { Poly::one() } else { Poly::zero() });
     let extended: Rows<Poly> =
-        rows.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).collect()).collect();
+        rows.iter().enumerate().map(|(i, row)| row.iter().cloned().chain(unit(i)).listed()).listed();
     let mut elimination = Elimination::new(&extended);
     elimination.width = width;
     elimination.run(work)?;
@@ -276,7 +276,7 @@ impl Elimination {
         Self {
             rows: rows.to_vec(),
             width: rows.first().map_or(0, Vec::len),
-            left: (0..rows.len()).collect(),
+            left: (0..rows.len()).listed(),
             columns: Vec::new(),
             factors: Vec::new(),
             last: Poly::one(),
@@ -301,10 +301,10 @@ impl Elimination {
 
     /// The entry among those allowed that is not zero and leads to the least work.
     fn best_pivot(&self, allowed: impl Fn(&Poly) -> bool) -> Option<(usize, usize)> {
-        let free: Vec<usize> = (0..self.width).filter(|c| !self.columns.contains(c)).collect();
+        let free: Vec<usize> = (0..self.width).filter(|c| !self.columns.contains(c)).listed();
         let in_column: Vec<usize> = (0..self.width)
             .map(|c| self.left.iter().filter(|r| !self.rows[**r][c].is_zero()).count())
-            .collect();
+            .listed();
         let mut best = None;
         for row in &self.left {
             let in_row = free.iter().filter(|c| !self.rows[*row][**c].is_zero()).count();
@@ -367,8 +367,7 @@ impl Elimination {
         let pivot = self.use_pivot(row, column);
         if self.left.is_empty() {
             let free = (0..self.width).filter(|c| *c == column || !self.columns.contains(c));
-            self.last_choices =
-                free.filter(|c| !pivot[*c].is_zero()).map(|c| (c, pivot[c].clone())).collect();
+            self.last_choices = free.filter(|c| !pivot[*c].is_zero()).map(|c| (c, pivot[c].clone())).listed();
             return Some(());
         }
         for k in &self.left {

@@ -1,6 +1,6 @@
 //! Resultants and discriminants, by evaluation and interpolation in the other variables.
 
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::map::SortedMap;
 
 use super::gcd::checked_product;
@@ -183,7 +183,7 @@ pub fn interpolate(nodes: &[Rational], values: &[Poly], var: Var, work: &mut Wor
         let others = nodes.iter().enumerate().filter(|(j, _)| *j != k);
         others.fold(Rational::ONE, |w, (_, x)| &w * &(&nodes[k] - x))
     };
-    let weights: Vec<Rational> = (0..n).map(weight).collect();
+    let weights: Vec<Rational> = (0..n).map(weight).listed();
     let denominator = weights.iter().fold(Rational::ONE, |l, w| &(&l * &w.abs()) / &l.gcd(w));
     let basis: Vec<Vec<Rational>> = nodes
         .iter()
@@ -192,7 +192,7 @@ pub fn interpolate(nodes: &[Rational], values: &[Poly], var: Var, work: &mut Wor
             let factor = &denominator / w;
             by_linear(&product, x).mapped(|c| c * &factor)
         })
-        .collect();
+        .listed();
     let mut columns: SortedMap<Monomial, Vec<Rational>> = SortedMap::new();
     for (value, lagrange) in values.iter().zip(&basis) {
         let words = (value.max_bits() + denominator.bits()) / 64 + 1;
@@ -206,7 +206,7 @@ pub fn interpolate(nodes: &[Rational], values: &[Poly], var: Var, work: &mut Wor
     }
     let terms = columns.iter().flat_map(|(monomial, column)| {
         let term = |(k, c): (usize, &Rational)| (monomial.with_exponent(var, k as u16), c / &denominator);
-        column.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(term).collect::<Vec<_>>()
+        column.iter().enumerate().filter(|(_, c)| !c.is_zero()).map(term).listed()
     });
     Some(Poly::from_terms(terms))
 }

@@ -8,7 +8,7 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::coordinate::Coordinate;
 use crate::sign::decomposition::projection::{all_roots, levels, univariates};
 use crate::sign::problem::{Problem, inner};
@@ -39,7 +39,7 @@ pub fn largest_range(polys: &[Poly], var: Var, region: &Region, budget: &mut Bud
     let (mut low, mut high) = (None, None);
     // The smallest first: most of the others narrow nothing then, and to see that is cheaper than to find how far they
     // would reach.
-    let mut sorted: Vec<&Poly> = polys.iter().collect();
+    let mut sorted: Vec<&Poly> = polys.iter().listed();
     sorted.sort_by_key(|p| p.len());
     for (k, p) in sorted.into_iter().enumerate() {
         if k > 0 && nonnegative_between(p, var, (&low, &high), region, budget) {
@@ -118,7 +118,7 @@ fn of_one(p: &Poly, var: Var, region: &Region, budget: &mut Budget) -> LargestRa
         let slope = problem.poly.derivative(*other);
         let low = range.low.value().map_or_else(|| -&slope, |x| problem.poly.at(*other, x));
         let high = range.high.value().map_or_else(|| slope.clone(), |x| problem.poly.at(*other, x));
-        let rest = Region { ranges: region.ranges.iter().filter(|(v, _)| v != other).cloned().collect() };
+        let rest = Region { ranges: region.ranges.iter().filter(|(v, _)| v != other).cloned().listed() };
         return largest_range(&[low, high], var, &rest, budget);
     }
     let undecided =
@@ -131,7 +131,7 @@ fn of_one(p: &Poly, var: Var, region: &Region, budget: &mut Budget) -> LargestRa
         };
     }
     let Some(factors) = square_free(&problem.poly, &mut budget.work) else { return undecided() };
-    let odd: Vec<Poly> = factors.into_iter().filter(|(_, e)| e % 2 == 1).map(|(f, _)| f).collect();
+    let odd: Vec<Poly> = factors.into_iter().filter(|(_, e)| e % 2 == 1).map(|(f, _)| f).listed();
     let Some(levels) = levels(&odd, &problem.ranges, Some(var), false, &mut budget.work) else {
         return undecided();
     };

@@ -1,5 +1,6 @@
 //! All ranges of one variable on which polynomials are nonnegative.
 
+use basis_kernel::collections::list::Listed;
 use core::cmp::Ordering;
 
 use crate::algebra::gcd::square_free;
@@ -47,7 +48,7 @@ pub fn nonnegative_parts(
         Some((polys, roots))
     })();
     let (polys, roots) = found.ok_or_else(spent)?;
-    let plain: Vec<Root> = roots.iter().map(|(_, root)| root.clone()).collect();
+    let plain: Vec<Root> = roots.iter().map(|(_, root)| root.clone()).listed();
     let mut holds = |x: &Rational| -> Result<bool, String> {
         for problem in &problems {
             match prove(&problem.fix(var, x), Relation::NonNegative, budget) {
@@ -108,7 +109,7 @@ fn corners(p: &Poly, var: Var, region: &Region, problems: &mut Vec<Problem>) {
     let slope = problem.poly.derivative(*other);
     let low = range.low.value().map_or_else(|| -&slope, |x| problem.poly.at(*other, x));
     let high = range.high.value().map_or_else(|| slope.clone(), |x| problem.poly.at(*other, x));
-    let rest = Region { ranges: region.ranges.iter().filter(|(v, _)| v != other).cloned().collect() };
+    let rest = Region { ranges: region.ranges.iter().filter(|(v, _)| v != other).cloned().listed() };
     for end in [low, high] {
         corners(&end, var, &rest, problems);
     }
@@ -119,7 +120,7 @@ fn projection(problem: &Problem, var: Var, budget: &mut Budget) -> Option<Vec<Po
     let factors = square_free(&problem.poly, &mut budget.work)?;
     // An even power changes no sign; but where one in `var` alone vanishes, the others do not matter.
     let counts = |(f, e): &(Poly, u32)| e % 2 == 1 || f.variables() == [var];
-    let factors: Vec<Poly> = factors.into_iter().filter(counts).map(|(f, _)| f).collect();
+    let factors: Vec<Poly> = factors.into_iter().filter(counts).map(|(f, _)| f).listed();
     let levels = levels(&factors, &problem.ranges, Some(var), false, &mut budget.work)?;
     levels.sets.into_iter().next()
 }

@@ -1,7 +1,7 @@
 //! Block triangular form of a matrix, from the places of its zeros alone.
 
 use crate::algebra::poly::Poly;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::{sort_by, sort_unique};
 
 /// Some rows and columns of a matrix.
@@ -21,7 +21,7 @@ pub(super) struct Block {
 /// are the strongly connected components of the graph with an edge from a row to the row of each column in which it is
 /// not zero (Dulmage and Mendelsohn 1958). Columns without a row go to the first block that they touch.
 pub(super) fn triangular(rows: &[Vec<Poly>]) -> Option<Vec<Block>> {
-    let support: Vec<Vec<usize>> = rows.mapped(|row| (0..row.len()).filter(|c| !row[*c].is_zero()).collect());
+    let support: Vec<Vec<usize>> = rows.mapped(|row| (0..row.len()).filter(|c| !row[*c].is_zero()).listed());
     let width = rows.first().map_or(0, Vec::len);
     let owner = matching(&support, width)?;
     let mut taken = vec![false; width];
@@ -56,7 +56,7 @@ fn matching(support: &[Vec<usize>], width: usize) -> Option<Vec<Option<usize>>> 
         columns
     });
     let mut owner = vec![None; width];
-    let mut order: Vec<usize> = (0..support.len()).collect();
+    let mut order: Vec<usize> = (0..support.len()).listed();
     sort_by(&mut order, |a, b| (support[*a].len(), a).cmp(&(support[*b].len(), b)));
     for row in order {
         // An augmenting path; the way back stands on a list, so that many rows cost no stack.

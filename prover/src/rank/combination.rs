@@ -9,6 +9,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::counterexample::Exact;
+use basis_kernel::collections::list::Listed;
 
 /// Factors of the rows with which their sum is zero at a point, one of them a number: whole numbers without common
 /// factor at a rational one; `None` when the rows are independent there, or the work is spent.
@@ -17,18 +18,18 @@ pub(crate) fn combination(exact: &mut Exact, table: Table<'_>, work: &mut Work) 
         let mut numbers: Vec<Vec<Rational>> = Vec::new();
         for row in table.rows {
             let values: Option<Vec<Element>> = row.iter().map(|p| exact.value(p, work)).collect();
-            numbers.push(values?.iter().map(Univariate::leading).collect());
+            numbers.push(values?.iter().map(Univariate::leading).listed());
         }
         let found = matrix::vanishing_combination(&numbers, work).ok()??;
-        return Some(found.into_iter().map(|c| Univariate::new(vec![c])).collect());
+        return Some(found.into_iter().map(|c| Univariate::new(vec![c])).listed());
     };
     let mut field = field.clone();
     let at = &exact.coordinates;
     // In blocks, each of which is zero in the columns of all later ones, few entries have to be eliminated.
     let cut = Cut::new(table.rows, table.symmetries);
     let (rows, order): (&[Vec<Poly>], Vec<usize>) = match &cut {
-        Some(cut) => (&cut.rows, cut.blocks.iter().flat_map(|b| b.rows.iter().copied()).collect()),
-        None => (table.rows, (0..table.rows.len()).collect()),
+        Some(cut) => (&cut.rows, cut.blocks.iter().flat_map(|b| b.rows.iter().copied()).listed()),
+        None => (table.rows, (0..table.rows.len()).listed()),
     };
     let row = |field: &crate::algebra::field::Field, k: usize, work: &mut Work| {
         rows[order[k]].iter().map(|p| field.eval(p, at, work)).collect::<Option<Vec<Element>>>()

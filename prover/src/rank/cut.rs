@@ -12,7 +12,7 @@ use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::coordinate::Coordinate;
 use crate::sign::problem::{as_rational, rational, simple, value};
 use crate::sign::{Found, search};
@@ -34,7 +34,7 @@ pub(super) struct Cut {
 /// All rows and columns as one block.
 pub(super) fn whole(rows: &[Vec<Poly>]) -> Cut {
     let block =
-        Block { rows: (0..rows.len()).collect(), columns: (0..rows.first().map_or(0, Vec::len)).collect() };
+        Block { rows: (0..rows.len()).listed(), columns: (0..rows.first().map_or(0, Vec::len)).listed() };
     Cut { change: None, rows: rows.to_vec(), blocks: vec![block] }
 }
 

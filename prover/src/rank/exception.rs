@@ -9,7 +9,7 @@ use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 use crate::sign::problem::{Problem, inner, simple};
 
@@ -60,7 +60,7 @@ fn in_lowest_terms(combination: &[Poly]) -> Vec<Poly> {
     let lead = combination.iter().find_map(|p| p.leading_term().map(|(_, c)| c.clone()));
     let factor = content.recip().unwrap_or(Rational::ONE);
     let factor = if lead.is_some_and(|c| c.is_negative()) { -factor } else { factor };
-    combination.iter().map(|p| p.scale(&factor)).collect()
+    combination.iter().map(|p| p.scale(&factor)).listed()
 }
 
 /// Whether rows are independent at some point of a region.

@@ -15,7 +15,7 @@ use crate::algebra::roots::isolate;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::{sort_by, sort_unique};
 use crate::coordinate::Coordinate;
 use crate::sign::problem::as_rational;
@@ -66,7 +66,7 @@ pub fn exceptional_set(table: Table<'_>, region: &Region, factor: u32) -> Except
             return set;
         }
     }
-    let mut parameters: Vec<Var> = rows.iter().flatten().flat_map(Poly::variables).collect();
+    let mut parameters: Vec<Var> = rows.iter().flatten().flat_map(Poly::variables).listed();
     sort_unique(&mut parameters);
     match &parameters[..] {
         [] => {}
@@ -95,7 +95,7 @@ fn one_parameter(
         let combination = match &point {
             Coordinate::Rational(x) => {
                 match vanishing_combination(&at(rows, &[(var, x.clone())]), &mut budget.work).ok()? {
-                    Some(c) => Some(c.into_iter().map(Poly::constant).collect()),
+                    Some(c) => Some(c.into_iter().map(Poly::constant).listed()),
                     None => continue,
                 }
             }
@@ -139,7 +139,7 @@ fn candidates(table: Table<'_>, var: Var, range: &Range, work: &mut Work) -> Opt
     if product.is_constant() {
         return Some(points);
     }
-    let mut ends: Vec<&Rational> = [range.low.value(), range.high.value()].into_iter().flatten().collect();
+    let mut ends: Vec<&Rational> = [range.low.value(), range.high.value()].into_iter().flatten().listed();
     ends.dedup();
     let zero = |x: &&&Rational| range.contains(x) && product.sign_at(x) == 0;
     points.extend(ends.iter().filter(zero).map(|x| Coordinate::Rational((*x).clone())));
@@ -194,7 +194,7 @@ fn largest_flat(
     for size in 1..=n {
         // The subsets of the first coordinates, as bits.
         for subset in (1_u32..1 << n).filter(|s| s.count_ones() as usize == size) {
-            let flat: Values = (0..n).filter(|k| subset >> k & 1 == 1).map(|k| point[k].clone()).collect();
+            let flat: Values = (0..n).filter(|k| subset >> k & 1 == 1).map(|k| point[k].clone()).listed();
             if let Exception::Dependent(combination) = dependent(table, &flat, region, budget) {
                 return (flat, Some(combination));
             }

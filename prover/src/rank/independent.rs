@@ -11,7 +11,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::work::{Spent, Work};
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::coordinate::Coordinate;
 use crate::sign::problem::{as_rational, rational, simple};
 
@@ -71,7 +71,7 @@ fn spent(rows: &[Vec<Poly>]) -> Failure {
 fn on_piece(table: Table<'_>, region: &Region, budget: &mut Budget) -> Result<Piece, Failure> {
     // Numbers in place of parameters with a single value.
     let single = |r: &Range| r.finite().filter(|(a, b)| a == b).map(|(a, _)| a.clone());
-    let single: Values = region.ranges.iter().filter_map(|(v, r)| Some((*v, single(r)?))).collect();
+    let single: Values = region.ranges.iter().filter_map(|(v, r)| Some((*v, single(r)?))).listed();
     let rows = table.fix(&single);
     let Some(cut) = Cut::new(&rows, table.symmetries) else {
         let start: Values = region.ranges.mapped(|(v, r)| (*v, simple(r)));

@@ -6,7 +6,7 @@ use crate::algebra::matrix::minor;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;
 use crate::coordinate::Coordinate;
 use crate::sign::decomposition::zeros::is_zero;
@@ -58,7 +58,7 @@ pub(super) fn irrational(
     let product =
         |a: &Vec<Poly>, b: &Vec<Poly>| a.iter().zip(b).fold(Poly::zero(), |s, (x, y)| &s + &(x * y));
     let gram: Vec<Vec<Poly>> = exact.mapped(|a| exact.mapped(|b| product(a, b)));
-    let all: Vec<usize> = (0..rows.len()).collect();
+    let all: Vec<usize> = (0..rows.len()).listed();
     let determinant = minor(&gram, &all, work)?;
     is_zero(&determinant, &algebraic, work)?.then_some(Irrational::Dependent)
 }

@@ -6,7 +6,7 @@ use crate::algebra::matrix::vanishing_combinations;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;
 
 /// A permutation of the rows together with one of the columns under which a matrix does not change: the entry at
@@ -48,7 +48,7 @@ pub(super) fn apply(change: &ChangeOfBasis, rows: &[Vec<Poly>]) -> Vec<Vec<Poly>
         .rows
         .iter()
         .map(|combination| (0..width).map(|c| sum(combination, |r| &rows[r][c])).collect::<Vec<Poly>>());
-    combined.map(|row| change.columns.mapped(|combination| sum(combination, |c| &row[c]))).collect()
+    combined.map(|row| change.columns.mapped(|combination| sum(combination, |c| &row[c]))).listed()
 }
 
 fn sum<'a>(combination: &[(usize, Rational)], entry: impl Fn(usize) -> &'a Poly) -> Poly {
@@ -91,19 +91,18 @@ fn eigenvectors(len: usize, sums: &[Vec<&[usize]>]) -> Option<Vec<Combination>> 
             }
         }
         sort_unique(&mut orbit);
-        let unit = |i: usize| {
-            (0..orbit.len()).map(|k| if k == i { Rational::ONE } else { Rational::ZERO }).collect()
-        };
-        let mut spaces: Vec<Vec<Vec<Rational>>> = vec![(0..orbit.len()).map(unit).collect()];
+        let unit =
+            |i: usize| (0..orbit.len()).map(|k| if k == i { Rational::ONE } else { Rational::ZERO }).listed();
+        let mut spaces: Vec<Vec<Vec<Rational>>> = vec![(0..orbit.len()).map(unit).listed()];
         for sum in sums {
-            spaces = spaces.into_iter().flat_map(|space| split(&space, &orbit, sum)).collect();
+            spaces = spaces.into_iter().flat_map(|space| split(&space, &orbit, sum)).listed();
         }
         if spaces.iter().map(Vec::len).sum::<usize>() != orbit.len() {
             return None;
         }
         for vector in spaces.into_iter().flatten() {
             let entries = orbit.iter().copied().zip(vector);
-            basis.push(entries.filter(|(_, x)| !x.is_zero()).collect());
+            basis.push(entries.filter(|(_, x)| !x.is_zero()).listed());
         }
     }
     Some(basis)
@@ -126,7 +125,7 @@ fn split(space: &[Vec<Rational>], orbit: &[usize], sum: &[&[usize]]) -> Vec<Vec<
         });
         // An orbit has at most as many elements as there are permutations: 24 on a tetrahedron.
         let combinations =
-            vanishing_combinations(&moved.collect::<Vec<_>>(), &mut Work::unlimited()).unwrap_or_default();
+            vanishing_combinations(&moved.listed(), &mut Work::unlimited()).unwrap_or_default();
         let combine = |factors: Vec<Rational>| {
             let mut vector = vec![Rational::ZERO; orbit.len()];
             for (factor, of) in factors.iter().zip(space) {
@@ -136,9 +135,9 @@ fn split(space: &[Vec<Rational>], orbit: &[usize], sum: &[&[usize]]) -> Vec<Vec<
             }
             vector
         };
-        combinations.into_iter().map(combine).collect::<Vec<_>>()
+        combinations.into_iter().map(combine).listed()
     });
-    parts.filter(|part| !part.is_empty()).collect()
+    parts.filter(|part| !part.is_empty()).listed()
 }
 
 #[cfg(test)]

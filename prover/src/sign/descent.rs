@@ -9,7 +9,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 
 /// How many points the method starts from.
@@ -32,7 +32,7 @@ pub(super) fn downhill(
         let mut value = walk.value(&problem.poly, &point, work)?;
         for step in 0..STEPS {
             let at: Vec<(Var, Rational)> =
-                problem.ranges.iter().zip(&point).map(|((v, _), x)| (*v, x.clone())).collect();
+                problem.ranges.iter().zip(&point).map(|((v, _), x)| (*v, x.clone())).listed();
             if violates(problem, relation, &at) {
                 return Some(at);
             }
@@ -94,7 +94,7 @@ impl<'p> Walk<'p> {
         }
         sort_by(&mut valued, |a, b| a.0.cmp(&b.0));
         valued.truncate(STARTS);
-        Some(valued.into_iter().map(|(_, point)| point).collect())
+        Some(valued.into_iter().map(|(_, point)| point).listed())
     }
 
     /// A lower point whose coordinates are multiples of 2^−bits, and its value; `None` when Newton's
@@ -109,14 +109,14 @@ impl<'p> Walk<'p> {
         let mut system: Vec<Vec<Rational>> = Vec::new();
         for (slope, row) in self.slopes.iter().zip(&self.curvatures) {
             // The matrix is symmetric.
-            let mut numbers: Vec<Rational> = system.iter().map(|r| r[system.len()].clone()).collect();
+            let mut numbers: Vec<Rational> = system.iter().map(|r| r[system.len()].clone()).listed();
             for p in &row[system.len()..] {
                 numbers.push(shortened(&self.value(p, point, work)?));
             }
             numbers.push(-shortened(&self.value(slope, point, work)?));
             system.push(numbers);
         }
-        let gradient: Vec<Rational> = system.iter().filter_map(|row| row.last()).map(|x| -x).collect();
+        let gradient: Vec<Rational> = system.iter().filter_map(|row| row.last()).map(|x| -x).listed();
         let mut direction = solved(system, work)?;
         let rise = gradient.iter().zip(&direction).fold(Rational::ZERO, |sum, (g, d)| &sum + &(g * d));
         if !rise.is_negative() {
@@ -126,7 +126,7 @@ impl<'p> Walk<'p> {
         for _ in 0..HALVINGS {
             let next: Vec<Rational> = (self.problem.ranges.iter().zip(point).zip(&direction))
                 .map(|(((_, range), x), d)| clamped(range, &rounded(&(x + d), &unit), x))
-                .collect();
+                .listed();
             let lower = self.value(&self.problem.poly, &next, work)?;
             if lower < *value {
                 return Some((next, lower));
@@ -193,7 +193,7 @@ fn solved(mut rows: Vec<Vec<Rational>>, work: &mut Work) -> Option<Vec<Rational>
             }
         }
     }
-    Some((0..n).map(|k| &rows[k][n] / &rows[k][k]).collect())
+    Some((0..n).map(|k| &rows[k][n] / &rows[k][k]).listed())
 }
 
 #[cfg(test)]

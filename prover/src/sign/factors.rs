@@ -9,6 +9,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::budget::Budget;
 use crate::method::Method;
+use basis_kernel::collections::list::Listed;
 use basis_kernel::{FactorSign, Relation, SignProof, Signed};
 
 /// Decides by the signs of the factors; `None` when the polynomial has no factors that are worth it, and when the
@@ -73,7 +74,7 @@ pub(super) fn by_factors(
         _ if number.is_negative() => Signed::Negative(SignProof::direct()),
         _ => Signed::Positive(SignProof::direct()),
     };
-    let factors = factors.into_iter().map(|(base, _, sign)| (base, sign)).collect();
+    let factors = factors.into_iter().map(|(base, _, sign)| (base, sign)).listed();
     Some(Outcome::Proved(hardest, SignProof::Factors { factors, rest: Box::new(rest) }))
 }
 

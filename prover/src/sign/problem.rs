@@ -7,6 +7,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::coordinate::Coordinate;
+use basis_kernel::collections::list::Listed;
 
 /// A point by coordinates.
 pub(crate) type Point = Vec<(Var, Coordinate)>;
@@ -29,13 +30,13 @@ impl Problem {
                 poly = poly.at(*var, a);
             }
         }
-        let ranges = poly.variables().into_iter().map(|v| (v, region.range(v))).collect();
+        let ranges = poly.variables().into_iter().map(|v| (v, region.range(v))).listed();
         Self { poly, ranges }
     }
 
     /// Another polynomial on the same ranges.
     pub(crate) fn with(&self, poly: Poly) -> Self {
-        let ranges = self.ranges.iter().filter(|(v, _)| poly.depends_on(*v)).cloned().collect();
+        let ranges = self.ranges.iter().filter(|(v, _)| poly.depends_on(*v)).cloned().listed();
         Self { poly, ranges }
     }
 
@@ -102,7 +103,7 @@ pub(crate) fn value(poly: &Poly, point: &[(Var, Rational)]) -> Rational {
 
 /// A rational point as a point.
 pub(crate) fn rational(point: Vec<(Var, Rational)>) -> Point {
-    point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).collect()
+    point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).listed()
 }
 
 /// The coordinates of a point, if all are rational.

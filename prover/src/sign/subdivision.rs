@@ -7,7 +7,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use basis_kernel::Cuts;
 use basis_kernel::Relation;
 
@@ -98,7 +98,7 @@ impl Search<'_> {
     }
 
     fn refute(&mut self, point: impl Iterator<Item = (Var, Rational)>) {
-        self.refuted = Some(rational(point.collect()));
+        self.refuted = Some(rational(point.listed()));
     }
 
     fn visit(&mut self, axes: &[Axis], form: &Form, depth: usize) -> Option<Cuts> {
@@ -121,8 +121,7 @@ impl Search<'_> {
             let sign = corner(form, high).signum();
             let belongs = || axes.iter().enumerate().all(|(k, a)| a.included[usize::from(high(k))]);
             if sign < 0 || sign == 0 && self.relation == Relation::Positive && belongs() {
-                let corner =
-                    axes.iter().enumerate().map(|(k, a)| (a.var, &a.side, high(k))).collect::<Vec<_>>();
+                let corner = axes.iter().enumerate().map(|(k, a)| (a.var, &a.side, high(k))).listed();
                 self.refuted = witness::inside(self.problem, self.relation, &corner, self.work).map(rational);
                 return None;
             }

@@ -9,7 +9,7 @@ use crate::algebra::roots::{Root, isolate};
 use crate::algebra::simplest::{simplest_between, spend_simplest};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use basis_kernel::Relation;
 
 /// A rational point.
@@ -135,7 +135,7 @@ fn grid(problem: &Problem, relation: Relation, work: &mut Work) -> Option<Ration
             continue;
         }
         loop {
-            let point: Rationals = lists.iter().zip(&places).map(|((v, l), k)| (*v, l[*k].clone())).collect();
+            let point: Rationals = lists.iter().zip(&places).map(|((v, l), k)| (*v, l[*k].clone())).listed();
             problem.spend_value(8, work)?;
             if violates(problem, relation, &point) {
                 return Some(point);
@@ -238,7 +238,7 @@ fn simplest_coordinate(
     let range = problem.range(var);
     let bad = |x: &Rational| range.contains(x) && !relation.holds(&Rational::from(i64::from(p.sign_at(x))));
     let ends = [&range.low, &range.high].into_iter().filter_map(|e| e.value()).filter(|x| bad(x)).cloned();
-    let mut found: Vec<Rational> = ends.collect();
+    let mut found: Vec<Rational> = ends.listed();
     let square_free = if p.is_constant() { p.clone() } else { p.square_free_part(work)? };
     let mut roots = isolate(&square_free, range.low.value(), range.high.value(), work)?;
     for root in &mut roots {

@@ -4,7 +4,7 @@ use crate::algebra::range::DisplayRange as _;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::state::Verdict;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The lines of the doc comment; one formula a line.
 pub(in crate::generate) fn family(
@@ -26,7 +26,7 @@ pub(in crate::generate) fn family(
     lines.push(String::new());
     let mut ranges: Vec<String> = Vec::new();
     if family.is_simplex() {
-        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
+        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
         ranges.push(format!("`{} = 1`, all ≥ 0", names.join(" + ")));
     } else {
         ranges.extend(family.domain.iter().map(|p| format!("`{}`", p.range.display(&p.name))));

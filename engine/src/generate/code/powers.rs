@@ -5,7 +5,7 @@ use quote::{ToTokens, quote_spanned};
 
 use super::scalar;
 use super::tokens::site;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The powers of the coordinates.
 #[derive(Default)]
@@ -40,7 +40,7 @@ impl Powers {
         exponents: &[u32],
     ) -> Option<TokenStream> {
         let factors: Vec<Ident> =
-            bases.iter().zip(exponents).filter_map(|(base, e)| self.get(base, *e)).collect();
+            bases.iter().zip(exponents).filter_map(|(base, e)| self.get(base, *e)).listed();
         match factors.as_slice() {
             [] => None,
             [one] => Some(one.to_token_stream()),

@@ -1,5 +1,6 @@
 //! Expressions in shape values and other scalars as Rust code: each distinct one is computed once.
 
+use basis_kernel::collections::list::Listed;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 
@@ -34,7 +35,7 @@ impl ScalarCode {
             range: p.range.clone(),
             value: quote_spanned!(site()=> self.#field),
         };
-        Self::new(family.shapes.iter().zip(fields).map(variable).collect())
+        Self::new(family.shapes.iter().zip(fields).map(variable).listed())
     }
 
     pub(in crate::generate) fn new(variables: Vec<Variable>) -> Self {

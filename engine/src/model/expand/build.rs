@@ -11,7 +11,7 @@ use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library, Parameter};
 use crate::source::SourceId;
 use crate::syntax::{self, Name, RangeDecl, StatementKind};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
 pub(crate) fn family(
@@ -22,7 +22,7 @@ pub(crate) fn family(
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
-    scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).collect();
+    scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).listed();
     let result = build(&mut scope, written);
     (result, scope.diagnostics.into_inner())
 }
@@ -51,7 +51,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         .functions
         .iter()
         .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
-        .collect();
+        .listed();
     for f in &functions {
         scope.fits(scope.budget.run().keep(&f.value), written.name.span)?;
     }

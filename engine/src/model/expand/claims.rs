@@ -14,7 +14,7 @@ use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
 pub(crate) fn claims(
@@ -321,7 +321,7 @@ fn independent(
     if left.is_zero() {
         fixed.retain(|(_, f)| scope.domain.iter().all(|v| !f.depends_on(*v)));
         let free: Vec<Var> =
-            scope.domain.iter().copied().filter(|v| fixed.iter().all(|(f, _)| f != v)).collect();
+            scope.domain.iter().copied().filter(|v| fixed.iter().all(|(f, _)| f != v)).listed();
         fixed.extend(free.into_iter().map(|v| (v, Fraction::zero())));
     }
     Some(fixed)

@@ -11,7 +11,7 @@ use crate::model::tuples::{grid, multi_indices};
 use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// Defines what the statements define, in the order in which they are written.
@@ -251,12 +251,9 @@ fn orders(len: usize) -> Vec<Vec<usize>> {
         all = all
             .into_iter()
             .flat_map(|start: Vec<usize>| {
-                (0..len)
-                    .filter(|k| !start.contains(k))
-                    .map(|k| [start.as_slice(), &[k]].concat())
-                    .collect::<Vec<_>>()
+                (0..len).filter(|k| !start.contains(k)).map(|k| [start.as_slice(), &[k]].concat()).listed()
             })
-            .collect();
+            .listed();
     }
     all
 }
@@ -320,7 +317,7 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
         let known = scope.functions.iter();
         scope.base = known
             .filter_map(|(index, value)| Some(Function { index: index.clone(), value: value.clone()? }))
-            .collect();
+            .listed();
     }
     let mut done = lowest;
     if let Some(before) = order_before(scope, written, lowest, wanted) {

@@ -6,6 +6,7 @@ use crate::model::scope::Scope;
 use crate::model::tuples::{grid, multi_indices};
 use crate::plural::list;
 use crate::syntax;
+use basis_kernel::collections::list::Listed;
 
 /// More functions than this are refused.
 pub(crate) const MAX_FUNCTIONS: usize = 512;
@@ -26,12 +27,12 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
     let wanted =
         if corners { multi_indices(width, sum, MAX_FUNCTIONS) } else { grid(&sizes(scope), MAX_FUNCTIONS) };
     let missing: Vec<&Vec<i64>> =
-        wanted.iter().filter(|index| !scope.functions.contains_key(*index)).collect();
+        wanted.iter().filter(|index| !scope.functions.contains_key(*index)).listed();
     if missing.is_empty() {
         return true;
     }
     let mut names: Vec<String> =
-        missing.iter().take(4).map(|index| format!("`{}`", label(&scope.function_name, index))).collect();
+        missing.iter().take(4).map(|index| format!("`{}`", label(&scope.function_name, index))).listed();
     if missing.len() > 4 {
         names.push(String::from("others"));
     }
@@ -60,7 +61,7 @@ fn other_sum(scope: &Scope<'_>) -> Option<Diagnostic> {
     if sums.all(|other| other == first) {
         return None;
     }
-    let mut functions: Vec<_> = scope.defined.iter().collect();
+    let mut functions: Vec<_> = scope.defined.iter().listed();
     functions.sort_by_key(|(_, definition)| definition.place);
     let others = |s: i64| functions.iter().filter(|(index, _)| sum(index) == s).count();
     let (most, _) = functions.iter().rev().max_by_key(|(index, _)| others(sum(index)))?;
@@ -125,5 +126,5 @@ fn too_few_names(scope: &Scope<'_>, width: usize, sum: i64) -> Option<String> {
 /// One more than the greatest index, in every place.
 pub(crate) fn sizes(scope: &Scope<'_>) -> Vec<i64> {
     let width = scope.functions.keys().next().map_or(0, Vec::len);
-    (0..width).map(|k| scope.functions.keys().map(|index| index[k]).max().unwrap_or(0) + 1).collect()
+    (0..width).map(|k| scope.functions.keys().map(|index| index[k]).max().unwrap_or(0) + 1).listed()
 }

@@ -8,7 +8,7 @@ use crate::algebra::poly::Var;
 use crate::model::scope::{Inside, Scope};
 use crate::plural::{count, here};
 use crate::syntax::Expr;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 impl Scope<'_> {
     /// The functions of another family, in this family's domain variables.
@@ -97,7 +97,7 @@ impl Scope<'_> {
         let renamed = (0..plain.len()).all(|k| plain[k].is_some() && !plain[..k].contains(&plain[k]));
         let aside = |k: usize| Var(self.names.len() + k);
         let mut names: Vec<Var> =
-            (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).collect();
+            (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).listed();
         names.extend(&self.domain);
         names.extend(family.dependent.as_ref().and(self.dependent));
         // An index outside of the family is reported with the whole list.

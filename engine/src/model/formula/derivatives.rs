@@ -7,7 +7,7 @@ use crate::advice::along_edges;
 use crate::algebra::poly::Var;
 use crate::model::scope::Scope;
 use crate::syntax::{Expr, ExprKind};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 impl Scope<'_> {
     /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).
@@ -84,7 +84,7 @@ impl Scope<'_> {
         }
         match result.pop() {
             Some((_, only)) if single => Some(Value::Scalar(only)),
-            last => Some(Value::List(result.into_iter().chain(last).collect())),
+            last => Some(Value::List(result.into_iter().chain(last).listed())),
         }
     }
 

@@ -13,7 +13,7 @@ use crate::model::scope::{Duty, Pending, Scope, Stage};
 use crate::model::words::BUILTINS;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;
@@ -83,7 +83,7 @@ impl Scope<'_> {
             }
             ExprKind::Each(body, loops) => {
                 let list = self.collect(body, loops)?;
-                Some(Value::List(list.into_iter().enumerate().map(|(k, f)| (vec![k as i64], f)).collect()))
+                Some(Value::List(list.into_iter().enumerate().map(|(k, f)| (vec![k as i64], f)).listed()))
             }
         }
     }
@@ -395,7 +395,7 @@ impl Scope<'_> {
             let expected = count(all, "argument");
             let error = self.error(span, format!("the functions take {expected}, {}", here(arguments.len())));
             let variables: Vec<&str> =
-                self.domain.iter().chain(&self.dependent).map(|v| self.names[v.0].as_str()).collect();
+                self.domain.iter().chain(&self.dependent).map(|v| self.names[v.0].as_str()).listed();
             self.report(
                 error.help(format!("write one for each coordinate: `(…)({})`", variables.join(", "))),
             );
@@ -470,7 +470,7 @@ impl Scope<'_> {
                 let list = match &one.kind {
                     ExprKind::Each(body, loops) => self.collect(body, loops)?,
                     _ => match self.value(one)? {
-                        Value::List(list) => list.into_iter().map(|(_, f)| f).collect(),
+                        Value::List(list) => list.into_iter().map(|(_, f)| f).listed(),
                         Value::Scalar(f) => vec![f],
                     },
                 };
@@ -541,7 +541,7 @@ impl Scope<'_> {
 fn map(value: Value, with: impl Fn(&Fraction) -> Fraction) -> Value {
     match value {
         Value::Scalar(f) => Value::Scalar(with(&f)),
-        Value::List(list) => Value::List(list.into_iter().map(|(i, f)| (i, with(&f))).collect()),
+        Value::List(list) => Value::List(list.into_iter().map(|(i, f)| (i, with(&f))).listed()),
     }
 }
 

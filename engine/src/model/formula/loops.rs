@@ -4,6 +4,7 @@ use crate::model::budget::SPLIT;
 use crate::model::scope::Scope;
 use crate::model::tuples::multi_indices;
 use crate::syntax::{Comparison, Generator, Loops, Name};
+use basis_kernel::collections::list::Listed;
 
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;
@@ -75,7 +76,7 @@ impl Scope<'_> {
             Generator::Range(range) => {
                 let Some((first, last)) = self.bounds(range) else { return false };
                 let last = last.min(first.saturating_add(MAX_ITERATIONS));
-                (core::slice::from_ref(&range.name), (first..=last).map(|v| vec![v]).collect::<Vec<_>>())
+                (core::slice::from_ref(&range.name), (first..=last).map(|v| vec![v]).listed())
             }
             Generator::Simplex(names, sum) => {
                 let Some(sum) = self.whole(sum, "the sum of the indices") else { return false };

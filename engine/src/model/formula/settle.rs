@@ -1,6 +1,7 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
+use basis_kernel::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -207,7 +208,7 @@ impl Scope<'_> {
     /// The coordinates of a point that a polynomial depends on, as text.
     fn own(&self, p: &Poly, point: &[(Var, Coordinate)]) -> String {
         let own = point.iter().filter(|(v, _)| p.depends_on(*v));
-        let parts: Vec<String> = own.map(|(v, c)| c.describe(&self.names[v.0])).collect();
+        let parts: Vec<String> = own.map(|(v, c)| c.describe(&self.names[v.0])).listed();
         parts.join(", ")
     }
 }

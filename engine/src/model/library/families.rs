@@ -14,7 +14,7 @@ use crate::model::expand::{build, claims};
 use crate::model::scope::Scope;
 use crate::subject::{Item, Subject};
 use crate::syntax;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 /// Families that refer to one another through more levels than this are refused.
 const MAX_DEPTH: usize = 48;
@@ -164,7 +164,7 @@ impl Library<'_> {
             for order in &orders {
                 let (first, last) = self.order_range(home, family, order)?;
                 for value in first..=last {
-                    longer.push(order.iter().copied().chain([value]).collect());
+                    longer.push(order.iter().copied().chain([value]).listed());
                 }
                 if longer.len() as i64 > MAX_ORDERS {
                     let place = self.place(self.units[home].source, family.name.span);
@@ -252,7 +252,7 @@ impl Library<'_> {
 fn at_order(mut diagnostics: Diagnostics, family: &syntax::Family, order: &[i64]) -> Diagnostics {
     if !order.is_empty() && !diagnostics.is_empty() {
         let values: Vec<String> =
-            family.orders.iter().zip(order).map(|(g, v)| format!("{} = {v}", g.name.text)).collect();
+            family.orders.iter().zip(order).map(|(g, v)| format!("{} = {v}", g.name.text)).listed();
         for diagnostic in diagnostics.shown_mut() {
             diagnostic.notes.push(format!("for {}", values.join(", ")));
         }

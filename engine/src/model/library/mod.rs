@@ -15,7 +15,7 @@ use super::obligation::Judge;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{Files, SourceId, Sources};
 use crate::syntax::{self, Spec};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 pub use families::Selected;
@@ -117,7 +117,7 @@ impl<'f> Library<'f> {
 
     /// The names of all families that a spec can name.
     pub(crate) fn visible(&self, unit: usize) -> Vec<String> {
-        self.search(unit).into_iter().flat_map(|u| self.families_of(u)).map(|f| f.name.text.clone()).collect()
+        self.search(unit).into_iter().flat_map(|u| self.families_of(u)).map(|f| f.name.text.clone()).listed()
     }
 
     /// Whether a name may be that of an item that could not be read: it stands there, or the name is missing.
@@ -169,7 +169,7 @@ impl<'f> Library<'f> {
 
     /// The names of the families of the spec that was asked for, and whether they have index parameters.
     pub fn names(&self) -> Vec<(String, bool)> {
-        self.families_of(MAIN).map(|f| (f.name.text.clone(), !f.orders.is_empty())).collect()
+        self.families_of(MAIN).map(|f| (f.name.text.clone(), !f.orders.is_empty())).listed()
     }
 
     /// The names of the index parameters of a family that the spec can name; `None` for an unknown family.

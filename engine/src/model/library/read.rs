@@ -13,7 +13,7 @@ use crate::model::obligation::Judge;
 use crate::model::words::BUILTINS;
 use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
 use crate::syntax::{self, Home, Name, Spec, SyntaxErrors};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_kernel::collections::sort::sort_by;
 
 /// The most bytes of all specs of a run.
@@ -109,7 +109,7 @@ impl<'f> Library<'f> {
                 syntax::Item::Use(u) => Some((u.home, u.path.clone(), u.span)),
                 syntax::Item::Family(_) | syntax::Item::Theorem(_) => None,
             })
-            .collect();
+            .listed();
         let mut families: Vec<(String, usize)> = Vec::new();
         for (position, item) in spec.items.iter().enumerate() {
             if let syntax::Item::Family(family) = item {
@@ -215,7 +215,7 @@ impl<'f> Library<'f> {
             (Home::Folder, Some(name)) => source::library(self.files, &source::beside(name, path)?),
             (Home::Folder, None) => {
                 let folder = from.path.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-                let folders: Vec<PathBuf> = folder.into_iter().collect();
+                let folders: Vec<PathBuf> = folder.into_iter().listed();
                 source::read(self.files, path, &folders)
             }
         }
@@ -251,7 +251,7 @@ impl<'f> Library<'f> {
 
 /// The names that stand a second time in a list, each with the first one, in the order of the list.
 fn repeated_names<'n>(names: impl Iterator<Item = &'n Name>) -> Vec<(&'n Name, &'n Name)> {
-    let mut sorted: Vec<(usize, &Name)> = names.enumerate().collect();
+    let mut sorted: Vec<(usize, &Name)> = names.enumerate().listed();
     sort_by(&mut sorted, |a, b| a.1.text.cmp(&b.1.text));
     let mut repeated = Vec::new();
     let mut first = 0;
@@ -265,5 +265,5 @@ fn repeated_names<'n>(names: impl Iterator<Item = &'n Name>) -> Vec<(&'n Name, &
         }
     }
     sort_by(&mut repeated, |a, b| a.0.cmp(&b.0));
-    repeated.into_iter().map(|(_, again, first)| (again, first)).collect()
+    repeated.into_iter().map(|(_, again, first)| (again, first)).listed()
 }

@@ -16,7 +16,7 @@ use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::Name;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 mod duty;
@@ -255,7 +255,7 @@ impl Scope<'_> {
             return self.unknown(name, span);
         }
         let families = self.library.visible(self.unit);
-        let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).collect();
+        let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).listed();
         let near = closest(name, &known).is_some();
         let elsewhere = ELSEWHERE.contains(&name) || BINOMIALS.contains(&name);
         let is_family = name.starts_with(|c: char| c.is_ascii_uppercase());

@@ -1,7 +1,7 @@
 //! Equations: expand, subtract, and nothing or something is left.
 
 use basis_kernel::Statement;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -17,7 +17,7 @@ pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {
     for function in &family.functions {
         sum = &sum + &function.value;
     }
-    let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+    let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).listed();
     vec![(format!("{} - 1", labels.join(" + ")), &sum - &Fraction::constant(Rational::ONE))]
 }
 
@@ -89,7 +89,7 @@ impl Motion {
             .map(|(v, _)| v.0 + 1)
             .chain(f.numer().variables().last().map(|v| v.0 + 1))
             .max()?;
-        let mut names: Vec<Var> = (0..width).map(Var).collect();
+        let mut names: Vec<Var> = (0..width).map(Var).listed();
         let mut substituted = None;
         for (var, value) in &self.by {
             match value.variables().as_slice() {
@@ -115,14 +115,14 @@ fn motions(family: &Family) -> Vec<Motion> {
     let mut all = Vec::new();
     if family.is_simplex() {
         let rest = identity.iter().fold(Poly::one(), |rest, p| &rest - p);
-        let names: Vec<String> = family.domain_variables().map(|p| p.name.clone()).collect();
+        let names: Vec<String> = family.domain_variables().map(|p| p.name.clone()).listed();
         identity.push(rest);
         let numbered = last.len() == names.len();
         for k in 0..vars.len() {
             let (mut moved, mut arguments) = (identity.clone(), names.clone());
             moved.swap(k, k + 1);
             arguments.swap(k, k + 1);
-            let by = vars.iter().copied().zip(moved).collect();
+            let by = vars.iter().copied().zip(moved).listed();
             all.push(Motion { by, arguments, places: numbered.then_some((k, k + 1)), last: last.clone() });
         }
         return all;
@@ -130,10 +130,10 @@ fn motions(family: &Family) -> Vec<Motion> {
     for (k, variable) in family.domain.iter().enumerate() {
         let Some((low, high)) = variable.range.finite() else { continue };
         let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
-        let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).collect();
+        let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).listed();
         let arguments = moved.mapped(|p| p.display(&family.names).to_string());
         all.push(Motion {
-            by: vars.iter().copied().zip(moved).collect(),
+            by: vars.iter().copied().zip(moved).listed(),
             arguments,
             places: (last.len() == vars.len()).then_some((k, k)),
             last: last.clone(),

@@ -1,6 +1,6 @@
 //! Linear independence: the rank of the coefficient table and the shape values at which it drops.
 
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_kernel::collections::sort::sort_unique;
 use basis_kernel::{Statement, Values};
 use basis_prover::map::SortedMap;
@@ -44,12 +44,12 @@ pub fn coefficient_table(family: &Family) -> Table {
         return Table { rows, symmetries: Symmetries::new() };
     }
     if let Some(rows) = bernstein_table(family) {
-        let reversed = |len: usize| (0..len).rev().collect();
+        let reversed = |len: usize| (0..len).rev().listed();
         let width = rows.first().map_or(0, Vec::len);
         let symmetries = vec![vec![Symmetry { rows: reversed(rows.len()), columns: reversed(width) }]];
         return Table { rows, symmetries };
     }
-    let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
+    let domain: Vec<Var> = family.domain.iter().map(|p| p.var).listed();
     // The shape parameters are the first variables.
     let parts_of = |m: &Monomial| {
         let others = (0..family.shapes.len()).fold(m.clone(), |others, v| others.with_exponent(Var(v), 0));
@@ -80,23 +80,22 @@ pub fn coefficient_table(family: &Family) -> Table {
         }
         row
     };
-    let rows: Vec<SortedMap<Monomial, Poly>> =
-        family.functions.iter().map(|f| row(f.value.numer())).collect();
-    let mut columns: Vec<&Monomial> = rows.iter().flat_map(SortedMap::keys).collect();
+    let rows: Vec<SortedMap<Monomial, Poly>> = family.functions.iter().map(|f| row(f.value.numer())).listed();
+    let mut columns: Vec<&Monomial> = rows.iter().flat_map(SortedMap::keys).listed();
     sort_unique(&mut columns);
     let symmetries = if family.is_simplex() {
         let exponents = |m: &&Monomial| {
-            let mut all: Vec<u16> = domain.iter().map(|v| m.exponent(*v)).collect();
+            let mut all: Vec<u16> = domain.iter().map(|v| m.exponent(*v)).listed();
             all.push(degree - domain_degree(m));
             all
         };
-        exchanges(family, &columns.iter().map(exponents).collect::<Vec<_>>())
+        exchanges(family, &columns.iter().map(exponents).listed())
     } else {
         Symmetries::new()
     };
     let filled =
-        rows.iter().map(|row| columns.iter().map(|c| row.get(*c).cloned().unwrap_or_default()).collect());
-    Table { rows: filled.collect(), symmetries }
+        rows.iter().map(|row| columns.iter().map(|c| row.get(*c).cloned().unwrap_or_default()).listed());
+    Table { rows: filled.listed(), symmetries }
 }
 
 /// For each corner of a simplex the exchanges with those before it, of indices and exponents alike.
@@ -132,7 +131,7 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
         .iter()
         .filter(|(v, _)| family.shapes.iter().any(|s| s.var == *v))
         .map(|(v, c)| c.describe(&family.names[v.0]))
-        .collect();
+        .listed();
     let rational: Option<Vec<Rational>> = found
         .point
         .iter()
@@ -165,7 +164,7 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
                 .iter()
                 .zip(&family.functions)
                 .map(|(c, f)| Poly::constant(&c.leading() * &f.value.denom().eval(&coordinates)))
-                .collect();
+                .listed();
             let of = combination_text(family, &scaled);
             let note = format!("`{of}` vanishes identically{here}");
             (of, Rational::ZERO, note)

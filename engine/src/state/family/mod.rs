@@ -15,7 +15,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
 #[cfg(any(test, feature = "tools"))]
@@ -30,7 +30,7 @@ fn expressions(family: &Family, kind: &ClaimKind) -> Vec<(String, Fraction)> {
         ClaimKind::Continuity(order) => identity::continuity(family, *order),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
-            functions.map(|(k, f)| (family.function_label(k), f.value.clone())).collect()
+            functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
         }
         ClaimKind::Relation { differences, .. } => differences.mapped(|d| (d.text.clone(), d.value.clone())),
         _ => Vec::new(),
@@ -50,7 +50,7 @@ pub fn statements(family: &Family, claim: &Claim) -> Vec<Stated> {
         _ => Comparison::Equal,
     };
     let expressions = expressions(family, kind).into_iter();
-    expressions.map(|(of, value)| Stated::new(of, compared(&value, comparison, &domain))).collect()
+    expressions.map(|(of, value)| Stated::new(of, compared(&value, comparison, &domain))).listed()
 }
 
 /// Decides a claim.

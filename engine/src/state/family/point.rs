@@ -1,5 +1,6 @@
 //! Counterexamples as points of the names of a family.
 
+use basis_kernel::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample, typical};
 
 use crate::algebra::fraction::Fraction;
@@ -9,7 +10,7 @@ use crate::model::Family;
 
 /// The names of the domain variables.
 pub(super) fn domain_names(family: &Family) -> Vec<String> {
-    family.domain_variables().map(|p| p.name.clone()).collect()
+    family.domain_variables().map(|p| p.name.clone()).listed()
 }
 
 /// A counterexample as a point of the names, complete with what `at` fixes and with values for what plays no part.

@@ -5,6 +5,7 @@ mod parallel;
 mod products;
 mod witness;
 
+use basis_kernel::collections::list::Listed;
 use core::convert::Infallible;
 use std::rc::Rc;
 
@@ -125,7 +126,7 @@ fn on_points(theorem: &Theorem, kind: &ClaimKind, net: &Net, domain: &Rc<Domain>
                 let of = if label.is_empty() { text.clone() } else { format!("({text}){label}") };
                 Stated::new(of, compared(&value, Comparison::Equal, domain))
             };
-            parts(theorem, value, net).into_iter().map(zero).collect()
+            parts(theorem, value, net).into_iter().map(zero).listed()
         }
         ClaimKind::Parallel { left, right } => parallel::on_points(theorem, [left, right], net, domain),
         _ => Vec::new(),
@@ -199,7 +200,7 @@ fn inequality(
                         let given = at.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
                         (p.var, given.unwrap_or_else(|| Coordinate::Rational(typical(&p.range))))
                     });
-                    let scalars: Vec<(Var, Coordinate)> = scalars.collect();
+                    let scalars: Vec<(Var, Coordinate)> = scalars.listed();
                     let work = &mut crate::algebra::work::Work::new(EXPLICIT);
                     Box::new(basis_prover::refute(&Rc::new(statement), &scalars, work)?)
                 }

@@ -4,7 +4,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::theorem::{Form, Theorem, Unit};
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_kernel::collections::sort::sort_unique;
 
 /// Nets with pseudo-random points that are tried after the regular one.
@@ -71,7 +71,7 @@ pub(super) fn nets(theorem: &Theorem) -> impl Iterator<Item = Net> {
         // In a space of as many dimensions as there are points, their dot products are independent.
         let wide = if attempt % 2 == 0 { dimension } else { count.clamp(2, 8) };
         let dimension = theorem.dimension.unwrap_or(wide);
-        let points = (0..count).map(|_| (0..dimension).map(|_| small(&mut seed)).collect()).collect();
+        let points = (0..count).map(|_| (0..dimension).map(|_| small(&mut seed)).listed()).listed();
         Net { points }
     };
     let random = (0..attempts).map(random);
@@ -88,10 +88,10 @@ pub(super) fn sparse(theorem: &Theorem) -> impl Iterator<Item = Net> {
     let (count, dimension) = (theorem.points.len(), dimension(theorem));
     let unit = move |k: usize, p: usize, q: usize| -> Vec<Rational> {
         let place = |c| i64::from((c == 0 && k == p) || (c == 1 && k == q));
-        (0..dimension).map(|c| Rational::from(place(c))).collect()
+        (0..dimension).map(|c| Rational::from(place(c))).listed()
     };
     let pairs = (0..count).flat_map(move |p| (p + 1..count.max(p + 2)).map(move |q| (p, q)));
-    pairs.map(move |(p, q)| Net { points: (0..count).map(|k| unit(k, p, q)).collect() })
+    pairs.map(move |(p, q)| Net { points: (0..count).map(|k| unit(k, p, q)).listed() })
 }
 
 /// Points over a grid of their indices on a curved surface, each patch moved a little.
@@ -101,7 +101,7 @@ fn regular(theorem: &Theorem, dimension: usize) -> Net {
         let shift = 4 * patch as i64;
         let (plane, height) = (index.len() == 1, i * i + i * j + 2 * j * j + shift);
         let list = if plane { [i + shift, height, i * i * i] } else { [i + shift, j, height] };
-        (0..dimension).map(|k| Rational::from(list.get(k).copied().unwrap_or(i * j + k as i64))).collect()
+        (0..dimension).map(|k| Rational::from(list.get(k).copied().unwrap_or(i * j + k as i64))).listed()
     };
     Net { points: theorem.points.mapped(|p| place(p.patch, &p.index)) }
 }
@@ -145,7 +145,7 @@ pub(super) fn parts_of_both(theorem: &Theorem, both: [&Form; 2], net: &Net) -> [
 /// The parts of a vector along the axes that occur in some vectors.
 fn parts_along(theorem: &Theorem, form: &Form, axes: &[&Form], net: &Net) -> Vec<(String, Fraction)> {
     if let Some(dimension) = theorem.dimension {
-        let mut occurring: Vec<Unit> = axes.iter().flat_map(|form| form.terms.keys()).copied().collect();
+        let mut occurring: Vec<Unit> = axes.iter().flat_map(|form| form.terms.keys()).copied().listed();
         sort_unique(&mut occurring);
         let outer = occurring.iter().any(|unit| matches!(unit, Unit::Pair(..)));
         let units: Vec<(String, Unit)> = if outer {
@@ -155,18 +155,18 @@ fn parts_along(theorem: &Theorem, form: &Form, axes: &[&Form], net: &Net) -> Vec
                     Unit::Pair(p, q) => (format!("[{p},{q}]"), unit),
                     Unit::Point(p) => (format!("[{p}]"), unit),
                 })
-                .collect()
+                .listed()
         } else {
-            (0..dimension).map(|k| (format!("[{k}]"), Unit::Point(k))).collect()
+            (0..dimension).map(|k| (format!("[{k}]"), Unit::Point(k))).listed()
         };
         let part = |(label, unit): (String, Unit)| (label, on_net(theorem, &form.coefficient(unit), net));
-        return units.into_iter().map(part).collect();
+        return units.into_iter().map(part).listed();
     }
     let dimension = net.points.first().map_or(0, Vec::len);
-    let zeros = |labels: Vec<String>| labels.into_iter().map(|l| (l, Fraction::zero())).collect::<Vec<_>>();
+    let zeros = |labels: Vec<String>| labels.into_iter().map(|l| (l, Fraction::zero())).listed();
     let axes: Vec<(usize, usize)> =
-        (0..dimension).flat_map(|i| (i + 1..dimension).map(move |j| (i, j))).collect();
-    let mut vector = zeros((0..dimension).map(|k| format!("[{k}]")).collect());
+        (0..dimension).flat_map(|i| (i + 1..dimension).map(move |j| (i, j))).listed();
+    let mut vector = zeros((0..dimension).map(|k| format!("[{k}]")).listed());
     let mut outer =
         zeros(axes.mapped(|(i, j)| if dimension == 2 { String::new() } else { format!("[{i},{j}]") }));
     let mut is_outer = false;
@@ -210,9 +210,9 @@ pub(super) fn evaluated(
         // A claim about scalars alone: any points will do.
         return Vec::new();
     }
-    let axis = |k: usize| (0..dimension).map(|c| Rational::from(i64::from(c == k))).collect();
+    let axis = |k: usize| (0..dimension).map(|c| Rational::from(i64::from(c == k))).listed();
     let units: Vec<Vec<Rational>> = match theorem.dimension {
-        Some(_) => (0..dimension).map(axis).collect(),
+        Some(_) => (0..dimension).map(axis).listed(),
         None => net.points.clone(),
     };
     let mut all = Vec::new();

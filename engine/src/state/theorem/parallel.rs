@@ -4,6 +4,7 @@
 //! n·d that divides all coordinates of h, or the sum of their squares, can only be zero where h is: so it is enough that
 //! n·d ≥ 0, and that the other factors have no zeros.
 
+use basis_kernel::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -63,7 +64,7 @@ impl Proportion {
             ([factor.numer().clone(), factor.denom().clone()], common.ok()?)
         };
         let squared = square(theorem, &common);
-        let common: Vec<Poly> = common.terms.values().map(|h| h.numer().clone()).collect();
+        let common: Vec<Poly> = common.terms.values().map(|h| h.numer().clone()).listed();
         let product = &factors[0] * &factors[1];
         let work = &mut Work::new(WORK);
         // Where a factor of one of these is zero, h is: all its coordinates, or the sum of their squares.
@@ -178,7 +179,7 @@ pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<St
     };
     let [n, d] = found.factors.clone().map(Fraction::from);
     let mut all = Vec::new();
-    let mut units: Vec<Unit> = a.terms.keys().copied().collect();
+    let mut units: Vec<Unit> = a.terms.keys().copied().listed();
     units.extend(b.terms.keys().filter(|unit| !a.terms.contains_key(unit)));
     for unit in units {
         let difference = &(&d * &a.coefficient(unit)) - &(&n * &b.coefficient(unit));
@@ -267,7 +268,7 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side
         let sign = if found.rest == found.product { "> 0" } else { "> 0 where the sides are not zero" };
         let count = found.signs(theorem).len();
         let methods: Vec<String> =
-            shown[shown.len() - count..].iter().map(|(_, shown)| shown.method.to_string()).collect();
+            shown[shown.len() - count..].iter().map(|(_, shown)| shown.method.to_string()).listed();
         let method = format!("expansion with the factor {factor_shown} {sign} ({})", methods.join(", "));
         return Verdict::Proved(Evidence::new(method, steps(shown)));
     };
@@ -312,7 +313,7 @@ fn points<'a>(
         // One side is zero everywhere.
         let at = found.common.iter().find_map(|p| nonzero(theorem, p));
         first.extend(at.map(|at| {
-            theorem.scalars.iter().map(|p| (p.var, Coordinate::Rational(at[p.var.0].clone()))).collect()
+            theorem.scalars.iter().map(|p| (p.var, Coordinate::Rational(at[p.var.0].clone()))).listed()
         }));
         attempts.clear();
     }
@@ -381,7 +382,7 @@ fn failing(theorem: &Theorem, sides: [&Side; 2], point: &[(Var, Coordinate)]) ->
             let given = point.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
             (p.var, given.unwrap_or_else(|| Coordinate::Rational(basis_prover::typical(&p.range))))
         })
-        .collect();
+        .listed();
     let mut at = vec![Rational::ZERO; theorem.names.len()];
     for (var, c) in point {
         match c {

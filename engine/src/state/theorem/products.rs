@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use basis_kernel::collections::list::Mapped;
+use basis_kernel::collections::list::{Listed, Mapped};
 use basis_kernel::collections::sort::sort_unique;
 use basis_kernel::{Domain, Products, Relation, Statement, minor_signs};
 use basis_prover::map::SortedMap;
@@ -74,7 +74,7 @@ pub(super) fn counterexample(
     budget: u32,
 ) -> Option<(Vec<(Var, Coordinate)>, Net)> {
     let Statement::Products { value, relation, products, domain } = statement else { return None };
-    let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).collect();
+    let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).listed();
     sort_unique(&mut points);
     let signs = minor_signs(value, *relation, products, &mut Work::new(WORK)).ok()?;
     for (sum, relation) in signs {
@@ -111,7 +111,7 @@ pub(super) fn counterexample(
         };
         let matrix = points.mapped(|p| points.mapped(|q| entry(p, q)));
         if let Some(line) = negative(&constant, &matrix) {
-            let line: Vec<(usize, Rational)> = points.iter().copied().zip(line).collect();
+            let line: Vec<(usize, Rational)> = points.iter().copied().zip(line).listed();
             return Some((found.point, Net::on_a_line(theorem, &line)));
         }
     }

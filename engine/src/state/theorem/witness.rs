@@ -1,5 +1,6 @@
 //! Counterexamples as witnesses that show a claim about a theorem to be false.
 
+use basis_kernel::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample, typical};
 
 use super::net::{Net, evaluated, nets, sparse};
@@ -77,7 +78,7 @@ pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, 
                 let name = &scalar.name;
                 format!("`{name}` can be any number; `scalar 0 < {name};` declares it positive")
             })
-            .collect();
+            .listed();
         witness.notes.extend(notes);
     }
     Verdict::Refuted(Box::new(witness))
@@ -120,5 +121,5 @@ fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
         .patches
         .iter()
         .flat_map(|patch| patch.points.iter().map(|point| label(&patch.name, &point.index)));
-    scalars.chain(labels.filter(|label| !matters(label))).collect()
+    scalars.chain(labels.filter(|label| !matters(label))).listed()
 }

@@ -11,7 +11,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 use crate::algebra::work::Work;
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::method::Method;
 use crate::sign::outcome::{Outcome, spent};
 use crate::sign::problem::{Problem, rational};
@@ -83,7 +83,7 @@ impl Lifting<'_> {
         self.work.spend(20 * terms as u64 + 50)?;
         let range = self.problem.range(var);
         let roots = all_roots(&univariates(&sets[0], var)?, &range, self.work)?;
-        let roots: Vec<Root> = roots.into_iter().map(|(_, root)| root).collect();
+        let roots: Vec<Root> = roots.into_iter().map(|(_, root)| root).listed();
         Some(between_roots(&roots, range.low.value(), range.high.value()))
     }
 }

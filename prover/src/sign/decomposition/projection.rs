@@ -9,6 +9,7 @@ use crate::algebra::roots::{Root, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::collections::sort::sort_by;
+use basis_kernel::collections::list::Listed;
 
 /// A sequence of projections.
 #[derive(Clone, Debug)]
@@ -103,7 +104,7 @@ fn project(set: &[Poly], var: Var, range: &Range, trailing: bool, work: &mut Wor
 pub(crate) fn basis(polys: &[Poly], work: &mut Work) -> Option<Vec<Poly>> {
     let mut result: Vec<Poly> = Vec::new();
     for p in polys {
-        let mut waiting: Vec<Poly> = square_free(p, work)?.into_iter().map(|(f, _)| f).collect();
+        let mut waiting: Vec<Poly> = square_free(p, work)?.into_iter().map(|(f, _)| f).listed();
         while let Some(mut f) = waiting.pop() {
             if result.contains(&f) {
                 continue;
@@ -160,5 +161,5 @@ pub(crate) fn all_roots(polys: &[Univariate], range: &Range, work: &mut Work) ->
 /// The polynomials of a level in its variable, constants left out; `None` if another variable is left.
 pub(crate) fn univariates(set: &[Poly], var: Var) -> Option<Vec<Univariate>> {
     let all: Option<Vec<Univariate>> = set.iter().map(|p| Univariate::from_poly(p, var)).collect();
-    Some(all?.into_iter().filter(|p| !p.is_constant()).map(|p| p.primitive()).collect())
+    Some(all?.into_iter().filter(|p| !p.is_constant()).map(|p| p.primitive()).listed())
 }

@@ -14,7 +14,7 @@ use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::{Root, between_roots};
 use crate::budget::Budget;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 use crate::coordinate::Coordinate;
 use crate::method::Method;
@@ -40,7 +40,7 @@ pub(in crate::sign) fn by_faces(problem: &Problem, budget: &mut Budget, prove: P
     let mut hardest = Method::Faces;
     let mut certificates = Vec::new();
     for face in faces(&problem.ranges)? {
-        let fixed: Vec<(Var, Rational)> = face.iter().filter_map(|(v, x)| Some((*v, x.clone()?))).collect();
+        let fixed: Vec<(Var, Rational)> = face.iter().filter_map(|(v, x)| Some((*v, x.clone()?))).listed();
         let mut part = problem.clone();
         for (v, x) in &fixed {
             part = part.fix(*v, x);
@@ -80,7 +80,7 @@ fn faces(ranges: &[(Var, Range)]) -> Option<Vec<Face>> {
                 face
             })
         });
-        faces = extended.collect();
+        faces = extended.listed();
         if faces.len() > MAX_FACES {
             return None;
         }
@@ -123,7 +123,7 @@ fn by_slices(problem: &Problem, budget: &mut Budget, prove: Prove) -> Option<Out
                 c
             })
         });
-        combinations = extended.take(MAX_BOXES + 1).collect();
+        combinations = extended.take(MAX_BOXES + 1).listed();
         if combinations.len() > MAX_BOXES {
             return Some(spent(problem, "irrational points"));
         }
@@ -143,7 +143,7 @@ fn by_slices(problem: &Problem, budget: &mut Budget, prove: Prove) -> Option<Out
             None => return Some(spent(problem, "irrational points")),
         }
     }
-    let bases = bases.into_iter().map(|(_, base, _)| base).collect();
+    let bases = bases.into_iter().map(|(_, base, _)| base).listed();
     Some(Outcome::Proved(Method::Cells, SignProof::Slices(Slices { bases, boxes })))
 }
 
@@ -202,7 +202,7 @@ fn base(problem: &Problem, var: Var, budget: &mut Budget, prove: Prove) -> Slice
             }
         }
     }
-    let roots: Vec<Root> = roots.into_iter().map(|(_, root)| root).collect();
+    let roots: Vec<Root> = roots.into_iter().map(|(_, root)| root).listed();
     for x in between_roots(&roots, range.low.value(), range.high.value()) {
         match decide(&x) {
             Ok(certificate) => sectors.push((x, certificate)),

@@ -8,7 +8,7 @@ use crate::algebra::resultant::resultant;
 use crate::algebra::roots::bound;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
-use crate::collections::list::Mapped;
+use crate::collections::list::{Listed, Mapped};
 
 /// What is found near a point with algebraic coordinates.
 pub(crate) enum Near {
@@ -73,7 +73,7 @@ pub(crate) fn is_zero(poly: &Poly, point: &[(Var, Algebraic)], work: &mut Work) 
         return Some(false);
     }
     // The reciprocals of the other roots are the roots of the reversed polynomial.
-    let reversed = Univariate::new(values.coefficients()[zeros..].iter().rev().cloned().collect());
+    let reversed = Univariate::new(values.coefficients()[zeros..].iter().rev().cloned().listed());
     let smallest = bound(&reversed).recip()?;
     let mut point = point.to_vec();
     loop {
