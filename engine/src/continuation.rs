@@ -1,5 +1,5 @@
-//! Curves that continue one another: the control points that an order of contact determines, for any family on an interval, from
-//! the exact derivatives at the ends.
+//! Curves that continue one another: the control points that an order of contact determines, for any family on an
+//! interval, from the exact derivatives at the ends.
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -38,11 +38,13 @@ pub struct Continuation {
     pub points: Vec<GivenPoint>,
     /// The determined points of Q, by their positions among the functions, in terms of the other points.
     pub determined: Vec<(usize, Form)>,
-    /// The derivatives at the end do not determine the points where this polynomial in the shape parameters of Q is zero.
+    /// The derivatives at the end do not determine the points where this polynomial in the shape parameters of Q is
+    /// zero.
     pub determinant: Poly,
 }
 
-/// The control points next to an end of a curve C, in terms of its derivatives C, C′, … there and of its other control points.
+/// The control points next to an end of a curve C, in terms of its derivatives C, C′, … there and of its other control
+/// points.
 #[derive(Clone, Debug)]
 pub struct EndPoints {
     /// The positions of the determined points among the functions, as many as there are derivatives.
@@ -56,9 +58,9 @@ pub struct EndPoints {
 }
 
 impl EndPoints {
-    /// The points that are determined by the derivatives up to each order from 0 on, at the start or else at the end of the domain.
-    /// Left out is an order for which the derivatives are linearly dependent for all shape values, or the formulas would be
-    /// too long; there are none for families on other domains.
+    /// The points that are determined by the derivatives up to each order from 0 on, at the start or else at the end of
+    /// the domain. Left out is an order for which the derivatives are linearly dependent for all shape values, or the
+    /// formulas would be too long; there are none for families on other domains.
     pub fn up_to(family: &Family, order: u32, at_start: bool) -> Vec<Self> {
         let work = &mut Work::new(WORK);
         let Some((var, low, high)) = family.interval() else { return Vec::new() };
@@ -313,8 +315,8 @@ mod tests {
         }
     }
 
-    /// The determined points of a published join are the derived ones, with `by` in place of the variables of the latter.
-    /// `P` and `Q` say which points of the join the points of the curves are.
+    /// The determined points of a published join are the derived ones, with `by` in place of the variables of the
+    /// latter. `P` and `Q` say which points of the join the points of the curves are.
     fn same(
         published: &Theorem,
         derived: &Continuation,

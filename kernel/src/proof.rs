@@ -1,8 +1,8 @@
 //! The two values that mean something: a [`Proof`] is a statement that has been checked to be true, a [`Refutation`]
 //! one that has been checked to be false.
 //!
-//! Their fields are private and this file makes them nowhere but behind a check, so that to hold one is to know that its
-//! statement is true, or false, as far as this crate is right.
+//! Their fields are private and this file makes them nowhere but behind a check, so that to hold one is to know that
+//! its statement is true, or false, as far as this crate is right.
 
 use std::rc::Rc;
 

@@ -16,8 +16,8 @@ pub(crate) fn bernstein_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
     Some(family.functions.mapped(|f| row(f.value.numer())))
 }
 
-/// The coefficients of all functions of a family on an interval in powers of the domain variable, one row for each, without
-/// denominators, if these are as many as the functions and every function has a degree of its own.
+/// The coefficients of all functions of a family on an interval in powers of the domain variable, one row for each,
+/// without denominators, if these are as many as the functions and every function has a degree of its own.
 ///
 /// Such a table is triangular: orthogonal polynomials have one.
 pub(crate) fn graded_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
@@ -75,8 +75,8 @@ fn shift(coefficients: &mut [Poly], by: &Rational) {
     }
 }
 
-/// The Bernstein coefficients of degree n: c_j binomial(n, j) are the coefficients of (1 + x)^n p(x/(1 + x)) = x^n r(1 + 1/x),
-/// where r has the coefficients of p in reverse.
+/// The Bernstein coefficients of degree n: c_j binomial(n, j) are the coefficients of (1 + x)^n p(x/(1 + x)), which is
+/// x^n r(1 + 1/x), where r has the coefficients of p in reverse.
 pub(crate) fn to_bernstein(coefficients: &[Poly], n: u32) -> Vec<Poly> {
     let mut result = coefficients.to_vec();
     result.resize(n as usize + 1, Poly::zero());

@@ -169,7 +169,7 @@ impl Budget {
         }
     }
 
-    /// Starts to count anew.
+    /// Starts to count again.
     pub(crate) fn refill(&self) {
         self.work.set(MAX_WORK);
         *self.reduction.borrow_mut() = Work::new(MAX_REDUCTION);

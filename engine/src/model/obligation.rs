@@ -1,4 +1,4 @@
-//! What must be true for formulas to mean something, and who decides it.
+//! What must be true for formulas to mean something, and the interface of what decides it.
 
 use basis_kernel::{Domain, Proof, Quotient, Relation, Statement};
 use basis_prover::Coordinate;
@@ -52,8 +52,8 @@ pub enum Open {
 
 /// Decides what has to hold while formulas are read, so that the model knows nothing of proofs.
 pub trait Judge {
-    /// Decides a goal with `budget` times the usual work. `None` in place of a proof: it is taken for true, and somebody else
-    /// checks it.
+    /// Decides a goal with `budget` times the usual work. `None` in place of a proof: it is taken for true, and
+    /// somebody else checks it.
     ///
     /// # Errors
     /// The goal is false, or undecided.

@@ -35,8 +35,8 @@ pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Dom
     }
 }
 
-/// The points that a claim is about: the declared ranges of the shape parameters and the domain, without the variables that an
-/// `at` block fixes.
+/// The points that a claim is about: the declared ranges of the shape parameters and the domain, without the variables
+/// that an `at` block fixes.
 pub(crate) fn domain(family: &Family, fixed: &[(Var, Fraction)]) -> Domain {
     let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
     let parameters = family.shapes.iter().chain(if family.is_simplex() { &[] } else { &family.domain[..] });

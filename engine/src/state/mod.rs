@@ -1,8 +1,8 @@
 //! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file, among those
 //! about a family or those about a theorem.
 //!
-//! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points also if one
-//! of its [`instances`] is, which say the same of definite points.
+//! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points
+//! also if one of its [`instances`] is, which say the same of definite points.
 
 mod family;
 mod inequality;
@@ -39,8 +39,8 @@ pub fn statements(subject: &Subject, claim: &Claim) -> Vec<Stated> {
     }
 }
 
-/// What a claim says of definite points in place of the given ones of a theorem; of a family, what it says. It is false if one
-/// of these statements is.
+/// What a claim says of definite points in place of the given ones of a theorem; of a family, what it says. It is false
+/// if one of these statements is.
 ///
 /// # Errors
 /// When there is not one place for each given point, or they have different dimensions.

@@ -1,4 +1,5 @@
-//! Stands for the claims of theorems and joins where the feature `joins` is off: there is no value of the type [`Theorem`].
+//! Stands for the claims of theorems and joins where the feature `joins` is off: there is no value of the type
+//! [`Theorem`].
 
 use super::verdict::{Stated, Verdict};
 use crate::algebra::rational::Rational;

@@ -41,7 +41,7 @@ impl Run {
     pub fn counted_work<T>(&mut self, budget: u32, work: &mut dyn FnMut() -> T) -> T {
         let before = spent();
         let result = work();
-        // Who raises the budget of a family wants more to be done in the whole run.
+        // A family with a raised budget may do more in the whole run, too.
         self.left = self.left.saturating_sub((spent() - before) / u64::from(budget.max(1)));
         result
     }

@@ -75,8 +75,8 @@ pub struct Witness {
     pub of: String,
     /// The point: every shape parameter and domain variable.
     pub at: Vec<(String, Coordinate)>,
-    /// Names in `at` and `net` on which the expression does not depend, such as t for a difference at the ends of the domain:
-    /// they are left out of texts.
+    /// Names in `at` and `net` on which the expression does not depend, such as t for a difference at the ends of the
+    /// domain: they are left out of texts.
     pub idle: Vec<String>,
     /// For claims of theorems: the control points with their coordinates.
     pub net: Vec<(String, Vec<Rational>)>,

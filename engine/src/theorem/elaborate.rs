@@ -244,7 +244,7 @@ impl Elaboration<'_> {
             }
             return None;
         };
-        // Who narrows a parameter has met it: it cannot be declared anew.
+        // A parameter that was narrowed is known: it cannot be declared again.
         let var = self.scalars[at].var;
         self.implicit.retain(|(implicit, _)| *implicit != var);
         self.narrow(at, &range, bounds.target.span)

@@ -1,5 +1,5 @@
-//! What theorems and joins mean: curves and surfaces over families as linear forms in control points, scalars with their
-//! ranges, and claims about them as exact differences.
+//! What theorems and joins mean: curves and surfaces over families as linear forms in control points, scalars with
+//! their ranges, and claims about them as exact differences.
 
 #[cfg(feature = "joins")]
 mod draft;

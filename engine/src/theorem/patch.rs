@@ -1,4 +1,5 @@
-//! Curves and surfaces: `curve P = F(λ) […];`, `surface S = F(λ)(u) * G(γ[i])(v);`, `surface T = TriangularII(4)(λ1, λ2);`.
+//! Curves and surfaces: `curve P = F(λ) […];`, `surface S = F(λ)(u) * G(γ[i])(v);`,
+//! `surface T = TriangularII(4)(λ1, λ2);`.
 
 use std::rc::Rc;
 
@@ -453,7 +454,8 @@ impl Elaboration<'_> {
         None
     }
 
-    /// Reports a point that something before its `let` depends on, or its own value if nothing else says where it is determined.
+    /// Reports a point that something before its `let` depends on, or its own value if nothing else says where it is
+    /// determined.
     fn used_before(&self, patch: usize, at: usize, used: Span, determined: Option<Span>) {
         let def = &self.patches[patch];
         let name = label(&def.name, &def.points[at].index);

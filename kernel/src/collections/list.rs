@@ -1,7 +1,7 @@
 //! Lists from lists, at little cost to compile.
 //!
-//! `iter().map(f).collect()` compiles some ten functions for each closure, and every user of the macro builds them all; so a
-//! slice is `mapped`, and where an iterator says more, its elements are `listed`.
+//! `iter().map(f).collect()` compiles some ten functions for each closure, and every user of the macro builds them all;
+//! so a slice is `mapped`, and where an iterator says more, its elements are `listed`.
 
 /// What a list can be made into.
 pub trait Mapped<T> {

@@ -22,7 +22,8 @@ impl Scope<'_> {
         self.pending.push(Pending { duty: Duty::Inside(inside), place });
     }
 
-    /// Puts values in place of variables into what has been noted from position `from` on: it is about these values only.
+    /// Puts values in place of variables into what has been noted from position `from` on: it is about these values
+    /// only.
     pub(crate) fn fix_obligations(&mut self, from: usize, vars: &[Var], by: &[Fraction]) {
         let put = |f: &Fraction| {
             let pairs = vars.iter().zip(by);

@@ -81,7 +81,7 @@ impl<'f> Library<'f> {
         })
     }
 
-    /// Who decides what has to hold while formulas are read.
+    /// Decides what has to hold while formulas are read.
     pub(crate) const fn judge(&self) -> &'f dyn Judge {
         self.judge
     }

@@ -45,8 +45,8 @@ pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
     differences
 }
 
-/// In a numbering that says nothing about the domain, a moved function must be one of the functions: the difference to that
-/// one, or where there is none, to the function itself.
+/// In a numbering that says nothing about the domain, a moved function must be one of the functions: its difference
+/// from that one, or from the function itself if it is none of them.
 fn unnumbered(family: &Family, motion: &Motion, k: usize) -> Option<(String, Fraction)> {
     let moved = motion.apply(&family.functions[k].value)?;
     let other = family.functions.iter().position(|f| f.value == moved).unwrap_or(k);
@@ -61,8 +61,8 @@ struct Motion {
     by: Vec<(Var, Poly)>,
     /// The same for reading, all variables.
     arguments: Vec<String>,
-    /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the indices are
-    /// not those of the coordinates.
+    /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the
+    /// indices are not those of the coordinates.
     places: Option<(usize, usize)>,
     last: Vec<i64>,
 }

@@ -36,9 +36,9 @@ pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
     Stated { of: String::from(COEFFICIENTS), statement, symmetries }
 }
 
-/// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an interval
-/// in the Bernstein basis, or in powers if that
-/// makes the table triangular; on a simplex in homogeneous monomials, in which more of them are numbers.
+/// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an
+/// interval in the Bernstein basis, or in powers if that makes the table triangular; on a simplex in homogeneous
+/// monomials, in which more of them are numbers.
 pub fn coefficient_table(family: &Family) -> Table {
     if let Some(rows) = graded_table(family) {
         return Table { rows, symmetries: Symmetries::new() };
@@ -58,7 +58,8 @@ pub fn coefficient_table(family: &Family) -> Table {
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
     let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
     let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);
-    // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the degree.
+    // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the
+    // degree.
     let mut powers = vec![Poly::one()];
     if family.is_simplex() {
         let sum = domain.iter().fold(Poly::one(), |sum, v| &sum + &Poly::var(*v));
@@ -122,7 +123,7 @@ fn exchanges(family: &Family, columns: &[Vec<u16>]) -> Symmetries {
     sums.collect::<Option<Symmetries>>().unwrap_or_default()
 }
 
-/// The combination of the functions that vanishes at a point, or the exception that is none.
+/// The combination of the functions that vanishes at a point, or the exception at which they are independent.
 pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample) -> Witness {
     let at = named_point(family, found, &[]);
     let refutation = found.refutation.clone();

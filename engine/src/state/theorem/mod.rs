@@ -26,7 +26,7 @@ use witness::{explained, witness, witness_nets};
 /// Nets that are tried where an inequality between coordinates stays undecided.
 const ATTEMPTS: usize = 16;
 
-/// What is not shown, but for want of a point.
+/// Why an equation stays undecided: no point was found.
 const NO_WITNESS: &str =
     "the two sides are different expressions, but no point was found at which they differ";
 

@@ -131,8 +131,8 @@ pub(super) fn on_net(theorem: &Theorem, value: &Fraction, net: &Net) -> Fraction
     Fraction::new(put(value.numer()), put(value.denom())).unwrap_or_else(Fraction::zero)
 }
 
-/// The coordinates of a vector on a net, each with its index in brackets; an outer product has one for each pair of axes,
-/// and in the plane only one, which needs no index.
+/// The coordinates of a vector on a net, each with its index in brackets; an outer product has one for each pair of
+/// axes, and in the plane only one, which needs no index.
 pub(super) fn parts(theorem: &Theorem, form: &Form, net: &Net) -> Vec<(String, Fraction)> {
     parts_along(theorem, form, &[form], net)
 }
@@ -191,8 +191,8 @@ fn parts_along(theorem: &Theorem, form: &Form, axes: &[&Form], net: &Net) -> Vec
     if is_outer { outer } else { vector }
 }
 
-/// The control points of all patches for values of the scalars; none when every point is a definite one anyway. Points that
-/// depend on scalars with irrational values are left out: the others determine them.
+/// The control points of all patches for values of the scalars; none when every point is a definite one anyway. Points
+/// that depend on scalars with irrational values are left out: the others determine them.
 pub(super) fn evaluated(
     theorem: &Theorem,
     net: &Net,

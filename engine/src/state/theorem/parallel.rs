@@ -1,8 +1,8 @@
 //! Directions: of two vectors one is a positive multiple of the other, or both are zero.
 //!
-//! With a = n·h and b = d·h, n and d without a common factor, that is so exactly if n·d > 0 wherever h is not zero. A factor of
-//! n·d that divides all coordinates of h, or the sum of their squares, can only be zero where h is: so it is enough that
-//! n·d ≥ 0, and that the other factors have no zeros.
+//! With a = n·h and b = d·h, n and d without a common factor, that is so exactly if n·d > 0 wherever h is not zero. A
+//! factor of n·d that divides all coordinates of h, or the sum of their squares, can only be zero where h is: so it is
+//! enough that n·d ≥ 0, and that the other factors have no zeros.
 
 use basis_kernel::collections::list::Listed;
 use std::rc::Rc;
@@ -93,8 +93,8 @@ impl Proportion {
         quotient.map_or_else(|| String::from("1/0"), |f| f.display(&theorem.names))
     }
 
-    /// What has to be shown: n·d > 0; if factors of it matter only where both sides are zero, n·d ≥ 0, and that the other factors
-    /// have no zeros.
+    /// What has to be shown: n·d > 0; if factors of it matter only where both sides are zero, n·d ≥ 0, and that the
+    /// other factors have no zeros.
     fn signs(&self, theorem: &Theorem) -> Vec<(String, Poly, Relation)> {
         if self.rest == self.product {
             return vec![(self.shown(theorem), self.product.clone(), Relation::Positive)];
@@ -109,7 +109,8 @@ impl Proportion {
     }
 }
 
-/// dot(h, h) up to a denominator, for a combination h of points without coordinates, if all dot products in it occur in the theorem.
+/// dot(h, h) up to a denominator, for a combination h of points without coordinates, if all dot products in it occur in
+/// the theorem.
 fn square(theorem: &Theorem, h: &Form) -> Option<Poly> {
     let terms = h.terms.values().map(|f| f.numer().len() + f.denom().len()).sum::<usize>();
     if theorem.products.is_empty() || terms > MAX_TERMS {
@@ -164,7 +165,8 @@ pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Stateme
     Statement::Sign { value: Fraction::from(p.clone()).quotient(), relation, domain: Rc::clone(domain) }
 }
 
-/// What has to be shown for two vectors to have the same direction: that they are proportional, and the signs of the factors.
+/// What has to be shown for two vectors to have the same direction: that they are proportional, and the signs of the
+/// factors.
 pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<Stated> {
     let (a, b) = (&left.value, &right.value);
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
@@ -193,8 +195,8 @@ pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<St
     all
 }
 
-/// What is said of the points of a net: all minors of the two vectors are zero, and wherever one of them is not zero, their dot
-/// product is positive.
+/// What is said of the points of a net: all minors of the two vectors are zero, and wherever one of them is not zero,
+/// their dot product is positive.
 pub(super) fn on_points(
     theorem: &Theorem,
     [left, right]: [&Side; 2],
@@ -293,7 +295,8 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side
     Verdict::Undecided(format!("the left side is {shown} times the right side; {open}"))
 }
 
-/// Points at which the factor may not be positive: where it is negative, and a coordinate is not zero; then, where it is zero.
+/// Points at which the factor may not be positive: where it is negative, and a coordinate is not zero; then, where it
+/// is zero.
 fn points<'a>(
     theorem: &'a Theorem,
     found: &Proportion,

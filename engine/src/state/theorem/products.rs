@@ -24,8 +24,8 @@ type Pair = (usize, usize);
 /// The work for the sums of minors, and for points at which they are negative.
 const WORK: u64 = 2_000_000;
 
-/// A polynomial as a sum of dot products of given points, with the variables that stand for them; `None` when it is of another
-/// kind, or none occurs.
+/// A polynomial as a sum of dot products of given points, with the variables that stand for them; `None` when it is of
+/// another kind, or none occurs.
 fn sum(theorem: &Theorem, polynomial: &Poly) -> Option<(Poly, Products)> {
     let mut constant = Poly::zero();
     // One form for each axis; without coordinates one in all.
@@ -56,8 +56,8 @@ fn sum(theorem: &Theorem, polynomial: &Poly) -> Option<(Poly, Products)> {
     Some((value, products))
 }
 
-/// The statement that a polynomial is ≥ 0 (> 0) as a sum of dot products; `None` when it is of another kind, or its sums of minors
-/// are too much work.
+/// The statement that a polynomial is ≥ 0 (> 0) as a sum of dot products; `None` when it is of another kind, or its
+/// sums of minors are too much work.
 pub(super) fn statement(theorem: &Theorem, polynomial: &Poly, relation: Relation) -> Option<Statement> {
     let (value, products) = sum(theorem, polynomial)?;
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
@@ -146,8 +146,8 @@ fn negative(constant: &Rational, matrix: &[Vec<Rational>]) -> Option<Vec<Rationa
     Some(direction.mapped(|x| x * &far))
 }
 
-/// The part of a monomial in the scalars, and dot products with the axis to which they belong; coordinates that are no part of
-/// a dot product stand there as several.
+/// The part of a monomial in the scalars, and dot products with the axis to which they belong; coordinates that are no
+/// part of a dot product stand there as several.
 fn split(theorem: &Theorem, monomial: &Monomial) -> (Monomial, Vec<(usize, Pair)>) {
     let mut scalars = monomial.clone();
     let mut factors = Vec::new();
