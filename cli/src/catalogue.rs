@@ -132,7 +132,7 @@ fn joins(items: &[Decided]) -> String {
     }
 }
 
-/// The numbers of proved and of refuted claims that are no properties, all orders together.
+/// The numbers of proved and of refuted claims that are not properties, all orders together.
 fn others(items: &[Decided]) -> String {
     let other = |kind: &ClaimKind| matches!(kind, ClaimKind::Relation { .. });
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();

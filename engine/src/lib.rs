@@ -24,6 +24,7 @@
 mod advice;
 pub mod algebra;
 pub mod claim;
+pub mod continuation;
 pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
 pub mod explain;

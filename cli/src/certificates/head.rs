@@ -1,5 +1,5 @@
-//! What a certificate says before any proof: what it is about, and what is claimed. It is written from a spec, and compared
-//! with the spec when it is read.
+//! What a certificate says before any proof: what it is about, and what is claimed. It is written from a spec, and
+//! compared with the spec when it is read.
 
 use basis_engine::{Claim, Subject};
 use serde_json::{Map, Value};

@@ -4,9 +4,9 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use crate::continuation::{Side, continuation};
 use crate::generate::{combination, zero, zeros};
 use crate::model::Family;
-use crate::model::continuation::{Side, continuation};
 use crate::theorem::Unit;
 
 /// A contact of two curves of a family and the control points that it determines.

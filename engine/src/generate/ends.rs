@@ -10,7 +10,7 @@ use super::weights::{combination, zero, zeros};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
-use crate::model::continuation::EndPoints;
+use crate::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
 use basis_kernel::collections::list::{Listed, Mapped};
 

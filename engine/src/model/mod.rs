@@ -7,7 +7,6 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod budget;
-pub mod continuation;
 mod expand;
 mod family;
 pub(crate) mod formula;

@@ -1,4 +1,4 @@
-//! Words of formulas: those that the language defines, and those that are written for want of better knowledge.
+//! Names with a fixed meaning: the functions of the language, and those from elsewhere for which errors have advice.
 
 /// Names that the language itself defines.
 pub(crate) const BUILTINS: [&str; 9] =

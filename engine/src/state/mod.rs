@@ -1,5 +1,5 @@
 //! From claims to statements, and from the kernel's answers to verdicts: every kind of claim has a file, among those
-//! about a [`family`] or those about a [`theorem`].
+//! about a family or those about a theorem.
 //!
 //! A claim is true if all of its [`statements`] are. It is false if one of them is; a claim of a theorem about points also if one
 //! of its [`instances`] is, which say the same of definite points.

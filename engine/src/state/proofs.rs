@@ -6,8 +6,8 @@ use basis_prover::{Failure, Shown, decide};
 
 use super::verdict::Stated;
 
-/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is known
-/// about it, one that is refuted before one that is undecided.
+/// Proofs of all of some statements with the methods that they needed; or the first that is not proved, and what is
+/// known about it, one that is refuted before one that is undecided.
 pub(super) fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
     let mut proofs = Vec::new();
     let mut undecided = None;

@@ -6,7 +6,7 @@ use super::form::Form;
 use super::{ControlPoint, GivenPoint, Patch, TheoremKind};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::Range;
+use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::model::budget::TooLarge;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
@@ -168,6 +168,59 @@ impl Elaboration<'_> {
         Var(self.scope.names.len() - 1)
     }
 
+    /// Keeps of the range of a scalar what lies in another range; reports when that is nothing.
+    pub(super) fn narrow(&mut self, at: usize, range: &Range, span: Span) -> Option<()> {
+        let old = &self.scalars[at];
+        let both = intersection(&old.range, range);
+        if both.is_empty() {
+            let shown = old.range.display(&old.name).to_string();
+            let error = self.scope.error(span, format!("nothing is left of the range `{shown}`"));
+            self.scope.report(error.help("let the ranges have something in common"));
+            return None;
+        }
+        self.scalars[at].range = both;
+        Some(())
+    }
+
+    /// The control point with an index.
+    pub(super) fn control_point(&mut self, patch: usize, index: &[i64], span: Span) -> Option<Form> {
+        let def = &mut self.patches[patch];
+        match def.points.iter().position(|p| p.index == index) {
+            Some(at) => {
+                def.used[at].get_or_insert(span);
+                Some(def.points[at].value.clone())
+            }
+            None => {
+                self.no_point(patch, index, span);
+                None
+            }
+        }
+    }
+
+    pub(super) fn no_point(&self, patch: usize, index: &[i64], span: Span) {
+        let def = &self.patches[patch];
+        let wanted = label(&def.name, index);
+        let error = self.scope.error(span, format!("there is no control point `{wanted}`"));
+        self.scope.report(match def.points.last() {
+            Some(last) if last.index.len() != index.len() => {
+                let first =
+                    def.points.first().map_or_else(String::new, |first| label(&def.name, &first.index));
+                let has = crate::plural::indices(last.index.len());
+                error.help(format!(
+                    "its control points have {has}, from `{first}` to `{}`",
+                    label(&def.name, &last.index)
+                ))
+            }
+            Some(last) => error.help(format!("the last one is `{}`", label(&def.name, &last.index))),
+            None => error,
+        });
+    }
+
+    /// Notes that a point of a patch is used.
+    pub(super) fn use_point(&mut self, patch: usize, at: usize, span: Span) {
+        self.patches[patch].used[at].get_or_insert(span);
+    }
+
     /// Passes on a result, or reports that a formula is too large.
     pub(super) fn fits<T>(&self, result: Result<T, TooLarge>, span: Span) -> Option<T> {
         self.scope.within(result, span, "lower the degree, or state the theorem in several steps")
@@ -182,4 +235,16 @@ pub(super) const fn kind(value: &Value) -> &'static str {
         Value::Outer(_) => "an outer product",
         Value::Map(..) => "a patch",
     }
+}
+
+/// The numbers that lie in both ranges.
+fn intersection(a: &Range, b: &Range) -> Range {
+    // The end that leaves less: the inner one, and of two equal ones that which is excluded.
+    let pick = |a: &End, b: &End, high: bool| match (a.value(), b.value()) {
+        (None, _) => b.clone(),
+        (_, None) => a.clone(),
+        (Some(x), Some(y)) if x == y => (if a.is_included() { b } else { a }).clone(),
+        (Some(x), Some(y)) => (if (x > y) == high { b } else { a }).clone(),
+    };
+    Range { low: pick(&a.low, &b.low, false), high: pick(&a.high, &b.high, true) }
 }

@@ -9,7 +9,7 @@ use super::{Origin, Theorem, TheoremKind, TheoremRelation};
 use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::{DisplayRange as _, End, Range, Region};
+use crate::algebra::range::{Range, Region};
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
 use crate::diagnostic::Diagnostics;
 use crate::model::Library;
@@ -250,19 +250,6 @@ impl Elaboration<'_> {
         self.narrow(at, &range, bounds.target.span)
     }
 
-    pub(super) fn narrow(&mut self, at: usize, range: &Range, span: Span) -> Option<()> {
-        let old = &self.scalars[at];
-        let both = intersection(&old.range, range);
-        if both.is_empty() {
-            let shown = old.range.display(&old.name).to_string();
-            let error = self.scope.error(span, format!("nothing is left of the range `{shown}`"));
-            self.scope.report(error.help("let the ranges have something in common"));
-            return None;
-        }
-        self.scalars[at].range = both;
-        Some(())
-    }
-
     fn range(&mut self, bounds: &Bounds) -> Option<Range> {
         for (end, _) in bounds.low.iter().chain(&bounds.high) {
             if self.scope.mentions_variable(end) {
@@ -420,18 +407,6 @@ impl Elaboration<'_> {
         }));
         None
     }
-}
-
-/// The numbers that lie in both ranges.
-fn intersection(a: &Range, b: &Range) -> Range {
-    // The end that leaves less: the inner one, and of two equal ones that which is excluded.
-    let pick = |a: &End, b: &End, high: bool| match (a.value(), b.value()) {
-        (None, _) => b.clone(),
-        (_, None) => a.clone(),
-        (Some(x), Some(y)) if x == y => (if a.is_included() { b } else { a }).clone(),
-        (Some(x), Some(y)) => (if (x > y) == high { b } else { a }).clone(),
-    };
-    Range { low: pick(&a.low, &b.low, false), high: pick(&a.high, &b.high, true) }
 }
 
 /// The first point in an expression that is written by its coordinates: their number, and where it stands.

@@ -144,6 +144,20 @@ impl Elaboration<'_> {
         }
     }
 
+    /// The vector that an expression is; reports anything else.
+    pub(super) fn vector(&mut self, expr: &Expr, what: &str) -> Option<Form> {
+        match self.definite(expr)? {
+            Value::Vector(form) => Some(form),
+            other => {
+                let error = self.scope.error(expr.span, format!("{what} is a point, found {}", kind(&other)));
+                self.scope.report(
+                    error.help("write coordinates, `(1, 2)`, or a combination of other control points"),
+                );
+                None
+            }
+        }
+    }
+
     /// Notes that a parameter of a patch occurs in the theorem.
     pub(super) fn mention(&mut self, var: Var) {
         if let Some(parameter) = self.implicit.iter_mut().find(|(v, _)| *v == var) {

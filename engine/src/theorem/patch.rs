@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::draft::{Elaboration, OWN, PatchDef, Value, kind};
+use super::draft::{Elaboration, OWN, PatchDef};
 use super::form::{Form, Unit};
 use super::{ControlPoint, GivenPoint, Origin};
 use crate::algebra::fraction::Fraction;
@@ -415,40 +415,6 @@ impl Elaboration<'_> {
         form
     }
 
-    /// The control point with an index.
-    pub(super) fn control_point(&mut self, patch: usize, index: &[i64], span: Span) -> Option<Form> {
-        let def = &mut self.patches[patch];
-        match def.points.iter().position(|p| p.index == index) {
-            Some(at) => {
-                def.used[at].get_or_insert(span);
-                Some(def.points[at].value.clone())
-            }
-            None => {
-                self.no_point(patch, index, span);
-                None
-            }
-        }
-    }
-
-    fn no_point(&self, patch: usize, index: &[i64], span: Span) {
-        let def = &self.patches[patch];
-        let wanted = label(&def.name, index);
-        let error = self.scope.error(span, format!("there is no control point `{wanted}`"));
-        self.scope.report(match def.points.last() {
-            Some(last) if last.index.len() != index.len() => {
-                let first =
-                    def.points.first().map_or_else(String::new, |first| label(&def.name, &first.index));
-                let has = crate::plural::indices(last.index.len());
-                error.help(format!(
-                    "its control points have {has}, from `{first}` to `{}`",
-                    label(&def.name, &last.index)
-                ))
-            }
-            Some(last) => error.help(format!("the last one is `{}`", label(&def.name, &last.index))),
-            None => error,
-        });
-    }
-
     /// `let P[i] = …;`
     pub(super) fn define_point(
         &mut self,
@@ -500,25 +466,6 @@ impl Elaboration<'_> {
         self.scope.report(error.also(self.scope.place(determined), "determined here").help(format!(
             "move `let {name} = …;` before it; a point may depend only on points that are known"
         )));
-    }
-
-    /// Notes that a point of a patch is used.
-    pub(super) fn use_point(&mut self, patch: usize, at: usize, span: Span) {
-        self.patches[patch].used[at].get_or_insert(span);
-    }
-
-    /// The vector that an expression is; reports anything else.
-    pub(super) fn vector(&mut self, expr: &Expr, what: &str) -> Option<Form> {
-        match self.definite(expr)? {
-            Value::Vector(form) => Some(form),
-            other => {
-                let error = self.scope.error(expr.span, format!("{what} is a point, found {}", kind(&other)));
-                self.scope.report(
-                    error.help("write coordinates, `(1, 2)`, or a combination of other control points"),
-                );
-                None
-            }
-        }
     }
 }
 

@@ -42,7 +42,7 @@ impl Claim {
     }
 }
 
-/// What is left of a polynomial that is not zero after division by one that is no number, and how often it could be
+/// What is left of a polynomial that is not zero after division by one that is not constant, and how often it could be
 /// divided.
 pub(super) fn divided(poly: Poly, by: &Poly, work: &mut Work) -> Result<(Poly, u32), Refusal> {
     let (mut left, mut count) = (poly, 0);

@@ -279,7 +279,7 @@ fn meshes() {
     assert_eq!(Tessellation::new(1.0).unwrap().mesh(), Ok(Mesh::default()));
 }
 
-/// Put together by hand, with indices that do not exist and positions that are no numbers.
+/// Put together by hand, with indices that do not exist and positions that are not numbers.
 #[test]
 fn broken_meshes() {
     let vertex =

@@ -10,7 +10,7 @@ use basis_runtime::{
 use crate::families::{QuarticBernstein, random_quartic};
 use crate::random::Random;
 
-/// Components that coincide, vanish, overflow and are no numbers.
+/// Components that coincide, vanish, overflow and are not numbers.
 const COMPONENTS: [f64; 12] =
     [0.0, 0.0, 1.0, 1.0, -1.0, 0.5, 1e-300, 1e300, -1e300, f64::MIN_POSITIVE, f64::INFINITY, f64::NAN];
 

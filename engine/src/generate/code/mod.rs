@@ -1,5 +1,5 @@
-//! Pieces of Rust code that the generators for intervals, for simplices and boxes, and for joins share: names, numbers, powers,
-//! expressions in scalars, documentation, and the type itself.
+//! Pieces of Rust code that the generators for intervals, for simplices and boxes, and for joins share: names, numbers,
+//! powers, expressions in scalars, documentation, and the type itself.
 
 pub(super) mod docs;
 pub(super) mod floats;

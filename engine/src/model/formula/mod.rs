@@ -1,5 +1,5 @@
-//! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, calls of
-//! other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to mean
+//! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives,
+//! calls of other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to mean
 //! something; `print` writes them into messages.
 
 mod calls;

@@ -219,8 +219,8 @@ impl Library<'_> {
         Ok(Item { subject: Subject::Family(family), obligations, claims })
     }
 
-    /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins, and keeps
-    /// the errors that it returns.
+    /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins, and
+    /// keeps the errors that it returns.
     #[cfg(feature = "joins")]
     pub(crate) fn each_theorem(
         &self,

@@ -1,4 +1,5 @@
-//! What names mean while a family is being expanded, and the errors found on the way.
+//! What names mean while a family is being expanded, what is still to be decided about its formulas (`duty`), and the
+//! errors found on the way. How an expression is evaluated is the business of `formula`.
 
 use core::cell::RefCell;
 

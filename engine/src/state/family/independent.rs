@@ -51,15 +51,9 @@ pub fn coefficient_table(family: &Family) -> Table {
     }
     let domain: Vec<Var> = family.domain.iter().map(|p| p.var).listed();
     // The shape parameters are the first variables.
-    let shapes = family.shapes.len();
     let parts_of = |m: &Monomial| {
-        if (0..shapes).all(|v| m.exponent(Var(v)) == 0) {
-            return (Monomial::default(), m.clone());
-        }
-        let (mut shape, mut others) = (m.exponents(), m.exponents());
-        shape.truncate(shapes);
-        others.iter_mut().take(shapes).for_each(|e| *e = 0);
-        (Monomial::new(shape), Monomial::new(others))
+        let others = (0..family.shapes.len()).fold(m.clone(), |others, v| others.with_exponent(Var(v), 0));
+        (m.checked_div(&others).unwrap_or_default(), others)
     };
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
     let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());

@@ -201,31 +201,41 @@ pub(super) fn on_points(
     net: &Net,
     domain: &Rc<Domain>,
 ) -> Vec<Stated> {
-    let [x, y] = parts_of_both(theorem, [&left.value, &right.value], net);
-    let (left, right) = (&left.text, &right.text);
+    let parts = parts_of_both(theorem, [&left.value, &right.value], net);
+    let [x, y] = &parts;
     let mut dot = Fraction::zero();
     let mut squares = Poly::zero();
-    for ((_, p), (_, q)) in x.iter().zip(&y) {
+    for ((_, p), (_, q)) in x.iter().zip(y) {
         dot = &dot + &(p * q);
         squares = &(&squares + &p.numer().pow(2)) + &q.numer().pow(2);
     }
     let mut where_not_zero = (**domain).clone();
     where_not_zero.premises.push((squares, Relation::Positive));
     let positive = compared(&dot, Comparison::Greater, &Rc::new(where_not_zero));
-    let mut all = vec![Stated::new(format!("dot({left}, {right})"), positive)];
-    for i in 0..x.len() {
-        for j in i + 1..x.len().min(y.len()) {
-            let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
-            let (p, q) = (&x[i].0, &x[j].0);
-            let of = if x.len() == 2 {
-                format!("cross({left}, {right})")
-            } else {
-                format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
-            };
-            all.push(Stated::new(of, compared(&minor, Comparison::Equal, domain)));
-        }
-    }
+    let mut all = vec![Stated::new(format!("dot({}, {})", left.text, right.text), positive)];
+    all.extend(minors(&parts, [left, right], domain));
     all
+}
+
+/// All 2×2 minors of two vectors, given by their parts: these are zero exactly where the vectors are dependent.
+fn minors(
+    [x, y]: &[Vec<(String, Fraction)>; 2],
+    [left, right]: [&Side; 2],
+    domain: &Rc<Domain>,
+) -> impl Iterator<Item = Stated> {
+    let (left, right) = (&left.text, &right.text);
+    let count = x.len().min(y.len());
+    let pairs = (0..count).flat_map(move |i| (i + 1..count).map(move |j| (i, j)));
+    pairs.map(move |(i, j)| {
+        let minor = &(&x[i].1 * &y[j].1) - &(&x[j].1 * &y[i].1);
+        let (p, q) = (&x[i].0, &x[j].0);
+        let of = if x.len() == 2 {
+            format!("cross({left}, {right})")
+        } else {
+            format!("({left}){p}*({right}){q} - ({left}){q}*({right}){p}")
+        };
+        Stated::new(of, compared(&minor, Comparison::Equal, domain))
+    })
 }
 
 /// Decides whether two vectors have the same direction.
@@ -410,7 +420,8 @@ fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
 fn not_proportional(theorem: &Theorem, claim: &Claim, sides: [&Side; 2]) -> Verdict {
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
     for net in witness_nets(theorem, claim) {
-        for Stated { of, statement, .. } in on_points(theorem, sides, &net, &domain).into_iter().skip(1) {
+        let parts = parts_of_both(theorem, sides.map(|side| &side.value), &net);
+        for Stated { of, statement, .. } in minors(&parts, sides, &domain) {
             if let Err(Failure::Refuted(found)) =
                 decide_statement(statement, &Symmetries::new(), theorem.budget)
             {

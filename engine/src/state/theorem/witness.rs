@@ -84,7 +84,8 @@ pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, 
     Verdict::Refuted(Box::new(witness))
 }
 
-/// Nets that show two things to be different, such as a person can read: with most points in one place if there are many.
+/// Nets that show two things to be different, such as a person can read: with most points in one place if there are
+/// many.
 pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<Item = Net> {
     let idle = idle(theorem, &claim.kind);
     let used = theorem.points.iter().filter(|point| !idle.contains(&point.name)).count();
@@ -92,8 +93,8 @@ pub(super) fn witness_nets(theorem: &Theorem, claim: &Claim) -> impl Iterator<It
     first.into_iter().flatten().chain(nets(theorem))
 }
 
-/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points are
-/// expressed by given ones.
+/// The scalars on which a claim does not depend, and the points: those that it does not contain once determined points
+/// are expressed by given ones.
 fn idle(theorem: &Theorem, kind: &ClaimKind) -> Vec<String> {
     let forms: &[&Form] = match kind {
         ClaimKind::Vector { value, .. } => &[value],

@@ -1,13 +1,12 @@
 //! Curves that continue one another: the control points that an order of contact determines, for any family on an interval, from
 //! the exact derivatives at the ends.
 
-use super::{Family, label};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::model::Parameter;
+use crate::model::{Family, Parameter, label};
 use crate::theorem::{Form, GivenPoint, Unit};
 use basis_kernel::collections::list::{Listed, Mapped};
 
@@ -286,8 +285,8 @@ mod tests {
     use crate::theorem::theorems;
     use crate::{Disk, Prover, Source, Subject};
 
-    const QUADRATIC: &str = include_str!("../../../specs/quadratic.basis");
-    const REVOLUTION: &str = include_str!("../../../specs/papers/revolution.basis");
+    const QUADRATIC: &str = include_str!("../../specs/quadratic.basis");
+    const REVOLUTION: &str = include_str!("../../specs/papers/revolution.basis");
     const BERNSTEIN: &str = "family Cubic { domain 0 <= t <= 1; b[i] = Bernstein(3)[i] for i in 0..=3; }";
     /// Twice as long an interval, functions that do not sum to 1, and one that matters at both ends.
     const UNEVEN: &str = "family Uneven {
@@ -380,7 +379,7 @@ mod tests {
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/quartic_surface.basis");
         let source = crate::source::read(&Disk, path, &[]).expect("it is there");
         let library = Library::from_source(&Disk, &Prover, source);
-        let quartic = family(include_str!("../../../specs/quartic.basis"));
+        let quartic = family(include_str!("../../specs/quartic.basis"));
         for (order, kind) in [1, 2].into_iter().flat_map(|order| ["UU", "UV", "VV"].map(|kind| (order, kind)))
         {
             let published = join(&library, &format!("G{order}{kind}"));
