@@ -8,7 +8,7 @@ use basis_kernel::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
-use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide as decide_statement, refute};
+use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide as decide_statement, refute, simple};
 
 use super::net::{Net, nets, parts_of_both};
 use super::products;
@@ -75,6 +75,10 @@ impl Proportion {
             }
             shared = checked_gcd(&shared, p, work).unwrap_or_else(Poly::one);
         }
+        // The common factor need not be believed.
+        if common.iter().any(|p| p.div_exact(&shared).is_none()) {
+            shared = Poly::one();
+        }
         let mut rest = without(product.clone(), &shared, work);
         if rest.as_constant().is_none() && common.iter().map(Poly::len).sum::<usize>() <= MAX_TERMS {
             let squares = common.iter().fold(Poly::zero(), |sum, p| &sum + &p.pow(2));
@@ -128,22 +132,28 @@ fn square(theorem: &Theorem, h: &Form) -> Option<Poly> {
     Some(sum.numer().clone())
 }
 
-/// A polynomial without the factors that it shares with another one.
+/// A polynomial without factors that divide another one as well.
 fn without(mut poly: Poly, other: &Poly, work: &mut Work) -> Poly {
     while !poly.is_zero() {
         let shared = checked_gcd(&poly, other, work).unwrap_or_else(Poly::one);
-        match poly.div_exact(&shared) {
-            Some(quotient) if shared.as_constant().is_none() => poly = quotient,
-            _ => break,
+        if shared.as_constant().is_some() || other.div_exact(&shared).is_none() {
+            break;
         }
+        let Some(quotient) = poly.div_exact(&shared) else { break };
+        poly = quotient;
     }
     poly
 }
 
-/// ± p, positive at some point of the ranges.
+/// p or −p, whichever is positive at the simplest values of the ranges; a polynomial that is zero there has no sign.
 fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
-    let at = nonzero(theorem, p);
-    if at.is_some_and(|at| p.eval(&at).is_negative()) { -p } else { p.clone() }
+    let mut at = vec![Rational::ZERO; theorem.names.len()];
+    for (var, range) in &theorem.region().ranges {
+        if let Some(slot) = at.get_mut(var.0) {
+            *slot = simple(range);
+        }
+    }
+    if p.eval(&at).is_negative() { -p } else { p.clone() }
 }
 
 /// Values of the scalars at which a polynomial in them is not zero.
