@@ -34,6 +34,11 @@ pub(crate) fn charge(units: u64) {
     SPENT.set(SPENT.get().saturating_add(units));
 }
 
+/// Does work that belongs to a decision, such as expanding what is to be decided, with `budget` times the usual work.
+pub fn working<T>(budget: u32, work: &mut dyn FnMut(&mut Work) -> T) -> T {
+    work(&mut Budget::scaled(budget).work)
+}
+
 impl Drop for Budget {
     fn drop(&mut self) {
         SPENT.set(SPENT.get() + self.units.saturating_sub(self.work.left()));

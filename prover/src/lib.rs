@@ -20,7 +20,7 @@ mod zero_free;
 
 pub(crate) use basis_kernel::collections;
 pub use basis_kernel::{Proof, Refutation};
-pub use budget::{Budget, spent};
+pub use budget::{Budget, spent, working};
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};
 pub use decide::{Failure, Shown, decide, simple};

@@ -9,6 +9,7 @@ fn cargo(folder: &Path, args: &[&str]) -> Output {
         .args(args)
         .arg("--offline")
         .current_dir(folder)
+        .env("CARGO_TERM_COLOR", "never")
         .env("CARGO_PROFILE_DEV_DEBUG", "0")
         .env("CARGO_TARGET_DIR", Path::new(env!("CARGO_TARGET_TMPDIR")).join("features"))
         .output()

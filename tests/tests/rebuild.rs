@@ -52,6 +52,7 @@ impl Crate {
         Command::new(env!("CARGO"))
             .args(["run", "--quiet", "--offline"])
             .current_dir(self.0.path())
+            .env("CARGO_TERM_COLOR", "never")
             .env("CARGO_TARGET_DIR", target)
             .envs(variables.iter().copied())
             .output()

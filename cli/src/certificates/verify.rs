@@ -269,7 +269,8 @@ pub(super) fn claim(
         }
     }
     if let Some(steps) = fields.take_if_any("steps") {
-        let statements = state::statements(subject, claim);
+        let statements = state::statements(subject, claim)
+            .ok_or("the budget of the spec does not suffice to expand what the claim says")?;
         if steps.as_u64() != Some(statements.len() as u64) {
             return Err(format!("the claim makes {}", count(statements.len(), "statement")));
         }

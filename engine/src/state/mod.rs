@@ -31,11 +31,11 @@ use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::subject::Subject;
 
-/// What a claim says, as statements of which all have to be true.
-pub fn statements(subject: &Subject, claim: &Claim) -> Vec<Stated> {
+/// What a claim says, as statements of which all have to be true; `None` when the budget does not suffice to expand them.
+pub fn statements(subject: &Subject, claim: &Claim) -> Option<Vec<Stated>> {
     match subject {
         Subject::Family(family) => family::statements(family, claim),
-        Subject::Theorem(theorem) => theorem::statements(theorem, claim),
+        Subject::Theorem(theorem) => Some(theorem::statements(theorem, claim)),
     }
 }
 
@@ -43,14 +43,16 @@ pub fn statements(subject: &Subject, claim: &Claim) -> Vec<Stated> {
 /// if one of these statements is.
 ///
 /// # Errors
-/// When there is not one place for each given point, or they have different dimensions.
+/// When there is not one place for each given point, they have different dimensions, or the budget does not suffice.
 pub fn instances(
     subject: &Subject,
     claim: &Claim,
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
-        Subject::Family(family) if given.is_empty() => Ok(family::statements(family, claim)),
+        Subject::Family(family) if given.is_empty() => {
+            family::statements(family, claim).ok_or("the budget is spent on a common denominator")
+        }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),
     }

@@ -12,7 +12,7 @@ pub(crate) fn recheck(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Re
     let work = &mut Work::usual(subject.budget());
     match verdict {
         Verdict::Proved(evidence) => {
-            let stated = state::statements(subject, claim);
+            let stated = state::statements(subject, claim).ok_or("it cannot be expanded")?;
             if stated.is_empty() || stated.len() != evidence.steps().len() {
                 return Err(format!("{} proofs for {} statements", evidence.steps().len(), stated.len()));
             }

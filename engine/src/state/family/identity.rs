@@ -6,29 +6,32 @@ use basis_kernel::collections::list::{Listed, Mapped};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::claim::ClaimKind;
 use crate::model::Family;
 use crate::plural::abbreviated;
 use crate::state::verdict::Witness;
 
-/// Σ bᵢ = 1.
-pub(super) fn partition_of_unity(family: &Family) -> Vec<(String, Fraction)> {
-    let mut sum = Fraction::zero();
+/// Σ bᵢ = 1; `None` when the work is spent on the common denominator.
+pub(super) fn partition_of_unity(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
+    let mut sum = Fraction::constant(-&Rational::ONE);
     for function in &family.functions {
-        sum = &sum + &function.value;
+        sum = sum.add_within(&function.value, work)?;
     }
     let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).listed();
-    vec![(format!("{} - 1", labels.join(" + ")), &sum - &Fraction::constant(Rational::ONE))]
+    Some(vec![(format!("{} - 1", labels.join(" + ")), sum)])
 }
 
 /// On an interval bᵢ(t) = bₙ₋ᵢ(low + high − t), on a box the same in every variable; on a simplex any two corners
 /// can be exchanged together with their indices, and so all of them.
-pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
+pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
     for motion in motions(family) {
         for (k, function) in family.functions.iter().enumerate() {
             let Some(moved_index) = motion.index(&function.index) else {
-                differences.extend(unnumbered(family, &motion, k));
+                if let Some(moved) = motion.apply(&function.value) {
+                    differences.push(unnumbered(family, &motion, k, &moved, work)?);
+                }
                 continue;
             };
             let Some(other) = family.functions.iter().position(|f| f.index == moved_index) else { continue };
@@ -39,20 +42,25 @@ pub(super) fn symmetric(family: &Family) -> Vec<(String, Fraction)> {
             let Some(moved) = motion.apply(&family.functions[other].value) else { continue };
             let (this, that) = (family.function_label(k), family.function_label(other));
             let of = format!("{this} - {that}({})", motion.arguments.join(", "));
-            differences.push((of, &function.value - &moved));
+            differences.push((of, function.value.sub_within(&moved, work)?));
         }
     }
-    differences
+    Some(differences)
 }
 
 /// In a numbering that says nothing about the domain, a moved function must be one of the functions: its difference
 /// from that one, or from the function itself if it is none of them.
-fn unnumbered(family: &Family, motion: &Motion, k: usize) -> Option<(String, Fraction)> {
-    let moved = motion.apply(&family.functions[k].value)?;
-    let other = family.functions.iter().position(|f| f.value == moved).unwrap_or(k);
+fn unnumbered(
+    family: &Family,
+    motion: &Motion,
+    k: usize,
+    moved: &Fraction,
+    work: &mut Work,
+) -> Option<(String, Fraction)> {
+    let other = family.functions.iter().position(|f| f.value == *moved).unwrap_or(k);
     let (this, that) = (family.function_label(k), family.function_label(other));
     let of = format!("{that} - {this}({})", motion.arguments.join(", "));
-    Some((of, &family.functions[other].value - &moved))
+    Some((of, family.functions[other].value.sub_within(moved, work)?))
 }
 
 /// A motion of the domain onto itself with what it does to the indices.

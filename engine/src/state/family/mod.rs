@@ -13,6 +13,7 @@ use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
 use basis_kernel::collections::list::{Listed, Mapped};
@@ -22,11 +23,11 @@ use point::{domain_names, named_point};
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
 
-/// The expressions that a claim compares with zero, as text and as quotients of polynomials.
-fn expressions(family: &Family, kind: &ClaimKind) -> Vec<(String, Fraction)> {
-    match kind {
-        ClaimKind::PartitionOfUnity => identity::partition_of_unity(family),
-        ClaimKind::Symmetric => identity::symmetric(family),
+/// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
+fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
+    Some(match kind {
+        ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
+        ClaimKind::Symmetric => identity::symmetric(family, work)?,
         ClaimKind::Continuity(order) => identity::continuity(family, *order),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
@@ -34,14 +35,14 @@ fn expressions(family: &Family, kind: &ClaimKind) -> Vec<(String, Fraction)> {
         }
         ClaimKind::Relation { differences, .. } => differences.mapped(|d| (d.text.clone(), d.value.clone())),
         _ => Vec::new(),
-    }
+    })
 }
 
-/// What a claim says.
-pub fn statements(family: &Family, claim: &Claim) -> Vec<Stated> {
+/// What a claim says; `None` when the budget of the family does not suffice to expand it.
+pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let kind = &claim.kind;
     if let ClaimKind::Independent(except) = kind {
-        return vec![independent::stated(family, except)];
+        return Some(vec![independent::stated(family, except)]);
     }
     let domain = Rc::new(inequality::domain(family, kind.fixed()));
     let comparison = match kind {
@@ -49,13 +50,19 @@ pub fn statements(family: &Family, claim: &Claim) -> Vec<Stated> {
         ClaimKind::Relation { comparison, .. } => *comparison,
         _ => Comparison::Equal,
     };
-    let expressions = expressions(family, kind).into_iter();
-    expressions.map(|(of, value)| Stated::new(of, compared(&value, comparison, &domain))).listed()
+    let expressions =
+        basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?.into_iter();
+    Some(expressions.map(|(of, value)| Stated::new(of, compared(&value, comparison, &domain))).listed())
 }
+
+const TOO_LONG: &str = "the budget is spent on a common denominator of the functions";
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
-    match all(statements(family, claim), family.budget) {
+    let Some(statements) = statements(family, claim) else {
+        return Verdict::Undecided(String::from(TOO_LONG));
+    };
+    match all(statements, family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
         Err((of, Failure::Refuted(found))) => {
             Verdict::Refuted(Box::new(witness(family, &claim.kind, of, &found)))
