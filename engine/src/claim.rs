@@ -37,6 +37,8 @@ pub struct Statement {
     /// As it is written, in one line, without its keyword and comments, such as `b[i] >= 0 for i in 0..=n`; of an
     /// equation in an `at` block its two sides.
     pub text: Rc<str>,
+    /// Of an equation in an `at` block, what its index variables run over, such as `for i in 0..=n`; otherwise empty.
+    pub range: Rc<str>,
 }
 
 /// The kinds of claims.

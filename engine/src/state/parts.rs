@@ -44,6 +44,8 @@ pub struct Part {
     pub standing: Standing,
     /// The text that all claims of the statement share, or else the statement as it is written.
     pub text: String,
+    /// What the index variables of the text run over, such as `for i in 0..=n`, if the text does not say so itself.
+    pub range: String,
     /// The positions of the claims in the list that was divided.
     pub claims: Vec<usize>,
 }
@@ -56,20 +58,20 @@ pub fn parts(claims: &[(&Claim, &Verdict)]) -> Vec<Part> {
     sort_by(&mut positions, |a, b| keys[*a].cmp(&keys[*b]));
     let mut parts = Vec::new();
     for statement in positions.chunk_by(|a, b| keys[*a].0 == keys[*b].0) {
-        let text = common_text(&statement.mapped(|k| claims[*k].0));
+        let (text, range) = common_text(&statement.mapped(|k| claims[*k].0));
         for alike in statement.chunk_by(|a, b| keys[*a].1 == keys[*b].1) {
             let standing = keys[alike[0]].1;
-            parts.push(Part { standing, text: text.clone(), claims: alike.to_vec() });
+            parts.push(Part { standing, text: text.clone(), range: range.clone(), claims: alike.to_vec() });
         }
     }
     parts
 }
 
-/// The text that the claims of a statement share, or else the statement as it is written.
-fn common_text(claims: &[&Claim]) -> String {
-    let Some(first) = claims.first() else { return String::new() };
+/// The text that the claims of a statement share, or else the statement as it is written, and its range.
+fn common_text(claims: &[&Claim]) -> (String, String) {
+    let Some(first) = claims.first() else { return Default::default() };
     if claims.iter().all(|claim| claim.text == first.text) {
-        return first.text.clone();
+        return (first.text.clone(), String::new());
     }
     // An equation in an `at` block stands alone in the file.
     let at = |claim: &Claim| match &claim.kind {
@@ -77,11 +79,12 @@ fn common_text(claims: &[&Claim]) -> String {
         _ => None,
     };
     let written = &first.statement.text;
-    match at(first) {
+    let text = match at(first) {
         Some(point) if claims.iter().all(|claim| at(claim).as_ref() == Some(&point)) => {
             format!("at {point}: {written}")
         }
         Some(_) => format!("at …: {written}"),
         None => written.to_string(),
-    }
+    };
+    (text, first.statement.range.to_string())
 }

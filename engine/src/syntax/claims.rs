@@ -213,9 +213,10 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
     if matches!(input.cursor().token_tree(), Some((TokenTree::Punct(p), _)) if "<>=".contains(p.as_char())) {
         return Err(error(input.span(), "a claim has two sides only", "write two claims"));
     }
-    let text = text_of(first, input.cursor());
+    let sides = input.cursor();
     let loops = loops(input)?;
+    let (text, range) = (text_of(first, sides), text_of(sides, input.cursor()));
     let span = join(start, right.span);
     let last = right.span;
-    Ok(Relation { left, comparison, right, loops, text, span, last })
+    Ok(Relation { left, comparison, right, loops, text, range, span, last })
 }

@@ -417,6 +417,8 @@ pub struct Relation {
     pub loops: Loops,
     /// Both sides as they are written, in one line, without comments.
     pub text: Rc<str>,
+    /// The loops in the same way, such as `for i in 0..=n`; empty without any.
+    pub range: Rc<str>,
     /// The whole relation; of tokens of the compiler the first one.
     pub span: Span,
     /// The last token of its statement.

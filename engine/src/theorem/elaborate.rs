@@ -335,7 +335,7 @@ impl Elaboration<'_> {
             all.fits(counted, statement.span)?;
             let place = all.scope.library.place_to(all.scope.source, statement.span, statement.last);
             let (doc, expected) = (statement.doc.clone(), written.expected);
-            let by = Statement { number: (number, 0), text: written.text.clone() };
+            let by = Statement { number: (number, 0), text: written.text.clone(), range: "".into() };
             claims.push(Claim { text, doc, expected, place, statement: by, kind });
             Some(())
         })

@@ -86,7 +86,7 @@ fn one(
             }
             fine
         };
-    let by = Statement { number: (number, 0), text: claim.text.clone() };
+    let by = Statement { number: (number, 0), text: claim.text.clone(), range: "".into() };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
             self::relation(scope, relation, &[], None, &mut |scope, text, kind| {
@@ -100,7 +100,8 @@ fn one(
                 bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
             let at = parts.join(", ");
             for (equation, relation) in relations.iter().enumerate() {
-                let by = Statement { number: (number, equation), text: relation.text.clone() };
+                let (text, range) = (relation.text.clone(), relation.range.clone());
+                let by = Statement { number: (number, equation), text, range };
                 let place = (relation.span, relation.last);
                 self::relation(scope, relation, &fixed, Some(&at), &mut |scope, text, kind| {
                     push(scope, format!("at {at}: {text}"), place, by.clone(), kind)
