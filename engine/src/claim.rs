@@ -1,6 +1,7 @@
 //! What is claimed, of a family or of a theorem.
 
 use basis_kernel::Values;
+use std::rc::Rc;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -20,8 +21,24 @@ pub struct Claim {
     pub expected: Expected,
     /// Where it stands; of an equation in a block, where that equation stands.
     pub place: Place,
+    /// The statement that makes the claim.
+    pub statement: Statement,
     /// What is claimed.
     pub kind: ClaimKind,
+}
+
+/// A statement of a family, a theorem or a join, or an equation in an `at` block, that makes claims: one for each value
+/// of its index variables, in each order.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// The number of the statement in its item and, in an `at` block, that of the equation, both from zero; the same in
+    /// all orders.
+    pub number: (usize, usize),
+    /// As it is written, in one line, without its keyword and comments, such as `b[i] >= 0 for i in 0..=n`; of an
+    /// equation in an `at` block its two sides.
+    pub text: Rc<str>,
+    /// Of an equation in an `at` block, what its index variables run over, such as `for i in 0..=n`; otherwise empty.
+    pub range: Rc<str>,
 }
 
 /// The kinds of claims.

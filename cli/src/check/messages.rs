@@ -6,7 +6,7 @@ use basis_engine::{Diagnostic, Diagnostics};
 
 use super::orders;
 use super::prove::Outcome;
-use super::statements::{Entry, statements};
+use super::statements::{Entry, parts};
 use crate::name::count;
 
 /// Prints messages, each once, even if several files use the file that it is about.
@@ -34,7 +34,7 @@ impl Printer {
 /// The first of the claims of each statement that fail in the same way, and how many more there are.
 fn claims(outcome: &Outcome) -> Vec<Diagnostic> {
     let families = outcome.items.chunk_by(|a, b| a.subject.is_same(&b.subject));
-    let failures = families.flat_map(statements).flatten();
+    let failures = families.flat_map(parts);
     failures.filter_map(|(_, entries)| first_of(&entries)).collect()
 }
 

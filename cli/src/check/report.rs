@@ -125,12 +125,7 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
 }
 
 fn counterexample(witness: &Witness) -> Counterexample {
-    let at = witness.at.iter().map(|(name, coordinate)| {
-        // A coordinate describes itself as `λ = 1/2`; only the value is wanted here.
-        let text = coordinate.describe(name);
-        let value = text.strip_prefix(&format!("{name} = ")).unwrap_or(&text);
-        (name.clone(), Value::from(value))
-    });
+    let at = witness.at.iter().map(|(name, coordinate)| (name.clone(), Value::from(coordinate.value(name))));
     let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(point_text(place))));
     Counterexample { at: at.chain(net).collect(), value: witness.value.to_string(), of: witness.of.clone() }
 }

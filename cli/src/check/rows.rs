@@ -4,15 +4,12 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use basis_engine::diagnostic::Place;
-use basis_engine::{ClaimKind, Sources, Verdict, Witness};
+use basis_engine::state::{FEW, Part, Standing};
+use basis_engine::{Verdict, Witness};
 
 use super::orders;
 use super::prove::{Decided, DecidedClaim};
-use super::statements::{Entry, Kind, statements};
-
-/// The most claims of one statement, made by a `for`, that are shown one by one.
-const FEW: usize = 8;
+use super::statements::{Entry, parts};
 
 /// Nets with more points are not printed in tables.
 const MAX_POINTS: usize = 8;
@@ -26,7 +23,7 @@ pub(crate) struct Row {
     /// The claim, with the orders and the number of claims that the row stands for.
     pub(crate) claim: String,
     /// What is known about it.
-    pub(crate) kind: Kind,
+    pub(crate) standing: Standing,
     /// The method of the proof, the counterexample, or what is left to decide.
     pub(crate) reason: String,
     /// The longest time that one claim took.
@@ -36,27 +33,23 @@ pub(crate) struct Row {
 }
 
 /// The rows of a family, whose orders are `items`.
-pub(crate) fn rows(items: &[Decided], sources: &Sources) -> Vec<Row> {
+pub(crate) fn rows(items: &[Decided]) -> Vec<Row> {
     let mut rows = Vec::new();
-    for verdicts in statements(items) {
-        let statement: Vec<Entry<'_>> = verdicts.values().flatten().copied().collect();
-        for (kind, part) in verdicts {
-            if items.len() == 1 && part.len() <= FEW {
-                rows.extend(
-                    part.iter().map(|e| row(kind, e.decided.claim.text.clone(), reason(e.decided), &[*e])),
-                );
-            } else {
-                let claim = describe(items, &common_text(&statement, sources), &part);
-                rows.push(row(kind, claim, reasons(items, &part), &part));
-            }
+    for (Part { standing, text, .. }, part) in parts(items) {
+        if items.len() == 1 && part.len() <= FEW {
+            let each = |e: &Entry<'_>| row(standing, e.decided.claim.text.clone(), reason(e.decided), &[*e]);
+            rows.extend(part.iter().map(each));
+        } else {
+            let claim = describe(items, &text, &part);
+            rows.push(row(standing, claim, reasons(items, &part), &part));
         }
     }
     rows
 }
 
-fn row(kind: Kind, claim: String, reason: String, part: &[Entry<'_>]) -> Row {
+fn row(standing: Standing, claim: String, reason: String, part: &[Entry<'_>]) -> Row {
     let times = part.iter().map(|e| e.decided.time);
-    Row { claim, kind, reason, worst: times.clone().max().unwrap_or_default(), total: times.sum() }
+    Row { claim, standing, reason, worst: times.clone().max().unwrap_or_default(), total: times.sum() }
 }
 
 /// The text of a statement, with the orders for which a part of its claims stands, if not for all.
@@ -76,39 +69,6 @@ fn describe(items: &[Decided], text: &str, part: &[Entry<'_>]) -> String {
         let _ = write!(text, "  [{}]", facts.join("; "));
     }
     text
-}
-
-/// The text that the claims of a statement share, or else the statement as it is written.
-fn common_text(statement: &[Entry<'_>], sources: &Sources) -> String {
-    let Some(first) = statement.first() else { return String::new() };
-    let text = &first.decided.claim.text;
-    if statement.iter().all(|e| e.decided.claim.text == *text) {
-        return text.clone();
-    }
-    let written = as_written(&first.decided.claim.place, sources).unwrap_or_else(|| format!("{text}, …"));
-    // An equation in an `at` block stands alone in the file.
-    let at = |entry: &Entry<'_>| match &entry.decided.claim.kind {
-        ClaimKind::Relation { at, .. } => at.clone(),
-        _ => None,
-    };
-    match at(first) {
-        Some(point) if statement.iter().all(|e| at(e).as_ref() == Some(&point)) => {
-            format!("at {point}: {written}")
-        }
-        Some(_) => format!("at …: {written}"),
-        None => written,
-    }
-}
-
-/// The lines of a statement as one, without its keyword and comments.
-fn as_written(place: &Place, sources: &Sources) -> Option<String> {
-    let Place::Text(id, range) = place else { return None };
-    let text = sources.get(*id).text.as_deref()?.get(range.clone())?;
-    let lines = text.lines().map(|line| line.split_once("//").map_or(line, |(code, _)| code));
-    let words: Vec<&str> = lines.flat_map(str::split_whitespace).collect();
-    let text = words.join(" ");
-    let text = ["prove ", "refute "].iter().find_map(|word| text.strip_prefix(word)).unwrap_or(&text);
-    Some(text.trim_end_matches(';').trim_end().to_string())
 }
 
 /// Why the verdict is what it is.

@@ -4,12 +4,12 @@ use basis_engine::algebra::range::DisplayRange as _;
 use std::fmt::Write as _;
 use std::time::Duration;
 
+use basis_engine::state::Standing;
 use basis_engine::{Family, Subject};
 
 use super::orders;
 use super::prove::{Decided, Outcome};
 use super::rows::rows;
-use super::statements::Kind;
 use crate::domain;
 use crate::name::count;
 use crate::table::{self, BAD, FAINT, GOOD, Mark, OPEN, Row, STRONG, styled};
@@ -18,16 +18,16 @@ use crate::table::{self, BAD, FAINT, GOOD, Mark, OPEN, Row, STRONG, styled};
 pub(crate) fn file(outcome: &Outcome, width: Option<u16>) -> String {
     let mut text = format!("{}\n\n", styled(FAINT, &outcome.path));
     for items in outcome.items.chunk_by(|a, b| a.subject.is_same(&b.subject)) {
-        text += &family(items, outcome, width);
+        text += &family(items, width);
         text.push('\n');
     }
     text
 }
 
 /// One family in all its orders: a heading and a table.
-fn family(items: &[Decided], outcome: &Outcome, width: Option<u16>) -> String {
+fn family(items: &[Decided], width: Option<u16>) -> String {
     let mut text = heading(items);
-    let rows = rows(items, &outcome.sources);
+    let rows = rows(items);
     if rows.is_empty() {
         text += "   no claims\n";
         return text;
@@ -36,7 +36,7 @@ fn family(items: &[Decided], outcome: &Outcome, width: Option<u16>) -> String {
     let cells: Vec<Row> = rows
         .into_iter()
         .map(|row| {
-            let (mark, verdict) = verdict(row.kind);
+            let (mark, verdict) = verdict(row.standing);
             let mut cells = vec![row.claim, verdict.to_string(), row.reason];
             if condensed {
                 cells.push(time(row.worst));
@@ -50,13 +50,13 @@ fn family(items: &[Decided], outcome: &Outcome, width: Option<u16>) -> String {
     text + &table::layout(&header, &cells, &[3, 4], width)
 }
 
-const fn verdict(kind: Kind) -> (Mark, &'static str) {
-    match kind {
-        Kind::Proved => (("✓", GOOD), "proved"),
-        Kind::Refuted => (("✓", GOOD), "refuted as declared"),
-        Kind::False => (("✗", BAD), "refuted"),
-        Kind::True => (("✗", BAD), "proved, declared false"),
-        Kind::Undecided => (("?", OPEN), "undecided"),
+const fn verdict(standing: Standing) -> (Mark, &'static str) {
+    match standing {
+        Standing::Proved => (("✓", GOOD), "proved"),
+        Standing::Refuted => (("✓", GOOD), "refuted as declared"),
+        Standing::False => (("✗", BAD), "refuted"),
+        Standing::True => (("✗", BAD), "proved, declared false"),
+        Standing::Undecided => (("?", OPEN), "undecided"),
     }
 }
 
@@ -174,11 +174,11 @@ impl Summary {
         self.orders += outcome.items.iter().filter(|item| is_family(&core::slice::from_ref(item))).count();
         for decided in outcome.items.iter().flat_map(|item| &item.claims) {
             self.claims += 1;
-            *match Kind::of(decided) {
-                Kind::Proved => &mut self.proved,
-                Kind::Refuted => &mut self.refuted,
-                Kind::False | Kind::True => &mut self.wrong,
-                Kind::Undecided => &mut self.undecided,
+            *match Standing::of(&decided.claim, &decided.verdict) {
+                Standing::Proved => &mut self.proved,
+                Standing::Refuted => &mut self.refuted,
+                Standing::False | Standing::True => &mut self.wrong,
+                Standing::Undecided => &mut self.undecided,
             } += 1;
         }
     }

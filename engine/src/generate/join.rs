@@ -369,9 +369,7 @@ fn documentation(
     lines.extend([String::new(), format!("of {}.", written.join(", "))]);
     let errors =
         "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
-    lines.extend(["", "# Errors", "", errors, ""].map(String::from));
-    lines.extend(["# Claims", "", "Decided exactly, while this crate was compiled.", ""].map(String::from));
-    lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
-    lines.extend(verdicts.iter().map(|(claim, verdict)| docs::row(&claim.text, verdict)));
+    lines.extend(["", "# Errors", "", errors].map(String::from));
+    lines.extend(docs::claims(verdicts));
     lines
 }

@@ -7,6 +7,7 @@
 mod family;
 mod inequality;
 mod judge;
+mod parts;
 mod proofs;
 mod report;
 mod run;
@@ -23,6 +24,7 @@ pub use family::{Table, coefficient_table, statements as family_statements};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
+pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
 pub use run::Run;
 pub use verdict::{Evidence, Stated, Verdict, Witness, as_declared, point_text};

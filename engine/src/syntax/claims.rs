@@ -6,7 +6,7 @@ use syn::{Result, Token};
 
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
-use super::words::{at_word, equals, take_word};
+use super::words::{at_word, equals, take_word, text_of};
 use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
 use crate::advice::did_you_mean;
 
@@ -17,6 +17,7 @@ const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric",
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
     let expected = if at_word(input, "refute") { Expected::False } else { Expected::True };
     let keyword = take_word(input)?;
+    let start = input.cursor();
     let mut only = Loops::default();
     let kind = match property(input) {
         Some(word) => {
@@ -35,7 +36,8 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
         None if two_words(input) => return Err(unknown_property(input)),
         None => ClaimKind::Relation(relation(input)?),
     };
-    Ok(Claim { expected, keyword, kind, loops: only })
+    let text = text_of(start, input.cursor());
+    Ok(Claim { expected, keyword, kind, loops: only, text })
 }
 
 /// The property that the next word names, when it stands alone.
@@ -183,8 +185,8 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
 
 /// `left = right for i in 0..=n`, with any comparison.
 fn relation(input: ParseStream<'_>) -> Result<Relation> {
-    let start = input.span();
-    let single = input.cursor().ident();
+    let (start, first) = (input.span(), input.cursor());
+    let single = first.ident();
     let left = expr(input)?;
     let Some(comparison) = comparison(input)? else {
         if let Some((word, _)) = single
@@ -211,8 +213,10 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
     if matches!(input.cursor().token_tree(), Some((TokenTree::Punct(p), _)) if "<>=".contains(p.as_char())) {
         return Err(error(input.span(), "a claim has two sides only", "write two claims"));
     }
+    let sides = input.cursor();
     let loops = loops(input)?;
+    let (text, range) = (text_of(first, sides), text_of(sides, input.cursor()));
     let span = join(start, right.span);
     let last = right.span;
-    Ok(Relation { left, comparison, right, loops, span, last })
+    Ok(Relation { left, comparison, right, loops, text, range, span, last })
 }

@@ -17,6 +17,8 @@ pub use parse::{parse_text, parse_tokens};
 #[cfg(feature = "joins")]
 pub(crate) use theorems::ASSUME_HELP;
 
+use std::rc::Rc;
+
 use proc_macro2::Span;
 
 use crate::algebra::rational::Rational;
@@ -237,6 +239,8 @@ pub struct Assertion {
     pub right: Expr,
     /// What index variables run over.
     pub loops: Loops,
+    /// The claim as it is written, in one line, without its keyword and comments.
+    pub text: Rc<str>,
     /// Both sides.
     pub span: Span,
 }
@@ -349,6 +353,8 @@ pub struct Claim {
     pub kind: ClaimKind,
     /// Of a property, for which index parameters it is claimed.
     pub loops: Loops,
+    /// The claim as it is written, in one line, without its keyword and comments.
+    pub text: Rc<str>,
 }
 
 /// What the author of a claim says of it.
@@ -409,6 +415,10 @@ pub struct Relation {
     pub right: Expr,
     /// What index variables run over.
     pub loops: Loops,
+    /// Both sides as they are written, in one line, without comments.
+    pub text: Rc<str>,
+    /// The loops in the same way, such as `for i in 0..=n`; empty without any.
+    pub range: Rc<str>,
     /// The whole relation; of tokens of the compiler the first one.
     pub span: Span,
     /// The last token of its statement.

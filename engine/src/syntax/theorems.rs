@@ -7,7 +7,7 @@ use syn::{Result, Token};
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::ranges::{SHAPE_HELP, bounds};
-use super::words::{at_word, doc, names_between, skip_statement, take_word};
+use super::words::{at_word, doc, names_between, skip_statement, take_word, text_of};
 use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, PatchKind, SyntaxErrors, Theorem, TheoremKind,
     TheoremRelation, TheoremStatement, TheoremStatementKind,
@@ -177,8 +177,8 @@ fn target(input: ParseStream<'_>) -> Result<Expr> {
 
 /// `left == right for …`, with any comparison or `parallel`.
 fn assertion(input: ParseStream<'_>, expected: Expected) -> Result<Assertion> {
-    let start = input.span();
-    if let Some((word, after)) = input.cursor().ident()
+    let (start, first) = (input.span(), input.cursor());
+    if let Some((word, after)) = first.ident()
         && after.ident().is_some()
     {
         let word = word.to_string();
@@ -220,7 +220,8 @@ fn assertion(input: ParseStream<'_>, expected: Expected) -> Result<Assertion> {
     }
     let loops = loops(input)?;
     let span: Span = join(start, right.span);
-    Ok(Assertion { expected, left, relation, right, loops, span })
+    let text = text_of(first, input.cursor());
+    Ok(Assertion { expected, left, relation, right, loops, text, span })
 }
 
 fn no_relation(input: ParseStream<'_>, left: &Expr) -> syn::Error {

@@ -1,7 +1,9 @@
 //! Single words, doc comments, and what is skipped after a mistake.
 
 use basis_kernel::collections::list::Listed;
-use proc_macro2::{Delimiter, Span, TokenTree};
+use proc_macro2::{Delimiter, LineColumn, Span, TokenTree};
+use std::rc::Rc;
+use syn::buffer::Cursor;
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
@@ -25,6 +27,62 @@ pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
     match comparison(input)? {
         Some(Comparison::Equal) => Ok(()),
         _ => Err(unexpected(input, &format!("`=` after `{}`", name.text))),
+    }
+}
+
+/// The tokens from one place of a file to another as they are written, in one line: with one space wherever space, a
+/// line end or a comment separates two of them.
+pub(super) fn text_of(from: Cursor<'_>, to: Cursor<'_>) -> Rc<str> {
+    let mut line = Line::default();
+    let mut at = from;
+    while at < to
+        && let Some((token, after)) = at.token_tree()
+    {
+        line.token(token);
+        at = after;
+    }
+    line.text.into()
+}
+
+/// Tokens as they are written, with one space in place of all that separates two of them.
+#[derive(Default)]
+struct Line {
+    text: String,
+    /// Where the last token ends.
+    end: Option<LineColumn>,
+}
+
+impl Line {
+    fn token(&mut self, token: TokenTree) {
+        let TokenTree::Group(group) = token else {
+            return self.word(&token.to_string(), token.span());
+        };
+        let (open, close) = match group.delimiter() {
+            Delimiter::Parenthesis => ("(", ")"),
+            Delimiter::Brace => ("{", "}"),
+            Delimiter::Bracket => ("[", "]"),
+            Delimiter::None => ("", ""),
+        };
+        if !open.is_empty() {
+            self.word(open, group.span_open());
+        }
+        for token in group.stream() {
+            self.token(token);
+        }
+        if !close.is_empty() {
+            self.word(close, group.span_close());
+        }
+    }
+
+    fn word(&mut self, word: &str, span: Span) {
+        let in_word = |c: char| c.is_alphanumeric() || c == '_';
+        // Tokens of a `macro_rules` may stand anywhere, but never make one word of two.
+        let merges = self.text.ends_with(in_word) && word.starts_with(in_word);
+        if self.end.is_some_and(|end| merges || end != span.start()) {
+            self.text.push(' ');
+        }
+        self.text += word;
+        self.end = Some(span.end());
     }
 }
 
@@ -98,5 +156,34 @@ fn names_in(token: TokenTree, names: &mut Vec<String>) {
         TokenTree::Ident(ident) => names.push(ident.to_string()),
         TokenTree::Group(group) => group.stream().into_iter().for_each(|token| names_in(token, names)),
         TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proc_macro2::TokenTree;
+    use syn::parse::{ParseStream, Parser};
+
+    fn line(input: ParseStream<'_>) -> syn::Result<String> {
+        let from = input.cursor();
+        while !input.is_empty() {
+            input.parse::<TokenTree>()?;
+        }
+        Ok(super::text_of(from, input.cursor()).to_string())
+    }
+
+    #[test]
+    fn tokens_in_one_line() {
+        let written = |text: &str| line.parse_str(text).expect("tokens");
+        assert_eq!(written("b[ i ]>=0   for i in 0..=n"), "b[ i ]>=0 for i in 0..=n");
+        assert_eq!(written("D(b[0])  // prove ; here\n\t== [ 1,0 ]"), "D(b[0]) == [ 1,0 ]");
+        assert_eq!(written("λ /* of // b */ * (1 -t)"), "λ * (1 -t)");
+    }
+
+    #[test]
+    fn two_words_stay_apart() {
+        // As of a `macro_rules`: every token stands at the same place.
+        let text = line.parse2(quote::quote!(b[i] >= 0 for i in 0..=n)).expect("tokens");
+        assert!(text.contains("0 for i in 0"), "{text}");
     }
 }

@@ -10,7 +10,7 @@ use crate::advice::did_you_mean;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{Range, Region};
-use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::Library;
 use crate::model::formula::numbers::{budget_value, range_of};
@@ -95,10 +95,10 @@ impl Elaboration<'_> {
             return None;
         }
         let region = Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) };
-        for statement in &written.statements {
+        for (number, statement) in written.statements.iter().enumerate() {
             if let TheoremStatementKind::Claim(assertion) = &statement.kind {
                 self.scope.budget.refill();
-                fine &= self.assertion(statement, assertion, &mut claims).is_some();
+                fine &= self.assertion((number, statement), assertion, &mut claims).is_some();
             }
         }
         if fine && claims.is_empty() {
@@ -318,10 +318,10 @@ impl Elaboration<'_> {
         None
     }
 
-    /// One claim, for each value of its index variables.
+    /// One claim, for each value of its index variables, by a statement with its number in the theorem.
     fn assertion(
         &mut self,
-        statement: &TheoremStatement,
+        (number, statement): (usize, &TheoremStatement),
         written: &Assertion,
         claims: &mut Vec<Claim>,
     ) -> Option<()> {
@@ -334,7 +334,9 @@ impl Elaboration<'_> {
             let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
             all.fits(counted, statement.span)?;
             let place = all.scope.library.place_to(all.scope.source, statement.span, statement.last);
-            claims.push(Claim { text, doc: statement.doc.clone(), expected: written.expected, place, kind });
+            let (doc, expected) = (statement.doc.clone(), written.expected);
+            let by = Statement { number: (number, 0), text: written.text.clone(), range: "".into() };
+            claims.push(Claim { text, doc, expected, place, statement: by, kind });
             Some(())
         })
     }

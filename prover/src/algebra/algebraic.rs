@@ -5,7 +5,7 @@ use core::fmt;
 
 use super::poly::{Poly, Var};
 use super::rational::Rational;
-use super::roots::{Root, isolate, linear, rational_roots};
+use super::roots::{Root, linear, rational_roots};
 use super::univariate::Univariate;
 use super::work::Work;
 
@@ -155,31 +155,6 @@ impl Algebraic {
         }
     }
 
-    /// The sign of the value of a polynomial at the number; `None` when the work is spent.
-    ///
-    /// Zero exactly when the common divisor with the defining polynomial has its root here; otherwise the interval
-    /// is shortened until it contains no root of the polynomial.
-    pub fn sign_of(&self, p: &Univariate, work: &mut Work) -> Option<i32> {
-        if p.is_constant() {
-            return Some(p.leading().signum());
-        }
-        let common = p.gcd(&self.polynomial, work)?;
-        if common.sign_at(&self.low) * common.sign_at(&self.high) == -1 {
-            return Some(0);
-        }
-        let square_free = p.square_free_part(work)?;
-        let mut number = self.clone();
-        loop {
-            let roots = isolate(&square_free, Some(&number.low), Some(&number.high), work)?;
-            let ends = [&number.low, &number.high].map(|x| p.sign_at(x));
-            if roots.is_empty() && !ends.contains(&0) {
-                return Some(ends[0]);
-            }
-            let width = &(&number.high - &number.low) * &Rational::new(1, 2);
-            number.refine_below(&width, work)?;
-        }
-    }
-
     /// The number as `root of x^2 - 2 between 1 and 3/2`, the polynomial in the given name.
     pub fn describe(&self, name: &str) -> String {
         let names = [name.to_string()];
@@ -260,16 +235,5 @@ mod tests {
         let other = p(&[-2, 0, 1]).mul(&p(&[-5, 0, 1]));
         let five = Algebraic::new(&other, Rational::from(2), Rational::from(3)).expect("opposite signs");
         assert_eq!(five.compare_with(&sqrt2(), work), Some(Ordering::Greater));
-    }
-
-    #[test]
-    fn signs_of_polynomials() {
-        let work = &mut Work::unlimited();
-        assert_eq!(sqrt2().sign_of(&p(&[-4, 0, 0, 0, 1]), work), Some(0));
-        assert_eq!(sqrt2().sign_of(&p(&[-7, 5]), work), Some(1));
-        assert_eq!(sqrt2().sign_of(&p(&[-17, 12]), work), Some(-1));
-        assert_eq!(sqrt2().sign_of(&p(&[-577, 408]), work), Some(-1));
-        assert_eq!(sqrt2().sign_of(&p(&[0]), work), Some(0));
-        assert_eq!(sqrt2().sign_of(&p(&[-3, 5, 7]), &mut Work::new(5)), None);
     }
 }

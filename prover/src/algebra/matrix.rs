@@ -216,44 +216,6 @@ pub fn polynomial_combination(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec
     Some(if negative { divided.mapped(|p| -p) } else { divided })
 }
 
-/// What is known about a linear system over the rational functions.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Solution {
-    /// There is no solution.
-    Unsolvable,
-    /// xⱼ = numeratorⱼ / denominator; unknowns that the equations leave free are zero.
-    Solved {
-        /// The numerators.
-        numerators: Vec<Poly>,
-        /// The denominator, not zero.
-        denominator: Poly,
-    },
-}
-
-/// Solves Σⱼ aᵢⱼ xⱼ = bᵢ for all i; `None` when the work is spent.
-pub fn solve(a: &[Vec<Poly>], b: &[Poly], work: &mut Work) -> Option<Solution> {
-    // Independent columns of a, and a combination of them and of b that vanishes.
-    let width = a.first().map_or(0, Vec::len);
-    let mut basis: Rows<Poly> = Vec::new();
-    let mut unknowns = Vec::new();
-    for j in 0..width {
-        basis.push(a.mapped(|row| row[j].clone()));
-        if generic_rank(&basis, work)? < basis.len() {
-            basis.pop();
-        } else {
-            unknowns.push(j);
-        }
-    }
-    basis.push(b.to_vec());
-    let combination = polynomial_combination(&basis, work)?;
-    let Some((denominator, parts)) = combination.split_last() else { return Some(Solution::Unsolvable) };
-    let mut numerators = vec![Poly::zero(); width];
-    for (j, c) in unknowns.iter().zip(parts) {
-        numerators[*j] = -c;
-    }
-    Some(Solution::Solved { numerators, denominator: denominator.clone() })
-}
-
 /// An elimination in progress.
 struct Elimination {
     rows: Rows<Poly>,
@@ -484,22 +446,12 @@ mod tests {
     }
 
     #[test]
-    fn combinations_and_systems_of_polynomials() {
+    fn combinations_of_polynomials() {
         let m = vec![vec![n(1), x()], vec![x(), n(1)], vec![n(1), n(1)]];
         let c = polynomial_combination(&m, &mut work()).expect("unlimited");
         let column = |j: usize| m.iter().zip(&c).fold(n(0), |s, (row, c)| &s + &(c * &row[j]));
         assert!(column(0).is_zero() && column(1).is_zero());
         // (x + 1)·(row 3) = row 1 + row 2
         assert_eq!(c, vec![n(1), n(1), -&(&x() + &n(1))]);
-        let a = vec![vec![n(1), x()], vec![x(), n(1)]];
-        let b = [n(1), n(0)];
-        let Some(Solution::Solved { numerators: s, denominator: d }) = solve(&a, &b, &mut work()) else {
-            panic!("solvable")
-        };
-        for (row, rhs) in a.iter().zip(&b) {
-            assert_eq!(&(&row[0] * &s[0]) + &(&row[1] * &s[1]), &d * rhs);
-        }
-        let singular = vec![vec![n(1), x()], vec![n(2), x().scale(&2.into())]];
-        assert_eq!(solve(&singular, &b, &mut work()), Some(Solution::Unsolvable));
     }
 }

@@ -3,7 +3,8 @@
 use crate::algebra::range::DisplayRange as _;
 use crate::claim::Claim;
 use crate::model::Family;
-use crate::state::Verdict;
+use crate::plural::count;
+use crate::state::{FEW, Verdict, parts};
 use basis_kernel::collections::list::{Listed, Mapped};
 
 /// The lines of the doc comment; one formula a line.
@@ -34,28 +35,55 @@ pub(in crate::generate) fn family(
     ranges.extend(family.shapes.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
     lines.push(format!("for {}.", ranges.join(", ")));
     if !verdicts.is_empty() {
-        lines.extend(
-            ["", "# Claims", "", "Decided exactly, while this crate was compiled.", ""].map(String::from),
-        );
-        lines.push(String::from("| claim | verdict |"));
-        lines.push(String::from("| --- | --- |"));
-        for (claim, verdict) in verdicts {
-            lines.push(row(&claim.text, verdict));
+        lines.extend(claims(verdicts));
+    }
+    lines
+}
+
+/// The table of claims with its heading. Many claims of one statement that stand alike share a row.
+pub(in crate::generate) fn claims(verdicts: &[(Claim, Verdict)]) -> Vec<String> {
+    let mut lines = ["", "# Claims", "", "Decided exactly, while this crate was compiled.", ""]
+        .map(String::from)
+        .to_vec();
+    lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
+    for part in parts(&verdicts.mapped(|(claim, verdict)| (claim, verdict))) {
+        if part.claims.len() > FEW {
+            let alike = part.claims.mapped(|k| &verdicts[*k].1);
+            let many = format!(" ({})", count(alike.len(), "claim"));
+            let text = format!("{} {}", part.text, part.range);
+            lines.push(row(text.trim_end(), &many, &reasons(&alike)));
+        } else {
+            let alike = part.claims.iter().map(|k| &verdicts[*k]);
+            lines.extend(alike.map(|(claim, verdict)| row(&claim.text, "", &reasons(&[verdict]))));
         }
     }
     lines
 }
 
-/// A row of the table of claims.
-pub(in crate::generate) fn row(claim: &str, verdict: &Verdict) -> String {
-    let verdict = match verdict {
-        Verdict::Proved(evidence) => format!("proved by {}", evidence.method()),
-        Verdict::Refuted(witness) => {
-            let point = witness.point();
-            let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
-            format!("refuted: `{}` is {}{place}", witness.of, witness.value)
+fn row(claim: &str, many: &str, verdict: &str) -> String {
+    format!("| `{}`{many} | {} |", claim.replace('|', "\\|"), verdict.replace('|', "\\|"))
+}
+
+/// Verdicts of one kind in words: the methods of all proofs; of other verdicts the first.
+fn reasons(alike: &[&Verdict]) -> String {
+    let mut all: Vec<String> = Vec::new();
+    for verdict in alike {
+        let reason = match verdict {
+            Verdict::Proved(evidence) => evidence.method().to_string(),
+            Verdict::Refuted(witness) => {
+                let point = witness.point();
+                let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
+                format!("refuted: `{}` is {}{place}", witness.of, witness.value)
+            }
+            Verdict::Undecided(left) => format!("undecided: {left}"),
+        };
+        if !all.contains(&reason) {
+            all.push(reason);
         }
-        Verdict::Undecided(left) => format!("undecided: {left}"),
-    };
-    format!("| `{}` | {} |", claim.replace('|', "\\|"), verdict.replace('|', "\\|"))
+    }
+    match (alike, all.as_slice()) {
+        ([Verdict::Proved(_), ..], _) => format!("proved by {}", all.join("; ")),
+        (_, [first, _, ..]) => format!("{first}, …"),
+        _ => all.concat(),
+    }
 }

@@ -6,7 +6,7 @@ use proc_macro2::Span;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::claim::{Claim, ClaimKind, Difference};
+use crate::claim::{Claim, ClaimKind, Difference, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
@@ -31,7 +31,7 @@ pub(crate) fn claims(
         // What the scope has copied.
         let _ = scope.budget.copy(&f.value);
     }
-    for statement in &written.statements {
+    for (number, statement) in written.statements.iter().enumerate() {
         match &statement.kind {
             StatementKind::Let(name, value) => {
                 // The same values as before; their errors are reported already.
@@ -42,7 +42,7 @@ pub(crate) fn claims(
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
-                one(&mut scope, family, claim, statement, &mut all);
+                one(&mut scope, family, claim, (number, statement), &mut all);
                 if !scope.settle(&region, family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
@@ -60,34 +60,37 @@ pub(crate) fn claims(
 pub(crate) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
     for statement in &written.statements {
         if let StatementKind::Claim(claim) = &statement.kind {
-            one(scope, family, claim, statement, &mut Vec::new());
+            one(scope, family, claim, (0, statement), &mut Vec::new());
         }
     }
 }
 
-/// Appends the claims that one statement makes.
+/// Appends the claims that one statement makes, which has a number in the family.
 fn one(
     scope: &mut Scope<'_>,
     family: &Family,
     claim: &syntax::Claim,
-    statement: &syntax::Statement,
+    (number, statement): (usize, &syntax::Statement),
     all: &mut Vec<Claim>,
 ) {
     let (span, last) = (statement.span, statement.last);
-    let mut push = |scope: &Scope<'_>, text: String, span: Span, last: Span, kind: ClaimKind| {
-        let run = scope.budget.run();
-        let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
-        let fine = scope.fits(counted, span).is_some();
-        if fine {
-            let place = scope.library.place_to(scope.source, span, last);
-            all.push(Claim { text, doc: Vec::new(), expected: claim.expected, place, kind });
-        }
-        fine
-    };
+    let mut push =
+        |scope: &Scope<'_>, text: String, (span, last): (Span, Span), by: Statement, kind: ClaimKind| {
+            let run = scope.budget.run();
+            let counted = run.claim(text.len()).and_then(|()| kind.kept(run));
+            let fine = scope.fits(counted, span).is_some();
+            if fine {
+                let place = scope.library.place_to(scope.source, span, last);
+                let (doc, expected) = (Vec::new(), claim.expected);
+                all.push(Claim { text, doc, expected, place, statement: by, kind });
+            }
+            fine
+        };
+    let by = Statement { number: (number, 0), text: claim.text.clone(), range: "".into() };
     match &claim.kind {
         syntax::ClaimKind::Relation(relation) => {
             self::relation(scope, relation, &[], None, &mut |scope, text, kind| {
-                push(scope, text, span, last, kind)
+                push(scope, text, (span, last), by.clone(), kind)
             });
         }
         syntax::ClaimKind::At(bindings, relations) => {
@@ -96,9 +99,12 @@ fn one(
             let parts: Vec<String> =
                 bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
             let at = parts.join(", ");
-            for relation in relations {
+            for (equation, relation) in relations.iter().enumerate() {
+                let (text, range) = (relation.text.clone(), relation.range.clone());
+                let by = Statement { number: (number, equation), text, range };
+                let place = (relation.span, relation.last);
                 self::relation(scope, relation, &fixed, Some(&at), &mut |scope, text, kind| {
-                    push(scope, format!("at {at}: {text}"), relation.span, relation.last, kind)
+                    push(scope, format!("at {at}: {text}"), place, by.clone(), kind)
                 });
             }
         }
@@ -107,7 +113,7 @@ fn one(
             let fine = scope.each(&claim.loops, &mut |scope| {
                 any = true;
                 let made = self::property(scope, family, property, span);
-                made.is_some_and(|(text, kind)| push(scope, text, span, last, kind))
+                made.is_some_and(|(text, kind)| push(scope, text, (span, last), by.clone(), kind))
             });
             // A condition may well hold for other orders.
             if fine && !any && scope.constants.is_empty() {
