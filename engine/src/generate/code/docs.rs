@@ -4,7 +4,7 @@ use crate::algebra::range::DisplayRange as _;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::state::Verdict;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The lines of the doc comment; one formula a line.
 pub(in crate::generate) fn family(
