@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{self, Rational};
 use clap::builder::styling::{AnsiColor, Style, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -218,7 +218,7 @@ fn order(text: &str) -> Result<u32, String> {
 
 fn assignment(text: &str) -> Result<Assignment, String> {
     let Some((name, value)) = text.split_once('=') else {
-        let comma = if Rational::parse(text).is_some() {
+        let comma = if rational::parse(text).is_some() {
             "; decimals are written with a point, as in t=0.5"
         } else {
             ""
@@ -232,7 +232,7 @@ fn assignment(text: &str) -> Result<Assignment, String> {
     if value.is_empty() {
         return Err(format!("the value is missing; write it after the `=`, as in {name}=1/2"));
     }
-    match Rational::parse(value) {
+    match rational::parse(value) {
         Some(value) => Ok(Assignment { name: name.to_string(), value }),
         None if divides_by_zero(value) => Err(format!("`{value}` divides by zero")),
         None => Err(format!(
@@ -243,6 +243,6 @@ fn assignment(text: &str) -> Result<Assignment, String> {
 
 fn divides_by_zero(value: &str) -> bool {
     value.split_once('/').is_some_and(|(numer, denom)| {
-        Rational::parse(numer).is_some() && Rational::from_decimal(denom.trim()).is_some_and(|d| d.is_zero())
+        rational::parse(numer).is_some() && rational::from_decimal(denom.trim()).is_some_and(|d| d.is_zero())
     })
 }

@@ -1,6 +1,6 @@
 //! What was probably meant, and what to write instead.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 /// The candidate that differs least from `word`, if it is near enough to be meant (Damerau–Levenshtein).
 pub fn closest<'a>(word: &str, candidates: &[&'a str]) -> Option<&'a str> {
     let length = word.chars().count();

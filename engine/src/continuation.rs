@@ -2,13 +2,13 @@
 //! interval, from the exact derivatives at the ends.
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::{Family, Parameter, label};
 use crate::theorem::{Form, GivenPoint, Unit};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
 const WORK: u64 = 200_000;

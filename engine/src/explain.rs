@@ -12,11 +12,11 @@ use std::rc::Rc;
 use basis_kernel::{Chart, Relation, Statement, with};
 use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
-use basis_prover::{Budget, Coordinate, decide, typical};
+use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::{gcd, square_free};
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, PolyExt};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
@@ -183,7 +183,7 @@ fn function_signs(family: &Family) -> (Vec<Poly>, Region) {
         let (numer, denom) = (f.value.numer(), f.value.denom());
         let Ok(chart) = Chart::new(&domain, [numer, denom]) else { continue };
         let signed = if denom.eval(&start).is_negative() { -numer } else { numer.clone() };
-        polys.push(chart.pull_back(&signed));
+        polys.push(pull_back(&chart, &signed));
         region = chart.region().clone();
     }
     (polys, region)

@@ -39,7 +39,7 @@ pub mod subject;
 pub mod syntax;
 pub mod theorem;
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use advice::closest;

@@ -2,7 +2,7 @@
 
 use crate::advice::closest;
 use crate::plural::list;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use core::cell::OnceCell;
 use core::fmt;
 use core::ops::Range;

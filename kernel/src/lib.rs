@@ -17,7 +17,7 @@ pub use certificate::{
 };
 pub use check::Chart;
 pub use check::pieces::{pieces, with};
-pub use check::products::minor_signs;
+pub use check::products::Gram;
 pub use check::rank::minor;
 pub use point::{Point, Root};
 pub use proof::{Proof, Refutation, Witness};

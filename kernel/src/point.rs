@@ -33,12 +33,6 @@ pub struct Point {
 }
 
 impl Point {
-    /// A point with rational coordinates.
-    pub fn rational(coordinates: Vec<(Var, Rational)>) -> Self {
-        let constant = |(v, x): (Var, Rational)| (v, Univariate::new(vec![x]));
-        Self { root: None, coordinates: coordinates.into_iter().map(constant).collect() }
-    }
-
     /// The coordinate of a variable.
     fn coordinate(&self, var: Var) -> Result<&Univariate, Refusal> {
         let found = self.coordinates.iter().find(|(v, _)| *v == var);

@@ -3,13 +3,14 @@
 use std::rc::Rc;
 
 use basis_kernel::{
-    Certificate, Chart, Point, Proof, Quotient, Refusal, Refutation, Relation, SignProof, Signed, Statement,
-    Witness,
+    Certificate, Chart, Gram, Point, Products, Proof, Quotient, Refusal, Refutation, Relation, SignProof,
+    Signed, Statement, Witness,
 };
 
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::budget::{Budget, charge};
 use crate::collections::list::{Listed, Mapped};
@@ -129,7 +130,7 @@ fn sign(
     let (denominator, negative) = match value.denominator.as_constant() {
         Some(number) => (None, number.is_negative()),
         None => {
-            let below = chart.pull_back(&value.denominator);
+            let below = pull_back(&chart, &value.denominator);
             let start: Vec<(Var, Rational)> =
                 below.variables().iter().map(|v| (*v, simple(&region.range(*v)))).listed();
             let negative = problem::value(&below, &start).is_negative();
@@ -146,7 +147,7 @@ fn sign(
             }
         }
     };
-    let above = chart.pull_back(&value.numerator);
+    let above = pull_back(&chart, &value.numerator);
     match search(&if negative { -&above } else { above }, relation) {
         Found::Proof(method, numerator) => {
             let certificate = Certificate::Sign { denominator, numerator };
@@ -188,10 +189,29 @@ fn unfit() -> Result<Shown, Failure> {
     Err(Failure::Undecided(String::from("the statement is not one that the search knows")))
 }
 
+/// What must be ≥ 0 (> 0) for a polynomial of degree 1 in dot products to be so for all points: its value with all
+/// points at the origin, and the sums of the principal minors of its matrix, those of size 1 first.
+///
+/// # Errors
+/// When it is not of degree 1, there are too many points, or the work is spent.
+pub fn minor_signs(
+    value: &Poly,
+    relation: Relation,
+    products: &Products,
+    work: &mut Work,
+) -> Result<Vec<(Poly, Relation)>, Refusal> {
+    Gram::of(value, products, work)?.signs(relation, work)
+}
+
+/// The polynomial in the variables of the box of a chart.
+pub fn pull_back(chart: &Chart, polynomial: &Poly) -> Poly {
+    chart.variables().iter().fold(polynomial.clone(), |p, (var, by)| p.substitute(*var, by))
+}
+
 /// Sums of dot products: the signs of sums of minors. Where one of them is negative, so is the matrix for some vector.
 fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     let Statement::Products { value, relation, products, domain } = &**statement else { return unfit() };
-    let signs = match basis_kernel::minor_signs(value, *relation, products, &mut Work::usual(budget)) {
+    let signs = match minor_signs(value, *relation, products, &mut Work::usual(budget)) {
         Ok(signs) => signs,
         Err(refusal) => return Err(Failure::Undecided(refusal.to_string())),
     };
@@ -200,7 +220,7 @@ fn products(statement: &Rc<Statement>, budget: u32) -> Result<Shown, Failure> {
     for (sum, relation) in signs {
         let Ok(chart) = Chart::new(domain, [&sum, &sum]) else { return unfit() };
         let budget = &mut Budget::scaled(budget);
-        match search(&chart.pull_back(&sum), relation, chart.region(), budget) {
+        match search(&pull_back(&chart, &sum), relation, chart.region(), budget) {
             Found::Proof(method, proof) => {
                 hardest = hardest.max(method);
                 proofs.push(proof);
@@ -256,9 +276,12 @@ fn on_line(
     sort_unique(&mut points);
     let place = |p: usize| points.binary_search(&p).unwrap_or(0);
     let mut matrix = vec![vec![Rational::ZERO; points.len()]; points.len()];
-    let constant = numbers.coefficient(&Monomial::one());
+    let coefficient = |monomial: &Monomial| {
+        numbers.terms().find(|(m, _)| *m == monomial).map_or(Rational::ZERO, |(_, c)| c.clone())
+    };
+    let constant = coefficient(&Monomial::one());
     for (var, (p, q)) in products {
-        let half = &numbers.coefficient(&Monomial::one().with_exponent(*var, 1)) * &Rational::new(1, 2);
+        let half = &coefficient(&Monomial::one().with_exponent(*var, 1)) * &Rational::new(1, 2);
         matrix[place(*p)][place(*q)] += &half;
         matrix[place(*q)][place(*p)] += &half;
     }
@@ -274,8 +297,9 @@ fn on_line(
         work.spend_fractions(constant.bits() + form(&direction).bits())?;
         direction = direction.mapped(|x| x + x);
     }
+    let coordinates = at.mapped(|(v, x)| (*v, Univariate::new(vec![x.clone()])));
     let witness = Witness::OnLine(
-        Point::rational(at.clone()),
+        Point { root: None, coordinates },
         points.into_iter().zip(direction).filter(|(_, x)| !x.is_zero()).listed(),
     );
     let refutation = Refutation::new(Rc::clone(statement), witness, &mut Work::usual(1)).ok()?;

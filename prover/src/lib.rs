@@ -3,6 +3,7 @@
 
 pub mod algebra;
 mod budget;
+pub mod collections;
 mod coordinate;
 mod counterexample;
 mod decide;
@@ -18,12 +19,11 @@ pub mod sign;
 mod tests;
 mod zero_free;
 
-pub(crate) use basis_kernel::collections;
 pub use basis_kernel::{Proof, Refutation};
 pub use budget::{Budget, spent, working};
 pub use coordinate::Coordinate;
 pub use counterexample::{Counterexample, refute};
-pub use decide::{Failure, Shown, decide, simple};
+pub use decide::{Failure, Shown, decide, minor_signs, pull_back, simple};
 pub use method::Method;
 pub use nonzero::{candidates, typical};
 pub use rank::symmetry::{Symmetries, Symmetry};

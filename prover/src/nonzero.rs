@@ -1,6 +1,6 @@
 //! Simple points: where a value that is not zero everywhere is defined and not zero.
 
-use basis_kernel::collections::list::Listed;
+use crate::collections::list::Listed;
 use basis_kernel::{Domain, Quotient};
 
 use crate::algebra::poly::Var;

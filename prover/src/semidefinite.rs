@@ -2,7 +2,7 @@
 
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use basis_kernel::collections::list::Listed;
+use crate::collections::list::Listed;
 
 /// Whether a symmetric matrix is positive semidefinite, by a decomposition L D Lᵀ; `None` when the work is spent.
 ///

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use basis_engine::algebra::number::binomial;
-use basis_engine::algebra::poly::Poly;
+use basis_engine::algebra::poly::{Poly, PolyExt};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::{Disk, Family, Library, Prover, Subject, source};
 use basis_runtime::Scalar;

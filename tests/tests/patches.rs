@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 
 use basis_engine::Verdict;
-use basis_engine::algebra::poly::Poly;
+use basis_engine::algebra::poly::{Poly, PolyExt};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::generate::patch_form::PatchForm;
 use basis_engine::{Disk, Library, Prover, Selected, Subject, source};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::time::Instant;
 
-use basis_engine::algebra::rational::Rational;
+use basis_engine::algebra::rational::{self, Rational};
 use basis_engine::algebra::work::Work;
 use basis_engine::claim::Expected;
 use basis_engine::model::obligation::Obligation;
@@ -329,7 +329,7 @@ fn proofs(statements: Vec<Statements>, written: Option<&Value>, budget: u32) -> 
 fn place(value: &Value) -> Result<Vec<Rational>, String> {
     let number = |value: &Value| {
         let text = word(value)?;
-        let number = Rational::parse(text).filter(|x| x.to_string() == text);
+        let number = rational::parse(text).filter(|x| x.to_string() == text);
         number.ok_or_else(|| format!("`{text}` is not a number in lowest terms"))
     };
     list(value)?.iter().map(number).collect()

@@ -1,6 +1,6 @@
 //! The point at which a family is evaluated.
 
-use basis_engine::algebra::poly::{Poly, Var};
+use basis_engine::algebra::poly::{Poly, PolyExt, Var};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::Parameter;
 use basis_engine::{Diagnostic, Family};

@@ -1,6 +1,7 @@
 //! Values as JSON and as a table.
 
 use basis_engine::Family;
+use basis_engine::algebra::poly::PolyExt;
 use basis_engine::algebra::rational::Rational;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -97,11 +98,13 @@ fn decimal(value: &Rational) -> String {
 
 #[cfg(test)]
 mod tests {
+    use basis_engine::algebra::rational::parse;
+
     use super::*;
 
     #[test]
     fn decimals_are_as_short_as_they_can_be() {
-        let of = |text: &str| decimal(&Rational::parse(text).expect("a number"));
+        let of = |text: &str| decimal(&parse(text).expect("a number"));
         assert_eq!([of("0"), of("-3"), of("1/4"), of("-2/3")], ["0", "-3", "0.25", "-0.666666666667"]);
         assert_eq!([of("1/3000000000"), of("12345678901234567890")], ["3.333333333e-10", "1.234567890e19"]);
     }

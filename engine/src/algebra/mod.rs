@@ -1,6 +1,8 @@
 //! The kernel's numbers and polynomials, and quotients of polynomials.
 
-pub use basis_kernel::algebra::{fibre, poly, rational, univariate, work};
-pub use basis_prover::algebra::{algebraic, factor, gcd, number, range, simplest};
+pub use basis_kernel::algebra::fibre;
+pub use basis_prover::algebra::{
+    algebraic, factor, gcd, number, poly, range, rational, simplest, univariate, work,
+};
 
 pub mod fraction;

@@ -12,7 +12,7 @@ use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// Derivatives up to this order are solved for by formulas.
 const ORDER: u32 = 2;

@@ -1,6 +1,6 @@
 //! The formulas that are emitted, still exact: factored values, Bernstein tables, the endpoint form.
 
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};

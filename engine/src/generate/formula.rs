@@ -5,7 +5,7 @@ use super::patch_form::{PatchForm, PatchFunction};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 
 /// A function on an interval as a product: number · polynomial · powers of the distances to both ends.
 pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &FunctionForm) -> String {

@@ -16,7 +16,7 @@ use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::state::Verdict;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {

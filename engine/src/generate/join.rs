@@ -13,7 +13,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Parameter, label};
 use crate::state::Verdict;
 use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …

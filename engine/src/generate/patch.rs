@@ -20,7 +20,7 @@ use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Family, Function, label};
 use crate::state::Verdict;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// The type of a family on a simplex or a box.

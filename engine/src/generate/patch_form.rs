@@ -8,7 +8,7 @@ use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::{Family, Function};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// More Bernstein coefficients, for all functions together, are not emitted.
@@ -154,7 +154,7 @@ fn degrees(numer: &Poly, groups: &[Group]) -> Vec<u32> {
 /// The coefficients, polynomials in the shape parameters, of the monomials in all coordinates, homogeneous of these
 /// degrees.
 fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec<u32>, Poly> {
-    let mut result: SortedMap<Vec<u32>, Poly> = SortedMap::new();
+    let mut result: SortedMap<Vec<u32>, Vec<(Monomial, Rational)>> = SortedMap::new();
     for (monomial, c) in numer.terms() {
         let mut shape = monomial.clone();
         // The term times the missing powers of the sums of the groups.
@@ -176,11 +176,15 @@ fn homogeneous(numer: &Poly, groups: &[Group], degrees: &[u32]) -> SortedMap<Vec
             terms = next;
         }
         for (exponents, factor) in terms {
-            result.get_or_insert_with(exponents, Poly::zero).add_term(shape.clone(), &factor);
+            result.get_or_insert_with(exponents, Vec::new).push((shape.clone(), factor));
         }
     }
-    result.retain(|_, c| !c.is_zero());
-    result
+    let mut coefficients = SortedMap::new();
+    for (exponents, terms) in result {
+        coefficients.insert(exponents, Poly::from_terms(terms));
+    }
+    coefficients.retain(|_, c| !c.is_zero());
+    coefficients
 }
 
 /// Takes out the powers of the coordinates and the numeric content.

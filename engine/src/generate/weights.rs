@@ -5,7 +5,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};

@@ -1,10 +1,10 @@
 //! Functions on an interval in other bases.
 
-use basis_kernel::collections::list::Mapped;
+use basis_prover::collections::list::Mapped;
 use basis_prover::map::SortedMap;
 
 use super::Family;
-use crate::algebra::fibre;
+use crate::algebra::fibre::{self, Step};
 use crate::algebra::poly::{Monomial, Poly};
 use crate::algebra::rational::Rational;
 
@@ -65,7 +65,7 @@ fn shift(coefficients: &mut [Poly], by: &Rational) {
     }
     let mut terms = coefficients.mapped(|_| Vec::new());
     for (m, mut fibre) in fibres {
-        fibre::shift(&mut fibre, by);
+        fibre::apply(&[Step::Shift(by.clone())], &mut fibre);
         for (k, c) in fibre.into_iter().enumerate() {
             terms[k].push((m.clone(), c));
         }

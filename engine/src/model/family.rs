@@ -7,7 +7,7 @@ use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::source::SourceId;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// A family of basis functions of one order.
 #[derive(Clone, Debug)]

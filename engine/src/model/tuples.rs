@@ -1,6 +1,6 @@
 //! Tuples of indices: those with one sum, and those below given sizes.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 /// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
 pub(crate) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
     let mut all = Vec::new();

@@ -1,6 +1,6 @@
 //! Comparisons with zero: what they say of a value, and of which points.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Simplex, Statement};

@@ -1,7 +1,7 @@
 //! Claims of one statement together: an `at` block or a `for` makes many, and every order makes them again.
 
-use basis_kernel::collections::list::{Listed, Mapped};
-use basis_kernel::collections::sort::sort_by;
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_by;
 
 use super::verdict::Verdict;
 use crate::claim::{Claim, ClaimKind, Expected};

@@ -1,7 +1,7 @@
 //! Several statements decided together.
 
 use basis_kernel::Proof;
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use basis_prover::{Failure, Shown, decide};
 
 use super::verdict::Stated;

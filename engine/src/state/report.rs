@@ -1,6 +1,6 @@
 //! Verdicts that contradict what a spec declares, as errors.
 
-use basis_kernel::collections::list::Mapped;
+use basis_prover::collections::list::Mapped;
 
 use super::verdict::{Verdict, as_declared};
 use crate::claim::{Claim, Expected};

@@ -5,7 +5,7 @@ use basis_prover::{Coordinate, Symmetries};
 
 use crate::algebra::rational::Rational;
 use crate::claim::Expected;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// A statement with what it is about.
 #[derive(Clone, Debug)]

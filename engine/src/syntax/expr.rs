@@ -2,7 +2,7 @@
 //!
 //! From loose to tight: `+ -`, `* /`, unary `-`, `^` (to the right), then calls and indices.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use proc_macro2::{Delimiter, Literal, Span, TokenTree};
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -11,7 +11,7 @@ use syn::{Ident, Result, Token};
 use super::error::{error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
 use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name, Role, Sign};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{self, Rational};
 
 /// Numbers with more digits than this are refused.
 const MAX_DIGITS: usize = 1000;
@@ -351,7 +351,7 @@ fn number(literal: &Literal) -> Result<Rational> {
             format!("at most {MAX_DIGITS} are read"),
         ));
     }
-    if let Some(value) = Rational::from_decimal(&text) {
+    if let Some(value) = rational::from_decimal(&text) {
         return Ok(value);
     }
     let digits: String = text.chars().take_while(char::is_ascii_digit).collect();

@@ -10,7 +10,7 @@ use super::words::{at_word, doc, take_word};
 use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
 use crate::advice::did_you_mean;
 use crate::source::MAX_BYTES;
-use basis_kernel::collections::sort::sort_unique;
+use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin an item.
 const ITEMS: [&str; 4] = ["family", "use", "theorem", "join"];

@@ -11,7 +11,7 @@ use super::ranges::{SHAPE_HELP, range};
 use super::words::{at_word, doc, equals, names_between, skip_statement, take_word};
 use super::{Binding, Family, FunctionDef, Name, Statement, StatementKind, SyntaxErrors};
 use crate::advice::did_you_mean;
-use basis_kernel::collections::sort::sort_unique;
+use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
 pub(super) const STATEMENTS: [&str; 9] =

@@ -13,7 +13,7 @@ use super::{
     TheoremRelation, TheoremStatement, TheoremStatementKind,
 };
 use crate::advice::did_you_mean;
-use basis_kernel::collections::sort::sort_unique;
+use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
 const STATEMENTS: [&str; 10] =

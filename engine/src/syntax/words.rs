@@ -1,6 +1,6 @@
 //! Single words, doc comments, and what is skipped after a mistake.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use proc_macro2::{Delimiter, LineColumn, Span, TokenTree};
 use std::rc::Rc;
 use syn::buffer::Cursor;

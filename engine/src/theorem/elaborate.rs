@@ -21,7 +21,7 @@ use crate::subject::{Item, Subject as About};
 use crate::syntax::{
     self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, PatchKind, TheoremStatement, TheoremStatementKind,
 };
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The most coordinates of a point.
 const MAX_DIMENSION: i64 = 8;

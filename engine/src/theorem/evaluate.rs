@@ -1,6 +1,6 @@
 //! From an expression of a theorem to the scalar, vector or outer product that it denotes.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use proc_macro2::Span;
 
 use super::draft::{Elaboration, Value, kind};

@@ -11,7 +11,7 @@ use crate::algebra::rational::Rational;
 use crate::model::formula::print::Printer;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 impl Elaboration<'_> {
     /// P(t), D(S, v, 2)(u, 0): Σ of the differentiated functions at the arguments, times the control points.

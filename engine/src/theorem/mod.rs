@@ -30,7 +30,7 @@ use crate::diagnostic::Place;
 use crate::model::Parameter;
 use crate::source::SourceId;
 pub use crate::syntax::{TheoremKind, TheoremRelation};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// A theorem or a join.
 #[derive(Clone, Debug)]

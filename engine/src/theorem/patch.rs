@@ -16,7 +16,7 @@ use crate::model::scope::Inside;
 use crate::model::{Family, Parameter, label};
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Name, Role};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// One factor of a surface: a family with its shape values as they are written, and the name of its parameter.
 struct Factor<'e> {

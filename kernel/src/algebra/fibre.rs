@@ -66,11 +66,6 @@ pub fn upper_part() -> Vec<Step> {
     vec![Shift(Rational::ONE)]
 }
 
-/// Replaces x by x + h in a sum of powers of x.
-pub fn shift(c: &mut [Rational], h: &Rational) {
-    apply(&[Shift(h.clone())], c);
-}
-
 /// Takes the steps.
 pub fn apply(steps: &[Step], c: &mut [Rational]) {
     Change::new(steps, c.iter(), c.len()).apply(c);

@@ -163,12 +163,6 @@ impl Clone for Monomial {
     }
 }
 
-impl Default for Monomial {
-    fn default() -> Self {
-        Self::one()
-    }
-}
-
 impl Ord for Monomial {
     fn cmp(&self, other: &Self) -> Ordering {
         match (&self.0, &other.0) {

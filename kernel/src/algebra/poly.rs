@@ -135,31 +135,6 @@ impl Poly {
         Self { terms: merge_all(runs) }
     }
 
-    /// Adds one term in place.
-    pub fn add_term(&mut self, monomial: Monomial, coefficient: &Rational) {
-        if coefficient.is_zero() {
-            return;
-        }
-        match self.position(&monomial) {
-            Ok(k) => {
-                self.terms[k].1 += coefficient;
-                if self.terms[k].1.is_zero() {
-                    self.terms.remove(k);
-                }
-            }
-            Err(k) => self.terms.insert(k, (monomial, coefficient.clone())),
-        }
-    }
-
-    /// Where a monomial stands, or would stand.
-    fn position(&self, monomial: &Monomial) -> Result<usize, usize> {
-        // New terms often come last.
-        if self.terms.last().is_none_or(|(m, _)| m < monomial) {
-            return Err(self.terms.len());
-        }
-        self.terms.binary_search_by(|(m, _)| m.cmp(monomial))
-    }
-
     /// The terms, in increasing order of monomials.
     pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> + ExactSizeIterator {
         self.terms.iter().map(|(m, c)| (m, c))
@@ -192,11 +167,6 @@ impl Poly {
             1 if self.terms[0].0.is_one() => Some(self.terms[0].1.clone()),
             _ => None,
         }
-    }
-
-    /// The coefficient of a monomial.
-    pub fn coefficient(&self, monomial: &Monomial) -> Rational {
-        self.position(monomial).map_or(Rational::ZERO, |k| self.terms[k].1.clone())
     }
 
     /// The term with the greatest monomial.
@@ -395,37 +365,6 @@ impl Poly {
         }))
     }
 
-    /// The polynomial with variables renamed, by their index; no two may get the same name.
-    pub fn rename(&self, names: &[Var]) -> Self {
-        if names.iter().enumerate().all(|(i, v)| i == v.0) {
-            return self.clone();
-        }
-        let width = names.iter().map(|v| v.0 + 1).max().unwrap_or(0);
-        let rename = |m: &Monomial| {
-            let mut exponents = vec![0; width];
-            for (i, e) in m.exponents().into_iter().enumerate() {
-                exponents[names[i].0] = e;
-            }
-            Monomial::new(exponents)
-        };
-        Self::from_terms(self.terms.iter().map(|(m, c)| (rename(m), c.clone())))
-    }
-
-    /// The exact value at a point that gives every variable that occurs; variables beyond the list are 0.
-    pub fn eval(&self, point: &[Rational]) -> Rational {
-        let mut sum = Rational::ZERO;
-        for (m, c) in &self.terms {
-            let mut product = c.clone();
-            for (i, e) in m.exponents().iter().enumerate() {
-                if *e > 0 {
-                    product = &product * &point.get(i).unwrap_or(&Rational::ZERO).pow(u32::from(*e));
-                }
-            }
-            sum += &product;
-        }
-        sum
-    }
-
     /// The coefficients c₀, c₁, … as a polynomial in one variable; at least one, possibly zero.
     pub fn coefficients_in(&self, var: Var) -> Vec<Self> {
         let mut result = vec![Self::zero(); self.degree(var) as usize + 1];
@@ -589,7 +528,8 @@ mod tests {
         let p = &x().pow(3) * &y();
         assert_eq!(p.derivative(Var(0)), (&x().pow(2) * &y()).scale(&Rational::from(3)));
         let q = p.substitute(Var(0), &(&Poly::one() - &y()));
-        assert_eq!(q.eval(&[Rational::ZERO, Rational::new(1, 2)]), Rational::new(1, 16));
+        let at = q.at(Var(0), &Rational::ZERO).at(Var(1), &Rational::new(1, 2));
+        assert_eq!(at, Poly::constant(Rational::new(1, 16)));
         // Values of every shape, against the sum of the powers with their coefficients.
         let p = &(&x().pow(3) * &y()) + &(&x().pow(2) - &(&y().pow(2) * &z()));
         let values = [

@@ -10,7 +10,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_bigint::{BigInt, Sign};
 use num_rational::BigRational;
-use num_traits::{One, Pow, Signed, ToPrimitive};
+use num_traits::{One, Signed, ToPrimitive};
 
 /// An exact fraction in lowest terms with a positive denominator.
 #[derive(PartialEq, Eq, Hash)]
@@ -48,37 +48,6 @@ impl Rational {
     pub fn new(numer: i64, denom: i64) -> Self {
         assert!(denom != 0, "a literal denominator is not zero");
         Self::from_i128(i128::from(numer), i128::from(denom))
-    }
-
-    /// The number that a decimal literal such as `12`, `0.62` or `1_000` denotes, exactly; `None` if it is
-    /// not one.
-    pub fn from_decimal(text: &str) -> Option<Self> {
-        let digits: String = text.chars().filter(|c| *c != '_').collect();
-        let (whole, fraction) = digits.split_once('.').unwrap_or((&digits, ""));
-        let all = format!("{whole}{fraction}");
-        if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
-            return None;
-        }
-        let numer: BigInt = all.parse().ok()?;
-        let denom = Pow::pow(BigInt::from(10), fraction.len());
-        Some(Self::from_big(BigRational::new(numer, denom)))
-    }
-
-    /// The fraction or decimal that a text such as `-3/4`, `2` or `0.5` denotes; `None` if it is not one.
-    pub fn parse(text: &str) -> Option<Self> {
-        let text = text.trim();
-        let (negative, text) = match text.strip_prefix(['-', '−']) {
-            Some(rest) => (true, rest.trim_start()),
-            None => (false, text),
-        };
-        let magnitude = match text.split_once('/') {
-            Some((n, d)) => {
-                let (n, d) = (Self::from_decimal(n.trim())?, Self::from_decimal(d.trim())?);
-                n.checked_div(&d)?
-            }
-            None => Self::from_decimal(text)?,
-        };
-        Some(if negative { -magnitude } else { magnitude })
     }
 
     /// The nearest float.
@@ -200,11 +169,6 @@ impl Rational {
     /// The largest whole number not above this one.
     pub fn floor(&self) -> Self {
         Self::from_big(self.to_big().floor())
-    }
-
-    /// The smallest whole number not below this one.
-    pub fn ceil(&self) -> Self {
-        Self::from_big(self.to_big().ceil())
     }
 
     /// How many bits numerator and denominator take together: the work that arithmetic on the number costs.
@@ -498,16 +462,6 @@ mod tests {
         assert_eq!(&huge / &huge, Rational::ONE);
         assert_eq!(Rational::from(i64::MIN).to_string(), "-9223372036854775808");
         assert_eq!(-Rational::from(i64::MIN), huge);
-    }
-
-    #[test]
-    fn decimals_are_exact() {
-        assert_eq!(Rational::from_decimal("0.62"), Some(Rational::new(31, 50)));
-        assert_eq!(Rational::from_decimal("1_000.5"), Some(Rational::new(2001, 2)));
-        assert_eq!(Rational::from_decimal("1e3"), None);
-        assert_eq!(Rational::parse(" -3/6 "), Some(Rational::new(-1, 2)));
-        assert_eq!(Rational::parse("1/0"), None);
-        assert_eq!(Rational::parse(""), None);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Dense polynomials in one variable over the rationals.
 
-use super::poly::{Monomial, Poly, Var};
+use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::work::Work;
 use crate::collections::list::Mapped;
@@ -36,12 +36,6 @@ impl Univariate {
             coefficients[usize::from(e)] = c.clone();
         }
         Some(Self::new(coefficients))
-    }
-
-    /// The same polynomial in the given variable.
-    pub fn to_poly(&self, var: Var) -> Poly {
-        let term = |(k, c): (usize, &Rational)| (Monomial::one().with_exponent(var, k as u16), c.clone());
-        Poly::from_terms(self.coefficients.iter().enumerate().map(term))
     }
 
     /// The coefficients, constant first.

@@ -3,10 +3,6 @@
 use super::poly::{Poly, Var};
 use super::rational::Rational;
 
-/// No work is left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Spent;
-
 /// Work that may still be done, in units of about one product of two numbers of a machine word.
 #[derive(Clone, Debug)]
 pub struct Work {

@@ -66,12 +66,7 @@ impl Chart {
         &self.region
     }
 
-    /// The polynomial in the variables of the box.
-    pub fn pull_back(&self, polynomial: &Poly) -> Poly {
-        self.by.iter().fold(polynomial.clone(), |p, (var, by)| p.substitute(*var, by))
-    }
-
-    /// As [`Chart::pull_back`], with the work counted.
+    /// The polynomial in the variables of the box; the work is counted.
     pub(super) fn counted(&self, polynomial: &Poly, work: &mut Work) -> Result<Poly, Refusal> {
         let mut p = polynomial.clone();
         for (var, by) in &self.by {

@@ -19,14 +19,18 @@ use crate::statement::{Products, Relation};
 const MAX_POINTS: usize = 64;
 
 /// c + Σ aᵢⱼ pᵢ·pⱼ.
-pub(super) struct Gram {
+#[derive(Clone, Debug)]
+pub struct Gram {
     constant: Poly,
     matrix: Vec<Vec<Poly>>,
 }
 
 impl Gram {
     /// The matrix of the points that occur, in increasing order of their numbers.
-    pub(super) fn of(value: &Poly, products: &Products, work: &mut Work) -> Result<Self, Refusal> {
+    ///
+    /// # Errors
+    /// When the value is not of degree 1 in dot products, there are too many points, or the work is spent.
+    pub fn of(value: &Poly, products: &Products, work: &mut Work) -> Result<Self, Refusal> {
         let mut points: Vec<usize> = products.iter().flat_map(|(_, (p, q))| [*p, *q]).collect();
         sort_unique(&mut points);
         fits(points.len() <= MAX_POINTS, "there are too many points")?;
@@ -61,11 +65,10 @@ impl Gram {
     /// What must be ≥ 0 (> 0): the constant, and the sums of the principal minors of each size.
     ///
     /// By Faddeev and LeVerrier: with N₀ = I, eₖ = tr(A Nₖ₋₁)/k and Nₖ = eₖ I − A Nₖ₋₁.
-    pub(super) fn signs(
-        &self,
-        relation: Relation,
-        work: &mut Work,
-    ) -> Result<Vec<(Poly, Relation)>, Refusal> {
+    ///
+    /// # Errors
+    /// When the work is spent.
+    pub fn signs(&self, relation: Relation, work: &mut Work) -> Result<Vec<(Poly, Relation)>, Refusal> {
         let a = &self.matrix;
         let mut all = vec![(self.constant.clone(), relation)];
         // A Nₖ₋₁
@@ -89,20 +92,6 @@ impl Gram {
         }
         Ok(all)
     }
-}
-
-/// What must be ≥ 0 (> 0) for a polynomial of degree 1 in dot products to be so for all points: its value with all
-/// points at the origin, and the sums of the principal minors of its matrix, those of size 1 first.
-///
-/// # Errors
-/// When it is not of degree 1, there are too many points, or the work is spent.
-pub fn minor_signs(
-    value: &Poly,
-    relation: Relation,
-    products: &Products,
-    work: &mut Work,
-) -> Result<Vec<(Poly, Relation)>, Refusal> {
-    Gram::of(value, products, work)?.signs(relation, work)
 }
 
 /// Whether a symmetric matrix is positive semidefinite, by a decomposition L D Lᵀ; `None` when the work is spent.

@@ -1,7 +1,7 @@
 //! Lists from lists, at little cost to compile.
 //!
 //! `iter().map(f).collect()` compiles some ten functions for each closure, and every user of the macro builds them all;
-//! so a slice is `mapped`, and where an iterator says more, its elements are `listed`.
+//! so a slice is `mapped`.
 
 /// What a list can be made into.
 pub trait Mapped<T> {
@@ -23,17 +23,3 @@ impl<T> Mapped<T> for [T] {
         list
     }
 }
-
-/// What an iterator can be made into without the code by which `collect` reserves room.
-pub trait Listed: Iterator + Sized {
-    /// All elements.
-    fn listed(self) -> Vec<Self::Item> {
-        let mut list = Vec::new();
-        for element in self {
-            list.push(element);
-        }
-        list
-    }
-}
-
-impl<I: Iterator> Listed for I {}

@@ -33,7 +33,7 @@ impl Random {
         let mut p = Poly::constant(self.number());
         for _ in 0..=self.below(4) {
             let exponents = (0..variables).map(|_| self.below(3) as u16).collect();
-            p.add_term(Monomial::new(exponents), &self.number());
+            p = &p + &Poly::term(Monomial::new(exponents), self.number());
         }
         p
     }
@@ -57,7 +57,7 @@ fn lowered(p: &Poly, point: &[Rational], domain: &Domain, random: &mut Random) -
         2 => (Rational::ONE, Relation::NonNegative),
         _ => (Rational::new(1, 10).pow(30), Relation::NonNegative),
     };
-    let value = &p.eval(point) + &below;
+    let value = &crate::value(p, point) + &below;
     let value = Quotient::from(p - &Poly::constant(value));
     Statement::Sign { value, relation, domain: Rc::new(domain.clone()) }
 }

@@ -290,7 +290,7 @@ fn a_claim_that_fails_by_next_to_nothing_is_refused() {
         let statement = sign(case.claim, case.on);
         let Statement::Sign { value, .. } = &*statement else { panic!("a sign") };
         let point: Vec<_> = case.point.iter().map(|(n, d)| Rational::new(*n, *d)).collect();
-        let least = value.numerator.eval(&point);
+        let least = crate::value(&value.numerator, &point);
         let lowered = sign(&format!("{text} - ({least}) - {TINY} >{relation}"), case.on);
         assert!(offer(&lowered, &read(case.certificate)).is_err(), "{} on {}", case.claim, case.on);
         let strict = sign(&format!("{text} - ({least}) > 0"), case.on);

@@ -25,7 +25,7 @@ fn range(text: &str) -> (Var, Range) {
     let words: Vec<&str> = text.split_whitespace().collect();
     let at = words.iter().position(|w| w.starts_with('x')).expect("a variable");
     let end = |relation: &str, x: &str| {
-        let x = Rational::parse(x).expect("a number");
+        let x = Rational::from_big(x.trim().parse().expect("a number"));
         if relation == "<" { End::Excluded(x) } else { End::Included(x) }
     };
     let low = if at == 2 { end(words[1], words[0]) } else { End::Infinite };
@@ -122,6 +122,6 @@ impl Parser<'_> {
         let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
         let (digits, rest) = self.rest.split_at(end);
         self.rest = rest;
-        Rational::parse(digits).expect("a number")
+        Rational::from_big(digits.trim().parse().expect("a number"))
     }
 }

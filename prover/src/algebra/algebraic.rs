@@ -6,7 +6,7 @@ use core::fmt;
 use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::roots::{Root, linear, rational_roots};
-use super::univariate::Univariate;
+use super::univariate::{ToPoly, Univariate};
 use super::work::Work;
 
 /// The only root of a polynomial strictly between two rational numbers.

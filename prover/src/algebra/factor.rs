@@ -4,7 +4,7 @@ use super::gcd::{content, leading_coefficient, square_free};
 use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::roots::{linear, rational_roots};
-use super::univariate::Univariate;
+use super::univariate::{ToPoly, Univariate};
 use super::work::Work;
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;

@@ -9,7 +9,7 @@ use super::poly::{Poly, Var};
 use super::rational::Rational;
 use super::resultant::resultant;
 use super::roots::isolate;
-use super::univariate::Univariate;
+use super::univariate::{ToPoly, Univariate};
 use super::work::Work;
 use crate::collections::list::Mapped;
 

@@ -2,10 +2,10 @@
 
 use super::modular::common_degree;
 use super::poly::{Monomial, Poly, Var};
-use super::univariate::Univariate;
+use super::univariate::{ToPoly, Univariate};
 use super::work::Work;
+use crate::collections::list::Listed;
 use crate::collections::sort::sort_by;
-use basis_kernel::collections::list::Listed;
 
 /// The greatest common divisor, with whole coefficients without common factor and a positive leading one; 0 for
 /// gcd(0, 0).

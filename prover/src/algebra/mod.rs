@@ -1,7 +1,7 @@
 //! The kernel's numbers and polynomials, and what only a search needs of algebra: common divisors, factors, resultants,
 //! roots, real algebraic numbers, matrices.
 
-pub use basis_kernel::algebra::{bernstein, fibre, poly, rational, univariate, work};
+pub use basis_kernel::algebra::{bernstein, fibre};
 
 pub mod algebraic;
 pub mod factor;
@@ -10,7 +10,11 @@ pub mod gcd;
 pub mod matrix;
 mod modular;
 pub mod number;
+pub mod poly;
 pub mod range;
+pub mod rational;
 pub mod resultant;
 pub mod roots;
 pub mod simplest;
+pub mod univariate;
+pub mod work;

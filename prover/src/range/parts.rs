@@ -1,6 +1,6 @@
 //! All ranges of one variable on which polynomials are nonnegative.
 
-use basis_kernel::collections::list::Listed;
+use crate::collections::list::Listed;
 use core::cmp::Ordering;
 
 use crate::algebra::gcd::square_free;

@@ -8,8 +8,8 @@ use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::collections::list::Listed;
 use crate::counterexample::Exact;
-use basis_kernel::collections::list::Listed;
 
 /// Factors of the rows with which their sum is zero at a point, one of them a number: whole numbers without common
 /// factor at a rational one; `None` when the rows are independent there, or the work is spent.

@@ -12,7 +12,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::roots::isolate;
-use crate::algebra::univariate::Univariate;
+use crate::algebra::univariate::{ToPoly, Univariate};
 use crate::algebra::work::Work;
 use crate::budget::Budget;
 use crate::collections::list::{Listed, Mapped};

@@ -52,13 +52,8 @@ pub(super) fn apply(change: &ChangeOfBasis, rows: &[Vec<Poly>]) -> Vec<Vec<Poly>
 }
 
 fn sum<'a>(combination: &[(usize, Rational)], entry: impl Fn(usize) -> &'a Poly) -> Poly {
-    let mut result = Poly::zero();
-    for (k, factor) in combination {
-        for (m, c) in entry(*k).terms() {
-            result.add_term(m.clone(), &(c * factor));
-        }
-    }
-    result
+    let scaled = combination.iter().map(|(k, factor)| entry(*k).scale(factor));
+    scaled.fold(Poly::zero(), |sum, p| &sum + &p)
 }
 
 fn leaves_unchanged(rows: &[Vec<Poly>], symmetry: &Symmetry) -> bool {

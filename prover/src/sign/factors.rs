@@ -8,8 +8,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::budget::Budget;
+use crate::collections::list::Listed;
 use crate::method::Method;
-use basis_kernel::collections::list::Listed;
 use basis_kernel::{FactorSign, Relation, SignProof, Signed};
 
 /// Decides by the signs of the factors; `None` when the polynomial has no factors that are worth it, and when the

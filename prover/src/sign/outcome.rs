@@ -1,7 +1,7 @@
 //! What a method comes to.
 
+use crate::collections::list::Mapped;
 use basis_kernel::SignProof;
-use basis_kernel::collections::list::Mapped;
 
 use super::problem::{Point, Problem};
 use crate::budget::Budget;

@@ -1,13 +1,13 @@
 //! A polynomial with the ranges of its variables: what the methods of the cascade work on.
 
 use crate::algebra::bernstein::Side;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
+use crate::collections::list::Listed;
 use crate::coordinate::Coordinate;
-use basis_kernel::collections::list::Listed;
 
 /// A point by coordinates.
 pub(crate) type Point = Vec<(Var, Coordinate)>;

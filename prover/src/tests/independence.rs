@@ -1,8 +1,11 @@
 //! Independence, exceptional sets and largest ranges of the families of the papers.
 
+use basis_kernel::Values;
+
 use super::*;
+use crate::algebra::univariate::ToPoly;
 use crate::range::{LargestRange, largest_range};
-use crate::rank::{Exceptional, exceptional_set};
+use crate::rank::{Exceptional, Independence, Table, exceptional_set, independent};
 use text::var;
 
 /// The coefficients of polynomials in t.

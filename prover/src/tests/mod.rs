@@ -9,7 +9,7 @@ mod text;
 
 use std::rc::Rc;
 
-use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement, Values};
+use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
@@ -17,7 +17,6 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::counterexample::{Counterexample, refute};
 use crate::decide::{Failure, Shown, decide};
-use crate::rank::{Independence, Table, independent};
 use crate::sign::{Found, search};
 use crate::{Budget, Coordinate, Method};
 use text::{NAMES, poly, region};

@@ -1,6 +1,7 @@
 //! Random claims: every verdict must check out, and the steps of the cascade must agree with each other.
 
 use super::*;
+use crate::algebra::poly::PolyExt;
 
 /// A small deterministic generator (Knuth's MMIX constants).
 struct Random(u64);
@@ -20,7 +21,7 @@ impl Random {
         let mut p = Poly::zero();
         for _ in 0..=self.next(terms) {
             let exponents = (0..variables).map(|_| self.next(u64::from(degree) + 1) as u16).collect();
-            p.add_term(crate::algebra::poly::Monomial::new(exponents), &self.rational());
+            p = &p + &Poly::term(crate::algebra::poly::Monomial::new(exponents), self.rational());
         }
         p
     }

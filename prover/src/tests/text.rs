@@ -2,7 +2,7 @@
 
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
-use crate::algebra::rational::Rational;
+use crate::algebra::rational::{self, Rational};
 
 /// The names of the variables 0, 1, …
 pub(super) const NAMES: [&str; 5] = ["t", "λ", "μ", "f", "w"];
@@ -40,7 +40,7 @@ fn range(text: &str) -> (Var, Range) {
     }
     let k = parts.iter().position(|(_, s)| NAMES.contains(s)).expect("a variable");
     let end = |strict: bool, s: &str| {
-        let x = Rational::parse(s).expect("a number");
+        let x = rational::parse(s).expect("a number");
         if strict { End::Excluded(x) } else { End::Included(x) }
     };
     let low = if k == 1 { end(parts[1].0, parts[0].1) } else { End::Infinite };
@@ -111,6 +111,6 @@ impl Parser {
         while self.chars.get(self.at).is_some_and(|c| c.is_ascii_digit() || *c == '.') {
             self.at += 1;
         }
-        Rational::parse(&self.chars[start..self.at].iter().collect::<String>()).expect("a number")
+        rational::parse(&self.chars[start..self.at].iter().collect::<String>()).expect("a number")
     }
 }

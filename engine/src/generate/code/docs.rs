@@ -5,7 +5,7 @@ use crate::claim::Claim;
 use crate::model::Family;
 use crate::plural::count;
 use crate::state::{FEW, Verdict, parts};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The lines of the doc comment; one formula a line.
 pub(in crate::generate) fn family(

@@ -5,7 +5,7 @@ use quote::{ToTokens, quote_spanned};
 
 use super::scalar;
 use super::tokens::site;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The powers of the coordinates.
 #[derive(Default)]

@@ -1,6 +1,6 @@
 //! Expressions in shape values and other scalars as Rust code: each distinct one is computed once.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote_spanned};
 

@@ -8,7 +8,7 @@ use super::tokens::{doc, float, site};
 use crate::algebra::range::{DisplayRange as _, End};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
-use basis_kernel::collections::list::Mapped;
+use basis_prover::collections::list::Mapped;
 
 /// A family as a type.
 pub(in crate::generate) struct Shell<'a> {

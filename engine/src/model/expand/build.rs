@@ -11,7 +11,7 @@ use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library, Parameter};
 use crate::source::SourceId;
 use crate::syntax::{self, Name, RangeDecl, StatementKind};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
 pub(crate) fn family(

@@ -14,7 +14,7 @@ use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
 pub(crate) fn claims(

@@ -11,7 +11,7 @@ use crate::model::tuples::{grid, multi_indices};
 use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 /// Defines what the statements define, in the order in which they are written.

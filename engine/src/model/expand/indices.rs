@@ -6,7 +6,7 @@ use crate::model::scope::Scope;
 use crate::model::tuples::{grid, multi_indices};
 use crate::plural::list;
 use crate::syntax;
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 
 /// More functions than this are refused.
 pub(crate) const MAX_FUNCTIONS: usize = 512;

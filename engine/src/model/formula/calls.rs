@@ -8,7 +8,7 @@ use crate::algebra::poly::Var;
 use crate::model::scope::{Inside, Scope};
 use crate::plural::{count, here};
 use crate::syntax::Expr;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 impl Scope<'_> {
     /// The functions of another family, in this family's domain variables.

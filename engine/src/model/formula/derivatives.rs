@@ -7,7 +7,7 @@ use crate::advice::along_edges;
 use crate::algebra::poly::Var;
 use crate::model::scope::Scope;
 use crate::syntax::{Expr, ExprKind};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 impl Scope<'_> {
     /// D(f), D(f, 2), D(f, x), D(f, x, 2), D(f, x, y).

@@ -13,7 +13,7 @@ use crate::model::scope::{Duty, Pending, Scope, Stage};
 use crate::model::words::BUILTINS;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// factorial and binomial of larger numbers are refused.
 const MAX_FACTORIAL: i64 = 500;
@@ -514,7 +514,7 @@ impl Scope<'_> {
             }
             ("ceil", [x]) => {
                 let x = self.number(x, "the argument of `ceil`")?;
-                constant(x.ceil())
+                constant(-(-x).floor())
             }
             ("min" | "max", [x, y]) => {
                 let what = format!("an argument of `{name}`");

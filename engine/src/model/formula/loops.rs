@@ -4,7 +4,7 @@ use crate::model::budget::SPLIT;
 use crate::model::scope::Scope;
 use crate::model::tuples::multi_indices;
 use crate::syntax::{Comparison, Generator, Loops, Name};
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 
 /// Loops that run longer than this are refused.
 const MAX_ITERATIONS: i64 = 20_000;

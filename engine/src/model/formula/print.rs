@@ -1,7 +1,7 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
 use crate::syntax::{Expr, ExprKind, Generator, Role, Sign, TheoremRelation};
-use basis_kernel::collections::list::Mapped;
+use basis_prover::collections::list::Mapped;
 
 /// How to print.
 pub(crate) struct Printer<'a> {

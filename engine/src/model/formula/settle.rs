@@ -1,7 +1,7 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};

@@ -14,7 +14,7 @@ use crate::model::expand::{build, claims};
 use crate::model::scope::Scope;
 use crate::subject::{Item, Subject};
 use crate::syntax;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 /// Families that refer to one another through more levels than this are refused.
 const MAX_DEPTH: usize = 48;

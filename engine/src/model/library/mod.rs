@@ -15,7 +15,7 @@ use super::obligation::Judge;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place};
 use crate::source::{Files, SourceId, Sources};
 use crate::syntax::{self, Spec};
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 pub use families::Selected;

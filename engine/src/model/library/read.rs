@@ -13,8 +13,8 @@ use crate::model::obligation::Judge;
 use crate::model::words::BUILTINS;
 use crate::source::{self, Files, ReadError, Source, SourceId, Sources};
 use crate::syntax::{self, Home, Name, Spec, SyntaxErrors};
-use basis_kernel::collections::list::{Listed, Mapped};
-use basis_kernel::collections::sort::sort_by;
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_by;
 
 /// The most bytes of all specs of a run.
 const MAX_TOTAL_BYTES: usize = 4 << 20;

@@ -16,7 +16,7 @@ use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::Name;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::map::SortedMap;
 
 mod duty;

@@ -1,10 +1,10 @@
 //! Equations: expand, subtract, and nothing or something is left.
 
 use basis_kernel::Statement;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::ClaimKind;

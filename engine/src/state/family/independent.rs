@@ -1,13 +1,13 @@
 //! Linear independence: the rank of the coefficient table and the shape values at which it drops.
 
-use basis_kernel::collections::list::{Listed, Mapped};
-use basis_kernel::collections::sort::sort_unique;
 use basis_kernel::{Statement, Values};
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_unique;
 use basis_prover::map::SortedMap;
 use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
 use super::point::{domain_names, named_point};
-use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use crate::model::bernstein::{bernstein_table, graded_table};
@@ -53,7 +53,7 @@ pub fn coefficient_table(family: &Family) -> Table {
     // The shape parameters are the first variables.
     let parts_of = |m: &Monomial| {
         let others = (0..family.shapes.len()).fold(m.clone(), |others, v| others.with_exponent(Var(v), 0));
-        (m.checked_div(&others).unwrap_or_default(), others)
+        (m.checked_div(&others).unwrap_or_else(Monomial::one), others)
     };
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
     let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
@@ -74,10 +74,14 @@ pub fn coefficient_table(family: &Family) -> Table {
             parts[missing].push((m.clone(), c.clone()));
         }
         let raised = parts.into_iter().zip(&powers).map(|(part, power)| &Poly::from_terms(part) * power);
-        let mut row: SortedMap<Monomial, Poly> = SortedMap::new();
+        let mut terms: SortedMap<Monomial, Vec<(Monomial, Rational)>> = SortedMap::new();
         for (m, c) in raised.fold(Poly::zero(), |sum, p| &sum + &p).terms() {
             let (shape, column) = parts_of(m);
-            row.get_or_insert_with(column, Poly::zero).add_term(shape, c);
+            terms.get_or_insert_with(column, Vec::new).push((shape, c.clone()));
+        }
+        let mut row = SortedMap::new();
+        for (column, terms) in terms {
+            row.insert(column, Poly::from_terms(terms));
         }
         row
     };

@@ -16,7 +16,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison};
 use crate::model::Family;
-use basis_kernel::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
 #[cfg(any(test, feature = "tools"))]

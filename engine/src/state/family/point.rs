@@ -1,6 +1,6 @@
 //! Counterexamples as points of the names of a family.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample, typical};
 
 use crate::algebra::fraction::Fraction;

@@ -5,7 +5,7 @@ mod parallel;
 mod products;
 mod witness;
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use core::convert::Infallible;
 use std::rc::Rc;
 
@@ -16,7 +16,7 @@ use super::inequality::{self, compared};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
 use crate::theorem::{Form, Theorem, Unit};

@@ -4,8 +4,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::theorem::{Form, Theorem, Unit};
-use basis_kernel::collections::list::{Listed, Mapped};
-use basis_kernel::collections::sort::sort_unique;
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_unique;
 
 /// Nets with pseudo-random points that are tried after the regular one.
 const ATTEMPTS: u64 = 12;

@@ -4,7 +4,7 @@
 //! factor of n·d that divides all coordinates of h, or the sum of their squares, can only be zero where h is: so it is
 //! enough that n·d ≥ 0, and that the other factors have no zeros.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -16,7 +16,7 @@ use super::witness::{explained, witness, witness_nets};
 use crate::algebra::factor::factor;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::checked_gcd;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, Comparison, Side};

@@ -4,16 +4,16 @@
 
 use std::rc::Rc;
 
-use basis_kernel::collections::list::{Listed, Mapped};
-use basis_kernel::collections::sort::sort_unique;
-use basis_kernel::{Domain, Products, Relation, Statement, minor_signs};
+use basis_kernel::{Domain, Products, Relation, Statement};
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_unique;
 use basis_prover::map::SortedMap;
 use basis_prover::semidefinite;
-use basis_prover::{Coordinate, Failure, Symmetries, decide};
+use basis_prover::{Coordinate, Failure, Symmetries, decide, minor_signs};
 
 use super::net::Net;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::theorem::Theorem;

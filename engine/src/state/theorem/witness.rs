@@ -1,6 +1,6 @@
 //! Counterexamples as witnesses that show a claim about a theorem to be false.
 
-use basis_kernel::collections::list::Listed;
+use basis_prover::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample, typical};
 
 use super::net::{Net, evaluated, nets, sparse};

@@ -8,8 +8,8 @@ use crate::algebra::resultant::{discriminant, resultant};
 use crate::algebra::roots::{Root, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
+use crate::collections::list::Listed;
 use crate::collections::sort::sort_by;
-use basis_kernel::collections::list::Listed;
 
 /// A sequence of projections.
 #[derive(Clone, Debug)]

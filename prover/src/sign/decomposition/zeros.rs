@@ -6,7 +6,7 @@ use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::resultant::resultant;
 use crate::algebra::roots::bound;
-use crate::algebra::univariate::Univariate;
+use crate::algebra::univariate::{ToPoly, Univariate};
 use crate::algebra::work::Work;
 use crate::collections::list::{Listed, Mapped};
 
