@@ -21,7 +21,7 @@ pub struct Algebraic {
 }
 
 impl Algebraic {
-    /// The root of `polynomial` that [`isolate`] found between two numbers; `None` when the signs there are not
+    /// The root of `polynomial` that [`isolate`](super::roots::isolate) found between two numbers; `None` when the signs there are not
     /// opposite.
     pub fn new(polynomial: &Univariate, low: Rational, high: Rational) -> Option<Self> {
         let polynomial = polynomial.normalized();
