@@ -24,14 +24,13 @@ impl From<Status> for ExitCode {
 
 /// Prints to standard output; styles are left out unless it is a terminal that shows them.
 pub(crate) fn print(text: &str) -> Status {
-    let written = if text.contains('\x1b') {
-        let mut out = anstream::stdout().lock();
-        out.write_all(text.as_bytes()).and_then(|()| out.flush())
+    // Looking for styles to leave out takes longer than most checks, and JSON has none.
+    let mut out: Box<dyn Write> = if text.contains('\x1b') {
+        Box::new(anstream::stdout().lock())
     } else {
-        let mut out = io::stdout().lock();
-        out.write_all(text.as_bytes()).and_then(|()| out.flush())
+        Box::new(io::stdout().lock())
     };
-    match written {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Ok(()) => Status::Fine,
         // The reader has seen enough, as in `basis check specs | head`.
         Err(e) if e.kind() == io::ErrorKind::BrokenPipe => Status::Fine,

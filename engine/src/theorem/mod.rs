@@ -10,18 +10,16 @@ mod evaluate;
 mod form;
 #[cfg(feature = "joins")]
 mod maps;
+#[cfg(not(feature = "joins"))]
+mod off;
 #[cfg(feature = "joins")]
 mod patch;
 
 #[cfg(feature = "joins")]
 pub use elaborate::theorems;
 pub use form::{Form, Unit};
-
-/// Without the feature `joins` there are none: the library has an error for the first that is written.
 #[cfg(not(feature = "joins"))]
-pub fn theorems(_: &crate::Library<'_>) -> Vec<crate::subject::Item> {
-    Vec::new()
-}
+pub use off::theorems;
 
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
