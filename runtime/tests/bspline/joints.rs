@@ -6,15 +6,7 @@ use basis_runtime::bspline::{
 };
 use proptest::prelude::*;
 
-use crate::support::{P3, distance, surface};
-
-fn cross(a: P3, b: P3) -> P3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn dot(a: P3, b: P3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
+use crate::support::{P3, at_edge, cross, distance, dot, surface};
 
 /// The parameters of an edge as a part of its domain, from 0 to 1: those at which its polynomial may change.
 fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
@@ -27,19 +19,6 @@ fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
 /// The largest gap and angle from nothing but points and partial derivatives, at `count` parameters inside of each
 /// piece on which both surfaces are polynomial; and the least sine of the directions along and across an edge.
 fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint, count: usize) -> [f64; 3] {
-    let at = |surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64| {
-        let [du, dv] = surface.domain();
-        let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };
-        let c = across[usize::from(edge.is_end())];
-        let t = along[0] + (along[1] - along[0]) * part;
-        let (u, v, orders) = match edge.across() {
-            Direction::U => (c, t, [[1, 0], [0, 1]]),
-            Direction::V => (t, c, [[0, 1], [1, 0]]),
-        };
-        let [out, tangent] = orders.map(|orders| surface.partial(u, v, orders));
-        let sign = if edge.is_end() { sign } else { -sign };
-        (surface.eval(u, v), out.map(|x| x * sign), tangent)
-    };
     let turned = |part: f64| if joint.reversed { 1.0 - part } else { part };
     let mut all = breakpoints(a, joint.edge);
     all.extend(breakpoints(b, joint.target).into_iter().map(turned));
@@ -50,8 +29,8 @@ fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint, count: 
             // Closer together towards the ends, where the largest values are as often as not.
             let x = 0.5 - 0.5 * (std::f64::consts::PI * (i as f64 + 0.5) / count as f64).cos();
             let part = piece[0] + (piece[1] - piece[0]) * x;
-            let (p, out, tangent) = at(a, joint.edge, part, 1.0);
-            let (q, into, other) = at(b, joint.target, turned(part), -1.0);
+            let (p, out, tangent) = at_edge(a, joint.edge, part, 1.0);
+            let (q, into, other) = at_edge(b, joint.target, turned(part), -1.0);
             let other = other.map(|x| if joint.reversed { -x } else { x });
             gap = gap.max(distance(p, q));
             let (n, m) = (cross(out, tangent), cross(into, other));

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 #[cfg(feature = "nalgebra")]
 use crate::golden::{assert_near, golden, knots, points};
-use crate::support::{P3, distance, surface};
+use crate::support::{P3, at_edge, cross, distance, dot, surface};
 #[cfg(feature = "nalgebra")]
 use serde_json::Value;
 
@@ -28,36 +28,14 @@ fn is_published(options: &SpliceOptions) -> bool {
     !matches!(options.method, Method::LeastSquares | Method::Exact)
 }
 
-fn cross(a: P3, b: P3) -> P3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn dot(a: P3, b: P3) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 /// Gap and angle from nothing but points and partial derivatives, at 1000 parameters away from knots.
 fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint) -> (f64, f64) {
-    let at = |surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64| {
-        let [du, dv] = surface.domain();
-        let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };
-        let c = across[usize::from(edge.is_end())];
-        let t = along[0] + (along[1] - along[0]) * part;
-        let (u, v, orders) = match edge.across() {
-            Direction::U => (c, t, [[1, 0], [0, 1]]),
-            Direction::V => (t, c, [[0, 1], [1, 0]]),
-        };
-        let [out, tangent] = orders.map(|orders| surface.partial(u, v, orders));
-        // Away from the surface at its upper end, into it at the lower one; `sign` says which is wanted.
-        let sign = if edge.is_end() { sign } else { -sign };
-        (surface.eval(u, v), out.map(|x| x * sign), tangent)
-    };
     let (mut gap, mut angle) = (0.0_f64, 0.0_f64);
     for i in 0..1000 {
         let part = (f64::from(i) + 0.5) / 1000.0;
-        let (p, out, tangent) = at(a, joint.edge, part, 1.0);
+        let (p, out, tangent) = at_edge(a, joint.edge, part, 1.0);
         let other = if joint.reversed { 1.0 - part } else { part };
-        let (q, into, other) = at(b, joint.target, other, -1.0);
+        let (q, into, other) = at_edge(b, joint.target, other, -1.0);
         let other = other.map(|x| if joint.reversed { -x } else { x });
         gap = gap.max(distance(p, q));
         let (n, m) = (cross(out, tangent), cross(into, other));

@@ -1,6 +1,6 @@
 //! Random knot vectors, curves and surfaces; distances.
 
-use basis_runtime::bspline::{BSplineCurve, BSplineSurface, KnotVector, Net};
+use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Direction, Edge, KnotVector, Net};
 use proptest::prelude::*;
 
 pub(crate) type P3 = [f64; 3];
@@ -71,4 +71,29 @@ pub(crate) fn parameters() -> impl Iterator<Item = f64> {
 /// The largest distance between two curves over `[0, 1]`.
 pub(crate) fn largest_distance(a: &BSplineCurve<P3>, b: &BSplineCurve<P3>) -> f64 {
     parameters().map(|t| distance(a.eval(t), b.eval(t))).fold(0.0, f64::max)
+}
+
+pub(crate) fn cross(a: P3, b: P3) -> P3 {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(crate) fn dot(a: P3, b: P3) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// A point of an edge at a part of its length, the derivative there away from the surface (`sign` 1) or into it (−1), and
+/// the derivative along the edge.
+pub(crate) fn at_edge(surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64) -> (P3, P3, P3) {
+    let [du, dv] = surface.domain();
+    let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };
+    let c = across[usize::from(edge.is_end())];
+    let t = along[0] + (along[1] - along[0]) * part;
+    let (u, v, orders) = match edge.across() {
+        Direction::U => (c, t, [[1, 0], [0, 1]]),
+        Direction::V => (t, c, [[0, 1], [1, 0]]),
+    };
+    let [out, tangent] = orders.map(|orders| surface.partial(u, v, orders));
+    // Away from the surface at its upper end, into it at the lower one; `sign` says which is wanted.
+    let sign = if edge.is_end() { sign } else { -sign };
+    (surface.eval(u, v), out.map(|x| x * sign), tangent)
 }
