@@ -109,10 +109,13 @@ fn name_functions(scope: &mut Scope<'_>, written: &syntax::Family) {
     }
     let most = counts.values().max().copied().unwrap_or(0);
     let usual = |def: &&FunctionDef| counts.get(&def.name.text.as_str()) == Some(&most);
-    if let Some(def) = definitions(written).find(usual)
-        && scope.check_free(&def.name)
-    {
-        scope.function_name.clone_from(&def.name.text);
+    if let Some(def) = definitions(written).find(usual) {
+        if scope.check_free(&def.name) {
+            scope.function_name.clone_from(&def.name.text);
+        } else {
+            // What else has the name has no index: that is not another mistake.
+            scope.undeclared.borrow_mut().push(def.name.text.clone());
+        }
     }
     for def in definitions(written) {
         if scope.function_name.is_empty() {

@@ -341,7 +341,9 @@ impl Scope<'_> {
                 }
             },
             Value::Scalar(_) => {
-                self.report(self.error(base.span, "this has no index: it is a single function"));
+                if !matches!(&base.kind, ExprKind::Name(name) if self.is_mistaken(name)) {
+                    self.report(self.error(base.span, "this has no index: it is a single function"));
+                }
                 None
             }
         }
