@@ -97,9 +97,7 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     }
     let at = named_point(family, found, kind.fixed());
     let negated = match kind {
-        ClaimKind::Relation { comparison, .. } => {
-            inequality::relation(*comparison).is_some_and(|(_, negate)| negate)
-        }
+        ClaimKind::Relation { comparison, .. } => inequality::is_negated(*comparison),
         _ => false,
     };
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
