@@ -176,7 +176,7 @@ impl Elaboration<'_> {
             return value.clone();
         }
         if let Some(value) = self.scope.lets.named(name) {
-            let value = value.as_ref()?;
+            let Some(crate::model::formula::Value::Scalar(value)) = value else { return None };
             self.fits(self.scope.budget.copy(value), span)?;
             let value = value.clone();
             for var in value.numer().variables() {
