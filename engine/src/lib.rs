@@ -33,6 +33,8 @@ pub mod model;
 pub mod plural;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
+#[cfg(any(test, feature = "tools"))]
+pub mod query;
 pub mod source;
 pub mod state;
 pub mod subject;

@@ -13,8 +13,8 @@ use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::{sort_by, sort_unique};
-use basis_prover::map::SortedMap;
 
 /// Defines what the statements define. Names and functions may stand in any order, unless the functions are raised from
 /// those of a lowest order: then a statement sees what those before it define.
