@@ -137,3 +137,70 @@ fn interval_families_are_factors_on_a_box() {
     assert_eq!(found[..5], ["="; 5]);
     assert_eq!(found[5], "5/72 at μ = 1/2, u = 1/2, v = 1/3"); // 3v(1 − v)² − 3u(1 − u)² = 4/9 − 3/8
 }
+
+#[test]
+fn integrals_over_the_domain_and_between_bounds() {
+    let found = verdicts(
+        "family Legendre {
+            domain -1 <= x <= 1;
+            shape 0 <= λ <= 1;
+            P[0] = 1; P[1] = x; P[2] = (3*x^2 - 1)/2; P[3] = (5*x^3 - 3*x)/2;
+            let inner(f, g) = integral(f*g);
+            prove inner(P[i], P[j]) = 0 for i in 0..=3, j in 0..=3 if i != j;
+            prove inner(P[i], P[i]) = 2/(2*i + 1) for i in 0..=3;
+            refute inner(P[3], x^3) = 1/7;
+            prove integral(P) = [2, 0, 0, 0];
+            prove integral(x^2 + λ*x^3, x, 0, λ) = λ^3/3 + λ^5/4;
+            prove D(integral(x^2/(1 + λ)), λ) = -2/(3*(1 + λ)^2);
+            prove integral((x - λ)^2) >= 2/3;
+            prove integral((x - λ)^2) > 2/3;
+        }
+        family Box {
+            domain 0 <= u <= 1, -1 <= v <= 2;
+            b[0] = u*v;
+            prove integral(b[0]) = 3/4;
+            prove integral(b[0], v, -1, 2) = 3/2*u;
+            prove integral(u^2, u, 0, 1) = 1/3;
+            prove integral(1) = 3;
+        }
+        family Corners {
+            domain triangle (u, v, w);
+            b[i,j,k] = TriangularBernstein(3)[i,j,k] for i, j, k in simplex(3);
+            prove integral(b[i,j,k]) = 1/20 for i, j, k in simplex(3);
+            prove integral(1) = 1/2;
+            prove integral(u*v*w) = 1/120;
+            prove integral(w^2) = 1/11;
+        }
+        family Solid {
+            domain tetrahedron (u, v, w, x);
+            b[0] = u; b[1] = v; b[2] = w; b[3] = x;
+            prove integral(1) = 1/6;
+            prove integral(b) = [1/24, 1/24, 1/24, 1/24];
+            prove integral(b[3]^2*b[0]) = 1/360;
+        }",
+    );
+    let equal = |range: core::ops::Range<usize>| found[range].iter().all(|v| v == "=");
+    assert!(equal(0..16), "{found:?}");
+    assert!(found[16].starts_with("-1/35 at"), "{}", found[16]); // 4/35 − 1/7
+    assert!(equal(17..21), "{found:?}");
+    assert!(found[21].starts_with("0 at λ = 0"), "{}", found[21]);
+    assert!(equal(22..38), "{found:?}");
+    assert!(found[38].starts_with("-1/132 at"), "{}", found[38]); // 1/12 − 1/11
+    assert!(equal(39..42) && found.len() == 42, "{found:?}");
+}
+
+#[test]
+fn integrals_of_curves() {
+    let found = verdicts(
+        "theorem Centre {
+            curve P = Bernstein(3);
+            scalar 0 <= h <= 1;
+            prove integral(P(t), t, 0, 1) == (P[0] + P[1] + P[2] + P[3])/4;
+            prove integral(D(P)(t), t, 0, h) == P(h) - P[0];
+            refute integral(P(t), t, 0, 1) == (P[0] + 3*P[1] + 3*P[2] + P[3])/8;
+            prove integral(t*h, t, h, 1) >= 0;
+        }",
+    );
+    assert!(found[0] == "=" && found[1] == "=" && found[3] == "=", "{found:?}");
+    assert_ne!(found[2], "=");
+}

@@ -409,6 +409,7 @@ impl Elaboration<'_> {
         if let ExprKind::Name(name) = &callee.kind {
             match name.as_str() {
                 "D" => return self.derivative(arguments, whole.span),
+                "integral" => return self.integral(arguments, whole.span),
                 "cross" | "dot" => return self.vector_product(name, arguments, whole.span),
                 "sum" => return self.sum(arguments, whole.span),
                 _ if BUILTINS.contains(&name.as_str()) => {

@@ -196,6 +196,9 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
         match (bounded, variable, &mut domain) {
             (Some(range), Some(var), Some(list)) => {
                 scope.domain.push(var);
+                if let Some((low, high)) = range.finite() {
+                    scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
+                }
                 let place = scope.place(decl.name.span);
                 list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), place, var, range });
             }

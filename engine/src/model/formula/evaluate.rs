@@ -392,6 +392,7 @@ impl Scope<'_> {
         match &callee.kind {
             ExprKind::Name(name) if self.is_called(name) => self.call_name(name, arguments, span),
             ExprKind::Name(name) if name == "D" => self.derivative(arguments, span),
+            ExprKind::Name(name) if name == "integral" => self.integral(arguments, span),
             ExprKind::Name(name) if BUILTINS.contains(&name.as_str()) => self.builtin(name, arguments, span),
             ExprKind::Name(name) if *name != self.function_name && self.taken(name).is_some() => {
                 let is_list = |value: Option<&Option<Value>>| matches!(value, Some(Some(Value::List(_))));

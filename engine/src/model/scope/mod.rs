@@ -109,6 +109,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) names: Vec<String>,
     /// The independent domain variables.
     pub(crate) domain: Vec<Var>,
+    /// The ends of their ranges, in the same order; of a simplex none.
+    pub(crate) ends: Vec<(Fraction, Fraction)>,
     /// The last barycentric coordinate of a simplex.
     pub(crate) dependent: Option<Var>,
     pub(crate) function_name: String,
@@ -332,6 +334,7 @@ impl Scope<'_> {
             waits_for: None,
             names: Vec::new(),
             domain: Vec::new(),
+            ends: Vec::new(),
             dependent: None,
             function_name: String::new(),
             functions: SortedMap::new(),
@@ -357,6 +360,7 @@ impl Scope<'_> {
         scope.order = scope.constants.len();
         scope.names.clone_from(&family.names);
         scope.domain = family.domain.mapped(|p| p.var);
+        scope.ends = family.ends();
         scope.dependent = family.dependent.as_ref().map(|p| p.var);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {
