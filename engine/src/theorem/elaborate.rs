@@ -284,7 +284,7 @@ impl Elaboration<'_> {
         }
         match value_of {
             Some(Value::Scalar(f)) => {
-                self.scope.lets.insert(name, Some(f));
+                self.scope.lets.insert(name, Some(crate::model::formula::Value::Scalar(f)));
             }
             other => {
                 let fine = other.is_some();
