@@ -277,7 +277,15 @@ fn every_claim_has_a_mark() {
         .iter()
         .map(|h| (h["label"].as_str().expect("text").trim(), h["position"]["line"].as_u64().expect("number")))
         .collect();
-    assert_eq!(hints, [("✓", 4), ("✗ b[1] differs from 0 by t; at t = 1/2 the difference is 1/2", 5), ("✓", 6), ("✓ n = 1  ✗ n = 2, 3", 6),]);
+    assert_eq!(
+        hints,
+        [
+            ("✓", 4),
+            ("✗ b[1] differs from 0 by t; at t = 1/2 the difference is 1/2", 5),
+            ("✓", 6),
+            ("✓ n = 1  ✗ n = 2, 3", 6),
+        ]
+    );
     let hover = editor.ask_at("textDocument/hover", "f.basis", spec, "partition", 2, json!({}));
     let text = hover["contents"]["value"].as_str().expect("it is a text");
     assert!(text.contains("the functions sum to 1") && text.contains("**proved**"), "{text}");
