@@ -91,8 +91,8 @@ impl Elaboration<'_> {
         if !fine {
             return None;
         }
-        if let (true, Some((condition, ..))) = (all.is_empty(), loops.conditions.first()) {
-            let error = self.scope.error(condition.span, "this is never true: nothing is said here");
+        if let (true, Some(condition)) = (all.is_empty(), &loops.condition) {
+            let error = self.scope.error(condition.first().span, "this is never true: nothing is said here");
             self.scope.report(
                 error.help(
                     "conditions choose among the values of index variables, `for i in 0..=3 if i != 1`",

@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use basis_kernel::Domain;
 use proc_macro2::Span;
 
 use super::draft::{Elaboration, OWN, PatchDef, Value, kind};
@@ -113,7 +114,8 @@ impl Elaboration<'_> {
         if !fine {
             return None;
         }
-        self.scope.settle(&region, budget);
+        let whole = Rc::new(Domain::of(region.clone()));
+        self.scope.settle(&region, &whole, budget);
         let silent: Vec<Var> = self.implicit.iter().filter(|p| !p.mentioned).map(|p| p.var).listed();
         self.scalars.retain(|p| !silent.contains(&p.var));
         let theorem = Theorem {
@@ -282,7 +284,7 @@ impl Elaboration<'_> {
         }
         match value_of {
             Some(Value::Scalar(f)) => {
-                self.scope.lets.insert(name, Some(f));
+                self.scope.lets.insert(name, Some(crate::model::formula::Value::Scalar(f)));
             }
             other => {
                 let fine = other.is_some();

@@ -176,7 +176,7 @@ impl Elaboration<'_> {
             return value.clone();
         }
         if let Some(value) = self.scope.lets.named(name) {
-            let value = value.as_ref()?;
+            let Some(crate::model::formula::Value::Scalar(value)) = value else { return None };
             self.fits(self.scope.budget.copy(value), span)?;
             let value = value.clone();
             for var in value.numer().variables() {
@@ -409,6 +409,7 @@ impl Elaboration<'_> {
         if let ExprKind::Name(name) = &callee.kind {
             match name.as_str() {
                 "D" => return self.derivative(arguments, whole.span),
+                "integral" => return self.integral(arguments, whole.span),
                 "cross" | "dot" => return self.vector_product(name, arguments, whole.span),
                 "sum" => return self.sum(arguments, whole.span),
                 _ if BUILTINS.contains(&name.as_str()) => {

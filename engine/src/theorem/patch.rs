@@ -352,7 +352,7 @@ impl Elaboration<'_> {
             let Some(var) = self.scope.variable(&parameter.name) else { return };
             rest = &rest - &Fraction::var(var);
         }
-        self.scope.lets.insert(name.to_string(), Some(rest));
+        self.scope.lets.insert(name.to_string(), Some(crate::model::formula::Value::Scalar(rest)));
     }
 
     /// The control points: those that are listed, or given ones.

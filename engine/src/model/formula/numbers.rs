@@ -54,6 +54,10 @@ impl Scope<'_> {
             ExprKind::Power(base, exponent) => {
                 self.mentions_variable(base) || self.mentions_variable(exponent)
             }
+            // An integral of numbers is about the domain.
+            ExprKind::Call(base, _) if matches!(&base.kind, ExprKind::Name(name) if name == "integral") => {
+                true
+            }
             ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
                 self.mentions_variable(base) || rest.iter().any(|e| self.mentions_variable(e))
             }
