@@ -1,8 +1,8 @@
 //! The simplest rational number in an interval: the one with the smallest denominator, and among those the one
 //! nearest to zero.
 
-use super::rational::Rational;
-use super::work::Work;
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 
 /// The simplest number strictly between two numbers, `None` standing for −∞ and +∞; if nothing is between them,
 /// the first end that there is.
