@@ -34,6 +34,8 @@ pub mod plan;
 pub mod plural;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
+#[cfg(any(test, feature = "tools"))]
+pub mod query;
 pub mod source;
 pub mod state;
 #[cfg(any(test, feature = "tools"))]

@@ -78,8 +78,8 @@ pub trait ShippedPatch: Copy {
             let part = match random.below(5) {
                 0 => 0,
                 1 => rest,
-                2 => random.bits() % 8,
-                _ => random.bits() % (rest + 1),
+                2 => random.below(8) as u64,
+                _ => random.below(rest as usize + 1) as u64,
             };
             let part = part.min(rest);
             rest -= part;

@@ -10,7 +10,7 @@ use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::model::{Family, Function};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// Longer sums are not written out.
 const MAX_TERMS: usize = 15;

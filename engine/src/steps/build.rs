@@ -3,7 +3,7 @@
 use super::{Step, Steps};
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// Steps that are being made: no operation occurs twice, and none changes nothing.
 #[derive(Clone, Debug, Default)]

@@ -1,7 +1,7 @@
 //! The speed of a curve of high degree, from its Bernstein form: powers would cancel each other.
 
-use super::length::{Chebyshev, Rules, SquaredSpeed, rule_of_hull};
 use super::quadrature::Rule;
+use super::series::{Chebyshev, Rules, rule_of_hull};
 use crate::vector::{dot, length};
 use crate::{Array, Basis, Point, Scalar, bernstein};
 
@@ -47,7 +47,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Hodograph<B, P> {
     /// The square of the speed, by interpolation at the zeros `z[k] = cos((2k + 1) π / 2N)` of `T_N`:
     /// `c[j] = 2/N Σ_k q(z[k]) cos(j (2k + 1) π / 2N)`, half of it for `j = 0`.
     fn squared(&self) -> Chebyshev<B> {
-        let count = SquaredSpeed::<B>::LEN;
+        let count = Chebyshev::<B>::LEN;
         // The cosines of a quarter turn, from which the others follow.
         let mut quarter = B::Bernstein::from_fn(|_| [B::Scalar::ZERO; 2]);
         let quarter = &mut quarter.as_mut().as_flattened_mut()[..=count];
