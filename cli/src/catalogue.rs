@@ -93,7 +93,7 @@ fn independent(item: &Decided) -> Option<String> {
     except.or_else(|| known(item, |kind| matches!(kind, ClaimKind::Independent(e) if e.is_empty())))
 }
 
-/// What is known in all orders, or what is known in which.
+/// A cell of the table: one verdict for all orders, or each verdict with its orders.
 fn cell(items: &[Decided], known: impl Fn(&Decided) -> Option<String>) -> String {
     let mut groups: Vec<(Option<String>, Vec<&Decided>)> = Vec::new();
     for item in items {

@@ -73,7 +73,7 @@ impl Emitter<'_> {
         lines
     }
 
-    /// How many coordinates a point of the domain has.
+    /// The number of coordinates of a point of the domain.
     fn corners(&self) -> usize {
         self.plans.corners()
     }
