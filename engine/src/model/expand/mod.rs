@@ -1,6 +1,7 @@
-//! From a family as it is written to the family itself: its ranges (`build`), its functions one by one, by loops and by
+//! From a family as it is written to the family itself: its ranges (`build`, with angles `angles`), its functions one by one, by loops and by
 //! recursion (`functions`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
 
+pub(crate) mod angles;
 pub(crate) mod build;
 pub(crate) mod claims;
 mod functions;

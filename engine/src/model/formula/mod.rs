@@ -7,6 +7,7 @@ mod derivatives;
 mod evaluate;
 mod loops;
 pub(crate) mod numbers;
+pub(crate) mod phase;
 pub(crate) mod print;
 mod settle;
 
