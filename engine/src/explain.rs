@@ -1,6 +1,7 @@
 //! What follows from the formulas of a family, apart from its claims: factored and expanded forms, and what its curves
 //! do at their ends.
 
+mod angles;
 mod contacts;
 mod theorems;
 
@@ -44,6 +45,16 @@ pub struct Formula {
 
 /// The formulas of a family.
 pub fn formulas(family: &Family) -> Vec<Formula> {
+    if !family.analytic.angles.is_empty() {
+        let functions = family.functions.iter().enumerate();
+        return functions
+            .map(|(k, f)| Formula {
+                label: family.function_label(k),
+                factored: angles::text(family, &f.value),
+                expanded: f.value.display(&family.names),
+            })
+            .collect();
+    }
     let form = IntervalForm::new(family);
     let patch = if form.is_none() { PatchForm::new(family) } else { None };
     family

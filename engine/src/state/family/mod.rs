@@ -91,7 +91,13 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
     };
     let of = |p: &Poly| variables().any(|v| p.depends_on(v));
     match statement {
-        Statement::Zero { .. } => false,
+        // Nobody knows whether π and exp(1) are independent of one another.
+        Statement::Zero { value, .. } => family
+            .analytic
+            .numbers()
+            .iter()
+            .all(|v| value.numerator.depends_on(*v) || value.denominator.depends_on(*v))
+            && family.analytic.numbers().len() > 1,
         Statement::Sign { value, .. } => of(&value.numerator) || of(&value.denominator),
         Statement::Products { value, .. } => of(value),
         Statement::Independent { rows, .. } => rows.iter().flatten().any(of),
