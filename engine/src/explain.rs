@@ -22,10 +22,10 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
-use crate::generate::form::IntervalForm;
-use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
+use crate::plan::form::IntervalForm;
+use crate::plan::patch_form::{PatchForm, factored_text};
 use crate::state;
 
 /// The work for the factors of denominators.
@@ -107,20 +107,42 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     lines
 }
 
+/// Where a shape parameter may be so that all functions are nonnegative, the other parameters on their declared ranges.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NonnegativeRange {
+    /// The name of the parameter.
+    pub name: String,
+    /// The ranges, such as `-3 <= λ <= 1`; one around the declared range, or several that meet it.
+    pub ranges: Vec<String>,
+    /// What is left open, or that a function is negative on the declared ranges.
+    pub remark: Option<String>,
+}
+
+impl core::fmt::Display for NonnegativeRange {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match (&self.ranges[..], &self.remark) {
+            ([], remark) => write!(f, "{}: {}", self.name, remark.as_deref().unwrap_or("undecided")),
+            (ranges, None) => f.write_str(&ranges.join(" or ")),
+            (ranges, Some(remark)) => write!(f, "{} ({remark})", ranges.join(" or ")),
+        }
+    }
+}
+
 /// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the
 /// other parameters on their declared ranges.
 ///
 /// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative
 /// somewhere on the declared ranges, the largest ranges that meet the declared one.
-pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
+pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
     let Signs { numerators: polys, denominators, region } = function_signs(family);
-    let line = |shape: &Parameter| {
+    let range = |shape: &Parameter| {
         let name = &shape.name;
+        let open = |remark: String| (Vec::new(), Some(remark));
         let mut budget = Budget::scaled(family.budget);
         let Some(defined) =
             denominators.iter().map(|d| with_simple_zeros(&region, d)).collect::<Option<Vec<_>>>()
         else {
-            return format!("{name}: undecided: the denominators are too large");
+            return open(String::from("undecided: the denominators are too large"));
         };
         let poles = match largest_range(&defined, shape.var, &region, &mut budget) {
             LargestRange::Between(low, high) => (low, high),
@@ -128,30 +150,34 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         };
         let all = [&polys[..], &defined].concat();
         match largest_range(&all, shape.var, &region, &mut budget) {
-            LargestRange::Between(low, high)
-                if !is_nonnegative(family, shape, &(low.clone(), high.clone())) =>
-            {
-                let range = range_text(name, &(low, high), &poles);
-                format!("{name}: undecided: {range} is not seen to be enough")
-            }
-            LargestRange::Between(low, high) => range_text(name, &(low, high), &poles),
-            LargestRange::Negative => {
-                let negative = "a function is negative somewhere on the declared ranges";
-                match nonnegative_parts(&all, shape.var, &region, &mut budget) {
-                    Ok(parts) if parts.is_empty() => {
-                        format!("{name}: {negative}, whatever {name} is in its range")
-                    }
-                    Ok(parts) => {
-                        let parts: Vec<String> = parts.iter().map(|p| range_text(name, p, &poles)).collect();
-                        format!("{} ({negative})", parts.join(" or "))
-                    }
-                    Err(left) => format!("{name}: {negative}; where not is undecided: {left}"),
+            LargestRange::Between(low, high) => {
+                let range = range_text(name, &(low.clone(), high.clone()), &poles);
+                if is_nonnegative(family, shape, &(low, high)) {
+                    (vec![range], None)
+                } else {
+                    open(format!("undecided: {range} is not seen to be enough"))
                 }
             }
-            LargestRange::Undecided(left) => format!("{name}: undecided: {left}"),
+            LargestRange::Negative => {
+                let negative = String::from("a function is negative somewhere on the declared ranges");
+                match nonnegative_parts(&all, shape.var, &region, &mut budget) {
+                    Ok(parts) if parts.is_empty() => {
+                        open(format!("{negative}, whatever {name} is in its range"))
+                    }
+                    Ok(parts) => {
+                        (parts.iter().map(|p| range_text(name, p, &poles)).collect(), Some(negative))
+                    }
+                    Err(left) => open(format!("{negative}; where not is undecided: {left}")),
+                }
+            }
+            LargestRange::Undecided(left) => open(format!("undecided: {left}")),
         }
     };
-    family.shapes.iter().map(line).collect()
+    let all = family.shapes.iter().map(|shape| {
+        let (ranges, remark) = range(shape);
+        NonnegativeRange { name: shape.name.clone(), ranges, remark }
+    });
+    all.collect()
 }
 
 /// `-3 <= λ <= 1`; ends at which a denominator vanishes are left out.

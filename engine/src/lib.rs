@@ -30,14 +30,20 @@ pub mod diagnostic;
 pub mod explain;
 pub mod generate;
 pub mod model;
+pub mod plan;
 pub mod plural;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
+#[cfg(any(test, feature = "tools"))]
+pub mod query;
 pub mod source;
 pub mod state;
+#[cfg(any(test, feature = "tools"))]
+pub mod steps;
 pub mod subject;
 pub mod syntax;
 pub mod theorem;
+mod weights;
 
 use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};

@@ -232,6 +232,9 @@ mod tests {
         assert_eq!(analytic.derivative_within(&sin, Var(11), work), Some(Fraction::zero()));
         let product = &Fraction::var(Var(10)) * &sin; // t sin t
         let slope = analytic.derivative_within(&product, Var(0), work).expect("enough work");
-        assert_eq!(&slope - &sin, &Fraction::var(Var(10)) * &analytic.derivative_within(&sin, Var(0), work).unwrap());
+        assert_eq!(
+            &slope - &sin,
+            &Fraction::var(Var(10)) * &analytic.derivative_within(&sin, Var(0), work).unwrap()
+        );
     }
 }

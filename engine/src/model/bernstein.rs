@@ -1,7 +1,7 @@
 //! Functions on an interval in other bases.
 
 use basis_prover::collections::list::Mapped;
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 use super::Family;
 use crate::algebra::fibre::{self, Step};

@@ -27,7 +27,7 @@ pub use judge::Prover;
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
 pub use run::Run;
-pub use verdict::{Evidence, Stated, Verdict, Witness, as_declared, point_text};
+pub use verdict::{Evidence, Stated, Verdict, Witness, WitnessPoints, as_declared, point_text};
 
 use basis_prover::collections::list::Listed;
 
@@ -55,7 +55,8 @@ pub fn instances(
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
         Subject::Family(family) if given.is_empty() => {
-            let stated = family::statements(family, claim).ok_or("the budget is spent on a common denominator")?;
+            let stated =
+                family::statements(family, claim).ok_or("the budget is spent on a common denominator")?;
             Ok(stated.into_iter().filter(|s| !family::is_wider(family, &s.statement)).listed())
         }
         Subject::Family(_) => Err("a family has no control points"),

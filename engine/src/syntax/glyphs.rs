@@ -56,7 +56,8 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
                 if let Some((message, help, mut instead)) = wrong_glyph(c, &text[..at]) {
                     // A digit would make one word with a letter that follows.
                     let next = text[at + c.len_utf8()..].chars().next();
-                    let joined = |next: char| next.is_alphabetic() || next == '(' && ends_with_function(&text[..at]);
+                    let joined =
+                        |next: char| next.is_alphabetic() || next == '(' && ends_with_function(&text[..at]);
                     if instead.ends_with(|c: char| c.is_ascii_digit()) && next.is_some_and(joined) {
                         instead.clear();
                     }

@@ -14,9 +14,7 @@ mod nearest;
 mod parts;
 #[cfg(feature = "alloc")]
 mod piecewise;
-mod quadrature;
 mod slices;
-mod steady;
 
 use core::fmt::{self, Debug, Formatter};
 

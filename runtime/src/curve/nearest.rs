@@ -10,7 +10,7 @@
 use alloc::vec::Vec;
 
 use crate::bernstein::{self, bracketed_root, changes_of_sign};
-use crate::binomial::Row;
+use crate::binomial::row;
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite, length};
 use crate::{Array, Basis, Curve, Point, Scalar};
@@ -202,21 +202,17 @@ impl<B: Basis> Square<B> {
         let mut coefficients = B::Bernstein::from_fn(|_| [zero; 2]);
         let c = coefficients.as_mut().as_flattened_mut();
         let mut largest = zero;
-        let mut weights = Row::new(B::DEGREE);
-        for (i, &p) in points.as_ref().iter().enumerate() {
-            let weight = weights.next();
+        for (i, (&p, weight)) in points.as_ref().iter().zip(row(B::DEGREE)).enumerate() {
             let square = dot(p, p);
             largest = largest.max(square);
             c[2 * i] = c[2 * i] + square * B::Scalar::of(weight * weight);
-            let mut others = Row::new(B::DEGREE);
-            for (j, &q) in points.as_ref().iter().enumerate().take(i) {
-                let both = B::Scalar::of(weight * others.next());
+            for (j, (&q, other)) in points.as_ref().iter().zip(row(B::DEGREE)).enumerate().take(i) {
+                let both = B::Scalar::of(weight * other);
                 c[i + j] = c[i + j] + two * dot(p, q) * both;
             }
         }
-        let mut weights = Row::new(2 * B::DEGREE);
-        for c in &mut c[..=2 * B::DEGREE] {
-            *c = *c * B::Scalar::of(1.0 / weights.next());
+        for (c, weight) in c.iter_mut().zip(row(2 * B::DEGREE)) {
+            *c = *c * B::Scalar::of(1.0 / weight);
         }
         let noise = largest * B::Scalar::EPSILON * B::Scalar::from_usize(noise_units::<B, P>());
         Self { coefficients, noise }

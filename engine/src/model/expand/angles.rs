@@ -13,9 +13,8 @@ use crate::model::angle::{Angle, Kind};
 use crate::model::formula::numbers::range_of;
 use crate::model::formula::phase::{Linear, is_transcendental};
 use crate::model::formula::print::Printer;
-use crate::model::scope::Scope;
-use crate::model::words::CIRCULAR;
-use crate::syntax::{self, ClaimKind, Expr, ExprKind, FunctionDef, RangeDecl, Relation, StatementKind};
+use crate::model::scope::{Argument, Scope, Stage};
+use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// The name of the number.
@@ -24,7 +23,7 @@ pub(crate) const PI: [&str; 2] = ["pi", "π"];
 /// Whether sin, cos, exp and the like, or π, occur in a family.
 pub(super) fn occur(written: &syntax::Family) -> bool {
     let mut found = false;
-    each_expression(written, &mut |expr, _| found |= mentions(expr));
+    each_expression(written, &mut |expr| found |= mentions(expr));
     found && !written.statements.iter().any(|s| declares_pi(&s.kind))
 }
 
@@ -33,46 +32,46 @@ fn declares_pi(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Shape(decl) => is_pi(&decl.name),
         StatementKind::Domain(decls) => decls.iter().any(|d| is_pi(&d.name)),
-        StatementKind::Let(name, _) => is_pi(name),
+        StatementKind::Let(def) => is_pi(&def.name),
         _ => false,
     }
 }
 
-/// Calls a function with every expression of a family and the loops around it, definitions first.
-fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr, Option<&syntax::Loops>)) {
-    let function = |def: &FunctionDef, with: &mut dyn FnMut(&Expr, Option<&syntax::Loops>)| {
-        with(&def.value, Some(&def.loops));
-    };
-    let range = |decl: &RangeDecl, with: &mut dyn FnMut(&Expr, Option<&syntax::Loops>)| {
-        for (end, _) in decl.low.iter().chain(&decl.high) {
-            with(end, None);
+/// Calls a function with every expression of a family.
+fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
+    let range = |decl: &RangeDecl, with: &mut dyn FnMut(&Expr)| {
+        for limit in decl.low.iter().chain(&decl.high) {
+            with(&limit.value);
         }
-    };
-    let relation = |relation: &Relation, with: &mut dyn FnMut(&Expr, Option<&syntax::Loops>)| {
-        with(&relation.left, Some(&relation.loops));
-        with(&relation.right, Some(&relation.loops));
     };
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Domain(decls) => decls.iter().for_each(|decl| range(decl, with)),
             StatementKind::Shape(decl) => range(decl, with),
-            StatementKind::Let(_, value) => with(value, None),
-            StatementKind::Function(def) | StatementKind::Raise(def) => function(def, with),
-            StatementKind::Base(_, functions) => functions.iter().for_each(|def| function(def, with)),
+            StatementKind::Let(def) => with(&def.value),
+            StatementKind::Function(def) | StatementKind::Raise(def) => with(&def.value),
+            StatementKind::Base(_, functions) => functions.iter().for_each(|def| with(&def.value)),
             StatementKind::Claim(claim) => match &claim.kind {
-                ClaimKind::Relation(r) => relation(r, with),
+                ClaimKind::Relation(r) => sides(r, with),
                 ClaimKind::At(bindings, relations) => {
-                    bindings.iter().for_each(|b| with(&b.value, None));
-                    relations.iter().for_each(|r| relation(r, with));
+                    bindings.iter().for_each(|b| with(&b.value));
+                    relations.iter().for_each(|r| sides(r, with));
                 }
                 ClaimKind::Independent(exceptions) => {
-                    exceptions.iter().flatten().for_each(|b| with(&b.value, None));
+                    exceptions.iter().flatten().for_each(|b| with(&b.value))
                 }
                 _ => {}
             },
             StatementKind::Simplex(_) | StatementKind::Budget(_) => {}
         }
     }
+}
+
+/// The sides of a claim.
+fn sides(relation: &Relation, with: &mut dyn FnMut(&Expr)) {
+    with(&relation.left);
+    with(&relation.right);
+    relation.chain.iter().for_each(|(_, side)| with(side));
 }
 
 /// The parts of an expression.
@@ -140,88 +139,72 @@ impl Uses {
     }
 }
 
-/// Finds the arguments of sin, cos, exp and the like in an expression.
-fn visit(scope: &mut Scope<'_>, expr: &Expr, uses: &mut Uses) {
-    if let ExprKind::Each(body, loops) = &expr.kind {
-        scope.each(loops, &mut |scope| {
-            visit(scope, body, uses);
-            true
-        });
-        return;
-    }
-    for part in parts(expr) {
-        visit(scope, part, uses);
-    }
-    let ExprKind::Call(callee, arguments) = &expr.kind else { return };
-    let (ExprKind::Name(name), [argument]) = (&callee.kind, arguments.as_slice()) else { return };
-    if !is_transcendental(name) || mentions_function(argument) {
-        return;
-    }
-    let Some(linear) = scope.scalar(argument).and_then(|f| Linear::of(&f, scope.analytic.pi)) else { return };
-    let kind = if CIRCULAR.contains(&name.as_str()) { Kind::Circular } else { Kind::Hyperbolic };
-    for (var, factor, turns) in &linear.parts {
-        let new = Use { kind, turns: *turns, unit: factor.abs(), torn: None, span: argument.span };
-        uses.add(*var, new);
-    }
-    if kind == Kind::Hyperbolic && !linear.number.is_zero() {
-        uses.numbers.push(linear.number.abs());
-    }
-}
-
-/// Whether sin, cos, exp or the like occurs.
-fn mentions_function(expr: &Expr) -> bool {
-    let own = matches!(&expr.kind, ExprKind::Call(callee, _)
-        if matches!(&callee.kind, ExprKind::Name(name) if is_transcendental(name)));
-    own || parts(expr).into_iter().any(mentions_function)
-}
-
-/// All uses in a family, whose variables have their own names meanwhile; errors are those of the expansion proper.
-fn survey(scope: &Scope<'_>, written: &syntax::Family, names: &[String]) -> Uses {
+/// All uses in a family. It is expanded with all variables themselves and one more for every sine; errors are those of
+/// the expansion proper.
+fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], shapes: usize) -> Uses {
     let mut probe = Scope::new(scope.library, scope.unit, scope.source);
     probe.constants.clone_from(&scope.constants);
+    probe.order = scope.order;
     probe.names = names.to_vec();
+    probe.domain = (shapes..names.len()).map(Var).listed();
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
-    let mut uses = Uses::default();
+    probe.recorded = Some(Vec::new());
+    super::names::plan(&mut probe, written);
+    super::functions::define(&mut probe, written);
+    probe.stage = Stage::Complete;
+    let mut places = Vec::new();
     for statement in &written.statements {
-        if let StatementKind::Let(name, value) = &statement.kind
-            && !mentions_function(value)
-        {
-            let value = probe.scalar(value);
-            probe.lets.insert(name.text.clone(), value);
+        let StatementKind::Claim(claim) = &statement.kind else { continue };
+        match &claim.kind {
+            ClaimKind::Relation(relation) => probe_relation(&mut probe, relation),
+            ClaimKind::At(bindings, relations) => {
+                for Binding { name, value } in bindings {
+                    let var = probe.variable(&name.text);
+                    places.extend(var.zip(probe.scalar(value)));
+                }
+                relations.iter().for_each(|relation| probe_relation(&mut probe, relation));
+            }
+            _ => {}
         }
     }
-    each_expression(written, &mut |expr, loops| {
-        match loops {
-            Some(loops) => {
-                probe.each(loops, &mut |scope| {
-                    visit(scope, expr, &mut uses);
-                    true
-                });
-            }
-            None => visit(&mut probe, expr, &mut uses),
-        };
-    });
-    for statement in &written.statements {
-        let StatementKind::Claim(syntax::Claim { kind: ClaimKind::At(bindings, _), .. }) = &statement.kind else {
+    let mut uses = Uses::default();
+    for Argument { circular, value, span } in probe.recorded.unwrap_or_default() {
+        let Some(linear) = Linear::of(&value, probe.analytic.pi) else { continue };
+        // Not of a sine of a sine.
+        if linear.parts.iter().any(|(var, ..)| var.0 >= names.len()) {
             continue;
-        };
-        for binding in bindings {
-            let var = probe.variable(&binding.name.text);
-            let Some(of) = var.and_then(|var| uses.of(var)).filter(|u| u.kind == Kind::Hyperbolic) else { continue };
-            let unit = of.unit.clone();
-            if let Some(number) = probe.scalar(&binding.value).and_then(|f| f.as_constant())
-                && !number.is_zero()
-            {
-                uses.numbers.push(&number.abs() * &unit);
-            }
+        }
+        let kind = if circular { Kind::Circular } else { Kind::Hyperbolic };
+        for (var, factor, turns) in &linear.parts {
+            uses.add(*var, Use { kind, turns: *turns, unit: factor.abs(), torn: None, span });
+        }
+        if !circular && !linear.number.is_zero() {
+            uses.numbers.push(linear.number.abs());
+        }
+    }
+    for (var, value) in places {
+        let unit = uses.of(var).filter(|u| u.kind == Kind::Hyperbolic).map(|u| u.unit.clone());
+        if let (Some(unit), Some(number)) = (unit, value.as_constant().filter(|n| !n.is_zero())) {
+            uses.numbers.push(&number.abs() * &unit);
         }
     }
     uses
 }
 
+/// Evaluates the sides of a claim for all values of its index variables.
+fn probe_relation(probe: &mut Scope<'_>, relation: &Relation) {
+    probe.each(&relation.loops, &mut |probe| {
+        sides(relation, &mut |side| {
+            probe.value(side);
+        });
+        probe.waits_for = None;
+        true
+    });
+}
+
 /// An end of a range of an angle.
-struct Limit {
+struct Bound {
     value: Linear,
     included: bool,
     text: String,
@@ -253,7 +236,10 @@ impl Tangent {
 }
 
 /// The shape parameters and the domain variables of a family with angles.
-pub(super) fn declare(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<(Vec<Parameter>, Domain)> {
+pub(super) fn declare<'a>(
+    scope: &mut Scope<'a>,
+    written: &'a syntax::Family,
+) -> Option<(Vec<Parameter>, Domain)> {
     let mut shapes: Vec<(&RangeDecl, &[String])> = Vec::new();
     let mut domain: Vec<(&RangeDecl, &[String])> = Vec::new();
     let mut simplex = false;
@@ -266,7 +252,7 @@ pub(super) fn declare(scope: &mut Scope<'_>, written: &syntax::Family) -> Option
         }
     }
     let names = shapes.iter().chain(&domain).map(|(d, _)| d.name.text.clone()).listed();
-    let uses = survey(scope, written, &names);
+    let uses = survey(scope, written, &names, shapes.len());
     let mut slots = Vec::new();
     for (decl, _) in &shapes {
         slots.push(variable(scope, &decl.name)?);
@@ -318,7 +304,9 @@ pub(super) fn declare(scope: &mut Scope<'_>, written: &syntax::Family) -> Option
     for (k, of) in all.iter().enumerate() {
         if let Some(Use { torn: Some(what), span, .. }) = of {
             let error = scope.error(*span, format!("`{}` stands in {what}", names[k]));
-            scope.report(error.help("the functions of a family are those of one angle, and of its rational multiples"));
+            scope.report(
+                error.help("the functions of a family are those of one angle, and of its rational multiples"),
+            );
             fine = false;
         }
     }
@@ -347,7 +335,8 @@ pub(super) fn declare(scope: &mut Scope<'_>, written: &syntax::Family) -> Option
     scope.analytic.ranges = ranges(scope);
     let domain = parameters.split_off(shape_count);
     if own.is_none() && domain.is_empty() {
-        let error = scope.error(written.name.span, format!("the family `{}` has no domain", written.name.text));
+        let error =
+            scope.error(written.name.span, format!("the family `{}` has no domain", written.name.text));
         scope.report(error.help("write `domain 0 <= t <= 1;`"));
         return None;
     }
@@ -362,25 +351,26 @@ struct Place {
 }
 
 /// An end as it is written: nothing where there is none, `None` when it is no sum of multiples.
-fn limit(scope: &mut Scope<'_>, end: Option<&(Expr, bool)>) -> Option<Option<Limit>> {
-    let Some((expr, included)) = end else { return None };
+fn limit(scope: &mut Scope<'_>, end: Option<&syntax::Limit>) -> Option<Option<Bound>> {
+    let Some(syntax::Limit { value: expr, included }) = end else { return None };
     let value = scope.scalar(expr);
     let Some(value) = value.and_then(|f| Linear::of(&f, scope.analytic.pi)) else {
-        let error = scope.error(expr.span, "the end of a range is a number, a multiple of `pi`, or a shape parameter");
+        let error = scope
+            .error(expr.span, "the end of a range is a number, a multiple of `pi`, or a shape parameter");
         if scope.diagnostics.borrow().is_empty() {
             scope.report(error);
         }
         return Some(None);
     };
     let text = Printer { constants: &scope.constants, component: None }.print(expr);
-    Some(Some(Limit { value, included: *included, text }))
+    Some(Some(Bound { value, included: *included, text }))
 }
 
-type Limits = [Option<Option<Limit>>; 2];
+type Bounds = [Option<Option<Bound>>; 2];
 
 /// The range as it is written.
-fn declared(name: &str, limits: &Limits) -> String {
-    let sign = |limit: &Limit| if limit.included { "<=" } else { "<" };
+fn declared(name: &str, limits: &Bounds) -> String {
+    let sign = |limit: &Bound| if limit.included { "<=" } else { "<" };
     let mut text = String::from(name);
     if let [Some(Some(low)), _] = limits {
         text = format!("{} {} {text}", low.text, sign(low));
@@ -392,7 +382,7 @@ fn declared(name: &str, limits: &Limits) -> String {
 }
 
 /// The number exp(r) in which all others are powers.
-fn exponential(scope: &mut Scope<'_>, uses: &Uses, all: &[Option<Use>], limits: &[Limits]) {
+fn exponential(scope: &mut Scope<'_>, uses: &Uses, all: &[Option<Use>], limits: &[Bounds]) {
     let mut unit = Rational::ZERO;
     for number in &uses.numbers {
         unit = unit.gcd(number);
@@ -414,7 +404,7 @@ fn plain(
     scope: &mut Scope<'_>,
     decl: &RangeDecl,
     at: &Place,
-    limits: &Limits,
+    limits: &Bounds,
     incomplete: bool,
 ) -> Option<Range> {
     // It stands for itself.
@@ -427,12 +417,17 @@ fn plain(
             if incomplete {
                 return Some(Range::unit()); // its sine may be what could not be read
             }
-            let error = scope.error(decl.name.span, format!("an end of the range of `{}` is no number", decl.name.text));
+            let error = scope
+                .error(decl.name.span, format!("an end of the range of `{}` is no number", decl.name.text));
             scope.report(error.help("ends with `pi`, and shape parameters as ends of the domain, belong to variables that stand in `sin`, `cos`, `exp` and the like"));
             return None;
         }
     }
-    let range = range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())?;
+    let range =
+        range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())?;
+    if let (true, Some((low, high))) = (at.is_domain, range.finite()) {
+        scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
+    }
     if at.is_domain && range.finite().is_none_or(|(a, b)| a >= b) {
         let error = scope.error(decl.name.span, format!("the domain of `{}` is no interval", decl.name.text));
         scope.report(error.help("write both ends, such as `domain 0 <= t <= 1;`"));
@@ -442,15 +437,15 @@ fn plain(
 }
 
 /// ψ/π at an end of a range that is a multiple of π, or of 1 where the rate is one of π.
-fn psi(rate: &Rational, turns: bool, shift: &Rational, end: &Limit) -> Rational {
+fn psi(rate: &Rational, turns: bool, shift: &Rational, end: &Bound) -> Rational {
     &(if turns { &end.value.number } else { &end.value.pi } - shift) * rate
 }
 
 /// Angles in the domain from which others can be measured: sin and cos of all multiples of them are 0, 1 or −1. First 0.
-fn shifts(unit: &Rational, turns: bool, ends: &[&Limit]) -> Vec<Rational> {
+fn shifts(unit: &Rational, turns: bool, ends: &[&Bound]) -> Vec<Rational> {
     const MOST: i64 = 32;
     let mut all = vec![Rational::ZERO];
-    let value = |l: &Limit| if turns { l.value.number.clone() } else { l.value.pi.clone() };
+    let value = |l: &Bound| if turns { l.value.number.clone() } else { l.value.pi.clone() };
     let ([low, high], Some(step)) = (ends, (unit + unit).recip()) else { return all };
     let first = value(low).checked_div(&step).map_or(Rational::ZERO, |n| -(-n).floor());
     for k in 0..MOST {
@@ -468,23 +463,31 @@ fn angle(
     decl: &RangeDecl,
     at: &Place,
     of: &Use,
-    limits: &Limits,
+    limits: &Bounds,
     (all, count, known): (&[Option<Use>], usize, &[Parameter]),
 ) -> Option<Range> {
     let name = &decl.name.text;
-    let ends: Vec<&Limit> = limits.iter().flatten().map(Option::as_ref).collect::<Option<Vec<_>>>()?;
+    let ends: Vec<&Bound> = limits.iter().flatten().map(Option::as_ref).collect::<Option<Vec<_>>>()?;
     let circular = of.kind == Kind::Circular;
     let wrong = |scope: &Scope<'_>, message: String, help: &str| {
         scope.report(scope.error(decl.name.span, message).help(help));
     };
     if (at.is_domain || circular) && ends.len() < 2 {
-        let help = if at.is_domain { "write both ends, such as `domain 0 <= t <= pi/2;`" } else { "write both ends, such as `shape 0 < α < pi;`" };
+        let help = if at.is_domain {
+            "write both ends, such as `domain 0 <= t <= pi/2;`"
+        } else {
+            "write both ends, such as `shape 0 < α < pi;`"
+        };
         wrong(scope, format!("the range of `{name}` has no end on one side"), help);
         return None;
     }
     let parametric: Vec<&(Var, Rational, bool)> = ends.iter().flat_map(|l| &l.value.parts).listed();
     if !at.is_domain && !parametric.is_empty() {
-        wrong(scope, format!("the range of `{name}` depends on another parameter"), "give it numbers as ends");
+        wrong(
+            scope,
+            format!("the range of `{name}` depends on another parameter"),
+            "give it numbers as ends",
+        );
         return None;
     }
     let half = Rational::new(1, 2);
@@ -492,33 +495,51 @@ fn angle(
     let mut chosen = None;
     if parametric.is_empty() {
         if circular && !of.turns && at.is_domain {
-            let proper = |l: &&Limit| l.value.number.is_zero() && (&l.value.pi + &l.value.pi).is_integer() && l.value.pi.abs() <= Rational::ONE;
+            let proper = |l: &&Bound| {
+                l.value.number.is_zero()
+                    && (&l.value.pi + &l.value.pi).is_integer()
+                    && l.value.pi.abs() <= Rational::ONE
+            };
             if let Some(end) = ends.iter().find(|l| !proper(l)) {
                 let help = "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter: `shape 0 < α < pi; domain 0 <= θ <= α;`";
-                wrong(scope, format!("the end {} of the angle `{name}` is no multiple of pi/2 between -pi and pi", end.text), help);
+                wrong(
+                    scope,
+                    format!(
+                        "the end {} of the angle `{name}` is no multiple of pi/2 between -pi and pi",
+                        end.text
+                    ),
+                    help,
+                );
                 return None;
             }
         }
         if circular && !of.turns && !at.is_domain {
-            let proper = |l: &&Limit| l.value.number.is_zero() && l.value.pi.abs() <= Rational::ONE;
+            let proper = |l: &&Bound| l.value.number.is_zero() && l.value.pi.abs() <= Rational::ONE;
             if let Some(end) = ends.iter().find(|l| !proper(l)) {
-                let help = "ends of an angle are 0 and rational multiples of `pi` up to `pi`: `shape 0 < α < pi;`";
-                wrong(scope, format!("the end {} of the angle `{name}` is no multiple of pi", end.text), help);
+                let help =
+                    "ends of an angle are 0 and rational multiples of `pi` up to `pi`: `shape 0 < α < pi;`";
+                wrong(
+                    scope,
+                    format!("the end {} of the angle `{name}` is no multiple of pi", end.text),
+                    help,
+                );
                 return None;
             }
         }
-        let shifts = if circular && at.is_domain { shifts(&of.unit, of.turns, &ends) } else { vec![Rational::ZERO] };
+        let shifts =
+            if circular && at.is_domain { shifts(&of.unit, of.turns, &ends) } else { vec![Rational::ZERO] };
         'search: for m in 1..=8 {
             let rate = &(&of.unit * &half) * &Rational::new(1, m);
             for shift in &shifts {
-                let finite = |l: &&Limit| {
+                let finite = |l: &&Bound| {
                     let psi = psi(&rate, of.turns, shift, l).abs();
                     psi < half || psi == half && !l.included && !at.is_domain
                 };
                 if circular && !ends.iter().all(finite) {
                     continue;
                 }
-                let mut tangents = ends.iter().map(|l| Tangent::of(of.kind, &rate, of.turns, shift, &l.value));
+                let mut tangents =
+                    ends.iter().map(|l| Tangent::of(of.kind, &rate, of.turns, shift, &l.value));
                 if !circular || !tangents.any(|t| matches!(t, Tangent::Irrational)) {
                     chosen = Some((rate, shift.clone()));
                     break 'search;
@@ -527,7 +548,14 @@ fn angle(
         }
         if chosen.is_none() {
             let texts: Vec<&str> = ends.mapped(|l| l.text.as_str());
-            wrong(scope, format!("the functions of `{name}` have irrational values at the ends {} of its range", texts.join(" and ")), "choose ends at which half of the smallest angle is a multiple of pi/4; a shape parameter may also be the end of the domain, `shape 0 < α < pi;`");
+            wrong(
+                scope,
+                format!(
+                    "the functions of `{name}` have irrational values at the ends {} of its range",
+                    texts.join(" and ")
+                ),
+                "choose ends at which half of the smallest angle is a multiple of pi/4; a shape parameter may also be the end of the domain, `shape 0 < α < pi;`",
+            );
             return None;
         }
     } else {
@@ -542,7 +570,11 @@ fn angle(
         let (rate, factor) = rates.first()?;
         let rate = rate.checked_div(factor)?;
         if of.turns || rates.iter().any(|(r, f)| r.checked_div(f).as_ref() != Some(&rate)) {
-            wrong(scope, format!("the ends of the domain of `{name}` are no multiples of one angle"), "write `domain 0 <= t <= α;` or `domain -α <= t <= α;`");
+            wrong(
+                scope,
+                format!("the ends of the domain of `{name}` are no multiples of one angle"),
+                "write `domain 0 <= t <= α;` or `domain -α <= t <= α;`",
+            );
             return None;
         }
         chosen = Some((rate, Rational::ZERO));
@@ -559,7 +591,9 @@ fn angle(
         shift,
         low: Fraction::zero(),
         width: one.clone(),
-        ends: [0, 1].map(|k| limits[k].as_ref().and_then(Option::as_ref).map_or_else(String::new, |l| l.text.clone())),
+        ends: [0, 1].map(|k| {
+            limits[k].as_ref().and_then(Option::as_ref).map_or_else(String::new, |l| l.text.clone())
+        }),
         declared: declared(name, limits),
         mirror: Vec::new(),
     };
@@ -579,7 +613,11 @@ fn angle(
         };
         Range { low: end(0), high: end(1) }
     } else if !at.is_domain {
-        wrong(scope, format!("the end of the range of `{name}` has an irrational tangent"), "a parameter in `exp`, `sinh` or `cosh` has 0 or no end: `shape 0 < α;`");
+        wrong(
+            scope,
+            format!("the end of the range of `{name}` has an irrational tangent"),
+            "a parameter in `exp`, `sinh` or `cosh` has 0 or no end: `shape 0 < α;`",
+        );
         return None;
     } else {
         // x = low + width·y
@@ -601,7 +639,11 @@ fn angle(
             }
         }
         if !ordered(scope, &ends, known) {
-            wrong(scope, format!("the ends of the domain of `{name}` are not seen to be in order"), "let the parameter at the end be positive: `shape 0 < α < pi; domain 0 <= t <= α;`");
+            wrong(
+                scope,
+                format!("the ends of the domain of `{name}` are not seen to be in order"),
+                "let the parameter at the end be positive: `shape 0 < α < pi; domain 0 <= t <= α;`",
+            );
             return None;
         }
         new.low = values.first()?.clone();
@@ -612,7 +654,7 @@ fn angle(
         } else {
             format!("({} - {})/({} - {})", new.tangent_name(), of_end(0), of_end(1), of_end(0))
         };
-        let end = |l: &Limit, x: Rational| if l.included { End::Included(x) } else { End::Excluded(x) };
+        let end = |l: &Bound, x: Rational| if l.included { End::Included(x) } else { End::Excluded(x) };
         Range { low: end(ends[0], Rational::ZERO), high: end(ends[1], Rational::ONE) }
     };
     if range.is_empty() || at.is_domain && range.finite().is_none_or(|(a, b)| a >= b) {
@@ -624,7 +666,7 @@ fn angle(
 }
 
 /// Whether the upper of two ends is above the lower one for all values of the parameters.
-fn ordered(scope: &Scope<'_>, ends: &[&Limit], known: &[Parameter]) -> bool {
+fn ordered(scope: &Scope<'_>, ends: &[&Bound], known: &[Parameter]) -> bool {
     let [low, high] = ends else { return false };
     let mut width = high.value.clone();
     let turned = low.value.scaled(&Rational::from(-1));
@@ -649,7 +691,9 @@ fn ordered(scope: &Scope<'_>, ends: &[&Limit], known: &[Parameter]) -> bool {
             End::Infinite => false,
         })
     };
-    let some = width.pi.is_positive() || width.number.is_positive() || width.parts.iter().any(|(_, f, _)| f.is_positive());
+    let some = width.pi.is_positive()
+        || width.number.is_positive()
+        || width.parts.iter().any(|(_, f, _)| f.is_positive());
     some && width.parts.iter().all(|(var, f, _)| !f.is_negative() && positive(*var))
 }
 
@@ -658,10 +702,12 @@ fn mirrors(
     scope: &mut Scope<'_>,
     shape_count: usize,
     parameters: &[Parameter],
-    limits: &[Limits],
+    limits: &[Bounds],
 ) -> Option<()> {
     for (k, parameter) in parameters.iter().enumerate().skip(shape_count) {
-        let Some(position) = scope.analytic.angles.iter().position(|a| a.var == parameter.var) else { continue };
+        let Some(position) = scope.analytic.angles.iter().position(|a| a.var == parameter.var) else {
+            continue;
+        };
         let angle = scope.analytic.angles[position].clone();
         let mut reversed = -&Fraction::var(angle.itself);
         for end in limits[k].iter().flatten().flatten() {
@@ -681,7 +727,8 @@ fn mirrors(
 
 /// Bounds of π and exp(r).
 fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
-    let open = |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };
+    let open =
+        |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };
     let mut all = Vec::new();
     if let Some(pi) = scope.analytic.pi {
         all.push((pi, open(pi_bounds())));
@@ -730,7 +777,9 @@ fn exponential_bounds(r: &Rational) -> Option<(Rational, Rational)> {
     }
     // The rest of the series is less than its first term times 2.
     let high = &low + &(&term + &term);
-    Some((0..squarings).fold((low, high), |(a, b), _| (rounded(&(&a * &a), false), rounded(&(&b * &b), true))))
+    Some(
+        (0..squarings).fold((low, high), |(a, b), _| (rounded(&(&a * &a), false), rounded(&(&b * &b), true))),
+    )
 }
 
 /// A number with 80 binary digits after the point, not above or not below another one.

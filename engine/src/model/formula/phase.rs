@@ -9,7 +9,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind, multiple_of_pi};
-use crate::model::scope::Scope;
+use crate::model::scope::{Argument, Scope};
 use crate::model::words::{CIRCULAR, HYPERBOLIC};
 use crate::syntax::Expr;
 use basis_prover::collections::list::Mapped;
@@ -31,8 +31,10 @@ impl Linear {
         let mut linear = Self { parts: Vec::new(), pi: Rational::ZERO, number: Rational::ZERO };
         for (monomial, c) in f.as_poly()?.terms() {
             let turns = pi.map_or(0, |pi| monomial.exponent(pi));
-            let variables: Vec<Var> =
-                (0..monomial.width()).map(Var).filter(|v| Some(*v) != pi && monomial.exponent(*v) > 0).collect();
+            let variables: Vec<Var> = (0..monomial.width())
+                .map(Var)
+                .filter(|v| Some(*v) != pi && monomial.exponent(*v) > 0)
+                .collect();
             match (variables.as_slice(), monomial.total_degree()) {
                 ([], 0) => linear.number = c.clone(),
                 ([], 1) => linear.pi = c.clone(),
@@ -85,7 +87,13 @@ struct Phase {
 
 impl Phase {
     /// Times (c + i·s)^n, n perhaps negative.
-    fn turned(&mut self, scope: &Scope<'_>, (c, s): (&Fraction, &Fraction), n: i64, span: Span) -> Option<()> {
+    fn turned(
+        &mut self,
+        scope: &Scope<'_>,
+        (c, s): (&Fraction, &Fraction),
+        n: i64,
+        span: Span,
+    ) -> Option<()> {
         let budget = &scope.budget;
         let s = if n < 0 { -s } else { s.clone() };
         for _ in 0..n.abs() {
@@ -116,10 +124,14 @@ impl Scope<'_> {
                     String::from("one of the two in a family, for each variable"),
                 ));
             };
-            let n = factor.checked_div(&angle.rate).filter(|_| *turns == angle.turns).and_then(|n| n.to_i64());
+            let n =
+                factor.checked_div(&angle.rate).filter(|_| *turns == angle.turns).and_then(|n| n.to_i64());
             let Some(n) = n.filter(|n| n.abs() <= MAX_MULTIPLE) else {
                 return Err((
-                    format!("this is no multiple of the angle `{}` in which the family is expanded", angle.tangent_name()),
+                    format!(
+                        "this is no multiple of the angle `{}` in which the family is expanded",
+                        angle.tangent_name()
+                    ),
                     String::from("arguments of sin and cos are rational multiples of one angle"),
                 ));
             };
@@ -133,7 +145,11 @@ impl Scope<'_> {
         if kind == Kind::Circular {
             let quarters = (&pi * &Rational::from(4)).to_i64();
             let Some(quarters) = quarters.filter(|_| number.is_zero()) else {
-                let what = if number.is_zero() { multiple_of_pi(&(&pi + &pi)) } else { (&number + &number).to_string() };
+                let what = if number.is_zero() {
+                    multiple_of_pi(&(&pi + &pi))
+                } else {
+                    (&number + &number).to_string()
+                };
                 return Err((
                     format!("sin and cos of the angle {what} are irrational"),
                     String::from("constant parts of an angle are multiples of pi/2, and of shape parameters"),
@@ -161,7 +177,9 @@ impl Scope<'_> {
                 ));
             };
             // tanh ψ = (E − 1)/(E + 1) with E = exp 2ψ.
-            let Ok(e) = self.budget.pow(&Fraction::var(*var), power.unsigned_abs() as u32) else { return Ok(None) };
+            let Ok(e) = self.budget.pow(&Fraction::var(*var), power.unsigned_abs() as u32) else {
+                return Ok(None);
+            };
             let (c, s) = (&e + &one, &e - &one);
             if phase.turned(self, (&c, &s), power.signum(), span).is_none() {
                 return Ok(None);
@@ -175,6 +193,10 @@ impl Scope<'_> {
         let before = self.pending.len();
         let value = self.scalar(argument)?;
         let kind = if CIRCULAR.contains(&name) { Kind::Circular } else { Kind::Hyperbolic };
+        if let Some(recorded) = &mut self.recorded {
+            recorded.push(Argument { circular: kind == Kind::Circular, value, span: argument.span });
+            return Some(Fraction::var(Var(self.names.len())));
+        }
         let Some(linear) = Linear::of(&value, self.analytic.pi) else {
             self.pending.truncate(before);
             self.report_frequency(name, &value, argument.span);
@@ -220,7 +242,8 @@ impl Scope<'_> {
         let shape = |v: &Var| !self.domain.iter().any(|d| d == v) && Some(*v) != self.analytic.pi;
         let variables = value.numer().variables();
         let domain = variables.iter().find(|v| {
-            self.domain.contains(v) || self.analytic.angles.iter().any(|a| a.itself == **v && self.domain.contains(&a.var))
+            self.domain.contains(v)
+                || self.analytic.angles.iter().any(|a| a.itself == **v && self.domain.contains(&a.var))
         });
         let parameter = variables.iter().find(|v| shape(v) && Some(*v) != domain);
         let product = value.numer().total_degree() == 2 && value.as_poly().is_some_and(|p| p.len() == 1);
@@ -238,7 +261,12 @@ impl Scope<'_> {
     }
 
     /// What takes the place of an angle, y and the variable itself, where the variable has a value.
-    pub(crate) fn angle_at(&self, angle: &Angle, value: &Fraction, span: Span) -> Result<Option<Fraction>, Wrong> {
+    pub(crate) fn angle_at(
+        &self,
+        angle: &Angle,
+        value: &Fraction,
+        span: Span,
+    ) -> Result<Option<Fraction>, Wrong> {
         let linear = Linear::of(value, self.analytic.pi).and_then(|linear| linear.in_place_of(angle));
         let Some(psi) = linear else {
             let message = format!("the value of `{}` is not linear", angle.name);
@@ -247,7 +275,8 @@ impl Scope<'_> {
         };
         let Some(phase) = self.phase(angle.kind, &psi, span)? else { return Ok(None) };
         if phase.c.is_zero() {
-            let message = format!("this value of `{}` lies outside of its range `{}`", angle.name, angle.declared);
+            let message =
+                format!("this value of `{}` lies outside of its range `{}`", angle.name, angle.declared);
             return Err((message, String::from("claims are about the declared ranges")));
         }
         let y = self.budget.div(&phase.s, &phase.c).and_then(|x| self.budget.sub(&x, &angle.low));

@@ -151,7 +151,9 @@ impl Scope<'_> {
             let [low, high] = &angle.ends;
             let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
             return match at(&range.low) || at(&range.high) {
-                true => format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name),
+                true => {
+                    format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
+                }
                 false => format!("choose a range without this value of `{}`", angle.name),
             };
         }

@@ -2,8 +2,8 @@
 
 use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
-use basis_prover::map::SortedMap;
 use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
 use super::point::{domain_names, named_point};

@@ -3,7 +3,7 @@
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::binomial::Row;
+use crate::binomial::row;
 
 /// The most steps of Newton's method; it needs five or six unless the surface is singular there.
 const STEPS: usize = 60;
@@ -78,6 +78,7 @@ impl Piece {
         if ku.max(kv) > SHARP {
             return 0.0;
         }
+        let binomials = |degree| row(degree).collect::<Vec<f64>>();
         let (single, double) = ([binomials(ku), binomials(kv)], [binomials(2 * ku), binomials(2 * kv)]);
         let factor = |n: usize| single[0][n % (ku + 1)] * single[1][n / (ku + 1)];
         let scaled: Vec<f64> = self.net.iter().enumerate().map(|(n, x)| x * factor(n / self.dim)).collect();
@@ -230,13 +231,6 @@ impl Piece {
 #[inline]
 fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// The row `n` of Pascal's triangle.
-#[inline]
-fn binomials(n: usize) -> Vec<f64> {
-    let mut row = Row::new(n);
-    (0..=n).map(|_| row.next()).collect()
 }
 
 /// The derivatives of that order of the Bernstein polynomials of that degree.
