@@ -21,10 +21,10 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
-use crate::generate::form::IntervalForm;
-use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
+use crate::plan::form::IntervalForm;
+use crate::plan::patch_form::{PatchForm, factored_text};
 use crate::state;
 
 /// The work for the factors of denominators.
