@@ -113,6 +113,7 @@ mod curve;
 mod domain;
 mod error;
 mod form;
+pub mod generated;
 #[cfg(feature = "laws")]
 pub mod laws;
 #[cfg(feature = "mesh")]
