@@ -13,9 +13,12 @@ mod domain;
 mod emit;
 mod eval;
 mod explain;
+mod layout;
 mod lsp;
 mod name;
+mod new;
 mod output;
+mod shell;
 mod spec;
 mod table;
 
@@ -31,9 +34,13 @@ fn main() -> ExitCode {
         Command::Emit(arguments) => emit::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Fmt(arguments) => layout::run(&arguments),
         Command::Lsp(_) => lsp::run(),
+        Command::New(arguments) => new::run(&arguments),
         Command::Table(arguments) => catalogue::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments),
+        Command::Man(arguments) => shell::man(&arguments),
     };
     status.into()
 }

@@ -62,7 +62,9 @@ pub fn family(
 
 /// Why no code is generated for a family of any size; `None` where it is.
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    let message = if family.is_rational() {
+    let message = if !family.analytic.is_empty() {
+        "no code is generated for families with sin, cos, exp or pi yet"
+    } else if family.is_rational() {
         "no code is generated for families with denominators in the domain variable yet"
     } else if family.leaves_an_end_out() {
         "no code is generated for families on a domain without its ends yet"
@@ -156,7 +158,11 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last || family.is_rational() || !floats::of_family(family) {
+        if family.name == last
+            || family.is_rational()
+            || !family.analytic.is_empty()
+            || !floats::of_family(family)
+        {
             continue;
         }
         let mut error = floats::direct(family);

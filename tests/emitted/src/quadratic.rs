@@ -98,11 +98,7 @@ impl<S: basis_runtime::Scalar> QuadraticBezier<S> {
         let x2 = x * x;
         let c0 = S::of(1.0) - self.lambda;
         let c1 = S::of(2.0) + self.lambda;
-        [
-            v1::bernstein([S::of(1.0), c0], s, x) * s2,
-            c1 * (s * x),
-            v1::bernstein([c0, S::of(1.0)], s, x) * x2,
-        ]
+        [v1::bernstein([S::of(1.0), c0], s, x) * s2, c1 * (s * x), v1::bernstein([c0, S::of(1.0)], s, x) * x2]
     }
 
     /// The derivatives of the given order in `t` of `[b[0], b[1], b[2]]`; all zero above the degree 3.
@@ -134,10 +130,7 @@ impl<S: basis_runtime::Scalar> QuadraticBezier<S> {
 
     /// The control points that make the same curve in the Bernstein basis of the same degree.
     #[must_use]
-    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 3],
-    ) -> [P; 4] {
+    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 3]) -> [P; 4] {
         basis_runtime::Basis::to_bernstein(self, points)
     }
 
@@ -162,10 +155,7 @@ impl<S: basis_runtime::Scalar> QuadraticBezier<S> {
     /// # Errors
     ///
     /// When `f` is not positive or a number is not finite, and where the control points do not determine the derivatives: `λ = -2`, `λ = 1`.
-    pub fn curve_after<
-        B: basis_runtime::Basis<Scalar = S>,
-        P: basis_runtime::Point<Scalar = S>,
-    >(
+    pub fn curve_after<B: basis_runtime::Basis<Scalar = S>, P: basis_runtime::Point<Scalar = S>>(
         &self,
         curve: &basis_runtime::Curve<B, P>,
         contact: basis_runtime::Contact<S>,
@@ -195,10 +185,7 @@ impl<S: basis_runtime::Scalar> QuadraticBezier<S> {
     /// # Errors
     ///
     /// When `f` is not positive or a number is not finite, and where the control points do not determine the derivatives: `λ = -2`, `λ = 1`.
-    pub fn curve_before<
-        B: basis_runtime::Basis<Scalar = S>,
-        P: basis_runtime::Point<Scalar = S>,
-    >(
+    pub fn curve_before<B: basis_runtime::Basis<Scalar = S>, P: basis_runtime::Point<Scalar = S>>(
         &self,
         curve: &basis_runtime::Curve<B, P>,
         contact: basis_runtime::Contact<S>,
@@ -241,19 +228,13 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for QuadraticBezier<S> {
     }
 
     #[inline]
-    fn bind<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 3],
-    ) -> Self::Form<P> {
+    fn bind<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 3]) -> Self::Form<P> {
         let c0 = (-S::of(2.0) - self.lambda) * S::of(0.5);
         let c1 = S::of(2.0) + self.lambda;
         let c2 = S::of(0.5) * self.lambda;
         basis_runtime::EndpointForm::new(
             [points[0], points[2]],
-            [
-                v1::combine(points, [c0, c1, c0]),
-                v1::combine(points, [c2, S::of(0.0), -c2]),
-            ],
+            [v1::combine(points, [c0, c1, c0]), v1::combine(points, [c2, S::of(0.0), -c2])],
         )
     }
 
@@ -282,10 +263,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for QuadraticBezier<S> {
                 v1::check_end("QuadraticBezier", 3, "λ = -2", c0)?;
                 points[0] = d0;
                 points[1] = v1::combine(&[d0, d1], [S::of(1.0), r0]);
-                points[2] = v1::combine(
-                    &[d0, d1, d2],
-                    [S::of(1.0), -r1, -S::of(0.5) * r1],
-                );
+                points[2] = v1::combine(&[d0, d1, d2], [S::of(1.0), -r1, -S::of(0.5) * r1]);
             }
             _ => return v1::end_points(self, derivatives, points, false),
         }
@@ -315,10 +293,7 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for QuadraticBezier<S> {
                 let r1 = S::of(1.0) / c1;
                 v1::check_end("QuadraticBezier", 3, "λ = 1", c0)?;
                 v1::check_end("QuadraticBezier", 3, "λ = -2", c1)?;
-                points[0] = v1::combine(
-                    &[d0, d1, d2],
-                    [S::of(1.0), r0, -S::of(0.5) * r0],
-                );
+                points[0] = v1::combine(&[d0, d1, d2], [S::of(1.0), r0, -S::of(0.5) * r0]);
                 points[1] = v1::combine(&[d0, d1], [S::of(1.0), -r1]);
                 points[2] = d0;
             }
@@ -383,22 +358,12 @@ pub fn g1<S: basis_runtime::Scalar, P: basis_runtime::Point<Scalar = S>>(
         core::ops::Bound::Included(1.0),
         "-2 < λ2 <= 1",
     )?;
-    v1::check_shape(
-        "G1",
-        "δ",
-        delta,
-        core::ops::Bound::Excluded(0.0),
-        core::ops::Bound::Unbounded,
-        "0 < δ",
-    )?;
+    v1::check_shape("G1", "δ", delta, core::ops::Bound::Excluded(0.0), core::ops::Bound::Unbounded, "0 < δ")?;
     let c0 = (lambda2 + S::of(2.0)) * delta;
     let r0 = S::of(1.0) / c0;
     let c1 = -S::of(2.0) - lambda1;
     let c2 = S::of(2.0) + S::of(2.0) * delta + delta * lambda2 + lambda1;
-    Ok([
-        v1::check_point(p[2])?,
-        v1::check_point(v1::combine(&[p[1], p[2]], [c1 * r0, c2 * r0]))?,
-    ])
+    Ok([v1::check_point(p[2])?, v1::check_point(v1::combine(&[p[1], p[2]], [c1 * r0, c2 * r0]))?])
 }
 
 /// The curve Q that continues a curve P with a common curvature: P'(1) = δ Q'(0) and P''(1) = δ^2 Q''(0) + c Q'(0).
@@ -460,22 +425,8 @@ pub fn g2<S: basis_runtime::Scalar, P: basis_runtime::Point<Scalar = S>>(
         core::ops::Bound::Excluded(1.0),
         "-2 < λ2 < 1",
     )?;
-    v1::check_shape(
-        "G2",
-        "δ",
-        delta,
-        core::ops::Bound::Excluded(0.0),
-        core::ops::Bound::Unbounded,
-        "0 < δ",
-    )?;
-    v1::check_shape(
-        "G2",
-        "c",
-        c,
-        core::ops::Bound::Unbounded,
-        core::ops::Bound::Unbounded,
-        "c",
-    )?;
+    v1::check_shape("G2", "δ", delta, core::ops::Bound::Excluded(0.0), core::ops::Bound::Unbounded, "0 < δ")?;
+    v1::check_shape("G2", "c", c, core::ops::Bound::Unbounded, core::ops::Bound::Unbounded, "c")?;
     let c0 = (lambda2 + S::of(2.0)) * delta;
     let r0 = S::of(1.0) / c0;
     let c1 = -S::of(2.0) - lambda1;
@@ -485,12 +436,12 @@ pub fn g2<S: basis_runtime::Scalar, P: basis_runtime::Point<Scalar = S>>(
     let c4 = -S::of(1.0) + lambda1;
     let c5 = (S::of(1.0) - lambda2) * delta * delta * (-delta);
     let r2 = S::of(1.0) / c5;
-    let c6 = (lambda1 + S::of(2.0)) * (-c + (S::of(2.0) + S::of(2.0) * delta) * delta)
-        * S::of(0.5);
+    let c6 = (lambda1 + S::of(2.0)) * (-c + (S::of(2.0) + S::of(2.0) * delta) * delta) * S::of(0.5);
     let c7 = (S::of(2.0) * c
         + (-S::of(2.0) + (-S::of(4.0) - S::of(2.0) * delta) * delta) * delta
         + S::of(2.0) * delta * delta * delta * lambda2
-        + (c + (-S::of(4.0) - S::of(2.0) * delta) * delta) * lambda1) * S::of(0.5);
+        + (c + (-S::of(4.0) - S::of(2.0) * delta) * delta) * lambda1)
+        * S::of(0.5);
     Ok([
         v1::check_point(p[2])?,
         v1::check_point(v1::combine(&[p[1], p[2]], [c1 * r0, c2 * r0]))?,

@@ -74,9 +74,7 @@ impl<S: basis_runtime::Scalar> Serendipity<S> {
     #[inline]
     #[must_use]
     pub const fn new() -> Self {
-        Self {
-            scalar: core::marker::PhantomData,
-        }
+        Self { scalar: core::marker::PhantomData }
     }
 
     /// The values `[b[0], …, b[7]]` at `[ξ, η]`.
@@ -114,10 +112,7 @@ impl<S: basis_runtime::Scalar> Serendipity<S> {
 
     /// The control points of the same patch in the Bernstein basis of the same degree.
     #[must_use]
-    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 8],
-    ) -> [P; 9] {
+    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 8]) -> [P; 9] {
         basis_runtime::BoxBasis::to_bernstein(self, points)
     }
 }

@@ -183,10 +183,7 @@ impl<S: basis_runtime::Scalar> Cubic<S> {
 
     /// The control points of the same patch in the Bernstein basis of the same degree.
     #[must_use]
-    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(
-        &self,
-        points: &[P; 10],
-    ) -> [P; 10] {
+    pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 10]) -> [P; 10] {
         basis_runtime::SimplexBasis::to_bernstein(self, points)
     }
 }
@@ -229,15 +226,10 @@ impl<S: basis_runtime::Scalar> basis_runtime::TriangularBasis for Cubic<S> {
     type EdgeValues = [S; 4];
     type EdgePoints<T: Copy> = [T; 4];
     type EdgeBernstein<T: Copy> = [T; 4];
-    type EdgeForm<P: basis_runtime::Point<Scalar = S>> = basis_runtime::BernsteinForm<
-        P,
-        4,
-    >;
+    type EdgeForm<P: basis_runtime::Point<Scalar = S>> = basis_runtime::BernsteinForm<P, 4>;
     const OWN_EDGES: bool = true;
     #[inline]
-    fn edge_form<P: basis_runtime::Point<Scalar = S>>(
-        points: &[P; 4],
-    ) -> Self::EdgeForm<P> {
+    fn edge_form<P: basis_runtime::Point<Scalar = S>>(points: &[P; 4]) -> Self::EdgeForm<P> {
         basis_runtime::BernsteinForm::new(*points)
     }
 }
