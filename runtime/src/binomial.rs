@@ -17,28 +17,20 @@ pub(crate) const fn binomials<const N: usize>() -> [f64; N] {
     row
 }
 
-/// The row `n` of Pascal's triangle, from its start; zeros after its end.
-#[cfg(feature = "alloc")]
-pub(crate) struct Row {
-    degree: usize,
-    index: usize,
-    value: f64,
+/// `binomial(n, k + 1)` from `binomial(n, k)`.
+#[inline]
+pub(crate) fn after(binomial: f64, n: usize, k: usize) -> f64 {
+    binomial * (n - k) as f64 / (k + 1) as f64
 }
 
-#[cfg(feature = "alloc")]
-impl Row {
-    #[inline]
-    pub(crate) fn new(degree: usize) -> Self {
-        Self { degree, index: 0, value: 1.0 }
-    }
-
-    #[inline]
-    pub(crate) fn next(&mut self) -> f64 {
-        let value = self.value;
-        self.value = value * (self.degree - self.index.min(self.degree)) as f64 / (self.index + 1) as f64;
-        self.index += 1;
-        value
-    }
+/// The row `n` of Pascal's triangle, `binomial(n, 0)` to `binomial(n, n)`.
+#[inline]
+pub(crate) fn row(n: usize) -> impl Iterator<Item = f64> {
+    (0..=n).scan(1.0, move |next, k| {
+        let binomial = *next;
+        *next = after(binomial, n, k);
+        Some(binomial)
+    })
 }
 
 /// The number of ways to choose `k` of `n`.

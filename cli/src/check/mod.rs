@@ -9,8 +9,9 @@ mod report;
 mod rows;
 mod statements;
 mod text;
+mod watch;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use basis_engine::{Diagnostic, Sources};
@@ -19,18 +20,39 @@ use crate::args::{CheckArguments, Format};
 use crate::certificates::{self, Manifest};
 use crate::coq;
 use crate::output::{self, Status};
+use crate::spec::STDIN;
 
-/// Checks everything that the arguments name, and prints it.
+/// Checks everything that the arguments name, and prints it; with `--watch` again and again.
 pub(crate) fn run(arguments: &CheckArguments) -> Status {
+    let input = arguments.paths.iter().any(|path| path == Path::new(STDIN));
+    if input && (arguments.watch || arguments.certificates.is_some()) {
+        let (what, why) = if arguments.watch {
+            ("--watch", "it does not change")
+        } else {
+            ("--certificates", "`basis verify` could not read it again")
+        };
+        let error = output::error(format!("standard input cannot be checked with `{what}`: {why}"));
+        output::complain(&(error.help("name a file").render(&Sources::default(), true) + "\n"));
+        return Status::Unusable;
+    }
+    if arguments.watch {
+        return watch::run(arguments);
+    }
+    once(arguments, &mut Vec::new())
+}
+
+/// Checks everything that the arguments name, prints it, and notes the files that were read.
+fn once(arguments: &CheckArguments, read: &mut Vec<PathBuf>) -> Status {
     let entries = files::find(&arguments.paths);
     let mut exports = Exports {
         certificates: arguments.certificates.as_deref().map(|dir| (dir, Manifest::new(&arguments.paths))),
         coq: arguments.coq.as_deref().map(|dir| (dir, coq::Export::default())),
         format: arguments.format,
+        quiet: arguments.quiet,
         status: Status::Fine,
     };
     let status = match arguments.format {
-        Format::Text => as_text(entries, &mut exports),
+        Format::Text => as_text(entries, arguments.quiet, &mut exports, read),
         Format::Json => as_json(entries, &mut exports),
     };
     status.max(exports.finish())
@@ -41,6 +63,8 @@ struct Exports<'a> {
     certificates: Option<(&'a Path, Manifest)>,
     coq: Option<(&'a Path, coq::Export)>,
     format: Format,
+    /// Whether only errors are printed, and what is not exported.
+    quiet: bool,
     status: Status,
 }
 
@@ -80,6 +104,7 @@ impl Exports<'_> {
             match export.finish(folder) {
                 Ok(said) => {
                     match self.format {
+                        Format::Text if self.quiet && export.is_complete() => {}
                         Format::Text => self.status = self.status.max(output::print(&said)),
                         Format::Json => output::complain(&said), // standard output has one value of JSON
                     }
@@ -100,7 +125,12 @@ impl Exports<'_> {
 }
 
 /// Every file is printed when it is done.
-fn as_text(entries: Vec<files::Entry>, exports: &mut Exports<'_>) -> Status {
+fn as_text(
+    entries: Vec<files::Entry>,
+    quiet: bool,
+    exports: &mut Exports<'_>,
+    read: &mut Vec<PathBuf>,
+) -> Status {
     let start = Instant::now();
     let mut status = Status::Fine;
     let mut summary = text::Summary::default();
@@ -112,10 +142,14 @@ fn as_text(entries: Vec<files::Entry>, exports: &mut Exports<'_>) -> Status {
         exports.add(&outcome);
         summary.add(&outcome);
         published::collect(&outcome, &mut statements);
-        if outcome.readable {
+        read.extend(outcome.sources.iter().filter_map(|(_, source)| source.path.clone()));
+        if outcome.readable && !quiet {
             status = status.max(output::print(&text::file(&outcome, output::width())));
         }
         output::complain(&messages.render(&outcome));
+    }
+    if quiet {
+        return status;
     }
     status = status.max(output::print(&published::text(&statements, output::width())));
     status.max(output::print(&summary.line(start.elapsed())))

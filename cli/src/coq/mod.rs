@@ -225,6 +225,10 @@ impl Text {
                 names: &self.names,
                 obligations: &obligations,
             };
+            let Some(claimed) = claimed else {
+                missing.push((k, "a formula without a counterpart"));
+                continue;
+            };
             match subject.theorems(&name, &decided.claim, claimed, &decided.verdict) {
                 Ok(theorems) => {
                     let line =

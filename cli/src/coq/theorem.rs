@@ -68,6 +68,13 @@ impl Subject<'_> {
         proof: &Proof,
     ) -> Result<String, Missing> {
         let (frame, boxed, variables, certificates) = match proof.statement() {
+            Statement::Zero { value, domain } if self.family.is_simplex() && self.family.is_rational() => {
+                // Denominators do not vanish on the simplex alone.
+                let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
+                let chart = chart.map_err(|_| "a domain that has no chart")?;
+                let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
+                (frame, Vec::new(), Vec::new(), (String::new(), String::new()))
+            }
             Statement::Zero { .. } => {
                 let frame = Frame::new(self.family, self.names, &claimed.fixed, None);
                 (frame, Vec::new(), Vec::new(), (String::new(), String::new()))

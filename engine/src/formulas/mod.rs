@@ -4,7 +4,9 @@
 //! The engine itself decides nothing by them. They are read from the spec a second time, by code that shares only the
 //! syntax tree with the expansion in `model`; where the two read differently, what is exported is not proved.
 
+mod claims;
 mod read;
+mod value;
 
 use std::rc::Rc;
 
@@ -118,6 +120,6 @@ pub struct Formulas {
     pub definitions: Vec<Definition>,
     /// The definitions of the basis functions, in the order of their indices.
     pub functions: Vec<usize>,
-    /// The claims, in the order of the item.
-    pub claims: Vec<Claimed>,
+    /// The claims, in the order of the item; nothing for one without a counterpart, such as an integral.
+    pub claims: Vec<Option<Claimed>>,
 }

@@ -1,10 +1,10 @@
 //! Functions as text, in the factored form in which they are evaluated.
 
-use super::form::{FunctionForm, IntervalForm};
-use super::patch_form::{PatchForm, PatchFunction};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
+use crate::plan::form::{FunctionForm, IntervalForm};
+use crate::plan::patch_form::{PatchForm, PatchFunction};
 use basis_prover::collections::list::Listed;
 
 /// A function on an interval as a product: number · polynomial · powers of the distances to both ends.
@@ -44,6 +44,10 @@ fn distances(var: Var, low: &Rational, high: &Rational) -> [Poly; 2] {
 /// A polynomial times powers, over a denominator; a number stands before the product where the polynomial would have
 /// fractions.
 fn product(whole: &Poly, powers: &[(Poly, u32)], denom: &Poly, names: &[String]) -> String {
+    // As one writes it: without a minus sign in front of what stands below.
+    if denom.display(names).to_string().starts_with('-') {
+        return product(&-whole, powers, &-denom, names);
+    }
     let content = whole.numeric_content();
     let alone = powers.iter().all(|(_, power)| *power == 0) && denom.is_one();
     let (number, inner) = if content.is_integer() || alone {

@@ -1,20 +1,17 @@
 //! From a family and its verdicts to Rust code.
 //!
 //! The code is small: the shape values, the functions in factored form, the tables that bind control points.
-//! Everything that does not depend on the family is in the runtime. What kind of numbers stand in the code is
-//! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for
-//! those on simplices and boxes, which other targets can share.
+//! Everything that does not depend on the family is in the runtime. What is computed, and in which order, is decided in
+//! [`crate::plan`], which other targets share; `rust` prints it.
 
 mod code;
 mod ends;
-pub mod form;
 mod formula;
 mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
-pub mod patch_form;
-mod weights;
+mod rust;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -22,17 +19,15 @@ use quote::quote_spanned;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
+use crate::plan::form::IntervalForm;
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
 use code::shell::Shell;
 use code::tokens::{doc, site};
 use code::{floats, names};
-use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use formula::{factored, factored_on_box};
-#[cfg(any(test, feature = "tools"))]
-pub(crate) use weights::{combination, zero, zeros};
 
 /// How to emit a family.
 #[derive(Clone, Debug)]
@@ -52,6 +47,16 @@ pub fn family(
     verdicts: &[(Claim, Verdict)],
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
+    if family.is_rational() || family.leaves_an_end_out() {
+        let message = if family.is_rational() {
+            "no code is generated for families with denominators in the domain variable yet"
+        } else {
+            "no code is generated for families on a domain without its ends yet"
+        };
+        let error = Diagnostic::error(family.place.clone(), message);
+        let help = "its claims are proved, `basis explain` and `basis eval` know it; for code, take the numerators as a family on the closed domain";
+        return Err(vec![error.help(help)]);
+    }
     let name = type_name(family, options.name.as_ref()).map_err(|error| vec![error])?;
     let fields = names::fields(family)?;
     let shell = Shell { family, name: name.clone(), fields, runtime: &options.runtime };
@@ -88,7 +93,7 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last || !floats::of_family(family) {
+        if family.name == last || family.is_rational() || !floats::of_family(family) {
             continue;
         }
         let mut error = floats::direct(family);

@@ -1,5 +1,6 @@
 //! De Casteljau's algorithm: values, and the polynomial on a part of the interval.
 
+use crate::binomial::after;
 use crate::vector::lerp;
 use crate::{Point, Scalar};
 
@@ -19,7 +20,7 @@ pub fn eval<P: Point>(points: &[P], x: P::Scalar) -> P {
     rest.iter().enumerate().fold(first, |sum, (k, &point)| {
         power = power * x;
         // Exact: each product and quotient is a whole number, below 2^53 up to degree 52.
-        binomial = binomial * (degree - k) as f64 / (k + 1) as f64;
+        binomial = after(binomial, degree, k);
         sum.scale(s).add_scaled(point, power * P::Scalar::of(binomial))
     })
 }

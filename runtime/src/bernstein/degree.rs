@@ -1,5 +1,6 @@
 //! Degree elevation and differentiation.
 
+use crate::binomial::row;
 use crate::vector::lerp;
 use crate::{Point, Scalar};
 
@@ -56,10 +57,8 @@ pub fn centred_powers<P: Point>(points: &mut [P]) {
             points[i] = points[i - 1].minus(points[i]);
         }
     }
-    let mut binomial = 1.0;
-    for (j, point) in points.iter_mut().enumerate() {
+    for (point, binomial) in points.iter_mut().zip(row(degree)) {
         *point = point.scale(P::Scalar::of(binomial));
-        binomial = binomial * (degree - j) as f64 / (j + 1) as f64;
     }
 }
 

@@ -1,5 +1,6 @@
 //! Products, and the bounds that coefficients give.
 
+use crate::binomial::after;
 use crate::{Point, Scalar, vector};
 
 /// The product `p q`, of degree `m + n`:
@@ -50,13 +51,9 @@ pub(crate) fn bilinear<P: Point, R: Point<Scalar = P::Scalar>>(
             *entry = entry.add_scaled(of(a, q[j]), P::Scalar::of(weight / total));
             weight = weight * ((m - i) * j) as f64 / ((i + 1) * (n - j + 1)) as f64;
         }
-        total = total * (m + n - k) as f64 / (k + 1) as f64;
+        total = after(total, m + n, k);
         // The weight of the first i of the next row: binomial(n, k + 1), later binomial(m, k + 1 - n).
-        row = if k < n {
-            row * (n - k) as f64 / (k + 1) as f64
-        } else {
-            row * (m + n - k) as f64 / (k + 1 - n) as f64
-        };
+        row = if k < n { after(row, n, k) } else { row * (m + n - k) as f64 / (k + 1 - n) as f64 };
     }
 }
 

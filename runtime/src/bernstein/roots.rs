@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::{eval, restrict, split};
 use crate::Scalar;
+use crate::binomial::row;
 
 /// Below this depth a piece is narrower than the distance of two floats.
 const DEPTH: u32 = 56;
@@ -246,10 +247,8 @@ fn polygon_zero<S: Scalar>(coefficients: &[S], rising: bool) -> S {
 #[inline]
 pub(crate) fn multiply_binomials<S: Scalar>(coefficients: &mut [S]) {
     let degree = coefficients.len().saturating_sub(1);
-    let mut binomial = 1.0;
-    for (k, c) in coefficients.iter_mut().enumerate() {
+    for (c, binomial) in coefficients.iter_mut().zip(row(degree)) {
         *c = *c * S::of(binomial);
-        binomial = binomial * (degree - k) as f64 / (k + 1) as f64;
     }
 }
 

@@ -5,6 +5,7 @@ mod kurbo;
 #[cfg(feature = "lyon_geom")]
 mod lyon_geom;
 
+use crate::binomial::row;
 use crate::{Basis, Curve, CurveError, Point, Scalar, bernstein};
 
 /// A point of the plane, as other crates take it.
@@ -36,11 +37,10 @@ where
 fn reduce<P: Point>(points: &mut [P]) -> Option<&mut [P]> {
     let degree = points.len().checked_sub(1).filter(|&degree| degree > 0)?;
     let (mut difference, mut largest) = (P::zero(), P::Scalar::ZERO);
-    let mut binomial = if degree % 2 == 0 { 1.0 } else { -1.0 };
-    for (k, &point) in points.iter().enumerate() {
-        difference = difference.add_scaled(point, P::Scalar::of(binomial));
+    for ((k, &point), binomial) in points.iter().enumerate().zip(row(degree)) {
+        let sign = if (degree - k) % 2 == 0 { 1.0 } else { -1.0 };
+        difference = difference.add_scaled(point, P::Scalar::of(sign * binomial));
         largest = (0..P::DIM).fold(largest, |largest, d| largest.max(point.component(d).abs()));
-        binomial *= -((degree - k) as f64) / (k + 1) as f64;
     }
     // Each product has a binomial coefficient as a factor; their sum is 2ⁿ, of n + 1 products.
     let sum = (0..degree).fold((degree + 1) as f64, |sum, _| 2.0 * sum);

@@ -3,6 +3,7 @@
 // All of it is compiled once for each set of vector instructions, inside of the functions that name them.
 #![allow(clippy::inline_always)]
 
+use crate::binomial::after;
 use crate::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
@@ -59,7 +60,7 @@ fn component<const FUSED: bool, P: Point>(
     let mut powers = [P::Scalar::ONE; TILE];
     let mut binomial = 1.0;
     for (k, point) in rest.iter().enumerate() {
-        binomial = binomial * (rest.len() - k) as f64 / (k + 1) as f64;
+        binomial = after(binomial, rest.len(), k);
         let (binomial, c) = (P::Scalar::of(binomial), point.component(d));
         for i in 0..TILE {
             powers[i] = powers[i] * x[i];

@@ -3,6 +3,7 @@
 //! A net of degree `n` holds one element for each index of the order `n`, in lexicographic order; see
 //! [`SimplexIndex`](super::SimplexIndex).
 
+use super::index::TriangleIndex;
 use crate::{Point, Scalar};
 
 /// One step down: `c[β] = Σ_j a[j] c[β + e_j]` for all `β` of the order `n - 1`, in place.
@@ -107,4 +108,28 @@ pub(crate) fn triangle_point<P: Point>(net: &[P], factors: &[f64], [u, v, w]: [P
         end = start;
     }
     sum
+}
+
+/// The net of the part of a triangular patch in a smaller triangle: the corner at `place` is moved to the point `at`.
+pub(super) fn moved_corner<P: Point, N: AsRef<[P]> + AsMut<[P]> + Copy>(
+    mut net: N,
+    n: usize,
+    place: usize,
+    at: [P::Scalar; 3],
+) -> N {
+    // The blossom with m arguments at the new corner is the net after m steps of de Casteljau's algorithm.
+    let mut steps = net;
+    for m in 0..=n {
+        if m > 0 {
+            contract(steps.as_mut(), n - m + 1, &at);
+        }
+        for (position, index) in TriangleIndex::all(n).enumerate() {
+            if index.components()[place] == m {
+                let mut rest = index.components();
+                rest[place] = 0;
+                net.as_mut()[position] = steps.as_ref()[TriangleIndex::new(rest).position()];
+            }
+        }
+    }
+    net
 }

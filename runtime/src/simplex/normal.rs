@@ -13,8 +13,7 @@
 
 use super::TriangularBasis;
 use super::index::TriangleIndex;
-use super::net::contract;
-use super::patch::TriangularPatch;
+use super::net::{contract, moved_corner};
 use crate::binomial::binomial;
 use crate::vector::{cross, direction, dot, largest_component};
 use crate::{Array, Point3, Scalar};
@@ -52,7 +51,7 @@ pub(crate) fn normal<B: TriangularBasis, P: Point3<Scalar = B::Scalar>>(
             continue;
         }
         // A triangle behind the point, outside of the domain, is turned over.
-        let part = TriangularPatch::<B, P>::moved_corner(net, place, point);
+        let part = moved_corner(net, degree, place, point);
         let normal = corner_limit(part.as_ref(), degree, error, place)?;
         let normal = if x < P::Scalar::ZERO { normal.scale(-P::Scalar::ONE) } else { normal };
         match limit {

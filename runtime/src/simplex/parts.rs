@@ -3,7 +3,7 @@
 use super::bernstein::{TriangularBernsteinOf, TriangularBezier, TriangularBezierOf, elevate};
 use super::edge::TriangleEdge;
 use super::index::TriangleIndex;
-use super::net::contract;
+use super::net::{contract, moved_corner};
 use super::{SimplexBasis, SimplexPatch, TriangularBasis, finish};
 use crate::{Array, Point};
 
@@ -54,7 +54,7 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     pub fn split(&self, edge: TriangleEdge, t: P::Scalar) -> [TriangularBezierOf<B, P>; 2] {
         let [start, end] = edge.corners();
         let at = edge.point(t);
-        [end, start].map(|place| bezier::<B, P>(&Self::moved_corner(self.to_bernstein(), place, at)))
+        [end, start].map(|place| bezier::<B, P>(&moved_corner(self.to_bernstein(), B::DEGREE, place, at)))
     }
 
     /// The part of the patch over the triangle with these corners, each given by its barycentric coordinates: the

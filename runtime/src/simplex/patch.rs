@@ -3,8 +3,8 @@
 use core::fmt::{self, Debug, Formatter};
 
 use super::edge::{EdgeBasis, TriangleEdge};
-use super::index::{SimplexIndex, TriangleIndex};
-use super::net::{contract, triangle_point};
+use super::index::SimplexIndex;
+use super::net::triangle_point;
 use super::normal;
 use super::{SimplexBasis, TriangularBasis, finish, partial};
 use crate::{Array, CountError, Curve, Point, Point3, Scalar};
@@ -196,29 +196,6 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         let last = <B::EdgePoints<P> as Array<P>>::LEN - 1;
         let basis = EdgeBasis::new(self.basis, edge);
         Curve::new(basis, B::EdgePoints::from_fn(|k| points[edge.index(last, k).position()]))
-    }
-
-    /// The Bernstein points of the part of the patch in a smaller triangle: the corners at `place` moved to `at`.
-    pub(crate) fn moved_corner(
-        mut net: B::Bernstein<P>,
-        place: usize,
-        at: [B::Scalar; 3],
-    ) -> B::Bernstein<P> {
-        // The blossom with m arguments at the new corner is the net after m steps of de Casteljau's algorithm.
-        let mut steps = net;
-        for m in 0..=B::DEGREE {
-            if m > 0 {
-                contract(steps.as_mut(), B::DEGREE - m + 1, &at);
-            }
-            for (position, index) in TriangleIndex::all(B::DEGREE).enumerate() {
-                if index.components()[place] == m {
-                    let mut rest = index.components();
-                    rest[place] = 0;
-                    net.as_mut()[position] = steps.as_ref()[TriangleIndex::new(rest).position()];
-                }
-            }
-        }
-        net
     }
 }
 

@@ -10,6 +10,7 @@
 //! if they are all multiples `h[a][b]` of one vector and the form `Σ h[a][b] p^a q^b`, times the sign of the common
 //! factor, has one sign for all steps into the domain.
 
+use crate::binomial::row;
 use crate::vector::{cross, direction, dot, largest_component};
 use crate::{Point, Point3, Scalar};
 
@@ -150,11 +151,9 @@ fn sign_on_steps<S: Scalar>(heights: &[S], [alpha, beta]: [usize; 2], sides: [Si
         for &q_negative in sides[1].signs() {
             // The form on the segment p = x, q = 1 - x of this quadrant, in Bernstein form.
             let mut coefficients = [S::ZERO; 16];
-            let mut binomial = S::ONE;
-            for (a, &height) in heights.iter().enumerate() {
+            for ((a, &height), binomial) in heights.iter().enumerate().zip(row(m)) {
                 let odd = (p_negative && (alpha + a) % 2 == 1) ^ (q_negative && (beta + m - a) % 2 == 1);
-                coefficients[a] = if odd { -height } else { height } / binomial;
-                binomial = binomial * S::from_usize(m - a) / S::from_usize(a + 1);
+                coefficients[a] = if odd { -height } else { height } / S::of(binomial);
             }
             let sign = one_sign(&mut coefficients[..=m], 8)?;
             if *common.get_or_insert(sign) != sign {
