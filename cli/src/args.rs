@@ -109,11 +109,15 @@ pub(crate) struct CheckArguments {
     /// Write a certificate for every family and order into this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) certificates: Option<PathBuf>,
+    /// Write the theorems with proofs for Coq into this folder, a file for every family and order; `make` there has Coq
+    /// check them
+    #[arg(long, value_name = "DIR")]
+    pub(crate) coq: Option<PathBuf>,
     /// Print errors only
     #[arg(short, long, conflicts_with = "format")]
     pub(crate) quiet: bool,
     /// Check again whenever one of the files, or a file that one of them uses, changes
-    #[arg(short, long, conflicts_with_all = ["format", "certificates"])]
+    #[arg(short, long, conflicts_with_all = ["format", "certificates", "coq"])]
     pub(crate) watch: bool,
     /// Spec files, and folders in which every file *.basis is checked; - is standard input, library:NAME is a spec of
     /// the library, library: all
@@ -124,7 +128,7 @@ pub(crate) struct CheckArguments {
 const CHECK_HELP: &str = "\
 Exit status:
   0  every claim is as declared: `prove` is proved, `refute` is refuted
-  1  a claim is not as declared, or a spec has errors
+  1  a claim is not as declared, or a spec has errors; with --coq also if a claim has no counterpart in Coq
   2  a file cannot be read, or the command is used wrongly
 
 Examples:

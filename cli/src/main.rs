@@ -9,6 +9,7 @@ mod args;
 mod catalogue;
 mod certificates;
 mod check;
+mod coq;
 mod domain;
 mod emit;
 mod eval;
