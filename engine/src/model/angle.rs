@@ -10,10 +10,14 @@
 use basis_prover::collections::list::Listed;
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::gcd::content;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+
+/// The work for a common factor of the coefficients of a small polynomial.
+const CONTENT: u64 = 100_000;
 
 /// Which functions a variable stands in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,6 +136,30 @@ pub struct Analytic {
 }
 
 impl Analytic {
+    /// Irreducible polynomials of which the denominators of sin, cos and the like are made: 1 + x², or 1 + x and 1 − x.
+    pub(crate) fn denominators(&self) -> Vec<Poly> {
+        let one = Fraction::constant(Rational::ONE);
+        let mut all = Vec::new();
+        for angle in &self.angles {
+            let x = angle.tangent();
+            if angle.kind == Kind::Circular {
+                all.push((&one + &(&x * &x)).numer().normalized());
+            } else {
+                all.extend([&one + &x, &one - &x].iter().map(|f| f.numer().normalized()));
+            }
+        }
+        // Of degree 1, or 2 without real zeros, in y: irreducible unless its coefficients share a factor.
+        let proper = |(p, angle): (&Poly, &Angle)| {
+            content(p, angle.var, &mut Work::new(CONTENT)).is_some_and(|c| c.as_constant().is_some())
+        };
+        let owners = self
+            .angles
+            .iter()
+            .flat_map(|a| core::iter::repeat_n(a, if a.kind == Kind::Circular { 1 } else { 2 }));
+        let checked: Vec<bool> = all.iter().zip(owners).map(proper).listed();
+        all.into_iter().zip(checked).filter(|(_, fine)| *fine).map(|(p, _)| p).listed()
+    }
+
     /// Whether nothing does.
     pub fn is_empty(&self) -> bool {
         self.angles.is_empty() && self.pi.is_none() && self.exponential.is_none()

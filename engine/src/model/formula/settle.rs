@@ -150,11 +150,10 @@ impl Scope<'_> {
         if let Some(angle) = self.analytic.angle(var) {
             let [low, high] = &angle.ends;
             let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
-            return match at(&range.low) || at(&range.high) {
-                true => {
-                    format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
-                }
-                false => format!("choose a range without this value of `{}`", angle.name),
+            return if at(&range.low) || at(&range.high) {
+                format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
+            } else {
+                format!("choose a range without this value of `{}`", angle.name)
             };
         }
         if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {
