@@ -49,7 +49,11 @@ pub fn family(
 ) -> Result<TokenStream, Vec<Diagnostic>> {
     if family.is_rational() || family.leaves_an_end_out() || !family.analytic.is_empty() {
         let message = if !family.analytic.is_empty() {
-            "no code is generated for families with sin, cos, exp or pi yet"
+            if family.analytic.is_transcendental() {
+                "no code is generated for families with sin, cos, exp or pi yet"
+            } else {
+                "no code is generated for families with shape parameters at the ends of the domain yet"
+            }
         } else if family.is_rational() {
             "no code is generated for families with denominators in the domain variable yet"
         } else {

@@ -6,7 +6,7 @@ use proc_macro2::Span;
 use super::build::{Domain, variable};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range};
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
@@ -20,11 +20,30 @@ use basis_prover::collections::list::{Listed, Mapped};
 /// The name of the number.
 pub(crate) const PI: [&str; 2] = ["pi", "π"];
 
-/// Whether sin, cos, exp and the like, or π, occur in a family.
+/// Whether sin, cos, exp and the like, or π, occur in a family, or a shape parameter at an end of the domain.
 pub(super) fn occur(written: &syntax::Family) -> bool {
-    let mut found = false;
+    let mut found = parametric_ends(written);
     each_expression(written, &mut |expr| found |= mentions(expr));
     found && !written.statements.iter().any(|s| declares_pi(&s.kind))
+}
+
+/// Whether a shape parameter stands at an end of the domain.
+fn parametric_ends(written: &syntax::Family) -> bool {
+    let declared = |name: &String| {
+        written
+            .statements
+            .iter()
+            .any(|s| matches!(&s.kind, StatementKind::Shape(decl) if decl.name.text == *name))
+    };
+    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
+        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
+            || parts(expr).into_iter().any(|part| names(part, declared))
+    }
+    let decls = written.statements.iter().flat_map(|s| match &s.kind {
+        StatementKind::Domain(decls) => decls.as_slice(),
+        _ => &[],
+    });
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names(&limit.value, &declared))
 }
 
 fn declares_pi(kind: &StatementKind) -> bool {
@@ -325,6 +344,9 @@ pub(super) fn declare<'a>(
         let at = Place { slot: slots[k], itself: itself(k), is_domain: k >= shape_count };
         let range = match &all[k] {
             Some(of) => angle(scope, decl, &at, of, &limits[k], (&all, count, &parameters)),
+            None if at.is_domain && limits[k].iter().flatten().any(|l| !l.value.parts.is_empty()) => {
+                linear(scope, decl, &at, &limits[k], count, &parameters)
+            }
             None => plain(scope, decl, &at, &limits[k], written.incomplete),
         };
         let Some(range) = range else {
@@ -337,7 +359,7 @@ pub(super) fn declare<'a>(
     if !fine {
         return None;
     }
-    mirrors(scope, shape_count, &parameters, &limits)?;
+    mirrors(scope, shape_count, &parameters, &limits, count)?;
     scope.analytic.ranges = ranges(scope);
     let domain = parameters.split_off(shape_count);
     if own.is_none() && domain.is_empty() {
@@ -443,6 +465,78 @@ fn plain(
         return None;
     }
     Some(range)
+}
+
+/// The sum at an end of a range.
+fn sum_of(scope: &Scope<'_>, value: &Linear, count: usize) -> Option<Fraction> {
+    let mut sum = Fraction::constant(value.number.clone());
+    for (var, factor, turns) in &value.parts {
+        // A parameter that is no angle stands where it is declared.
+        let angle = scope.analytic.angles.iter().any(|a| a.itself == *var);
+        let var = if angle { *var } else { Var(var.0.checked_sub(count)?) };
+        let mut part = &Fraction::constant(factor.clone()) * &Fraction::var(var);
+        if *turns {
+            part = &part * &Fraction::var(scope.analytic.pi?);
+        }
+        sum = &sum + &part;
+    }
+    if !value.pi.is_zero() {
+        sum = &sum + &(&Fraction::constant(value.pi.clone()) * &Fraction::var(scope.analytic.pi?));
+    }
+    Some(sum)
+}
+
+/// A domain variable whose ends contain shape parameters: y runs from 0 to 1.
+fn linear(
+    scope: &mut Scope<'_>,
+    decl: &RangeDecl,
+    at: &Place,
+    limits: &Limits,
+    count: usize,
+    known: &[Parameter],
+) -> Option<Range> {
+    let name = &decl.name.text;
+    let [Some(low), Some(high)] = limits else {
+        let error = scope.error(decl.name.span, format!("the domain of `{name}` has no end on one side"));
+        scope.report(error.help("write both ends, such as `domain 0 <= t <= α;`"));
+        return None;
+    };
+    let (first, last) = (sum_of(scope, &low.value, count)?, sum_of(scope, &high.value, count)?);
+    let width = &last - &first;
+    let region = Region { ranges: known.mapped(|p| (p.var, p.range.clone())) };
+    if let Err(text) = scope.is_positive(&width, &region) {
+        let message = format!("the ends of the domain of `{name}` are not in order");
+        let error = scope.error(decl.name.span, message).label(text);
+        scope.report(
+            error.help("narrow the ranges of the parameters so that the lower end is below the upper one"),
+        );
+        return None;
+    }
+    let new = Angle {
+        name: name.clone(),
+        kind: Kind::Linear,
+        var: at.slot,
+        itself: at.itself,
+        rate: Rational::ONE,
+        turns: false,
+        shift: Rational::ZERO,
+        low: first.clone(),
+        width,
+        ends: [low.text.clone(), high.text.clone()],
+        declared: declared(name, limits),
+        mirror: Vec::new(),
+    };
+    let own =
+        |text: &str| if text.contains([' ', '+', '-']) { format!("({text})") } else { text.to_string() };
+    scope.names[at.slot.0] = if new.low.is_zero() {
+        format!("{name}/{}", own(&high.text))
+    } else {
+        format!("({name} - {})/({} - {})", own(&low.text), high.text, own(&low.text))
+    };
+    scope.analytic.angles.push(new);
+    scope.ends.push((Fraction::zero(), Fraction::constant(Rational::ONE)));
+    let end = |l: &Bound, x: Rational| if l.included { End::Included(x) } else { End::Excluded(x) };
+    Some(Range { low: end(low, Rational::ZERO), high: end(high, Rational::ONE) })
 }
 
 /// ψ/π at an end of a range that is a multiple of π, or of 1 where the rate is one of π.
@@ -710,20 +804,17 @@ fn mirrors(
     shape_count: usize,
     parameters: &[Parameter],
     limits: &[Limits],
+    count: usize,
 ) -> Option<()> {
     for (k, parameter) in parameters.iter().enumerate().skip(shape_count) {
         let Some(position) = scope.analytic.angles.iter().position(|a| a.var == parameter.var) else {
             continue;
         };
         let angle = scope.analytic.angles[position].clone();
-        let mut reversed = -&Fraction::var(angle.itself);
+        let own = if angle.kind == Kind::Linear { angle.tangent() } else { Fraction::var(angle.itself) };
+        let mut reversed = -&own;
         for end in limits[k].iter().flatten() {
-            let mut sum = Fraction::constant(end.value.number.clone());
-            for (var, factor, _) in &end.value.parts {
-                sum = &sum + &(&Fraction::constant(factor.clone()) * &Fraction::var(*var));
-            }
-            let pi = Fraction::var(scope.analytic.pi?);
-            reversed = &(&reversed + &sum) + &(&Fraction::constant(end.value.pi.clone()) * &pi);
+            reversed = &reversed + &sum_of(scope, &end.value, count)?;
         }
         if let Ok(Some(y)) = scope.angle_at(&angle, &reversed, Span::call_site()) {
             scope.analytic.angles[position].mirror = vec![(angle.var, y), (angle.itself, reversed)];

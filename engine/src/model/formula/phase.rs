@@ -270,6 +270,10 @@ impl Scope<'_> {
         value: &Fraction,
         span: Span,
     ) -> Result<Option<Fraction>, Wrong> {
+        if angle.kind == Kind::Linear {
+            let rise = self.fits(self.budget.sub(value, &angle.low), span);
+            return Ok(rise.and_then(|rise| self.fits(self.budget.div(&rise, &angle.width), span)));
+        }
         let linear = Linear::of(value, self.analytic.pi).and_then(|linear| linear.in_place_of(angle));
         let Some(psi) = linear else {
             let message = format!("the value of `{}` is not linear", angle.name);

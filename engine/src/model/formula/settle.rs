@@ -81,6 +81,21 @@ impl Scope<'_> {
         fine
     }
 
+    /// Whether a function of shape parameters is positive on a box; where it is not, or that it is undecided.
+    ///
+    /// # Errors
+    /// The point as text.
+    pub(crate) fn is_positive(&mut self, value: &Fraction, region: &Region) -> Result<(), String> {
+        let domain = Rc::new(Domain::of(region.clone()));
+        let statement = Statement::Sign { value: value.quotient(), relation: Relation::Positive, domain };
+        let of = format!("{} > 0", value.display(&self.names));
+        match self.judge(of, Goal::Holds(statement), 1) {
+            Ok(()) => Ok(()),
+            Err(Open::Fails(point)) => Err(format!("at {}", self.own(value.numer(), &point))),
+            Err(Open::Undecided(left)) => Err(left),
+        }
+    }
+
     /// Has a goal decided; what the error is about if it does not hold.
     fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Open> {
         let proof = self.library.judge().judge(&goal, budget)?;
