@@ -21,7 +21,7 @@ pub(crate) fn run(arguments: &TableArguments) -> Status {
     let mut status = Status::Fine;
     let mut text = String::from(HEADER);
     for entry in files::find(&arguments.paths) {
-        let outcome = prove::file(entry);
+        let outcome = prove::file(entry, prove::Formal::Left);
         status = status.max(outcome.status());
         for problem in outcome.all_diagnostics() {
             output::complain(&(problem.render(&outcome.sources, true) + "\n\n"));
