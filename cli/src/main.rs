@@ -9,6 +9,7 @@ mod args;
 mod catalogue;
 mod certificates;
 mod check;
+mod coq;
 mod domain;
 mod emit;
 mod eval;
@@ -18,6 +19,7 @@ mod lsp;
 mod name;
 mod new;
 mod output;
+mod plot;
 mod shell;
 mod spec;
 mod table;
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         Command::Fmt(arguments) => layout::run(&arguments),
         Command::Lsp(_) => lsp::run(),
         Command::New(arguments) => new::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments),
         Command::Table(arguments) => catalogue::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
         Command::Completions(arguments) => shell::completions(&arguments),

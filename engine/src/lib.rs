@@ -30,6 +30,8 @@ pub mod diagnostic;
 pub mod emit;
 #[cfg(any(test, feature = "tools"))]
 pub mod explain;
+#[cfg(any(test, feature = "tools"))]
+pub mod formulas;
 pub mod generate;
 pub mod model;
 pub mod plan;
@@ -51,6 +53,8 @@ use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use advice::closest;
+#[cfg(any(test, feature = "tools"))]
+pub use basis_prover::Coordinate;
 pub use claim::{Claim, ClaimKind};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::{Family, Library, Selected};

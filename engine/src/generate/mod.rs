@@ -62,8 +62,10 @@ pub fn family(
 
 /// Why no code is generated for a family of any size; `None` where it is.
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    let message = if !family.analytic.is_empty() {
+    let message = if family.analytic.is_transcendental() {
         "no code is generated for families with sin, cos, exp or pi yet"
+    } else if !family.analytic.is_empty() {
+        "no code is generated for families with shape parameters at the ends of the domain yet"
     } else if family.is_rational() {
         "no code is generated for families with denominators in the domain variable yet"
     } else if family.leaves_an_end_out() {

@@ -51,7 +51,7 @@ impl<'a> FamilySteps<'a> {
         Some(Self { family, form })
     }
 
-    /// How many coordinates a point of the domain has.
+    /// The number of coordinates of a point of the domain.
     pub fn coordinates(&self) -> usize {
         match &self.form {
             Form::Interval(_) => 1,
