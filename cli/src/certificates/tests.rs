@@ -245,7 +245,7 @@ fn kind(place: &str) -> String {
     place.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<_>>().join("/")
 }
 
-/// How many places of one kind are corrupted in each claim.
+/// The number of places of one kind that are corrupted in each claim.
 const ALIKE: usize = 2;
 
 #[test]
