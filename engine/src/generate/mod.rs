@@ -47,6 +47,11 @@ pub fn family(
     verdicts: &[(Claim, Verdict)],
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
+    if !family.pieces.is_empty() {
+        let message = "no code is generated for families on several spans yet";
+        let error = Diagnostic::error(family.place.clone(), message);
+        return Err(vec![error.help("for code, write a family for each span")]);
+    }
     if family.is_rational() || family.leaves_an_end_out() || !family.analytic.is_empty() {
         let message = if !family.analytic.is_empty() {
             if family.analytic.is_transcendental() {
