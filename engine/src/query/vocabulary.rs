@@ -131,7 +131,6 @@ pub(super) const WORDS: [Word; 58] = [
         ";",
         "the functions are linearly independent for all shape values; `except λ = -3` names those at which they are not",
     ),
-    entry("smooth", Property, "($0)", "continuous derivatives at the inner knots of several spans"),
     entry(
         "continuity",
         Property,

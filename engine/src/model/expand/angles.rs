@@ -36,15 +36,17 @@ fn parametric_ends(written: &syntax::Family) -> bool {
             .iter()
             .any(|s| matches!(&s.kind, StatementKind::Shape(decl) if decl.name.text == *name))
     };
-    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
-        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
-            || parts(expr).into_iter().any(|part| names(part, declared))
-    }
     let decls = written.statements.iter().flat_map(|s| match &s.kind {
         StatementKind::Domain(decls) => decls.as_slice(),
         _ => &[],
     });
-    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names(&limit.value, &declared))
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names_one(&limit.value, &declared))
+}
+
+/// Whether an expression contains one of some names.
+fn names_one(expr: &Expr, wanted: &dyn Fn(&String) -> bool) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) if wanted(name))
+        || parts(expr).into_iter().any(|part| names_one(part, wanted))
 }
 
 fn declares_pi(kind: &StatementKind) -> bool {

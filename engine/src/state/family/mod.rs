@@ -24,6 +24,8 @@ use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
 #[cfg(any(test, feature = "tools"))]
+pub(crate) use identity::moves;
+#[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
 
