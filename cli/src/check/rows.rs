@@ -22,7 +22,7 @@ const MAX_TERMS: usize = 6;
 pub(crate) struct Row {
     /// The claim, with the orders and the number of claims that the row stands for.
     pub(crate) claim: String,
-    /// What is known about it.
+    /// The verdict, beside what is declared.
     pub(crate) standing: Standing,
     /// The method of the proof, the counterexample, or what is left to decide.
     pub(crate) reason: String,
@@ -35,12 +35,13 @@ pub(crate) struct Row {
 /// The rows of a family, whose orders are `items`.
 pub(crate) fn rows(items: &[Decided]) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (Part { standing, text, .. }, part) in parts(items) {
+    for (Part { standing, text, range, .. }, part) in parts(items) {
         if items.len() == 1 && part.len() <= FEW {
             let each = |e: &Entry<'_>| row(standing, e.decided.claim.text.clone(), reason(e.decided), &[*e]);
             rows.extend(part.iter().map(each));
         } else {
-            let claim = describe(items, &text, &part);
+            let statement = if range.is_empty() { text } else { format!("{text} {range}") };
+            let claim = describe(items, &statement, &part);
             rows.push(row(standing, claim, reasons(items, &part), &part));
         }
     }
@@ -78,7 +79,7 @@ fn reason(decided: &DecidedClaim) -> String {
         Verdict::Refuted(witness) => {
             let point = short_point(witness);
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
-            format!("{} = {}{place}", short_sum(&witness.of), witness.value)
+            format!("{} = {}{place}", short_sum(&witness.of), witness.value_text())
         }
         Verdict::Undecided(left) => left.clone(),
     }
@@ -108,7 +109,7 @@ fn short_sum(formula: &str) -> String {
 
 /// The point of a counterexample; large nets are left to the JSON output.
 fn short_point(witness: &Witness) -> String {
-    let points = witness.points().0.len();
+    let points = witness.points().listed.len();
     if points <= MAX_POINTS {
         return witness.point();
     }

@@ -4,15 +4,18 @@ use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
-use super::code::scalar::{ScalarCode, Variable};
+use super::Options;
 use super::code::tokens::{doc, site};
 use super::code::{docs, floats, names, shell};
-use super::weights;
+use super::rust::{self, Body, Surroundings};
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Parameter, label};
+use crate::plan::Input;
+use crate::plan::join::{self as plan, Determined};
 use crate::state::Verdict;
 use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
+use crate::weights;
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -30,9 +33,6 @@ struct PointArgument<'a> {
     single: Option<&'a GivenPoint>,
 }
 
-/// A patch with the points that are determined, by their indices.
-type Determined<'a> = (&'a Patch, Vec<(&'a [i64], &'a Form)>);
-
 /// The name of the function of a join; empty where it cannot be one.
 pub(crate) fn name(theorem: &Theorem) -> String {
     names::function(&theorem.name).map_or_else(String::new, |name| name.to_string())
@@ -45,28 +45,17 @@ pub(crate) fn name(theorem: &Theorem) -> String {
 pub(crate) fn join(
     theorem: &Theorem,
     verdicts: &[(Claim, Verdict)],
-    runtime: &TokenStream,
-    rename: Option<&Ident>,
+    options: &Options,
 ) -> Result<TokenStream, Diagnostic> {
+    let Options { runtime, name: rename, decided } = options;
     let error = |message: String| Diagnostic::error(theorem.place.clone(), message);
-    let determined: Vec<Determined<'_>> = theorem
-        .patches
-        .iter()
-        .map(|patch| {
-            let points = patch.points.iter().filter(|p| p.origin == Origin::Determined);
-            (patch, points.map(|p| (p.index.as_slice(), &p.value)).listed())
-        })
-        .filter(|(_, points)| !points.is_empty())
-        .listed();
+    let determined = plan::determined(theorem);
     let forms = || determined.iter().flat_map(|(_, points)| points.iter().map(|(_, form)| *form));
     let coefficients = || forms().flat_map(|form| form.terms.values());
     if theorem.products.iter().any(|(var, _)| coefficients().any(|f| f.depends_on(*var))) {
-        return Err(error(format!("the points of `{}` depend on dot products", theorem.name))
-            .help("a function is emitted for points that are linear in the given ones; write a `theorem`"));
+        return Err(products(theorem));
     }
-    let used: Vec<usize> = (0..theorem.points.len())
-        .filter(|k| forms().any(|form| form.terms.contains_key(&Unit::Point(*k))))
-        .listed();
+    let used = plan::used(theorem, &determined);
     let points = point_arguments(theorem, &used)?;
     let scalars = scalar_arguments(theorem, &|p: &Parameter| coefficients().any(|f| f.depends_on(p.var)))?;
     let mut taken: Vec<&Ident> = Vec::new();
@@ -83,42 +72,45 @@ pub(crate) fn join(
             .ok_or_else(|| error(format!("`{}` cannot be the name of a Rust function", theorem.name)))?,
     };
     let core = quote_spanned!(site()=> #runtime::__private::core);
-    let mut variables = Vec::new();
-    let mut checks = TokenStream::new();
-    for scalar in scalars.iter().flat_map(|a| (0..a.scalars.len()).map(move |k| (a, k))) {
-        let (argument, k) = scalar;
-        let parameter = argument.scalars[k];
-        let local = Ident::new(&format!("x{}", variables.len()), site());
-        let (title, shown) = (&theorem.name, &parameter.name);
+    let values: Vec<(&Parameter, TokenStream)> =
+        scalars.iter().flat_map(|a| (0..a.scalars.len()).map(|k| (a.scalars[k], a.value(k)))).listed();
+    let title = &theorem.name;
+    let checks = values.iter().map(|(parameter, value)| {
+        let shown = &parameter.name;
         let range = parameter.range.display(shown).to_string();
         let (low, high) =
             (shell::bound(&parameter.range.low, &core), shell::bound(&parameter.range.high, &core));
-        let value = argument.value(k);
-        checks.extend(quote_spanned! {site()=>
-            let #local = #runtime::__private::check_shape(#title, #shown, #value, #low, #high, #range)?;
-        });
-        let value = quote_spanned!(site()=> #local);
-        variables.push(Variable { var: parameter.var, range: parameter.range.clone(), value });
-    }
+        quote_spanned! {site()=>
+            #runtime::__private::check_shape(#title, #shown, #value, #low, #high, #range)?;
+        }
+    });
+    let checks = checks.fold(TokenStream::new(), |all, check| quote_spanned!(site()=> #all #check));
     let given: Vec<TokenStream> = used.mapped(|k| given(&points, &theorem.points[*k]));
-    let mut code = ScalarCode::new(variables);
-    let results: Vec<(TokenStream, TokenStream)> = determined.mapped(|(_, points)| {
-        let mut value = |form: &Form| {
-            let point = combination(form, &used, runtime, &mut code);
-            quote_spanned!(site()=> #runtime::__private::check_point(#point)?)
-        };
-        arranged(points, &mut value)
+    let points_plan = plan::points(&values.mapped(|(parameter, _)| *parameter), &used, forms());
+    let input = |input: Input| match input {
+        Input::Shape(k) => values[k].1.clone(),
+        Input::Point(k) => given[k].clone(),
+        _ => TokenStream::new(),
+    };
+    let names = points.iter().map(|p| &p.name).chain(scalars.iter().map(|s| &s.name));
+    let names: Vec<String> = names.map(names::plain).listed();
+    let surroundings = Surroundings { runtime, input: &input, taken: &names, points: None };
+    let Body { lets, outputs } = rust::body(&points_plan, &surroundings);
+    let mut outputs = outputs.iter();
+    let results = determined.mapped(|(_, points)| {
+        let values = outputs.by_ref().take(points.len());
+        let values =
+            values.map(|point| quote_spanned!(site()=> #runtime::__private::check_point(#point)?)).listed();
+        arranged(points, &values)
     });
     let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.into_iter().unzip();
     let (result, value) = match (types.as_slice(), values.as_slice()) {
         ([one], [value]) => (one.clone(), value.clone()),
         _ => (quote_spanned!(site()=> (#(#types),*)), quote_spanned!(site()=> (#(#values),*))),
     };
-    let lets = code.lets();
-    let count = Literal::usize_unsuffixed(used.len());
     let arguments =
         points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
-    let lines = documentation(theorem, verdicts, &points, &scalars, &determined);
+    let lines = documentation(theorem, verdicts, &points, &scalars, &determined, decided);
     let lines = lines.iter().map(|line| doc(line));
     if floats::misses_a_number(&checks) || floats::misses_a_number(&lets) || floats::misses_a_number(&value) {
         let message = format!("{} `{}` has numbers beyond f64", floats::ERROR, theorem.title());
@@ -130,12 +122,18 @@ pub(crate) fn join(
         pub fn #name<S: #runtime::Scalar, P: #runtime::Point<Scalar = S>>(
             #(#arguments),*
         ) -> #core::result::Result<#result, #runtime::CurveError> {
-            let given: [P; #count] = [#(#given),*];
             #checks
             #lets
             #core::result::Result::Ok(#value)
         }
     })
+}
+
+/// The error for a join whose points depend on dot products.
+pub(crate) fn products(theorem: &Theorem) -> Diagnostic {
+    let message = format!("the points of `{}` depend on dot products", theorem.name);
+    let error = Diagnostic::error(theorem.place.clone(), message);
+    error.help("a function is emitted for points that are linear in the given ones; write a `theorem`")
 }
 
 impl ScalarArgument<'_> {
@@ -284,11 +282,7 @@ fn grid<'i>(indices: impl Iterator<Item = &'i [i64]>) -> Option<(usize, usize)> 
 }
 
 /// The determined points of a patch: rows where they form a grid, else one after the other.
-fn arranged(
-    points: &[(&[i64], &Form)],
-    value: &mut dyn FnMut(&Form) -> TokenStream,
-) -> (TokenStream, TokenStream) {
-    let values: Vec<TokenStream> = points.mapped(|(_, form)| value(form));
+fn arranged(points: &[(&[i64], &Form)], values: &[TokenStream]) -> (TokenStream, TokenStream) {
     let count = Literal::usize_unsuffixed(values.len());
     match grid(points.iter().map(|(index, _)| *index)) {
         Some((rows, columns)) => {
@@ -300,40 +294,15 @@ fn arranged(
     }
 }
 
-/// Σ weight · given point; the numbers in `used` are the places in the local array `given`.
-pub(super) fn combination(
-    form: &Form,
-    used: &[usize],
-    runtime: &TokenStream,
-    code: &mut ScalarCode,
-) -> TokenStream {
-    let mut points = Vec::new();
-    let mut weights = Vec::new();
-    for (unit, weight) in &form.terms {
-        let Unit::Point(p) = unit else { continue };
-        let at = Literal::usize_unsuffixed(used.iter().position(|u| u == p).unwrap_or(0));
-        points.push(quote_spanned!(site()=> given[#at]));
-        weights.push(code.quotient(weight.numer(), weight.denom()));
-    }
-    if let ([point], [weight]) = (points.as_slice(), form.terms.values().as_slice())
-        && weight.as_constant().is_some_and(|c| c.is_one())
-    {
-        return point.clone();
-    }
-    quote_spanned!(site()=> #runtime::__private::combine(&[#(#points),*], [#(#weights),*]))
-}
-
 fn documentation(
     theorem: &Theorem,
     verdicts: &[(Claim, Verdict)],
     points: &[PointArgument<'_>],
     scalars: &[ScalarArgument<'_>],
     determined: &[Determined<'_>],
+    decided: &str,
 ) -> Vec<String> {
-    let mut lines = theorem.doc.clone();
-    if lines.is_empty() {
-        lines.push(format!("The control points that the join `{}` determines.", theorem.name));
-    }
+    let mut lines = first_lines(theorem);
     lines.extend(["", "# Arguments", ""].map(String::from));
     for argument in points {
         let (name, patch) = (&argument.name, argument.patch);
@@ -353,7 +322,17 @@ fn documentation(
         let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
         lines.push(format!("- `{}`: {}{about}", argument.name, ranges.join(", ")));
     }
-    lines.extend(["", "# Result", "", "```text"].map(String::from));
+    lines.extend(result(theorem, determined));
+    let errors =
+        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
+    lines.extend(["", "# Errors", "", errors].map(String::from));
+    lines.extend(docs::claims(verdicts, decided));
+    lines
+}
+
+/// The determined points as formulas, with a heading.
+fn result(theorem: &Theorem, determined: &[Determined<'_>]) -> Vec<String> {
+    let mut lines = ["", "# Result", "", "```text"].map(String::from).to_vec();
     for (patch, points) in determined {
         for (index, form) in points {
             let terms = form.terms.iter().filter_map(|(unit, weight)| match unit {
@@ -367,9 +346,21 @@ fn documentation(
     let written: Vec<String> = determined.mapped(|(p, _)| format!("`{} = {}`", p.name, p.written));
     lines.push(String::from("```"));
     lines.extend([String::new(), format!("of {}.", written.join(", "))]);
-    let errors =
-        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
-    lines.extend(["", "# Errors", "", errors].map(String::from));
-    lines.extend(docs::claims(verdicts));
     lines
+}
+
+/// What the join says, for code that has arguments of its own: what it determines, by which formulas, and its claims.
+#[cfg(any(test, feature = "tools"))]
+pub(crate) fn about(theorem: &Theorem, verdicts: &[(Claim, Verdict)], decided: &str) -> Vec<String> {
+    let mut lines = first_lines(theorem);
+    lines.extend(result(theorem, &plan::determined(theorem)));
+    lines.extend(docs::claims(verdicts, decided));
+    lines
+}
+
+fn first_lines(theorem: &Theorem) -> Vec<String> {
+    if theorem.doc.is_empty() {
+        return vec![format!("The control points that the join `{}` determines.", theorem.name)];
+    }
+    theorem.doc.clone()
 }

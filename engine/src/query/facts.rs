@@ -12,8 +12,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::explain::{exceptional_set, formulas};
-use crate::generate::form::IntervalForm;
 use crate::model::{Family, Library, Selected};
+use crate::plan::form::IntervalForm;
 use crate::source::{Files, Source};
 use crate::state::{Prover, Run, Verdict};
 use crate::subject::Subject;
@@ -36,10 +36,14 @@ pub struct FunctionFacts {
 
 /// The functions of a family in all their forms.
 pub fn function_facts(family: &Family) -> Vec<FunctionFacts> {
-    let form = IntervalForm::new(family);
+    let polynomial = !family.is_rational() && family.analytic.is_empty();
+    let form = IntervalForm::new(family).filter(|_| polynomial);
     let facts = formulas(family).into_iter().enumerate().map(|(k, formula)| {
         let (mut bernstein, mut between) = (Vec::new(), None);
-        if let Some(f) = form.as_ref().and_then(|form| form.functions.get(k)) {
+        let own = |form: &IntervalForm| Some((form.var, form.functions.get(k)?.clone()));
+        if let Some((var, f)) = form.as_ref().and_then(own)
+            && !f.denom.depends_on(var)
+        {
             let over = |p: &Poly| Fraction::new(p.clone(), f.denom.clone());
             let coefficients: Vec<Fraction> = f.bernstein.iter().filter_map(over).collect();
             bernstein = coefficients.iter().map(|c| c.display(&family.names)).collect();
@@ -226,6 +230,10 @@ pub fn independent_claim(family: &Family, set: &ExceptionalSet) -> Option<String
 /// The values and the first two derivatives at both ends of an interval, as blocks.
 fn ends(family: &Family) -> Vec<Candidate> {
     let Some((var, low, high)) = family.interval() else { return Vec::new() };
+    // Values in tangents of angles would not be written so.
+    if !family.analytic.is_empty() || family.leaves_an_end_out() {
+        return Vec::new();
+    }
     let (name, b) = (&family.names[var.0], &family.function_name);
     let mut blocks = Vec::new();
     for end in [low, high] {
@@ -256,7 +264,7 @@ fn ends(family: &Family) -> Vec<Candidate> {
 /// The shape values at which a family on [0, 1] is the Bernstein basis of as many functions.
 fn bernstein_values(family: &Family) -> Option<Candidate> {
     let (var, low, high) = family.interval()?;
-    if !low.is_zero() || !high.is_one() || family.shapes.is_empty() {
+    if !low.is_zero() || !high.is_one() || family.shapes.is_empty() || !family.analytic.is_empty() {
         return None;
     }
     let degree = family.functions.len().checked_sub(1)? as u32;

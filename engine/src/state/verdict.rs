@@ -25,7 +25,7 @@ impl Stated {
     }
 }
 
-/// What is known about a claim.
+/// The verdict on a claim.
 #[derive(Clone, Debug)]
 pub enum Verdict {
     /// The claim is true.
@@ -84,6 +84,8 @@ pub struct Witness {
     pub given: Vec<Vec<Rational>>,
     /// The exact value of the expression there.
     pub value: Rational,
+    /// The value as text where it contains π, exp(1) or the like, which the number above does not.
+    pub shown: Option<String>,
     /// What it means, in one line each.
     pub notes: Vec<String>,
     /// What the refuted statement is about, as [`Stated::of`] has it.
@@ -103,7 +105,12 @@ impl Witness {
         refutation: Refutation,
     ) -> Self {
         let (idle, net, given, notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { stated: of.clone(), of, at, idle, net, given, value, notes, refutation }
+        Self { stated: of.clone(), of, at, idle, net, given, value, shown: None, notes, refutation }
+    }
+
+    /// The value of the expression for reading.
+    pub fn value_text(&self) -> String {
+        self.shown.clone().unwrap_or_else(|| self.value.to_string())
     }
 
     /// The same witness, of a statement with another name.
@@ -122,28 +129,37 @@ impl Witness {
         &self.refutation
     }
 
-    /// The control points that matter, and whether those at zero are left out because most of many are.
-    pub fn points(&self) -> (Vec<&(String, Vec<Rational>)>, bool) {
+    /// The control points that matter.
+    pub fn points(&self) -> WitnessPoints<'_> {
         let mut points: Vec<_> = self.net.iter().filter(|(name, _)| !self.idle.contains(name)).listed();
         let all = points.len();
         let zero = |place: &[Rational]| place.iter().all(Rational::is_zero);
         let zeros = points.iter().filter(|(_, place)| zero(place)).count();
-        let short = all > MAX_ALL && 2 * zeros > all;
-        points.retain(|(_, place)| !short || !zero(place));
-        (points, short)
+        let others_at_zero = all > MAX_ALL && 2 * zeros > all;
+        points.retain(|(_, place)| !others_at_zero || !zero(place));
+        WitnessPoints { listed: points, others_at_zero }
     }
 
     /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
         let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
         let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).listed();
-        let (points, short) = self.points();
-        parts.extend(points.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
-        if short {
+        let points = self.points();
+        parts.extend(points.listed.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
+        if points.others_at_zero {
             parts.push(String::from("all other points 0"));
         }
         parts.join(", ")
     }
+}
+
+/// The control points of a witness that matter.
+#[derive(Debug)]
+pub struct WitnessPoints<'w> {
+    /// Their names and coordinates.
+    pub listed: Vec<&'w (String, Vec<Rational>)>,
+    /// Whether those at zero are left out, because most of many are.
+    pub others_at_zero: bool,
 }
 
 /// The coordinates of a point as they are written in a spec, `(1, 1/2)`.

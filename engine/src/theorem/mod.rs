@@ -27,7 +27,7 @@ use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::model::Parameter;
 use crate::source::SourceId;
-pub use crate::syntax::{TheoremKind, TheoremRelation};
+pub use crate::syntax::{PatchKind, TheoremKind, TheoremRelation};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// A theorem or a join.
@@ -56,7 +56,7 @@ pub struct Theorem {
     /// The given points, by the number that stands in [`Unit::Point`]; with coordinates a variable for each
     /// coordinate of each of them.
     pub points: Vec<GivenPoint>,
-    /// How many times the usual work the provers may spend on a claim.
+    /// The factor of the usual work that the provers may spend on a claim.
     pub budget: u32,
     /// Without the feature `joins` no theorem can be made, so that nothing has to be known of one.
     #[cfg(not(feature = "joins"))]
@@ -83,8 +83,8 @@ pub struct Patch {
     pub name: String,
     /// The families with their shape values, as they are written.
     pub written: String,
-    /// Whether it is a curve.
-    pub curve: bool,
+    /// Whether it is a curve or a surface.
+    pub kind: PatchKind,
     /// The names of its parameters.
     pub parameters: Vec<String>,
     /// The control points.

@@ -1,7 +1,7 @@
 //! Matrices of numbers and of polynomials: rank, determinants, combinations of rows that vanish.
 
-use super::gcd::{checked_product, gcd_all};
-use super::modular;
+use super::divisors::gcd::{checked_product, gcd_all};
+use super::divisors::modular;
 use super::poly::Poly;
 use super::rational::Rational;
 use super::work::{Spent, Work};
@@ -350,15 +350,10 @@ impl Elimination {
 
 #[cfg(test)]
 mod tests {
-    use super::super::poly::Var;
     use super::*;
+    use crate::algebra::poly::Var;
+    use crate::tests::letters::{n, x};
 
-    fn x() -> Poly {
-        Poly::var(Var(0))
-    }
-    fn n(k: i64) -> Poly {
-        Poly::integer(k)
-    }
     fn numbers(rows: &[&[i64]]) -> Rows<Rational> {
         rows.iter().map(|r| r.iter().map(|c| Rational::from(*c)).collect()).collect()
     }

@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::{claims, functions, indices};
-use crate::algebra::fraction::Fraction;
+use super::{angles, claims, functions, indices, names};
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
@@ -18,23 +18,36 @@ use crate::syntax::{self, Name, RangeDecl, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
-pub(crate) fn family(
-    library: &Library<'_>,
+pub(crate) fn family<'a>(
+    library: &'a Library<'a>,
     unit: usize,
     source: SourceId,
-    written: &syntax::Family,
+    written: &'a syntax::Family,
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).listed();
+    scope.order = scope.constants.len();
+    names::plan(&mut scope, written);
     let result = build(&mut scope, written);
     (result, scope.diagnostics.into_inner())
 }
 
-fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
+fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
-    let shapes = shapes(scope, written);
-    let domain = domain(scope, written);
+    set_known_factors(Vec::new());
+    let (shapes, domain) = if angles::occur(written) {
+        match angles::declare(scope, written) {
+            Some((shapes, domain)) => {
+                set_known_factors(scope.analytic.denominators());
+                (Some(shapes), Some(domain))
+            }
+            // Nothing has a meaning without the angles.
+            None => return None,
+        }
+    } else {
+        (shapes(scope, written), domain(scope, written))
+    };
     let budget = budget(scope, written);
     scope.cut_short |= written.incomplete;
     functions::define(scope, written);
@@ -71,6 +84,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         shapes,
         domain,
         dependent,
+        analytic: scope.analytic.clone(),
         function_name: scope.function_name.clone(),
         functions,
         over,
@@ -90,7 +104,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
 
 /// The least common multiple of the denominators of functions, if a domain variable occurs in one of them; otherwise 1.
 fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> Option<Poly> {
-    let rational = |f: &Function| scope.domain.iter().any(|v| f.value.denom().depends_on(*v));
+    let rational = |f: &Function| scope.is_over_domain(&Fraction::from(f.value.denom().clone()));
     let mut over = Fraction::constant(Rational::ONE);
     if !functions.iter().any(rational) {
         return Some(Poly::one());
@@ -124,11 +138,11 @@ fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Paramet
 }
 
 /// The independent domain variables, and the last barycentric coordinate of a simplex.
-type Domain = (Vec<Parameter>, Option<Parameter>);
+pub(super) type Domain = (Vec<Parameter>, Option<Parameter>);
 
 /// The domain variables come after the shape parameters: the independent ones, and the last barycentric
 /// coordinate of a simplex.
-fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
+pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
     let mut found: Option<(Span, Option<Domain>)> = None;
     for statement in &written.statements {
         if !matches!(statement.kind, StatementKind::Domain(_) | StatementKind::Simplex(_)) {
@@ -194,6 +208,9 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
         match (bounded, variable, &mut domain) {
             (Some(range), Some(var), Some(list)) => {
                 scope.domain.push(var);
+                if let Some((low, high)) = range.finite() {
+                    scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
+                }
                 let place = scope.place(decl.name.span);
                 list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), place, var, range });
             }
@@ -224,7 +241,7 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
 const MAX_VARIABLES: usize = 64;
 
 /// A new variable, unless the name is taken.
-fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
+pub(super) fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
     if scope.names.len() >= MAX_VARIABLES {
         if scope.names.len() == MAX_VARIABLES {
             // A name that nothing can have: said once, and unknown names are those that have no room.
@@ -248,12 +265,14 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     let mut budget = 1;
     for statement in &written.statements {
         let StatementKind::Budget(value) = &statement.kind else { continue };
-        budget = budget_value(scope, value).unwrap_or(budget);
+        budget = names::attempt(scope, &mut |scope| budget_value(scope, value)).unwrap_or(budget);
     }
     budget
 }
 
 /// The declared range, with exact ends.
 fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
-    range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
+    names::attempt(scope, &mut |scope| {
+        range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
+    })
 }

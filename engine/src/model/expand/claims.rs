@@ -4,28 +4,31 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use crate::algebra::fraction::Fraction;
+use super::names;
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;
-use crate::algebra::range::DisplayRange as _;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Statement};
 use crate::diagnostic::Diagnostics;
+use crate::model::angle::Angle;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Family, Library};
-use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
+use crate::model::{Family, Library, Parameter};
+use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
-pub(crate) fn claims(
-    library: &Library<'_>,
+pub(crate) fn claims<'a>(
+    library: &'a Library<'a>,
     unit: usize,
-    written: &syntax::Family,
+    written: &'a syntax::Family,
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    set_known_factors(family.analytic.denominators());
+    names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
     let (region, whole) = (family.region(), Rc::new(family.points()));
     let mut all = Vec::new();
@@ -33,13 +36,13 @@ pub(crate) fn claims(
         // What the scope has copied.
         let _ = scope.budget.copy(&f.value);
     }
+    // The same values as before; their errors are reported already.
+    for def in names::names(written) {
+        names::declare(&mut scope, &def.name);
+        names::force(&mut scope, &def.name.text);
+    }
     for (number, statement) in written.statements.iter().enumerate() {
         match &statement.kind {
-            StatementKind::Let(name, value) => {
-                // The same values as before; their errors are reported already.
-                let value = scope.scalar(value);
-                scope.lets.insert(name.text.clone(), value);
-            }
             StatementKind::Claim(_) if library.run().is_stopped() => {}
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
@@ -194,12 +197,28 @@ fn exceptions(
     for exception in written {
         let mut values: Vec<(Var, Rational)> = Vec::new();
         for binding in exception {
-            let value = scope.number(&binding.value, "an exceptional value")?;
-            let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
+            let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == binding.name.text;
+            let found = family.shapes.iter().find(named);
+            let angle = found.and_then(|s| family.analytic.angle(s.var)).cloned();
+            let value = match &angle {
+                Some(angle) => {
+                    let value = scope.scalar(&binding.value)?;
+                    let tangent = scope.angle_at(angle, &value, binding.value.span);
+                    match tangent.map(|x| x.map(|x| x.as_constant())) {
+                        Ok(x) => x??,
+                        Err((message, help)) => {
+                            scope.report(scope.error(binding.value.span, message).help(help));
+                            return None;
+                        }
+                    }
+                }
+                None => scope.number(&binding.value, "an exceptional value")?,
+            };
+            let Some(shape) = found else {
                 if scope.is_mistaken(&binding.name.text) {
                     return None;
                 }
-                let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
+                let known: Vec<String> = family.shapes.mapped(|s| scope.names[scope.itself(s.var).0].clone());
                 let error = scope
                     .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
                 scope.report(if known.is_empty() {
@@ -210,10 +229,17 @@ fn exceptions(
                 return None;
             };
             if !shape.range.contains(&value) {
-                let range = shape.range.display(&shape.name).to_string();
+                let range = family.declared(shape);
                 let error = scope.error(
                     binding.value.span,
-                    format!("{} = {value} is outside of the declared range `{range}`", shape.name),
+                    match &angle {
+                        Some(angle) => {
+                            format!("the value of {} is outside of the declared range `{range}`", angle.name)
+                        }
+                        None => {
+                            format!("{} = {value} is outside of the declared range `{range}`", shape.name)
+                        }
+                    },
                 );
                 scope.report(error.help("only values inside the range can be exceptions"));
                 return None;
@@ -250,7 +276,15 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             return None;
         }
         let value = scope.scalar(&binding.value)?;
-        let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)?;
+        if let Some(angle) = family.analytic.angle(var).cloned() {
+            fixed_angle(scope, family, &angle, (value, binding), &mut fixed)?;
+            continue;
+        }
+        let Some(parameter) = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)
+        else {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is a number")));
+            return None;
+        };
         let inside = Inside {
             value: value.clone(),
             name: name.clone(),
@@ -289,6 +323,45 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
         }
     }
     Some(fixed)
+}
+
+/// Fixes an angle: what takes its place, and the variable itself.
+fn fixed_angle(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    angle: &Angle,
+    (value, binding): (Fraction, &Binding),
+    fixed: &mut Vec<(Var, Fraction)>,
+) -> Option<()> {
+    let span = binding.value.span;
+    let y = match scope.angle_at(angle, &value, span) {
+        Ok(y) => y?,
+        Err((message, help)) => {
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+    };
+    let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
+    let declared = family.declared(parameter);
+    match y.as_constant() {
+        Some(c) if !parameter.range.contains(&c) => {
+            let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
+            let message = format!("{} = {shown} is outside of the declared range `{declared}`", angle.name);
+            let help = "claims are about the declared ranges; widen the range, or choose a value inside";
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+        Some(_) => {}
+        None => {
+            let (name, range) = (parameter.name.clone(), parameter.range.clone());
+            let inside = Inside { value: y.clone(), name, range, family: None, assumable: false };
+            let place = scope.place(span);
+            scope.must_stay_inside(inside, place);
+        }
+    }
+    fixed.push((angle.var, y));
+    fixed.push((angle.itself, value));
+    Some(())
 }
 
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.
@@ -359,7 +432,8 @@ fn relation(
         scope.report(error.help("write `refute … = …;` to say that two things differ, or claim `<` or `>`"));
         return;
     }
-    if !scope.mentions_variable(&relation.left) && !scope.mentions_variable(&relation.right) {
+    let mut sides = core::iter::once(&relation.left).chain(signs(relation).map(|(_, side)| side));
+    if !sides.any(|side| scope.mentions_variable(side)) {
         let error = scope.error(relation.span, "the claim names no function and no variable");
         scope.report(error.help("claim something about the functions, such as `b[0] + b[1] = 1 - b[2]`"));
         return;
@@ -368,19 +442,17 @@ fn relation(
     let fine = scope.each(&relation.loops, &mut |scope| {
         any = true;
         let before = scope.pending.len();
-        match differences(scope, relation, fixed) {
+        match all_differences(scope, relation, fixed) {
             Some(differences) => {
                 let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
                 scope.fix_obligations(before, &vars, &values);
                 let printer = Printer { constants: &scope.constants, component: None };
-                let (left, right) = (printer.print(&relation.left), printer.print(&relation.right));
-                let text = format!("{left} {} {right}", relation.comparison.symbol());
-                let kind = ClaimKind::Relation {
-                    comparison: relation.comparison,
-                    differences,
-                    fixed: fixed.to_vec(),
-                    at: at.map(String::from),
-                };
+                let mut text = printer.print(&relation.left);
+                for (sign, side) in signs(relation) {
+                    text += &format!(" {} {}", sign.symbol(), printer.print(side));
+                }
+                let kind =
+                    ClaimKind::Relation { differences, fixed: fixed.to_vec(), at: at.map(String::from) };
                 push(scope, text, kind)
             }
             None => {
@@ -398,14 +470,61 @@ fn relation(
     }
 }
 
-/// Left side minus right side, component by component; a lone 0 stands for all components.
-fn differences(
+/// The signs of a relation, each with the side behind it.
+fn signs(relation: &Relation) -> impl Iterator<Item = (Comparison, &Expr)> {
+    let first = core::iter::once((relation.comparison, &relation.right));
+    first.chain(relation.chain.iter().map(|(sign, side)| (*sign, side)))
+}
+
+/// The differences of neighbouring sides, with the signs between them.
+fn all_differences(
     scope: &mut Scope<'_>,
     relation: &Relation,
     fixed: &[(Var, Fraction)],
+) -> Option<Vec<(Comparison, Difference)>> {
+    let mut all = Vec::new();
+    let (mut left, mut fine) = (&relation.left, true);
+    for (sign, right) in signs(relation) {
+        match differences(scope, relation.span, left, right, fixed) {
+            Some(list) => all.extend(list.into_iter().map(|difference| (sign, difference))),
+            None => fine = false,
+        }
+        left = right;
+    }
+    (fine && (relation.chain.is_empty() || !ends_cross(scope, relation)?)).then_some(all)
+}
+
+/// Whether no number lies between the two ends of a chain; then that is reported.
+fn ends_cross(scope: &mut Scope<'_>, relation: &Relation) -> Option<bool> {
+    let last = &relation.chain.last()?.1;
+    let (Value::Scalar(first), Value::Scalar(end)) = (scope.value(&relation.left)?, scope.value(last)?)
+    else {
+        return Some(false);
+    };
+    let (Some(first), Some(end)) = (first.as_constant(), end.as_constant()) else { return Some(false) };
+    let strict = signs(relation).any(|(sign, _)| matches!(sign, Comparison::Less | Comparison::Greater));
+    let falls =
+        signs(relation).any(|(sign, _)| matches!(sign, Comparison::Greater | Comparison::GreaterEqual));
+    let (low, high) = if falls { (&end, &first) } else { (&first, &end) };
+    let crosses = low > high || strict && low == high;
+    if crosses {
+        let error = scope.error(relation.span, "the ends of the chain cross: nothing lies between them");
+        let why = if low > high { format!("{low} is above {high}") } else { format!("both are {low}") };
+        scope.report(error.label(why).help("write the smaller end first, as in `-1 <= x <= 1`"));
+    }
+    Some(crosses)
+}
+
+/// Left side minus right side, component by component; a lone 0 stands for all components.
+fn differences(
+    scope: &mut Scope<'_>,
+    span: Span,
+    written_left: &Expr,
+    written_right: &Expr,
+    fixed: &[(Var, Fraction)],
 ) -> Option<Vec<Difference>> {
-    let left = scope.value(&relation.left)?;
-    let right = scope.value(&relation.right)?;
+    let left = scope.value(written_left)?;
+    let right = scope.value(written_right)?;
     let (left, right, is_list) = match (left, right) {
         (Value::Scalar(l), Value::Scalar(r)) => (vec![(Vec::new(), l)], vec![(Vec::new(), r)], false),
         (Value::List(l), Value::List(r)) => {
@@ -414,10 +533,10 @@ fn differences(
                 if scope.cut_short {
                     return None;
                 }
-                let shown = if matches!(relation.right.kind, syntax::ExprKind::List(_)) {
-                    relation.right.span
+                let shown = if matches!(written_right.kind, syntax::ExprKind::List(_)) {
+                    written_right.span
                 } else {
-                    relation.span
+                    span
                 };
                 let error = scope.error(
                     shown,
@@ -428,7 +547,7 @@ fn differences(
                     ),
                 );
                 let family =
-                    matches!(relation.right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
+                    matches!(written_right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
                 scope.report(error.help(match l.len() {
                     0 => String::from("write the values of the left side"),
                     n if family => {
@@ -449,10 +568,12 @@ fn differences(
             (zeros, r, true)
         }
         (Value::List(list), _) | (_, Value::List(list)) => {
-            let error = scope.error(
-                relation.span,
-                format!("a list of {} functions is compared with a single one", list.len()),
-            );
+            let mistaken = |side: &syntax::Expr| matches!(&side.kind, syntax::ExprKind::Name(name) if scope.is_mistaken(name));
+            if mistaken(written_left) || mistaken(written_right) {
+                return None;
+            }
+            let error = scope
+                .error(span, format!("a list of {} functions is compared with a single one", list.len()));
             scope.report(error.help(format!(
                 "write a list of {} values, `[…]`; only 0 stands for all of them",
                 list.len()
@@ -464,12 +585,9 @@ fn differences(
     let (library, unit) = (scope.library, scope.unit);
     let mut all = Vec::new();
     for (position, ((index, l), (other, r))) in left.into_iter().zip(right).enumerate() {
-        let difference = scope.fits(scope.budget.sub(&l, &r), relation.span)?;
-        let value = if vars.is_empty() {
-            difference
-        } else {
-            scope.put(&difference, &vars, &values, relation.span)?
-        };
+        let difference = scope.fits(scope.budget.sub(&l, &r), span)?;
+        let value =
+            if vars.is_empty() { difference } else { scope.put(&difference, &vars, &values, span)? };
         let is_family = |name: &str| scope.variable(name).is_none() && library.knows(unit, name);
         let function_name = scope.function_name.as_str();
         // A plain list has positions for indices; the functions' own indices say more.
@@ -477,7 +595,7 @@ fn differences(
         let component =
             is_list.then_some(Component { function_name, is_family: &is_family, position, index });
         let printer = Printer { constants: &scope.constants, component };
-        let (left, right, text) = printer.difference(&relation.left, &relation.right);
+        let (left, right, text) = printer.difference(written_left, written_right);
         all.push(Difference { left, right, text, value });
     }
     Some(all)

@@ -58,10 +58,9 @@ impl Scope<'_> {
                 return false;
             }
             let (before, at) = (basis_prover::spent(), place.clone());
-            let over = |f: &Fraction| self.domain.iter().any(|v| f.depends_on(*v));
             let whole_domain = match &duty {
-                Duty::Nonzero(p) => self.domain.iter().any(|v| p.depends_on(*v)),
-                Duty::Inside(inside) => over(&inside.value),
+                Duty::Nonzero(p) => self.is_over_domain(&Fraction::from(p.clone())),
+                Duty::Inside(inside) => self.is_over_domain(&inside.value),
             };
             let domain = if whole_domain { whole } else { &shapes };
             let error = match &duty {
@@ -80,6 +79,21 @@ impl Scope<'_> {
             }
         }
         fine
+    }
+
+    /// Whether a function of shape parameters is positive on a box; where it is not, or that it is undecided.
+    ///
+    /// # Errors
+    /// The point as text.
+    pub(crate) fn is_positive(&mut self, value: &Fraction, region: &Region) -> Result<(), String> {
+        let domain = Rc::new(Domain::of(region.clone()));
+        let statement = Statement::Sign { value: value.quotient(), relation: Relation::Positive, domain };
+        let of = format!("{} > 0", value.display(&self.names));
+        match self.judge(of, Goal::Holds(statement), 1) {
+            Ok(()) => Ok(()),
+            Err(Open::Fails(point)) => Err(format!("at {}", self.own(value.numer(), &point))),
+            Err(Open::Undecided(left)) => Err(left),
+        }
     }
 
     /// Has a goal decided; what the error is about if it does not hold.
@@ -148,6 +162,15 @@ impl Scope<'_> {
         } else {
             (">", Range { low: excluded, ..range.clone() })
         };
+        if let Some(angle) = self.analytic.angle(var) {
+            let [low, high] = &angle.ends;
+            let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
+            return if at(&range.low) || at(&range.high) {
+                format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
+            } else {
+                format!("choose a range without this value of `{}`", angle.name)
+            };
+        }
         if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {
             return format!("choose a domain without {name} = {value}");
         }

@@ -5,17 +5,21 @@ use core::cell::RefCell;
 
 use proc_macro2::Span;
 
+use super::angle::Analytic;
 use super::budget::{Budget, SPLIT, TooLarge};
+use super::expand::angles::PI;
+use super::formula::Value;
 use super::obligation::Obligation;
-use super::words::{BINOMIALS, BUILTINS, ELSEWHERE};
+use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC};
 use super::{Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
+use crate::model::formula::phase::is_transcendental;
 use crate::source::SourceId;
-use crate::syntax::Name;
+use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -46,6 +50,14 @@ pub(crate) enum Subject {
     Theorem,
 }
 
+/// An argument of sin, cos, exp or the like.
+pub(crate) struct Argument {
+    /// Whether of sin, cos or tan.
+    pub(crate) circular: bool,
+    pub(crate) value: Fraction,
+    pub(crate) span: Span,
+}
+
 /// Where a function is defined.
 pub(crate) struct Definition {
     /// Its place in the order of the definitions.
@@ -53,6 +65,33 @@ pub(crate) struct Definition {
     pub(crate) span: Span,
     /// Whether `permute` defines it, perhaps from another index.
     pub(crate) permuted: bool,
+}
+
+/// A name that `let` gives, as it is written.
+#[derive(Clone, Copy)]
+pub(crate) struct Planned<'a> {
+    pub(crate) parameters: &'a [Name],
+    pub(crate) value: &'a Expr,
+    /// Whether its statement has been looked at, so that nothing else may take the name.
+    pub(crate) is_declared: bool,
+}
+
+/// What has no value yet.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) enum Needed {
+    /// A name that `let` gives.
+    Name(String),
+    /// A function of the family.
+    Function(Vec<i64>),
+}
+
+/// A function that is to be evaluated.
+pub(crate) struct PlannedFunction<'a> {
+    pub(crate) def: &'a FunctionDef,
+    /// The index in the definition; with `permute` another one may be meant.
+    pub(crate) index: Vec<i64>,
+    /// The index variables of its loops with their values.
+    pub(crate) constants: Vec<(String, i64)>,
 }
 
 /// The names of one family while it is being expanded.
@@ -63,14 +102,32 @@ pub(crate) struct Scope<'a> {
     pub(crate) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
     pub(crate) constants: Vec<(String, i64)>,
+    /// The number of those that are the index parameters of the family.
+    pub(crate) order: usize,
     /// What `let` defined; `None` when that went wrong.
-    pub(crate) lets: SortedMap<String, Option<Fraction>>,
+    pub(crate) lets: SortedMap<String, Option<Value>>,
+    /// The names that `let` gives in a family, evaluated or not.
+    pub(crate) planned: SortedMap<String, Planned<'a>>,
+    /// The arguments of the name with arguments whose formula is evaluated.
+    pub(crate) arguments: Vec<(String, Value)>,
+    /// The functions that have no value yet.
+    pub(crate) planned_functions: SortedMap<Vec<i64>, PlannedFunction<'a>>,
+    /// The names with arguments whose formulas are being evaluated, the outermost first.
+    pub(crate) calls: Vec<String>,
+    /// What a formula needs that has no value yet, and where it says so.
+    pub(crate) waits_for: Option<(Needed, Span)>,
     /// The names of the variables: shape parameters, then domain variables.
     pub(crate) names: Vec<String>,
     /// The independent domain variables.
     pub(crate) domain: Vec<Var>,
+    /// The ends of their ranges, in the same order; of a simplex none.
+    pub(crate) ends: Vec<(Fraction, Fraction)>,
     /// The last barycentric coordinate of a simplex.
     pub(crate) dependent: Option<Var>,
+    /// What goes beyond quotients of polynomials: angles, π.
+    pub(crate) analytic: Analytic,
+    /// The arguments of sin, cos, exp and the like, while only these are looked for.
+    pub(crate) recorded: Option<Vec<Argument>>,
     pub(crate) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
     pub(crate) functions: SortedMap<Vec<i64>, Option<Fraction>>,
@@ -136,7 +193,21 @@ impl Scope<'_> {
 
     /// Whether a variable belongs to the domain.
     pub(crate) fn is_domain_variable(&self, var: Var) -> bool {
+        let angle = self.analytic.angles.iter().find(|a| a.itself == var);
+        let var = angle.map_or(var, |a| a.var);
         self.domain.contains(&var) || self.dependent == Some(var)
+    }
+
+    /// Whether a function depends on the domain.
+    pub(crate) fn is_over_domain(&self, f: &Fraction) -> bool {
+        let angles = &self.analytic.angles;
+        self.domain.iter().any(|v| f.depends_on(*v))
+            || angles.iter().any(|a| f.depends_on(a.itself) && self.domain.contains(&a.var))
+    }
+
+    /// The variable itself where it is an angle.
+    pub(crate) fn itself(&self, var: Var) -> Var {
+        self.analytic.angle(var).map_or(var, |a| a.itself)
     }
 
     /// The value of an index parameter or index variable.
@@ -157,11 +228,15 @@ impl Scope<'_> {
 
     /// What already has this name, for an error when it is declared again.
     pub(crate) fn taken(&self, name: &str) -> Option<&'static str> {
-        if BUILTINS.contains(&name) {
+        if BUILTINS.contains(&name) || is_transcendental(name) {
             Some("a function of the language")
         } else if self.constant(name).is_some() {
             Some("an index")
-        } else if self.lets.named(name).is_some() {
+        } else if self.arguments.iter().any(|(n, _)| n == name) {
+            Some("an argument")
+        } else if self.planned.named(name).is_some_and(|planned| planned.is_declared)
+            || self.subject == Subject::Theorem && self.lets.named(name).is_some()
+        {
             Some("a name given by `let`")
         } else if let Some(var) = self.variable(name) {
             Some(if self.subject == Subject::Theorem {
@@ -222,15 +297,18 @@ impl Scope<'_> {
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
         known.extend(self.lets.keys().map(String::as_str));
+        known.extend(self.planned.keys().map(String::as_str));
         known.push(&self.function_name);
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
         let help = match name {
-            _ if ELSEWHERE.contains(&name) => {
-                String::from("formulas are polynomials: sums, products and whole powers")
-            }
-            "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
+            _ if ELSEWHERE.contains(&name) => String::from(
+                "functions are quotients of polynomials, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh` and `exp`",
+            ),
+            "pi" | "π" => String::from("numbers are rational in theorems: write a fraction such as 22/7"),
+            "e" => String::from("write `exp(1)`"),
             _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
+            _ if let Some(help) = self.glued(name) => help,
             _ => did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
@@ -247,6 +325,19 @@ impl Scope<'_> {
             }),
         };
         self.report(error.help(help));
+    }
+
+    /// What to write for a name such as `cosθ` or `πt`, in which a function or number and a name are one word.
+    fn glued(&self, name: &str) -> Option<String> {
+        let functions = CIRCULAR.iter().chain(&HYPERBOLIC);
+        let known = |rest: &str| self.variable(rest).is_some() || rest == "pi" || rest == "π";
+        for function in functions {
+            if let Some(rest) = name.strip_prefix(function).filter(|rest| known(rest)) {
+                return Some(format!("write `{function}({rest})`"));
+            }
+        }
+        let rest = PI.iter().find_map(|pi| name.strip_prefix(pi)).filter(|rest| known(rest))?;
+        Some(format!("write `pi*{rest}`"))
     }
 
     /// Reports an unknown name in front of arguments: it is meant as a function.
@@ -278,10 +369,19 @@ impl Scope<'_> {
             source,
             subject: Subject::Family,
             constants: Vec::new(),
+            order: 0,
             lets: SortedMap::new(),
+            planned: SortedMap::new(),
+            arguments: Vec::new(),
+            planned_functions: SortedMap::new(),
+            calls: Vec::new(),
+            waits_for: None,
             names: Vec::new(),
             domain: Vec::new(),
+            ends: Vec::new(),
             dependent: None,
+            analytic: Analytic::default(),
+            recorded: None,
             function_name: String::new(),
             functions: SortedMap::new(),
             defined: SortedMap::new(),
@@ -303,9 +403,12 @@ impl Scope<'_> {
     pub(crate) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
         let mut scope = Self::new(library, unit, family.source);
         scope.constants.clone_from(&family.order);
+        scope.order = scope.constants.len();
         scope.names.clone_from(&family.names);
         scope.domain = family.domain.mapped(|p| p.var);
+        scope.ends = family.ends();
         scope.dependent = family.dependent.as_ref().map(|p| p.var);
+        scope.analytic.clone_from(&family.analytic);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {
             scope.functions.insert(f.index.clone(), Some(f.value.clone()));

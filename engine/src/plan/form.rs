@@ -1,0 +1,167 @@
+//! The formulas that are emitted, still exact: factored values, Bernstein tables, the endpoint form.
+
+use basis_prover::collections::list::{Listed, Mapped};
+
+use crate::algebra::number::binomial;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::model::Family;
+use crate::model::bernstein::{affine, to_bernstein};
+
+/// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form: there the rounding error
+/// of the endpoint form would exceed a few ε times the largest control point.
+pub const MAX_ENDPOINT_DEGREE: u32 = 12;
+
+/// All functions of a family on an interval, rewritten for evaluation in x = (t − low)/(high − low), s = 1 − x.
+#[derive(Clone, Debug)]
+pub struct IntervalForm {
+    /// The domain variable t.
+    pub var: Var,
+    /// The lower end of the domain.
+    pub low: Rational,
+    /// The upper end of the domain.
+    pub high: Rational,
+    /// The highest degree of the functions in t.
+    pub degree: u32,
+    /// The functions.
+    pub functions: Vec<FunctionForm>,
+}
+
+/// One function; every table is to be divided by `denom`, which contains shape parameters only.
+#[derive(Clone, Debug)]
+pub struct FunctionForm {
+    /// What stands below the fraction line.
+    pub denom: Poly,
+    /// The coefficients of t⁰, t¹, …
+    pub monomial: Vec<Poly>,
+    /// The coefficients in the Bernstein basis of the family's degree on the domain.
+    pub bernstein: Vec<Poly>,
+    /// The function as a product.
+    pub factored: Factored,
+    /// E0, E1, R0, R1, … of b = s·E0 + x·E1 + s·x·(R0 + R1·y + R2·y² + …), y = x − s; none above
+    /// [`MAX_ENDPOINT_DEGREE`].
+    pub endpoint: Vec<Poly>,
+}
+
+/// content · x^a · s^b · g, with g in the Bernstein basis of its own degree.
+#[derive(Clone, Debug)]
+pub struct Factored {
+    /// A number.
+    pub content: Rational,
+    /// The power of x.
+    pub x_power: u32,
+    /// The power of s.
+    pub s_power: u32,
+    /// The Bernstein coefficients of g; none for the function 0.
+    pub inner: Vec<Poly>,
+}
+
+impl IntervalForm {
+    /// The form of a family; `None` when it has several domain variables.
+    pub fn new(family: &Family) -> Option<Self> {
+        let (var, low, high) = family.interval()?;
+        let degree = family.degree(var);
+        let functions = family
+            .functions
+            .mapped(|f| FunctionForm::new(f.value.numer(), f.value.denom(), var, low, high, degree));
+        Some(Self { var, low: low.clone(), high: high.clone(), degree, functions })
+    }
+
+    /// The number of functions.
+    pub fn len(&self) -> usize {
+        self.functions.len()
+    }
+
+    /// Whether there are no functions.
+    pub fn is_empty(&self) -> bool {
+        self.functions.is_empty()
+    }
+}
+
+impl FunctionForm {
+    fn new(numer: &Poly, denom: &Poly, var: Var, low: &Rational, high: &Rational, degree: u32) -> Self {
+        let terms = degree as usize + 1;
+        let mut monomial = numer.coefficients_in(var);
+        monomial.resize(terms, Poly::zero());
+        // t = low + (high − low) x
+        let unit = affine(&numer.coefficients_in(var), low, &(high - low));
+        let own_degree = unit.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
+        let factored = Factored::new(to_bernstein(&unit[..=own_degree], own_degree as u32));
+        let bernstein = to_bernstein(&unit, degree);
+        let endpoint = if degree <= MAX_ENDPOINT_DEGREE { endpoint(&unit, degree) } else { Vec::new() };
+        Self { denom: denom.clone(), monomial, bernstein, factored, endpoint }
+    }
+}
+
+impl Factored {
+    /// Takes out the powers of x and s, and the numeric content, of Σ c_j binomial(n, j) s^(n−j) x^j.
+    fn new(mut c: Vec<Poly>) -> Self {
+        let (mut x_power, mut s_power) = (0, 0);
+        if c.iter().all(Poly::is_zero) {
+            return Self { content: Rational::ZERO, x_power, s_power, inner: Vec::new() };
+        }
+        while c.len() > 1 && c[0].is_zero() {
+            let n = c.len() as i64 - 1;
+            c.remove(0);
+            for (j, p) in c.iter_mut().enumerate() {
+                *p = p.scale(&Rational::new(n, j as i64 + 1));
+            }
+            x_power += 1;
+        }
+        while c.len() > 1 && c[c.len() - 1].is_zero() {
+            let n = c.len() as i64 - 1;
+            c.pop();
+            for (j, p) in c.iter_mut().enumerate() {
+                *p = p.scale(&Rational::new(n, n - j as i64));
+            }
+            s_power += 1;
+        }
+        let mut content = c.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
+        if c.iter().all(|p| p.leading_term().is_none_or(|(_, c)| c.is_negative())) {
+            content = -content;
+        }
+        let factor = content.recip().unwrap_or(Rational::ONE);
+        let inner = c.mapped(|p| p.scale(&factor));
+        Self { content, x_power, s_power, inner }
+    }
+
+    /// g expanded in t, for reading: content · (t − low)^a · (high − t)^b · g is the function.
+    pub fn inner_monomial(&self, form: &IntervalForm) -> Poly {
+        let n = self.inner.len().saturating_sub(1) as u32;
+        let width = &form.high - &form.low;
+        let t = Poly::var(form.var);
+        // The ends of an interval are different.
+        let unit = width.recip().unwrap_or(Rational::ONE);
+        let x = (&t - &Poly::constant(form.low.clone())).scale(&unit);
+        let s = &Poly::one() - &x;
+        let mut sum = Poly::zero();
+        for (j, c) in self.inner.iter().enumerate() {
+            let j = j as u32;
+            let basis = &(&s.pow(n - j) * &x.pow(j)).scale(&binomial(n, j)) * c;
+            sum = &sum + &basis;
+        }
+        // x^a s^b = (t − low)^a (high − t)^b / width^(a + b)
+        sum.scale(&unit.pow(self.x_power + self.s_power))
+    }
+}
+
+/// E0, E1, R0, R1, …: b − s·E0 − x·E1 vanishes at both ends; divided by s·x it is written in y = x − s.
+fn endpoint(unit: &[Poly], degree: u32) -> Vec<Poly> {
+    let start = unit[0].clone();
+    let end = unit.iter().fold(Poly::zero(), |sum, c| &sum + c);
+    let mut rest = unit.to_vec();
+    rest.resize(degree.max(1) as usize + 1, Poly::zero());
+    // s·E0 + x·E1 = E0 + (E1 − E0)·x
+    rest[0] = Poly::zero();
+    rest[1] = &rest[1] - &(&end - &start);
+    // Divided by x, then by 1 − x: q_k = p_k + q_(k−1).
+    let mut quotient: Vec<Poly> = Vec::new();
+    for p in &rest[1..rest.len() - 1] {
+        let next = quotient.last().map_or_else(|| p.clone(), |q| q + p);
+        quotient.push(next);
+    }
+    // x = (1 + y)/2
+    let half = Rational::new(1, 2);
+    let inner = affine(&quotient, &half, &half);
+    [start, end].into_iter().chain(inner).listed()
+}
