@@ -119,6 +119,7 @@ impl SurfacePiece {
     }
 
     /// The place in the unit square of a parameter in one direction.
+    #[cfg(feature = "mesh")]
     #[inline]
     pub(crate) fn place(&self, axis: usize, t: f64) -> f64 {
         let [lo, hi] = self.domain[axis];

@@ -82,6 +82,7 @@ impl Piece {
     }
 
     /// The part between two places in one direction.
+    #[cfg(feature = "mesh")]
     #[inline]
     pub(crate) fn restricted(&self, along: usize, from: f64, to: f64) -> Self {
         let mut net = self.net.clone();
