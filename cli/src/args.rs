@@ -41,6 +41,12 @@ pub(crate) enum Command {
     /// every order. A refuted claim comes with a point and the exact value there.
     #[command(after_help = CHECK_HELP)]
     Check(CheckArguments),
+    /// Write proved families and joins as a source file, to be read and checked in
+    ///
+    /// Every claim of what is written is decided first. Without names all families without index parameters and all
+    /// joins of the spec are written.
+    #[command(after_help = EMIT_HELP)]
+    Emit(EmitArguments),
     /// Evaluate basis functions and their derivatives in exact fractions
     ///
     /// Shape values and points are whole numbers, fractions or decimals (2, -1/3, 0.62); decimals are exact.
@@ -111,11 +117,15 @@ pub(crate) struct CheckArguments {
     /// Write a certificate for every family and order into this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) certificates: Option<PathBuf>,
+    /// Write the theorems with proofs for Coq into this folder, a file for every family and order; `make` there has Coq
+    /// check them
+    #[arg(long, value_name = "DIR")]
+    pub(crate) coq: Option<PathBuf>,
     /// Print errors only
     #[arg(short, long, conflicts_with = "format")]
     pub(crate) quiet: bool,
     /// Check again whenever one of the files, or a file that one of them uses, changes
-    #[arg(short, long, conflicts_with_all = ["format", "certificates"])]
+    #[arg(short, long, conflicts_with_all = ["format", "certificates", "coq"])]
     pub(crate) watch: bool,
     /// Spec files, and folders in which every file *.basis is checked; - is standard input, library:NAME is a spec of
     /// the library, library: all
@@ -126,7 +136,7 @@ pub(crate) struct CheckArguments {
 const CHECK_HELP: &str = "\
 Exit status:
   0  every claim is as declared: `prove` is proved, `refute` is refuted
-  1  a claim is not as declared, or a spec has errors
+  1  a claim is not as declared, or a spec has errors; with --coq also if a claim has no counterpart in Coq
   2  a file cannot be read, or the command is used wrongly
 
 Examples:
@@ -134,6 +144,53 @@ Examples:
   basis check library:quartic
   basis check --watch quartic.basis
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis emit`.
+#[derive(Debug, Args)]
+pub(crate) struct EmitArguments {
+    /// The spec file, or library:NAME for a spec of the library
+    pub(crate) file: PathBuf,
+    /// Families, with their orders if they have index parameters, and joins: 'Bernstein(3)', 'Bernstein(n=5) as
+    /// Quintic', G1
+    #[arg(value_name = "NAME")]
+    pub(crate) names: Vec<String>,
+    /// The language of the file
+    #[arg(long, value_enum)]
+    pub(crate) to: EmitTarget,
+    /// The file to write, from whose folder an edited spec is noticed; without it the text is printed
+    #[arg(short, long, value_name = "PATH")]
+    pub(crate) output: Option<PathBuf>,
+    /// Write nothing, and fail if this file is not what `-o` with the same path would write
+    #[arg(long, value_name = "PATH", conflicts_with = "output")]
+    pub(crate) check: Option<PathBuf>,
+}
+
+/// The languages of `basis emit`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EmitTarget {
+    /// Types on basis-runtime, which can do without its feature `macros`; an edited spec stops the build
+    Rust,
+}
+
+impl EmitTarget {
+    /// The name on the command line.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Rust => "rust",
+        }
+    }
+}
+
+const EMIT_HELP: &str = "\
+Exit status:
+  0  the file is written; with --check, it is what the spec gives now
+  1  a claim is not as declared, the spec has errors, there is no code for a family, or the file is another one
+  2  a file cannot be read or written, or the command is used wrongly
+
+Examples:
+  basis emit specs/quartic.basis --to rust -o src/families.rs
+  basis emit specs/quartic.basis --to rust --check src/families.rs
+  basis emit library:bernstein 'Bernstein(3) as Cubic' --to rust";
 
 /// What can be typed after `basis fmt`.
 #[derive(Debug, Args)]

@@ -91,7 +91,7 @@ impl Role {
     }
 }
 
-/// What is known about the point so far.
+/// The point as far as it is given.
 struct Table<'f> {
     family: &'f Family,
     /// By variable.

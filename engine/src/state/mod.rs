@@ -18,9 +18,9 @@ mod theorem;
 mod theorem;
 mod verdict;
 
-#[cfg(any(test, feature = "tools"))]
-pub(crate) use family::combination_text;
 pub use family::{Table, coefficient_table, statements as family_statements};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use family::{combination_text, moves};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
