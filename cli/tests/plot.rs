@@ -59,6 +59,14 @@ fn a_range_of_shape_values_gives_a_family_of_lines() {
             "{value}: {svg}"
         );
     }
+    // What has one value for all lines stands above.
+    let two = QUARTIC.replace("shape", "shape 0 <= μ <= 1; shape");
+    let svg = drawn(
+        &Folder::with("t.basis", &two),
+        &["t.basis", "--shape", "λ=-3..1", "--shape", "μ=1/3"],
+        "t.svg",
+    );
+    assert!(svg.contains("0 ≤ t ≤ 1,  μ = 1/3"), "{svg}");
     // Ends that a range leaves out are not drawn.
     let open = QUARTIC.replace("-3 <= λ <= 1", "-3 < λ < 1");
     let svg = drawn(&Folder::with("o.basis", &open), &["o.basis", "--shape", "λ=-3..1"], "o.svg");

@@ -95,10 +95,12 @@ pub(super) fn document(scene: &Scene, width: f64, height: f64, content: Group) -
     let family = &scene.family;
     let title = text(&family.title(), 20.0, 26.0, 17.0, "start", INK).set("font-weight", "bold");
     let mut facts = domain::describe(family);
-    if let [only] = scene.settings.as_slice()
-        && !only.label.is_empty()
-    {
-        facts += &format!(",  {}", only.label);
+    let shown = match scene.settings.as_slice() {
+        [only] => only.label.as_str(),
+        several => several.first().map_or("", |s| s.common.as_str()),
+    };
+    if !shown.is_empty() {
+        facts += &format!(",  {shown}");
     }
     let facts = pretty(&facts);
     let width = rounded(width.max(40.0 + 8.0 * facts.chars().count() as f64));
