@@ -30,11 +30,14 @@ pub mod diagnostic;
 pub mod explain;
 pub mod generate;
 pub mod model;
+pub mod plan;
 pub mod plural;
+pub mod rounding;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
 pub mod source;
 pub mod state;
+pub mod steps;
 pub mod subject;
 pub mod syntax;
 pub mod theorem;

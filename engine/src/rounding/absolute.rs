@@ -1,0 +1,88 @@
+//! Bounds of the error itself, for results that change their sign.
+//!
+//! The shares wₖvₖ that have one sign on a cell are added before their sum is enclosed; any other one lies between −m
+//! and m for a number m.
+
+use std::rc::Rc;
+
+use super::cell::Cell;
+use super::conditions::{Conditions, common_denominator, over};
+use super::exact::Exact;
+use super::{Part, relative, rest};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::steps::Step;
+
+/// The bound on a cell in u, and what it follows from; `None` if there is none.
+pub(super) fn part(
+    exact: &mut Exact<'_>,
+    output: usize,
+    cell: &Cell,
+    work: &mut Work,
+) -> Option<(Rational, Part)> {
+    let mut conditions = Conditions { cell, known: Vec::new() };
+    for k in exact.quotients_by_sums(output) {
+        let Step::Quotient(_, divisor) = exact.step(k) else { continue };
+        let (bound, part) = relative::part(exact, *divisor, cell, work)?;
+        let last = part.last(&bound);
+        part.conditions.into_iter().chain([last]).for_each(|p| conditions.add(p));
+        exact.set_weight(k, &bound)?;
+    }
+    let shares = exact.shares(output, work)?;
+    let below = common_denominator(&mut shares.iter().map(|(_, share)| share), work)?;
+    let value = conditions.absolute(&below, work)?;
+    let (mut signed, mut rest) = (Poly::zero(), Rational::ZERO);
+    for (k, share) in &shares {
+        if conditions.is_exact(exact, *k, work)? {
+            continue;
+        }
+        let (share, weight) = (over(share, &below)?, exact.weight(*k));
+        match cell.sign(&share, work) {
+            Some(_) => signed = &signed + &conditions.absolute(&share, work)?.scale(&weight),
+            None => rest += &(&conditions.largest(&share, &value, work)? * &weight),
+        }
+    }
+    let size = size(exact, output, &mut conditions, work)?;
+    rest += &rest::of_sum(&exact.depth(output), &size)?;
+    let first = cell.ratio(&signed, &value, work)?;
+    let domain = Rc::clone(&cell.domain);
+    let part = Part { domain, conditions: conditions.known, value, sum: signed, rest: rest.clone() };
+    Some((&first + &rest, part))
+}
+
+/// A bound of the sum of the absolute values of the products of which a step is the sum.
+fn size(
+    exact: &mut Exact<'_>,
+    of: usize,
+    conditions: &mut Conditions<'_>,
+    work: &mut Work,
+) -> Option<Rational> {
+    let mut sizes: Vec<Option<Rational>> = vec![None; of + 1];
+    for k in exact.reached(of) {
+        let size = |a: &usize| sizes[*a].as_ref();
+        let here = match exact.step(k) {
+            _ if exact.is_leaf(k) => {
+                let value = exact.value(k, work)?;
+                bounded(&value, conditions, work)?
+            }
+            Step::Neg(a) => size(a)?.clone(),
+            Step::Sum(a, b) | Step::Difference(a, b) => size(a)? + size(b)?,
+            Step::Product(a, b) => size(a)? * size(b)?,
+            Step::Quotient(a, b) => {
+                let inverse = Fraction::constant(Rational::ONE).div_within(&exact.value(*b, work)?, work);
+                size(a)? * &bounded(&inverse.ok()??, conditions, work)?
+            }
+            Step::Input(_) | Step::Number(_) => return None,
+        };
+        sizes[k] = Some(here);
+    }
+    sizes[of].take()
+}
+
+/// A number that the absolute value of a quotient does not exceed on the cell.
+fn bounded(value: &Fraction, conditions: &mut Conditions<'_>, work: &mut Work) -> Option<Rational> {
+    let below = conditions.absolute(value.denom(), work)?;
+    conditions.largest(value.numer(), &below, work)
+}

@@ -1,0 +1,91 @@
+use super::*;
+use crate::steps::Step;
+
+/// A list of steps that is being written.
+#[derive(Default)]
+struct Writer(Vec<Step>);
+
+impl Writer {
+    fn push(&mut self, step: Step) -> usize {
+        if let Some(at) = self.0.iter().position(|s| *s == step) {
+            return at;
+        }
+        self.0.push(step);
+        self.0.len() - 1
+    }
+
+    fn number(&mut self, n: i64) -> usize {
+        self.push(Step::Number(Rational::from(n)))
+    }
+
+    fn product(&mut self, a: usize, b: usize) -> usize {
+        if self.0[a] == Step::Number(Rational::ONE) {
+            return b;
+        }
+        if self.0[b] == Step::Number(Rational::ONE) {
+            return a;
+        }
+        self.push(Step::Product(a, b))
+    }
+
+    /// Nested in s, as the runtime does it.
+    fn bernstein(&mut self, c: &[usize], s: usize, x: usize) -> usize {
+        let (mut total, mut power) = (c[0], x);
+        for k in 1..c.len() {
+            if k > 1 {
+                power = self.product(power, x);
+            }
+            let binomial = crate::algebra::number::binomial(c.len() as u32 - 1, k as u32);
+            let binomial = self.push(Step::Number(binomial));
+            let weight = self.product(power, binomial);
+            let term = self.product(c[k], weight);
+            let first = self.product(total, s);
+            total = self.push(Step::Sum(first, term));
+        }
+        total
+    }
+}
+
+fn quartic() -> Steps {
+    let mut w = Writer::default();
+    let lambda = w.push(Step::Input(Input::Shape(0)));
+    let t = w.push(Step::Input(Input::Coordinate(0)));
+    let (one, three) = (w.number(1), w.number(3));
+    let (s, x) = (w.push(Step::Difference(one, t)), t);
+    let s2 = w.product(s, s);
+    let s3 = w.product(s, s2);
+    let x2 = w.product(x, x);
+    let x3 = w.product(x, x2);
+    let c0 = w.push(Step::Difference(one, lambda));
+    let c1 = w.push(Step::Sum(three, lambda));
+    let mut outputs = Vec::new();
+    for (c, a, b) in [([one, c0], s3, one), ([c1, three], s2, x), ([three, c1], s, x2), ([c0, one], one, x3)] {
+        let inner = w.bernstein(&c, s, x);
+        let powers = w.product(a, b);
+        outputs.push(w.product(inner, powers));
+    }
+    Steps { steps: w.0, outputs }
+}
+
+fn region(shape: Range) -> Region {
+    Region { ranges: vec![(Var(0), shape), (Var(1), Range::unit())] }
+}
+
+fn of(steps: &Steps, region: &Region) -> Vec<Option<Bound>> {
+    let variable = |input: Input| match input {
+        Input::Shape(k) => Some(Var(k)),
+        Input::Coordinate(k) => Some(Var(k + 1)),
+        _ => None,
+    };
+    let mut exact = Exact::new(steps, &variable).unwrap();
+    let work = &mut Work::unlimited();
+    steps.outputs.iter().map(|o| bound(&mut exact, *o, region, &[Var(1)], work).unwrap()).collect()
+}
+
+#[test]
+fn quartic_values_have_the_bounds_that_were_computed_elsewhere() {
+    let range = Range::closed(Rational::from(-3), Rational::ONE);
+    let bounds = of(&quartic(), &region(range));
+    let bounds: Vec<String> = bounds.into_iter().map(|b| format!("{:?}", b.unwrap().error)).collect();
+    assert_eq!(bounds, [""; 4]);
+}
