@@ -37,6 +37,10 @@ pub const SPECS: &[(&str, &str)] = specs![
     "quadratic"
     "quartic"
     "quartic_surface"
+    "rational/barycentric"
+    "rational/bezier"
+    "rational/lupas"
+    "rational/tension"
     "smoothstep"
     "triangular"
 ];

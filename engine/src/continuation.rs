@@ -64,6 +64,9 @@ impl EndPoints {
     pub fn up_to(family: &Family, order: u32, at_start: bool) -> Vec<Self> {
         let work = &mut Work::new(WORK);
         let Some((var, low, high)) = family.interval() else { return Vec::new() };
+        if family.leaves_an_end_out() {
+            return Vec::new();
+        }
         let end = if at_start { low } else { high };
         let Some(rows) = derivatives(family, var, end, order, work) else { return Vec::new() };
         (1..=rows.len()).filter_map(|count| Self::of(&rows[..count], at_start, work)).listed()
@@ -104,8 +107,18 @@ fn derivatives(
 ) -> Option<Vec<Vec<Fraction>>> {
     let mut rows = vec![Vec::new(); order as usize + 1];
     for function in &family.functions {
-        // A denominator has shape parameters only.
         let (numer, denom) = (function.value.numer(), function.value.denom());
+        if denom.depends_on(var) {
+            let mut derivative = function.value.clone();
+            for (k, row) in rows.iter_mut().enumerate() {
+                if k > 0 {
+                    derivative = derivative.derivative_within(var, work)?;
+                }
+                let value = derivative.substitute_within(var, &Fraction::constant(at.clone()), work);
+                row.push(value.ok().flatten()?); // the denominator does not vanish on the domain
+            }
+            continue;
+        }
         let coefficients = numer.coefficients_in(var);
         for (k, row) in rows.iter_mut().enumerate() {
             // Σ j!/(j-k)! at^(j-k) times the coefficient of the j-th power.

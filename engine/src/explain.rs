@@ -16,7 +16,7 @@ use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::gcd::{gcd, square_free};
-use crate::algebra::poly::{Poly, PolyExt};
+use crate::algebra::poly::Poly;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
@@ -68,14 +68,15 @@ pub fn formulas(family: &Family) -> Vec<Formula> {
 pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let Some((var, low, high)) = family.interval() else { return Vec::new() };
     let mut lines = Vec::new();
-    for end in [low, high] {
+    let inside = |end: &&Rational| family.domain.iter().all(|p| p.range.contains(end));
+    for end in [low, high].into_iter().filter(inside) {
         for order in 0..=order {
             let weights: Vec<Fraction> = family
                 .functions
                 .iter()
                 .map(|f| {
                     let derivative = (0..order).fold(f.value.clone(), |f, _| f.derivative(var));
-                    // A denominator has shape parameters only.
+                    // A denominator vanishes nowhere on the domain.
                     derivative
                         .substitute(var, &Fraction::constant(end.clone()))
                         .unwrap_or_else(Fraction::zero)
@@ -91,27 +92,42 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     lines
 }
 
+/// Where a shape parameter may be so that all functions are nonnegative, the other parameters on their declared ranges.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NonnegativeRange {
+    /// The name of the parameter.
+    pub name: String,
+    /// The ranges, such as `-3 <= λ <= 1`; one around the declared range, or several that meet it.
+    pub ranges: Vec<String>,
+    /// What is left open, or that a function is negative on the declared ranges.
+    pub remark: Option<String>,
+}
+
+impl core::fmt::Display for NonnegativeRange {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match (&self.ranges[..], &self.remark) {
+            ([], remark) => write!(f, "{}: {}", self.name, remark.as_deref().unwrap_or("undecided")),
+            (ranges, None) => f.write_str(&ranges.join(" or ")),
+            (ranges, Some(remark)) => write!(f, "{} ({remark})", ranges.join(" or ")),
+        }
+    }
+}
+
 /// For each shape parameter the largest range around its declared one on which all functions stay nonnegative, the
 /// other parameters on their declared ranges.
 ///
 /// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative
 /// somewhere on the declared ranges, the largest ranges that meet the declared one.
-pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
-    let (polys, region) = function_signs(family);
-    let mut denominators: Vec<Poly> = Vec::new();
-    for f in &family.functions {
-        let denom = f.value.denom();
-        if denom.as_constant().is_none() && !denominators.contains(denom) {
-            denominators.push(denom.clone());
-        }
-    }
-    let line = |shape: &Parameter| {
+pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
+    let Signs { numerators: polys, denominators, region } = function_signs(family);
+    let range = |shape: &Parameter| {
         let name = &shape.name;
+        let open = |remark: String| (Vec::new(), Some(remark));
         let mut budget = Budget::scaled(family.budget);
         let Some(defined) =
-            denominators.iter().map(|d| with_simple_zeros(family, d)).collect::<Option<Vec<_>>>()
+            denominators.iter().map(|d| with_simple_zeros(&region, d)).collect::<Option<Vec<_>>>()
         else {
-            return format!("{name}: undecided: the denominators are too large");
+            return open(String::from("undecided: the denominators are too large"));
         };
         let poles = match largest_range(&defined, shape.var, &region, &mut budget) {
             LargestRange::Between(low, high) => (low, high),
@@ -119,30 +135,34 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<String> {
         };
         let all = [&polys[..], &defined].concat();
         match largest_range(&all, shape.var, &region, &mut budget) {
-            LargestRange::Between(low, high)
-                if !is_nonnegative(family, shape, &(low.clone(), high.clone())) =>
-            {
-                let range = range_text(name, &(low, high), &poles);
-                format!("{name}: undecided: {range} is not seen to be enough")
-            }
-            LargestRange::Between(low, high) => range_text(name, &(low, high), &poles),
-            LargestRange::Negative => {
-                let negative = "a function is negative somewhere on the declared ranges";
-                match nonnegative_parts(&all, shape.var, &region, &mut budget) {
-                    Ok(parts) if parts.is_empty() => {
-                        format!("{name}: {negative}, whatever {name} is in its range")
-                    }
-                    Ok(parts) => {
-                        let parts: Vec<String> = parts.iter().map(|p| range_text(name, p, &poles)).collect();
-                        format!("{} ({negative})", parts.join(" or "))
-                    }
-                    Err(left) => format!("{name}: {negative}; where not is undecided: {left}"),
+            LargestRange::Between(low, high) => {
+                let range = range_text(name, &(low.clone(), high.clone()), &poles);
+                if is_nonnegative(family, shape, &(low, high)) {
+                    (vec![range], None)
+                } else {
+                    open(format!("undecided: {range} is not seen to be enough"))
                 }
             }
-            LargestRange::Undecided(left) => format!("{name}: undecided: {left}"),
+            LargestRange::Negative => {
+                let negative = String::from("a function is negative somewhere on the declared ranges");
+                match nonnegative_parts(&all, shape.var, &region, &mut budget) {
+                    Ok(parts) if parts.is_empty() => {
+                        open(format!("{negative}, whatever {name} is in its range"))
+                    }
+                    Ok(parts) => {
+                        (parts.iter().map(|p| range_text(name, p, &poles)).collect(), Some(negative))
+                    }
+                    Err(left) => open(format!("{negative}; where not is undecided: {left}")),
+                }
+            }
+            LargestRange::Undecided(left) => open(format!("undecided: {left}")),
         }
     };
-    family.shapes.iter().map(line).collect()
+    let all = family.shapes.iter().map(|shape| {
+        let (ranges, remark) = range(shape);
+        NonnegativeRange { name: shape.name.clone(), ranges, remark }
+    });
+    all.collect()
 }
 
 /// `-3 <= λ <= 1`; ends at which a denominator vanishes are left out.
@@ -165,28 +185,45 @@ fn range_text(name: &str, (low, high): &Part, poles: &Part) -> String {
 
 /// A polynomial with the zeros of a denominator, each of them a change of sign, positive on the declared ranges; `None`
 /// when the denominator is too large.
-fn with_simple_zeros(family: &Family, denom: &Poly) -> Option<Poly> {
+fn with_simple_zeros(region: &Region, denom: &Poly) -> Option<Poly> {
     let parts = square_free(denom, &mut Work::new(DENOMINATORS))?;
     let product = parts.iter().fold(Poly::one(), |product, (p, _)| &product * p);
-    let inner = |p: &Parameter| simplest_between(p.range.low.value(), p.range.high.value());
-    let start: Vec<Rational> = family.shapes.iter().map(inner).collect();
-    Some(if product.eval(&start).is_negative() { -&product } else { product })
+    let inner = |range: &Range| simplest_between(range.low.value(), range.high.value());
+    Some(if sign_at(&product, region, &inner) < 0 { -&product } else { product })
 }
 
-/// Polynomials with the signs of the functions, and the box on which to look at them.
-fn function_signs(family: &Family) -> (Vec<Poly>, Region) {
+/// The sign of a polynomial at a point of a box, which has a coordinate in each range.
+fn sign_at(p: &Poly, region: &Region, coordinate: &dyn Fn(&Range) -> Rational) -> i32 {
+    let value = region.ranges.iter().fold(p.clone(), |p, (var, range)| p.at(*var, &coordinate(range)));
+    value.as_constant().map_or(0, |c| c.signum())
+}
+
+/// Polynomials that decide the signs of functions.
+struct Signs {
+    /// With the signs of the functions.
+    numerators: Vec<Poly>,
+    /// The denominators that are no numbers, each once.
+    denominators: Vec<Poly>,
+    /// The box on which to look at them.
+    region: Region,
+}
+
+fn function_signs(family: &Family) -> Signs {
     let domain = state::family_domain(family, &[]);
-    let start: Vec<Rational> = family.shapes.iter().map(|p| typical(&p.range)).collect();
-    let mut polys = Vec::new();
+    let (mut numerators, mut denominators) = (Vec::new(), Vec::new());
     let mut region = domain.region.clone();
     for f in &family.functions {
         let (numer, denom) = (f.value.numer(), f.value.denom());
         let Ok(chart) = Chart::new(&domain, [numer, denom]) else { continue };
-        let signed = if denom.eval(&start).is_negative() { -numer } else { numer.clone() };
-        polys.push(pull_back(&chart, &signed));
         region = chart.region().clone();
+        let below = pull_back(&chart, denom);
+        let signed = if sign_at(&below, &region, &typical) < 0 { -numer } else { numer.clone() };
+        numerators.push(pull_back(&chart, &signed));
+        if below.as_constant().is_none() && !denominators.contains(&below) {
+            denominators.push(below);
+        }
     }
-    (polys, region)
+    Signs { numerators, denominators, region }
 }
 
 /// Whether it is proved that all functions are ≥ 0 where a shape parameter is between two ends; of an irrational end,
@@ -249,7 +286,7 @@ pub fn describe_exception(family: &Family, exception: &Exceptional) -> String {
         })
     };
     let scaled: Vec<Poly> =
-        combination.iter().zip(&family.functions).map(|(c, f)| c * &fixed(f.value.denom())).collect();
+        combination.iter().enumerate().map(|(k, c)| c * &fixed(&family.numerator_factor(k))).collect();
     format!("{at}: {} = 0", state::combination_text(family, &scaled))
 }
 

@@ -35,6 +35,8 @@ pub mod plural;
 pub mod rounding;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
+#[cfg(any(test, feature = "tools"))]
+pub mod query;
 pub mod source;
 pub mod state;
 pub mod steps;

@@ -4,8 +4,8 @@ use std::error::Error;
 
 use serde_json::{Map, Value};
 
-use crate::plot::Plot;
-use crate::scene::{Scene, View};
+use crate::draw::plot::Plot;
+use crate::draw::scene::{Scene, View};
 
 /// A figure that can be drawn.
 pub(crate) struct Figure {

@@ -1,19 +1,9 @@
-//! The figures of the papers, drawn from generated families, with what was measured in them: a file for each paper, and
-//! `bonnet`, the example of the fifth.
+//! The figures of the papers, drawn from generated families, with what was measured in them.
 
-mod bonnet;
-mod bspline;
-mod claims;
-mod families;
+mod draw;
 mod figure;
 mod page;
-mod plot;
-mod quadratic;
-mod quartic;
-mod raster;
-mod revolution;
-mod scene;
-mod triangular;
+mod papers;
 
 use std::error::Error;
 use std::fs;
@@ -24,8 +14,8 @@ use std::process::ExitCode;
 use clap::Parser;
 use serde::Serialize;
 
-use crate::claims::PAPERS;
 use crate::figure::{Drawing, Facts, Figure, Picture};
+use crate::papers::PAPERS;
 
 /// A figure in `figures.json`.
 #[derive(Debug, Serialize)]
@@ -84,20 +74,10 @@ fn progress(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
-/// The figures of each paper, in the order of [`PAPERS`].
-fn figures() -> [Vec<Figure>; PAPERS.len()] {
-    [
-        quadratic::figures(),
-        quartic::figures(),
-        triangular::figures(),
-        revolution::figures(),
-        bspline::figures(),
-    ]
-}
-
 fn draw_all(folder: &Path, only: &str) -> Result<usize, Box<dyn Error>> {
     fs::create_dir_all(folder).map_err(|e| format!("cannot make the folder `{}`: {e}", folder.display()))?;
-    let all = figures().map(|mut figures| {
+    let all = PAPERS.each_ref().map(|paper| {
+        let mut figures = paper.figures();
         figures.retain(|figure| figure.id.contains(only));
         figures
     });

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use basis_engine::published::Published;
 
-use crate::claims::Paper;
 use crate::figure::{Facts, shown};
+use crate::papers::Paper;
 
 /// A figure as the page shows it.
 pub(crate) struct Entry<'a> {

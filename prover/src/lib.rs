@@ -7,7 +7,6 @@ pub mod collections;
 mod coordinate;
 mod counterexample;
 mod decide;
-pub mod map;
 mod method;
 mod nonzero;
 #[cfg(feature = "ranges")]

@@ -1,6 +1,6 @@
 //! All partial derivatives up to an order.
 
-use basis_engine::algebra::poly::Poly;
+use basis_engine::algebra::fraction::Fraction;
 use basis_engine::{Diagnostic, Family};
 
 use crate::output::error;
@@ -14,7 +14,7 @@ pub(super) struct Derivative {
     /// How often each domain variable is differentiated in; all zero for the functions themselves.
     pub(super) orders: Vec<u32>,
     /// The derivative of each function.
-    pub(super) functions: Vec<Poly>,
+    pub(super) functions: Vec<Fraction>,
 }
 
 /// The functions and all their partial derivatives of orders 1, …, `order`: by order, within one order those in
@@ -24,7 +24,7 @@ pub(super) struct Derivative {
 /// There are too many of them.
 pub(super) fn up_to(
     family: &Family,
-    functions: Vec<Poly>,
+    functions: Vec<Fraction>,
     order: u32,
 ) -> Result<Vec<Derivative>, Diagnostic> {
     let variables = family.domain.len();

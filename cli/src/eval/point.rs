@@ -1,6 +1,7 @@
 //! The point at which a family is evaluated.
 
-use basis_engine::algebra::poly::{Poly, PolyExt, Var};
+use basis_engine::algebra::fraction::Fraction;
+use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::Parameter;
 use basis_engine::{Diagnostic, Family};
@@ -39,26 +40,25 @@ impl Point {
         &self.values
     }
 
-    /// The functions with the shape values put in: polynomials in the domain variables.
+    /// The functions with the shape values put in: quotients of polynomials in the domain variables.
     ///
     /// # Errors
-    /// A denominator is zero at the shape values.
-    pub(super) fn bind(&self, family: &Family) -> Result<Vec<Poly>, Diagnostic> {
+    /// A denominator is zero at the point.
+    pub(super) fn bind(&self, family: &Family) -> Result<Vec<Fraction>, Diagnostic> {
         let bound = |p: &Poly| family.shapes.iter().fold(p.clone(), |p, s| p.at(s.var, self.value(s.var)));
         let functions = family.functions.iter().enumerate().map(|(k, function)| {
-            // The model keeps domain variables out of denominators.
-            let denom = function.value.denom().eval(&self.values);
-            let factor = denom.recip().ok_or_else(|| {
+            let zero = || {
                 let shown = function.value.denom().display(&family.names);
                 error(format!(
                     "the denominator of `{}` is zero at {}",
                     family.function_label(k),
-                    self.describe(family.shapes.iter())
+                    self.describe(family.shapes.iter().chain(family.domain_variables()))
                 ))
                 .note(format!("the denominator is `{shown}`"))
-                .help("choose other shape values")
-            })?;
-            Ok(bound(function.value.numer()).scale(&factor))
+                .help("choose other values")
+            };
+            let value = Fraction::new(bound(function.value.numer()), bound(function.value.denom()));
+            value.filter(|value| value.eval(&self.values).is_some()).ok_or_else(zero)
         });
         functions.collect()
     }

@@ -1,7 +1,6 @@
 //! Values as JSON and as a table.
 
 use basis_engine::Family;
-use basis_engine::algebra::poly::PolyExt;
 use basis_engine::algebra::rational::Rational;
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -36,7 +35,10 @@ impl Values {
         let evaluated = |derivative: &Derivative| -> Vec<(String, Rational)> {
             let values = labels.iter().zip(&derivative.functions);
             values
-                .map(|(label, f)| (key(family, label, &derivative.orders), f.eval(point.values())))
+                .filter_map(|(label, f)| {
+                    // A point at which a denominator vanishes has been refused.
+                    Some((key(family, label, &derivative.orders), f.eval(point.values())?))
+                })
                 .collect()
         };
         let mut tables = all.iter().map(evaluated);

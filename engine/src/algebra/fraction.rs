@@ -235,6 +235,12 @@ impl Fraction {
             let text = p.display(names).to_string();
             if p.len() > 1 { format!("({text})") } else { text }
         };
+        // As one writes it: without a minus sign in front of what stands below.
+        if self.denom.len() > 1 && self.denom.display(names).to_string().starts_with('-') {
+            let turned = Self { numer: -&self.numer, denom: -&self.denom };
+            let below = turned.denom.display(names).to_string();
+            return format!("{}/({below})", part(&turned.numer));
+        }
         match self.as_poly() {
             Some(p) => p.display(names).to_string(),
             None if self.denom.total_degree() > 1 && self.denom.len() == 1 => {

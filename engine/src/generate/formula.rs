@@ -44,6 +44,10 @@ fn distances(var: Var, low: &Rational, high: &Rational) -> [Poly; 2] {
 /// A polynomial times powers, over a denominator; a number stands before the product where the polynomial would have
 /// fractions.
 fn product(whole: &Poly, powers: &[(Poly, u32)], denom: &Poly, names: &[String]) -> String {
+    // As one writes it: without a minus sign in front of what stands below.
+    if denom.display(names).to_string().starts_with('-') {
+        return product(&-whole, powers, &-denom, names);
+    }
     let content = whole.numeric_content();
     let alone = powers.iter().all(|(_, power)| *power == 0) && denom.is_one();
     let (number, inner) = if content.is_integer() || alone {

@@ -14,7 +14,7 @@ use crate::model::{Parameter, label};
 use crate::state::Verdict;
 use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// An argument that is a number, or an array of numbers for a name with the indices 0, 1, …
 struct ScalarArgument<'a> {

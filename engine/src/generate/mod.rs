@@ -52,6 +52,16 @@ pub fn family(
     verdicts: &[(Claim, Verdict)],
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
+    if family.is_rational() || family.leaves_an_end_out() {
+        let message = if family.is_rational() {
+            "no code is generated for families with denominators in the domain variable yet"
+        } else {
+            "no code is generated for families on a domain without its ends yet"
+        };
+        let error = Diagnostic::error(family.place.clone(), message);
+        let help = "its claims are proved, `basis explain` and `basis eval` know it; for code, take the numerators as a family on the closed domain";
+        return Err(vec![error.help(help)]);
+    }
     let name = type_name(family, options.name.as_ref()).map_err(|error| vec![error])?;
     let fields = names::fields(family)?;
     let shell = Shell { family, name: name.clone(), fields, runtime: &options.runtime };
@@ -88,7 +98,7 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last || !floats::of_family(family) {
+        if family.name == last || family.is_rational() || !floats::of_family(family) {
             continue;
         }
         let mut error = floats::direct(family);

@@ -21,7 +21,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::{Family, Function, label};
 use crate::state::Verdict;
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// The type of a family on a simplex or a box.
 ///

@@ -9,7 +9,7 @@ use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::{Family, Function};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// More Bernstein coefficients, for all functions together, are not emitted.
 const MAX_COEFFICIENTS: usize = 1 << 16;

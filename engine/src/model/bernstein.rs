@@ -1,19 +1,20 @@
 //! Functions on an interval in other bases.
 
 use basis_prover::collections::list::Mapped;
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 use super::Family;
 use crate::algebra::fibre::{self, Step};
 use crate::algebra::poly::{Monomial, Poly};
 use crate::algebra::rational::Rational;
 
-/// The Bernstein coefficients of all functions of a family on an interval, one row for each; without denominators.
+/// The Bernstein coefficients of all functions of a family on an interval, one row for each; of a rational
+/// family, of the numerators.
 pub(crate) fn bernstein_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
     let (var, low, high) = family.interval()?;
     let (degree, width) = (family.degree(var), high - low);
     let row = |numer: &Poly| to_bernstein(&affine(&numer.coefficients_in(var), low, &width), degree);
-    Some(family.functions.mapped(|f| row(f.value.numer())))
+    Some(family.numerators().mapped(row))
 }
 
 /// The coefficients of all functions of a family on an interval in powers of the domain variable, one row for each,
@@ -25,8 +26,8 @@ pub(crate) fn graded_table(family: &Family) -> Option<Vec<Vec<Poly>>> {
     let width = family.functions.len();
     let mut rows = Vec::new();
     let mut seen = vec![false; width];
-    for f in &family.functions {
-        let mut row = f.value.numer().coefficients_in(var);
+    for numerator in family.numerators() {
+        let mut row = numerator.coefficients_in(var);
         let degree = row.iter().rposition(|c| !c.is_zero())?;
         if core::mem::replace(seen.get_mut(degree)?, true) {
             return None;

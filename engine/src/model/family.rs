@@ -1,8 +1,10 @@
 //! Families as exact tables of functions over a domain and shape parameters.
 
+use basis_kernel::{Domain, Simplex};
+
 use super::obligation::Obligation;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
@@ -35,6 +37,9 @@ pub struct Family {
     pub function_name: String,
     /// The functions in the order of their indices.
     pub functions: Vec<Function>,
+    /// What stands below the fraction line of the functions once it is the same for all of them; 1 where no domain
+    /// variable stands below one.
+    pub over: Poly,
     /// The functions of the lowest order, when these were raised from them.
     pub base: Vec<Function>,
     /// What holds on the declared ranges, so that the formulas mean something.
@@ -54,7 +59,7 @@ pub struct Parameter {
     pub place: Place,
     /// The variable.
     pub var: Var,
-    /// The declared range; for a domain variable both ends are finite and included.
+    /// The declared range; for a domain variable both ends are finite.
     pub range: Range,
 }
 
@@ -63,8 +68,8 @@ pub struct Parameter {
 pub struct Function {
     /// The index, 2 for `b[2]`.
     pub index: Vec<i64>,
-    /// The function: a polynomial in the domain variables, whose coefficients are rational functions of the
-    /// shape parameters.
+    /// The function: a quotient of two polynomials in the domain variables and shape parameters, whose denominator
+    /// vanishes nowhere on the declared ranges.
     pub value: Fraction,
 }
 
@@ -110,9 +115,51 @@ impl Family {
         Some((only.var, low, high))
     }
 
-    /// The highest degree of the functions in a domain variable.
+    /// Whether the domain is without some of its ends, as for `domain 0 <= t < 1;`.
+    pub fn leaves_an_end_out(&self) -> bool {
+        self.domain.iter().any(|p| !p.range.low.is_included() || !p.range.high.is_included())
+    }
+
+    /// All points of the domain with all shape values.
+    pub fn points(&self) -> Domain {
+        if !self.is_simplex() {
+            return Domain::of(self.region());
+        }
+        let mut domain = Domain::of(self.shape_region());
+        domain.simplices.push(Simplex { variables: self.domain.mapped(|p| p.var), sum: Rational::ONE });
+        domain
+    }
+
+    /// Whether a domain variable stands below the fraction line of a function.
+    pub fn is_rational(&self) -> bool {
+        !self.over.is_one()
+    }
+
+    /// Polynomials that are linearly dependent in the domain variables at exactly those shape values at which the
+    /// functions are: each function times a polynomial that vanishes nowhere, the same for all functions of a rational
+    /// family, and [`Family::numerator_factor`] otherwise.
+    pub fn numerators(&self) -> Vec<Poly> {
+        self.functions.mapped(|f| match self.is_rational() {
+            false => f.value.numer().clone(),
+            // `over` is a multiple of every denominator.
+            true => &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer(),
+        })
+    }
+
+    /// What a function is multiplied by in [`Family::numerators`], up to a factor that all functions share.
+    pub fn numerator_factor(&self, position: usize) -> Poly {
+        if self.is_rational() { Poly::one() } else { self.functions[position].value.denom().clone() }
+    }
+
+    /// The highest degree in a domain variable of the functions, or of their numerators over a common denominator.
     pub fn degree(&self, var: Var) -> u32 {
-        self.functions.iter().map(|f| f.value.numer().degree(var)).max().unwrap_or(0)
+        let own = |f: &Function| f.value.numer().degree(var);
+        if self.is_rational() {
+            let over = self.over.degree(var);
+            let degree = |f: &Function| over - f.value.denom().degree(var) + own(f);
+            return self.functions.iter().map(degree).max().unwrap_or(0);
+        }
+        self.functions.iter().map(own).max().unwrap_or(0)
     }
 }
 

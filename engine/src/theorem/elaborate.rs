@@ -2,6 +2,7 @@
 
 use std::rc::Rc;
 
+use basis_kernel::Domain;
 use proc_macro2::Span;
 
 use super::draft::{Elaboration, OWN, PatchDef, Value, kind};
@@ -113,7 +114,8 @@ impl Elaboration<'_> {
         if !fine {
             return None;
         }
-        self.scope.settle(&region, budget);
+        let whole = Rc::new(Domain::of(region.clone()));
+        self.scope.settle(&region, &whole, budget);
         let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).listed();
         self.scalars.retain(|p| !silent.contains(&p.var));
         let theorem = Theorem {

@@ -5,7 +5,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 #[cfg(feature = "joins")]
 use crate::model::budget::{Budget, TooLarge};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// What a coefficient stands before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

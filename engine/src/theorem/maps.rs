@@ -53,6 +53,11 @@ impl Elaboration<'_> {
         let mut sum = Form::default();
         for at in 0..self.patches[patch].points.len() {
             let mut f = self.patches[patch].functions[at].1.clone();
+            if (0..own).any(|k| f.denom().depends_on(Var(k))) {
+                // The arguments may lie outside of the domain.
+                let value = self.at(f.clone(), &by, span)?;
+                self.scope.must_be_defined(&value, span);
+            }
             if inner {
                 f = self.differentiated(f, steps, span)?;
                 f = self.at(f, &by, span)?;

@@ -1,7 +1,7 @@
 //! Resultants and discriminants, by evaluation and interpolation in the other variables.
 
 use crate::collections::list::{Listed, Mapped};
-use crate::map::SortedMap;
+use crate::collections::map::SortedMap;
 
 use super::gcd::checked_product;
 use super::poly::{Monomial, Poly, Var};

@@ -1,10 +1,14 @@
 //! Expands a family as it is written into exact functions.
 
+use std::rc::Rc;
+
 use proc_macro2::Span;
 
 use super::{claims, functions, indices};
-use crate::algebra::poly::Var;
-use crate::algebra::range::Range;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{End, Range};
+use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostics;
 use crate::model::formula::numbers::{budget_value, range_of};
 use crate::model::scope::{Scope, Stage};
@@ -56,6 +60,7 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         scope.fits(scope.budget.run().keep(&f.value), written.name.span)?;
     }
     let whole = functions.len() == scope.functions.len() && !scope.cut_short;
+    let over = common_denominator(scope, &functions, written.name.span)?;
     let mut family = Family {
         name: written.name.text.clone(),
         doc: written.doc.clone(),
@@ -68,11 +73,12 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
         dependent,
         function_name: scope.function_name.clone(),
         functions,
+        over,
         base: core::mem::take(&mut scope.base),
         obligations: Vec::new(),
         budget,
     };
-    scope.settle(&family.shape_region(), family.budget);
+    scope.settle(&family.shape_region(), &Rc::new(family.points()), family.budget);
     family.obligations = core::mem::take(&mut scope.obligations);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
@@ -80,6 +86,22 @@ fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
     scope.stage = Stage::Broken;
     claims::look_for_mistakes(scope, written, &family);
     None
+}
+
+/// The least common multiple of the denominators of functions, if a domain variable occurs in one of them; otherwise 1.
+fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> Option<Poly> {
+    let rational = |f: &Function| scope.domain.iter().any(|v| f.value.denom().depends_on(*v));
+    let mut over = Fraction::constant(Rational::ONE);
+    if !functions.iter().any(rational) {
+        return Some(Poly::one());
+    }
+    for f in functions {
+        let denom = Fraction::from(f.value.denom().clone());
+        // Of m/d in lowest terms the numerator is what of m is not in d.
+        let rest = scope.fits(scope.budget.div(&denom, &over), span)?;
+        over = scope.fits(scope.budget.mul(&over, &Fraction::from(rest.numer().clone())), span)?;
+    }
+    Some(over.numer().normalized())
 }
 
 /// The shape parameters become variables 0, 1, …
@@ -147,28 +169,29 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
     for decl in decls {
         let range = range(scope, decl);
         let variable = variable(scope, &decl.name);
-        let closed = range.filter(|range| {
-            let closed = range.low.is_included() && range.high.is_included() && range.low != range.high;
-            if !closed {
+        let bounded = range.filter(|range| {
+            let bounded = range.finite().is_some_and(|(a, b)| a < b);
+            if !bounded {
                 let name = &decl.name.text;
                 let error = match range.finite() {
                     Some((a, b)) if a == b => scope
                         .error(decl.name.span, format!("the domain of `{name}` is a single point"))
                         .help(format!("let the upper end be above {a}")),
-                    finite => {
-                        let (a, b) = finite.map_or((String::from("0"), String::from("1")), |(a, b)| {
-                            (a.to_string(), b.to_string())
-                        });
+                    _ => {
+                        let end = |end: &End, other: &str| {
+                            end.value().map_or_else(|| String::from(other), Rational::to_string)
+                        };
+                        let (a, b) = (end(&range.low, "0"), end(&range.high, "1"));
                         scope
-                            .error(decl.name.span, format!("the domain of `{name}` is not a closed interval"))
-                            .help(format!("write `domain {a} <= {name} <= {b};`"))
+                            .error(decl.name.span, format!("the domain of `{name}` has no end on one side"))
+                            .help(format!("write both ends, such as `domain {a} <= {name} <= {b};`"))
                     }
                 };
                 scope.report(error);
             }
-            closed
+            bounded
         });
-        match (closed, variable, &mut domain) {
+        match (bounded, variable, &mut domain) {
             (Some(range), Some(var), Some(list)) => {
                 scope.domain.push(var);
                 let place = scope.place(decl.name.span);

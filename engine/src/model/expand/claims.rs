@@ -1,10 +1,12 @@
 //! From claims as they are written to exact differences.
 
-use crate::algebra::range::DisplayRange as _;
+use std::rc::Rc;
+
 use proc_macro2::Span;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
+use crate::algebra::range::DisplayRange as _;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Statement};
 use crate::diagnostic::Diagnostics;
@@ -25,7 +27,7 @@ pub(crate) fn claims(
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
     scope.inherit(&family.obligations);
-    let region = family.region();
+    let (region, whole) = (family.region(), Rc::new(family.points()));
     let mut all = Vec::new();
     for f in &family.functions {
         // What the scope has copied.
@@ -43,7 +45,7 @@ pub(crate) fn claims(
                 scope.budget.refill();
                 let first = all.len();
                 one(&mut scope, family, claim, (number, statement), &mut all);
-                if !scope.settle(&region, family.budget) {
+                if !scope.settle(&region, &whole, family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
                 for claim in &mut all[first..] {
@@ -136,6 +138,14 @@ fn property(
             (String::from("partition_of_unity"), ClaimKind::PartitionOfUnity)
         }
         syntax::ClaimKind::Nonnegative => (String::from("nonnegative"), ClaimKind::Nonnegative),
+        syntax::ClaimKind::Symmetric | syntax::ClaimKind::Continuity(_) if family.leaves_an_end_out() => {
+            let name =
+                if matches!(written, syntax::ClaimKind::Symmetric) { "symmetric" } else { "continuity" };
+            let error = scope.error(span, format!("`{name}` is about a domain with both ends"));
+            scope
+                .report(error.help("include the ends of the domain, `<=`, or claim equations in its inside"));
+            return None;
+        }
         syntax::ClaimKind::Symmetric => (String::from("symmetric"), ClaimKind::Symmetric),
         syntax::ClaimKind::Independent(exceptions) => {
             let except = self::exceptions(scope, family, exceptions)?;

@@ -12,7 +12,7 @@ use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 /// Defines what the statements define, in the order in which they are written.
 pub(crate) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {

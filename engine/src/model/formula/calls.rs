@@ -95,7 +95,8 @@ impl Scope<'_> {
         // is substituted into another; different variables take them at once.
         let plain = by.mapped(Fraction::as_var);
         let renamed = (0..plain.len()).all(|k| plain[k].is_some() && !plain[..k].contains(&plain[k]));
-        let aside = |k: usize| Var(self.names.len() + k);
+        let width = self.names.len();
+        let aside = |k: usize| Var(width + k);
         let mut names: Vec<Var> =
             (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).listed();
         names.extend(&self.domain);
@@ -115,6 +116,10 @@ impl Scope<'_> {
                         return None;
                     }
                 }
+            }
+            // The domain here may be a wider one.
+            if self.domain.iter().any(|v| value.denom().depends_on(*v)) {
+                self.must_be_defined(&value, span);
             }
             list.push((f.index.clone(), value));
         }

@@ -210,35 +210,49 @@ impl Scope<'_> {
             return None;
         };
         self.check_divisor(&divisor, span)?;
-        let divide = |scope: &Self, f: &Fraction| scope.fits(scope.budget.div(f, &divisor), span);
         match a {
-            Value::Scalar(f) => Some(Value::Scalar(divide(self, &f)?)),
+            Value::Scalar(f) => Some(Value::Scalar(self.divided(&f, &divisor, span)?)),
             Value::List(list) => {
                 let mut result = Vec::new();
                 for (index, f) in list {
-                    result.push((index, divide(self, &f)?));
+                    result.push((index, self.divided(&f, &divisor, span)?));
                 }
                 Some(Value::List(result))
             }
         }
     }
 
-    /// Only numbers and shape parameters may divide; that they do not vanish on their ranges is proved later.
+    /// A quotient in lowest terms, by a divisor that is checked: what a domain variable leaves below the fraction line
+    /// must not vanish.
+    fn divided(&mut self, f: &Fraction, divisor: &Fraction, span: Span) -> Option<Fraction> {
+        let quotient = self.fits(self.budget.div(f, divisor), span)?;
+        if self.over_domain(divisor) {
+            self.must_be_defined(&quotient, span);
+        }
+        Some(quotient)
+    }
+
+    /// Whether a domain variable occurs below the fraction line, or in a polynomial that is to stand there.
+    fn over_domain(&self, f: &Fraction) -> bool {
+        self.domain.iter().any(|v| f.depends_on(*v))
+    }
+
+    /// Notes that what stands below the fraction line of a function must not vanish.
+    pub(crate) fn must_be_defined(&mut self, f: &Fraction, span: Span) {
+        if f.denom().as_constant().is_none() {
+            let place = self.place(span);
+            self.pending.push(Pending { duty: Duty::Nonzero(f.denom().clone()), place });
+        }
+    }
+
+    /// A divisor is not zero. Of shape parameters alone it must not vanish on their ranges, which is proved later; with
+    /// domain variables in it that is said of what is left in lowest terms.
     pub(crate) fn check_divisor(&mut self, divisor: &Fraction, span: Span) -> Option<()> {
         if divisor.is_zero() {
             self.report(self.error(span, "division by zero"));
             return None;
         }
-        if let Some(var) = self.domain.iter().find(|v| divisor.depends_on(**v)) {
-            let name = &self.names[var.0];
-            let error = self.error(
-                span,
-                format!("division by the domain variable `{name}`: the quotient is not a polynomial"),
-            );
-            self.report(error.help("only numbers and shape parameters may stand below a fraction line"));
-            return None;
-        }
-        if divisor.as_constant().is_none() {
+        if divisor.as_constant().is_none() && !self.over_domain(divisor) {
             let place = self.place(span);
             self.pending.push(Pending { duty: Duty::Nonzero(divisor.numer().clone()), place });
         }
@@ -274,7 +288,7 @@ impl Scope<'_> {
             return Some(Value::Scalar(power));
         }
         let one = Fraction::constant(Rational::ONE);
-        Some(Value::Scalar(self.fits(self.budget.div(&one, &power), span)?))
+        Some(Value::Scalar(self.divided(&one, &power, base.span)?))
     }
 
     fn indexed(&mut self, base: &Expr, indices: &[Expr], span: Span) -> Option<Value> {
@@ -415,18 +429,26 @@ impl Scope<'_> {
             }
             by.pop();
         }
-        let vars = self.domain.clone();
-        let put = |scope: &Self, f: &Fraction| scope.put(f, &vars, &by, span);
         match value {
-            Value::Scalar(f) => Some(Value::Scalar(put(self, &f)?)),
+            Value::Scalar(f) => Some(Value::Scalar(self.at_arguments(&f, &by, span)?)),
             Value::List(list) => {
                 let mut result = Vec::new();
                 for (index, f) in list {
-                    result.push((index, put(self, &f)?));
+                    result.push((index, self.at_arguments(&f, &by, span)?));
                 }
                 Some(Value::List(result))
             }
         }
+    }
+
+    /// The function with arguments in place of the domain variables; they may leave the domain, but not come upon a
+    /// zero of its denominator.
+    fn at_arguments(&mut self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
+        let value = self.put(f, &self.domain, by, span)?;
+        if self.domain.iter().any(|v| f.denom().depends_on(*v)) {
+            self.must_be_defined(&value, span);
+        }
+        Some(value)
     }
 
     /// A function with others put in place of variables, all at once.

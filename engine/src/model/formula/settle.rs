@@ -45,10 +45,11 @@ impl Scope<'_> {
         }
     }
 
-    /// Has what has been noted decided, on a box; reports what fails, and whether everything holds.
-    pub(crate) fn settle(&mut self, region: &Region, budget: u32) -> bool {
+    /// Has what has been noted decided; reports what fails, and whether everything holds. What no domain variable
+    /// occurs in is decided on a box, anything else on the whole domain.
+    pub(crate) fn settle(&mut self, region: &Region, whole: &Rc<Domain>, budget: u32) -> bool {
         let mut fine = true;
-        let domain = Rc::new(Domain::of(region.clone()));
+        let shapes = Rc::new(Domain::of(region.clone()));
         for Pending { duty, place } in core::mem::take(&mut self.pending) {
             if self.settled.contains(&duty) {
                 continue;
@@ -57,9 +58,15 @@ impl Scope<'_> {
                 return false;
             }
             let (before, at) = (basis_prover::spent(), place.clone());
+            let over = |f: &Fraction| self.domain.iter().any(|v| f.depends_on(*v));
+            let whole_domain = match &duty {
+                Duty::Nonzero(p) => self.domain.iter().any(|v| p.depends_on(*v)),
+                Duty::Inside(inside) => over(&inside.value),
+            };
+            let domain = if whole_domain { whole } else { &shapes };
             let error = match &duty {
-                Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, &domain, budget),
-                Duty::Inside(inside) => self.check_inside(inside, place, &domain, budget),
+                Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, domain, budget),
+                Duty::Inside(inside) => self.check_inside(inside, place, domain, budget),
             };
             let spent = (basis_prover::spent() - before) / u64::from(budget.max(1));
             if let Err(TooLarge::Run(message)) = self.budget.run().decision(spent) {
@@ -90,7 +97,10 @@ impl Scope<'_> {
         domain: &Rc<Domain>,
         budget: u32,
     ) -> Option<Diagnostic> {
-        let shown = divisor.display(&self.names).to_string();
+        let mut shown = divisor.display(&self.names).to_string();
+        if shown.starts_with('-') && self.domain.iter().any(|v| divisor.depends_on(*v)) {
+            shown = (-divisor).display(&self.names).to_string(); // as it stands below a quotient in lowest terms
+        }
         let goal = Goal::Nonzero(divisor.clone(), Rc::clone(domain));
         Some(match self.judge(format!("{shown} != 0"), goal, budget) {
             Err(Open::Fails(point)) => {
@@ -138,6 +148,12 @@ impl Scope<'_> {
         } else {
             (">", Range { low: excluded, ..range.clone() })
         };
+        if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {
+            return format!("choose a domain without {name} = {value}");
+        }
+        if self.domain.contains(&var) {
+            return format!("leave this value out: `domain {};`", narrowed.display(name));
+        }
         if self.subject == Subject::Theorem {
             format!("leave this value out: `assume {name} {sign} {value};`")
         } else {

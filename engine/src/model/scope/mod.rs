@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
 use crate::syntax::Name;
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::map::SortedMap;
+use basis_prover::collections::map::SortedMap;
 
 mod duty;
 

@@ -96,6 +96,7 @@ impl Motion {
             .iter()
             .map(|(v, _)| v.0 + 1)
             .chain(f.numer().variables().last().map(|v| v.0 + 1))
+            .chain(f.denom().variables().last().map(|v| v.0 + 1))
             .max()?;
         let mut names: Vec<Var> = (0..width).map(Var).listed();
         let mut substituted = None;
@@ -105,11 +106,13 @@ impl Motion {
                 _ => substituted = Some((*var, value)),
             }
         }
-        let mut numer = f.numer().rename(&names);
-        if let Some((var, value)) = substituted {
-            numer = numer.substitute(var, value);
-        }
-        Fraction::new(numer, f.denom().clone())
+        let moved = |p: &Poly| {
+            let renamed = p.rename(&names);
+            substituted.map_or_else(|| renamed.clone(), |(var, value)| renamed.substitute(var, value))
+        };
+        let denom = f.denom();
+        let fixed = self.by.iter().all(|(var, _)| !denom.depends_on(*var));
+        Fraction::new(moved(f.numer()), if fixed { denom.clone() } else { moved(denom) })
     }
 }
 
@@ -173,7 +176,7 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
         for k in 0..=len {
             let mut difference = Fraction::zero();
             let mut parts = Vec::new();
-            // A denominator has shape parameters only, so it stays what it is.
+            // A denominator vanishes nowhere on the domain, so that there is a value at its ends.
             if let Some(f) = k.checked_sub(1).and_then(|k| at(k, order, low)) {
                 difference = f;
                 parts.push(name(k - 1, order, low));

@@ -2,8 +2,8 @@
 
 use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
-use basis_prover::map::SortedMap;
 use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
 use super::point::{domain_names, named_point};
@@ -36,7 +36,7 @@ pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
     Stated { of: String::from(COEFFICIENTS), statement, symmetries }
 }
 
-/// The coefficients of all functions, one row for each; denominators, which vanish nowhere, are left out. On an
+/// The coefficients of the numerators of all functions, one row for each; denominators vanish nowhere. On an
 /// interval in the Bernstein basis, or in powers if that makes the table triangular; on a simplex in homogeneous
 /// monomials, in which more of them are numbers.
 pub fn coefficient_table(family: &Family) -> Table {
@@ -56,7 +56,8 @@ pub fn coefficient_table(family: &Family) -> Table {
         (m.checked_div(&others).unwrap_or_else(Monomial::one), others)
     };
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
-    let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
+    let numerators = family.numerators();
+    let terms = numerators.iter().flat_map(Poly::terms);
     let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);
     // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the
     // degree.
@@ -85,7 +86,7 @@ pub fn coefficient_table(family: &Family) -> Table {
         }
         row
     };
-    let rows: Vec<SortedMap<Monomial, Poly>> = family.functions.iter().map(|f| row(f.value.numer())).listed();
+    let rows: Vec<SortedMap<Monomial, Poly>> = numerators.mapped(row);
     let mut columns: Vec<&Monomial> = rows.iter().flat_map(SortedMap::keys).listed();
     sort_unique(&mut columns);
     let symmetries = if family.is_simplex() {
@@ -158,7 +159,7 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
             (String::from(SQUARES), squares(found), note)
         }
         (basis_kernel::Witness::Dependent(_, factors), Some(point)) => {
-            // The rows are numerators; a function is its numerator over its denominator.
+            // The rows are multiples of the functions.
             let mut coordinates = vec![Rational::ZERO; family.names.len()];
             for ((var, _), x) in found.point.iter().zip(point) {
                 if let Some(slot) = coordinates.get_mut(var.0) {
@@ -167,8 +168,8 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
             }
             let scaled: Vec<Poly> = factors
                 .iter()
-                .zip(&family.functions)
-                .map(|(c, f)| Poly::constant(&c.leading() * &f.value.denom().eval(&coordinates)))
+                .enumerate()
+                .map(|(k, c)| Poly::constant(&c.leading() * &family.numerator_factor(k).eval(&coordinates)))
                 .listed();
             let of = combination_text(family, &scaled);
             let note = format!("`{of}` vanishes identically{here}");

@@ -6,8 +6,8 @@ use std::rc::Rc;
 
 use basis_kernel::{Domain, Products, Relation, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
-use basis_prover::map::SortedMap;
 use basis_prover::semidefinite;
 use basis_prover::{Coordinate, Failure, Symmetries, decide, minor_signs};
 

@@ -5,9 +5,9 @@ use std::error::Error;
 
 use basis_runtime::{ScalarOf, Surface, TriangleIndex, TriangularBasis, TriangularPatch};
 
-use crate::families::{TriangularI, TriangularII};
+use super::families::{TriangularI, TriangularII};
+use crate::draw::scene::{Point3d, Scene, View};
 use crate::figure::{Drawing, Facts, Figure, Picture};
-use crate::scene::{Point3d, Scene, View};
 
 const VIEW: View = View { azimuth: -70.0, elevation: 24.0 };
 

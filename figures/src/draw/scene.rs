@@ -2,7 +2,7 @@
 
 use basis_runtime::{BoundedSurface, Mesh, MeshError, Point, Point3, Surface, Tessellation};
 
-use crate::raster::{Colour, Corner, Raster};
+use super::raster::{Colour, Corner, Raster};
 
 /// The size of a picture in pixels.
 const SIZE: [usize; 2] = [840, 640];

@@ -3,9 +3,9 @@
 
 use std::error::Error;
 
-use crate::bonnet::{Bonnet, bonnet};
+use super::bonnet::{Bonnet, bonnet};
+use crate::draw::scene::{Point3d, Scene, View};
 use crate::figure::{Drawing, Facts, Figure, Picture};
-use crate::scene::{Point3d, Scene, View};
 
 /// All figures of the paper, and the state between them.
 pub(crate) fn figures() -> Vec<Figure> {

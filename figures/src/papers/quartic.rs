@@ -6,9 +6,9 @@ use std::f64::consts::PI;
 
 use basis_runtime::{Edge, EdgeContinuity, ShapeError, Surface, TensorSurface, edge_continuity};
 
-use crate::families::QuarticBernstein;
+use super::families::QuarticBernstein;
+use crate::draw::scene::{Point3d, Scene, View};
 use crate::figure::{Drawing, Facts, Figure, Picture, number};
-use crate::scene::{Point3d, Scene, View};
 
 type Net = [[Point3d; 4]; 4];
 type Patch = TensorSurface<QuarticBernstein, QuarticBernstein, Point3d>;
@@ -298,20 +298,32 @@ fn tablecloth() -> Result<Drawing, Box<dyn Error>> {
         edge_continuity(&parts[3], Edge::VEnd, &parts[0], Edge::VStart, false, SAMPLES),
         edge_continuity(&parts[2], Edge::VEnd, &parts[1], Edge::VStart, false, SAMPLES),
     ];
+    let drawing = assembled(&parts, &edges, [lambda, gamma], View { azimuth: -62.0, elevation: 30.0 })?;
+    let note = String::from("Four patches that meet in the middle of the table: two u–u and two v–v joins.");
+    Ok(Drawing { note, ..drawing })
+}
+
+/// Patches with the same shape values beside each other, and their nets; the note is left empty.
+fn assembled(
+    parts: &[Patch],
+    edges: &[EdgeContinuity<f64>],
+    [lambda, gamma]: [f64; 2],
+    view: View,
+) -> Result<Drawing, Box<dyn Error>> {
     let mut scene = Scene::default();
-    let mesh = scene.surfaces(&parts)?;
-    let facts = continuity(&edges).with("area", mesh.area()).with("triangles", mesh.triangles.len());
-    for part in &parts {
-        show_net(&mut scene, &net_of(part));
+    let mesh = scene.surfaces(parts)?;
+    let facts = continuity(edges).with("area", mesh.area()).with("triangles", mesh.triangles.len());
+    let mut nets = Vec::with_capacity(parts.len());
+    for part in parts {
+        let net = net_of(part);
+        show_net(&mut scene, &net);
+        nets.push(list(&net));
     }
     Ok(Drawing {
-        picture: Picture::Surfaces(scene, View { azimuth: -62.0, elevation: 30.0 }),
-        params: Facts::default()
-            .with("λ", lambda)
-            .with("γᵢ", gamma)
-            .with("nets", parts.iter().map(|part| list(&net_of(part))).collect::<serde_json::Value>()),
+        picture: Picture::Surfaces(scene, view),
+        params: Facts::default().with("λ", lambda).with("γᵢ", gamma).with("nets", nets),
         facts,
-        note: String::from("Four patches that meet in the middle of the table: two u–u and two v–v joins."),
+        note: String::new(),
     })
 }
 
@@ -351,21 +363,8 @@ fn tent() -> Result<Drawing, Box<dyn Error>> {
     let edges: Vec<EdgeContinuity<f64>> = (0..6)
         .map(|k| edge_continuity(&parts[k], Edge::VEnd, &parts[(k + 1) % 6], Edge::VStart, false, SAMPLES))
         .collect();
-    let mut scene = Scene::default();
-    let mesh = scene.surfaces(&parts)?;
-    let facts = continuity(&edges).with("area", mesh.area()).with("triangles", mesh.triangles.len());
-    for part in &parts {
-        show_net(&mut scene, &net_of(part));
-    }
-    Ok(Drawing {
-        picture: Picture::Surfaces(scene, View { azimuth: -52.0, elevation: 22.0 }),
-        params: Facts::default()
-            .with("λ", lambda)
-            .with("γᵢ", gamma)
-            .with("nets", parts.iter().map(|part| list(&net_of(part))).collect::<serde_json::Value>()),
-        facts,
-        note: String::from("Six three-sided patches joined G1 around the top."),
-    })
+    let drawing = assembled(&parts, &edges, [lambda, gamma], View { azimuth: -52.0, elevation: 22.0 })?;
+    Ok(Drawing { note: String::from("Six three-sided patches joined G1 around the top."), ..drawing })
 }
 
 /// The patches with their seams smoothed: at each seam the neighbouring columns are moved to both sides of it equally.

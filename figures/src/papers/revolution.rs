@@ -7,10 +7,10 @@ use basis_runtime::{
     Curve, RationalSurface, RevolutionPatch, SurfaceOfRevolution, TensorSurface, half_turn_parameter,
 };
 
-use crate::families::QuarticBernstein;
+use super::families::QuarticBernstein;
+use crate::draw::plot::{Axis, Plot};
+use crate::draw::scene::{Point3d, Scene, View};
 use crate::figure::{Drawing, Facts, Figure, Picture, number};
-use crate::plot::{Axis, Plot};
-use crate::scene::{Point3d, Scene, View};
 
 type Plane = [f64; 2];
 type Segment = Curve<QuarticBernstein, Plane>;

@@ -8,10 +8,10 @@ use std::f64::consts::PI;
 
 use basis_runtime::{Curve, Joint, SurfaceOfRevolution};
 
-use crate::families::QuadraticBezier;
+use super::families::QuadraticBezier;
+use crate::draw::plot::{Axis, Plot};
+use crate::draw::scene::{Scene, View};
 use crate::figure::{Drawing, Facts, Figure, Picture, number};
-use crate::plot::{Axis, Plot};
-use crate::scene::{Scene, View};
 
 type Plane = [f64; 2];
 type Segment = Curve<QuadraticBezier, Plane>;

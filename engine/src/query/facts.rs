@@ -1,0 +1,378 @@
+//! What holds of a family: its functions in all their forms, and the claims that could be made of it.
+
+use core::ops::Range;
+
+use basis_prover::Coordinate;
+use basis_prover::rank::ExceptionalSet;
+
+use super::document::Document;
+use super::lex::tokens;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Place;
+use crate::explain::{exceptional_set, formulas};
+use crate::generate::form::IntervalForm;
+use crate::model::{Family, Library, Selected};
+use crate::source::{Files, Source};
+use crate::state::{Prover, Run, Verdict};
+use crate::subject::Subject;
+
+/// One function of a family in all its forms.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FunctionFacts {
+    /// The name, such as `b[1]`.
+    pub label: String,
+    /// As a product.
+    pub factored: String,
+    /// Expanded into monomials.
+    pub expanded: String,
+    /// On an interval, the coefficients in the Bernstein basis of the family's degree.
+    pub bernstein: Vec<String>,
+    /// Numbers between which all values lie, the least and the largest of these coefficients; only where they contain no
+    /// shape parameter.
+    pub between: Option<(String, String)>,
+}
+
+/// The functions of a family in all their forms.
+pub fn function_facts(family: &Family) -> Vec<FunctionFacts> {
+    let form = IntervalForm::new(family);
+    let facts = formulas(family).into_iter().enumerate().map(|(k, formula)| {
+        let (mut bernstein, mut between) = (Vec::new(), None);
+        if let Some(f) = form.as_ref().and_then(|form| form.functions.get(k)) {
+            let over = |p: &Poly| Fraction::new(p.clone(), f.denom.clone());
+            let coefficients: Vec<Fraction> = f.bernstein.iter().filter_map(over).collect();
+            bernstein = coefficients.iter().map(|c| c.display(&family.names)).collect();
+            let numbers: Option<Vec<Rational>> = coefficients.iter().map(Fraction::as_constant).collect();
+            between = numbers.and_then(|numbers| {
+                Some((numbers.iter().min()?.to_string(), numbers.iter().max()?.to_string()))
+            });
+        }
+        let crate::explain::Formula { label, factored, expanded } = formula;
+        FunctionFacts { label, factored, expanded, bernstein, between }
+    });
+    facts.collect()
+}
+
+/// A claim that is proved and that a spec does not make yet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Holds {
+    /// The statement, such as `prove symmetric;`, over several lines where it has a block.
+    pub statement: String,
+}
+
+/// Claims that hold of a family of a spec, in all its orders, and that the spec does not make: those about the whole
+/// family, values and derivatives at the ends of an interval, and shape values at which it is a Bernstein basis.
+///
+/// Each of them is written into the spec and decided as if its author had written it; what is not proved is left out.
+/// Nothing holds of a family with errors.
+pub fn claims_that_hold(files: &dyn Files, source: &Source, name: &str) -> Vec<Holds> {
+    let Some(text) = source.text.as_deref() else { return Vec::new() };
+    let document = Document::new(text);
+    let entry = document.entries.iter().find(|e| {
+        e.title == name && e.symbol.is_some_and(|s| document.symbols[s].kind == super::SymbolKind::Family)
+    });
+    let Some((entry, body)) = entry.and_then(|e| Some((e, e.body.clone()?))) else { return Vec::new() };
+    let families = |source: &Source| -> Vec<_> {
+        let library = Library::from_source(files, &Prover, source.clone());
+        let items = library.items(Selected::EveryOrder).into_iter();
+        items.filter(|item| item.subject.name() == name && item.subject.kind() == "family").collect()
+    };
+    let Some(Subject::Family(family)) = families(source).first().map(|item| item.subject.clone()) else {
+        return Vec::new();
+    };
+    let made: Vec<String> = entry.children.iter().map(|c| squeezed(document.slice(&c.whole))).collect();
+    let candidates: Vec<Vec<String>> = candidates(&family)
+        .into_iter()
+        .filter(|c| !c.is_made(&made))
+        .map(|c| c.statements(&made))
+        .filter(|c| !c.is_empty())
+        .collect();
+    // All candidates are written behind the other statements.
+    let mut longer = text[..body.end].to_string();
+    let mut places: Vec<Vec<Range<usize>>> = Vec::new();
+    for alternatives in &candidates {
+        let mut own = Vec::new();
+        for statement in alternatives {
+            longer.push('\n');
+            own.push(longer.len()..longer.len() + statement.len());
+            longer += statement;
+        }
+        places.push(own);
+    }
+    longer.push('\n');
+    longer += &text[body.end..];
+    let mut tried = Source::text(source.name.clone(), &longer);
+    tried.path.clone_from(&source.path);
+    tried.library.clone_from(&source.library);
+    let items = families(&tried);
+    let run = &mut Run::default();
+    let mut fails: Vec<Range<usize>> = Vec::new();
+    let mut seen: Vec<Range<usize>> = Vec::new();
+    for item in &items {
+        for claim in &item.claims {
+            let Place::Text(_, place) = &claim.place else { continue };
+            let inside = |r: &&Range<usize>| r.start <= place.start && place.end <= r.end;
+            let Some(at) = places.iter().flatten().find(inside) else { continue };
+            if fails.contains(at) {
+                continue;
+            }
+            seen.push(at.clone());
+            if !matches!(run.decide(&item.subject, claim), Verdict::Proved(_)) {
+                fails.push(at.clone());
+            }
+        }
+    }
+    let mut all = Vec::new();
+    for (alternatives, places) in candidates.into_iter().zip(places) {
+        // Of several the first one that holds says most.
+        let holds = |(_, place): &(String, Range<usize>)| seen.contains(place) && !fails.contains(place);
+        if let Some((statement, _)) = alternatives.into_iter().zip(places).find(holds) {
+            all.push(Holds { statement });
+        }
+    }
+    all
+}
+
+/// A statement without white space and comments.
+fn squeezed(statement: &str) -> String {
+    tokens(statement).iter().filter(|t| !t.is_comment()).map(|t| t.text(statement)).collect()
+}
+
+/// Claims that may hold.
+enum Candidate {
+    /// A claim about the whole family, from the one that says most to the one that says least.
+    Property(Vec<String>),
+    /// What stands before a block, and the two sides of each of its equations.
+    Block(String, Vec<(String, String)>),
+}
+
+impl Candidate {
+    /// Whether the same property is claimed already, perhaps with other values.
+    fn is_made(&self, made: &[String]) -> bool {
+        let Self::Property(claims) = self else { return false };
+        claims.iter().any(|claim| {
+            let word = claim.split(['(', ' ']).next().unwrap_or_default();
+            made.iter().any(|m| m.strip_prefix("prove").is_some_and(|m| m.starts_with(word)))
+        })
+    }
+
+    /// The statements, of which the first one that holds is meant, without equations whose left sides have values already.
+    fn statements(self, made: &[String]) -> Vec<String> {
+        let (at, mut equations) = match self {
+            Self::Property(claims) => return claims.iter().map(|claim| format!("prove {claim};")).collect(),
+            Self::Block(at, equations) => (at, equations),
+        };
+        let head = squeezed(&format!("prove at {at} {{"));
+        let blocks: Vec<&str> = made.iter().filter_map(|m| m.strip_prefix(&head)).collect();
+        equations.retain(|(left, _)| {
+            let start = format!("{}=", squeezed(left));
+            !blocks.iter().any(|block| block.split(';').any(|equation| equation.starts_with(&start)))
+        });
+        match equations.as_slice() {
+            [] => Vec::new(),
+            [(left, right)] => {
+                vec![format!("prove at {at} {{ {left} = {right}; }}")]
+            }
+            several => {
+                let lines: Vec<String> = several.iter().map(|(l, r)| format!("    {l} = {r};\n")).collect();
+                vec![format!("prove at {at} {{\n{}}}", lines.concat())]
+            }
+        }
+    }
+}
+
+fn candidates(family: &Family) -> Vec<Candidate> {
+    let one = |claim: &str| Candidate::Property(vec![claim.to_string()]);
+    let mut all = vec![one("partition_of_unity"), one("nonnegative"), one("symmetric")];
+    all.push(match independent_claim(family, &exceptional_set(family)) {
+        Some(claim) if family.order.is_empty() => one(&claim),
+        _ => one("independent"),
+    });
+    if family.interval().is_some() {
+        all.push(Candidate::Property((1..=3).rev().map(|k| format!("continuity({k})")).collect()));
+    }
+    if family.order.is_empty() {
+        all.extend(ends(family));
+        all.extend(bernstein_values(family));
+    }
+    all
+}
+
+/// `independent`, or `independent except …` with all exceptions; nothing where these are irrational, or not all known.
+pub fn independent_claim(family: &Family, set: &ExceptionalSet) -> Option<String> {
+    if set.open.is_some() {
+        return None;
+    }
+    let mut exceptions = Vec::new();
+    for exception in &set.exceptions {
+        let mut values = Vec::new();
+        for (var, value) in &exception.values {
+            let Coordinate::Rational(value) = value else { return None };
+            values.push(format!("{} = {value}", family.names[var.0]));
+        }
+        match values.as_slice() {
+            [] => return None,
+            [only] => exceptions.push(only.clone()),
+            several => exceptions.push(format!("({})", several.join(", "))),
+        }
+    }
+    if exceptions.is_empty() {
+        return Some(String::from("independent"));
+    }
+    Some(format!("independent except {}", exceptions.join(", ")))
+}
+
+/// The values and the first two derivatives at both ends of an interval, as blocks.
+fn ends(family: &Family) -> Vec<Candidate> {
+    let Some((var, low, high)) = family.interval() else { return Vec::new() };
+    let (name, b) = (&family.names[var.0], &family.function_name);
+    let mut blocks = Vec::new();
+    for end in [low, high] {
+        let mut lines = Vec::new();
+        for order in 0..=2 {
+            let values: Option<Vec<String>> = family
+                .functions
+                .iter()
+                .map(|f| {
+                    let derivative = (0..order).fold(f.value.clone(), |f, _| f.derivative(var));
+                    let value = derivative.substitute(var, &Fraction::constant(end.clone()))?;
+                    Some(value.display(&family.names))
+                })
+                .collect();
+            let Some(values) = values else { continue };
+            let left = match order {
+                0 => b.clone(),
+                1 => format!("D({b})"),
+                _ => format!("D({b}, {order})"),
+            };
+            lines.push((left, format!("[{}]", values.join(", "))));
+        }
+        blocks.push(Candidate::Block(format!("{name} = {end}"), lines));
+    }
+    blocks
+}
+
+/// The shape values at which a family on [0, 1] is the Bernstein basis of as many functions.
+fn bernstein_values(family: &Family) -> Option<Candidate> {
+    let (var, low, high) = family.interval()?;
+    if !low.is_zero() || !high.is_one() || family.shapes.is_empty() {
+        return None;
+    }
+    let degree = family.functions.len().checked_sub(1)? as u32;
+    let (t, s) = (Poly::var(var), &Poly::one() - &Poly::var(var));
+    // Polynomials in the shape parameters, all of which have to vanish.
+    let mut equations: Vec<Poly> = Vec::new();
+    for (k, f) in family.functions.iter().enumerate() {
+        let k = k as u32;
+        let bernstein = (&s.pow(degree - k) * &t.pow(k)).scale(&crate::algebra::number::binomial(degree, k));
+        let difference = f.value.numer() - &(&bernstein * f.value.denom());
+        equations.extend(difference.coefficients_in(var).into_iter().filter(|p| !p.is_zero()));
+    }
+    let mut values: Vec<(Var, Rational)> = Vec::new();
+    while !equations.is_empty() {
+        let (var, value) = equations.iter().find_map(linear)?;
+        equations = equations.iter().map(|p| p.at(var, &value)).filter(|p| !p.is_zero()).collect();
+        values.push((var, value));
+    }
+    values.sort_by_key(|(var, _)| var.0);
+    let inside = values
+        .iter()
+        .all(|(var, value)| family.shapes.iter().any(|p| p.var == *var && p.range.contains(value)));
+    if !inside || values.is_empty() {
+        return None;
+    }
+    let at: Vec<String> =
+        values.iter().map(|(var, value)| format!("{} = {value}", family.names[var.0])).collect();
+    let equation = (family.function_name.clone(), format!("Bernstein({degree})"));
+    Some(Candidate::Block(at.join(", "), vec![equation]))
+}
+
+/// The zero of a linear polynomial in one variable.
+fn linear(p: &Poly) -> Option<(Var, Rational)> {
+    let [var] = p.variables()[..] else { return None };
+    if p.degree(var) != 1 {
+        return None;
+    }
+    let coefficients = p.coefficients_in(var);
+    let (constant, slope) = (coefficients.first()?.as_constant()?, coefficients.get(1)?.as_constant()?);
+    Some((var, -constant.checked_div(&slope)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Disk;
+
+    fn statements(text: &str, name: &str) -> Vec<String> {
+        let source = Source::text("spec.basis", text);
+        claims_that_hold(&Disk, &source, name).into_iter().map(|h| h.statement).collect()
+    }
+
+    const QUADRATIC: &str = "family Q {
+    domain 0 <= t <= 1;
+    shape -2 <= λ <= 1;
+    b[0] = (1 - λ*t) * (1 - t)^2;
+    b[1] = (2 + λ) * (1 - t) * t;
+    b[2] = (1 - λ + λ*t) * t^2;
+    CLAIMS
+}
+";
+
+    #[test]
+    fn what_holds_is_found() {
+        assert_eq!(
+            statements(QUADRATIC.replace("CLAIMS", "").as_str(), "Q"),
+            [
+                "prove partition_of_unity;",
+                "prove nonnegative;",
+                "prove symmetric;",
+                "prove independent except λ = -2;",
+                "prove at t = 0 {\n    b = [1, 0, 0];\n    D(b) = [-2 - λ, 2 + λ, 0];\n    D(b, 2) = [2 + 4*λ, -4 - 2*λ, 2 - 2*λ];\n}",
+                "prove at t = 1 {\n    b = [0, 0, 1];\n    D(b) = [0, -2 - λ, 2 + λ];\n    D(b, 2) = [2 - 2*λ, -4 - 2*λ, 2 + 4*λ];\n}",
+                "prove at λ = 0 { b = Bernstein(2); }",
+            ]
+        );
+    }
+
+    #[test]
+    fn what_is_claimed_or_false_is_left_out() {
+        let claims = "prove symmetric; prove at t = 1 { b = [0, 0, 1]; D(b)=[0,-λ-2,λ+2]; D(b, 2) = [-2*λ + 2, -2*λ - 4, 4*λ + 2]; }";
+        let found = statements(&QUADRATIC.replace("CLAIMS", claims).replace("-2 <= λ", "-3 <= λ"), "Q");
+        assert_eq!(found.len(), 4);
+        assert!(
+            !found
+                .iter()
+                .any(|s| s.contains("nonnegative") || s.contains("symmetric") || s.contains("t = 1"))
+        );
+        // In every order, or not at all.
+        let smooth = "family S(n in 1..=3) { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = t; b[2] = (n - 1)*t; }";
+        assert!(
+            !statements(smooth, "S").iter().any(|s| s.contains("partition") || s.contains("independent"))
+        );
+        assert_eq!(statements(smooth, "S"), ["prove nonnegative;"]);
+        assert!(statements("family F { domain 0 <= t <= 1; b[0] = x; }", "F").is_empty());
+        assert!(statements(&QUADRATIC.replace("CLAIMS", ""), "Other").is_empty());
+    }
+
+    #[test]
+    fn splines_join_as_often_as_they_do() {
+        let text = "family S { domain 0 <= t <= 1; b[0] = (1 - t)^2/2; b[1] = 1/2 + t - t^2; b[2] = t^2/2; }";
+        let found = statements(text, "S");
+        assert!(found.contains(&String::from("prove continuity(1);")), "{found:?}");
+    }
+
+    #[test]
+    fn functions_have_bounds() {
+        let source = Source::text(
+            "f.basis",
+            "family F { domain 0 <= t <= 1; b[0] = 3*t^2 - 2*t^3; b[1] = 1 - 3*t^2 + 2*t^3; }",
+        );
+        let library = Library::from_source(&Disk, &Prover, source);
+        let items = library.items(Selected::EveryOrder);
+        let Subject::Family(family) = &items[0].subject else { panic!("it is a family") };
+        let facts = function_facts(family);
+        assert_eq!(facts[0].bernstein, ["0", "0", "1", "1"]);
+        assert_eq!(facts[0].between, Some((String::from("0"), String::from("1"))));
+    }
+}
