@@ -2,11 +2,11 @@
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
 #[derive(Clone, Debug, PartialEq)]
-pub enum Step { Input(Input), Number(Rational), Neg(usize), Sum(usize, usize), Difference(usize, usize), Product(usize, usize), Quotient(usize, usize) }
+pub enum Step { Input(Input), Constant(Rational), Neg(usize), Add(usize, usize), Sub(usize, usize), Mul(usize, usize), Div(usize, usize) }
 impl Step {
     /// The steps that it is made of.
     pub fn operands(&self) -> Vec<usize> {
-        match self { Self::Input(_) | Self::Number(_) => vec![], Self::Neg(a) => vec![*a], Self::Sum(a,b)|Self::Difference(a,b)|Self::Product(a,b)|Self::Quotient(a,b) => vec![*a,*b] }
+        match self { Self::Input(_) | Self::Constant(_) => vec![], Self::Neg(a) => vec![*a], Self::Add(a,b)|Self::Sub(a,b)|Self::Mul(a,b)|Self::Div(a,b) => vec![*a,*b] }
     }
 }
 #[derive(Clone, Debug)]

@@ -1,7 +1,8 @@
-//! Bounds of the error itself, for results that change their sign.
+//! Bounds of the error itself, for results that change their sign, and of points relative to the largest control point.
 //!
 //! The shares wₖvₖ that have one sign on a cell are added before their sum is enclosed; any other one lies between −m
-//! and m for a number m.
+//! and m for a number m. A point is linear in the control points Pᵢ, and so are the shares: with max |Pᵢ| = 1, |wₖvₖ| is
+//! at most the sum of the absolute values of their coefficients.
 
 use std::rc::Rc;
 
@@ -10,7 +11,7 @@ use super::conditions::{Conditions, common_denominator, over};
 use super::exact::Exact;
 use super::{Part, relative, rest};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::steps::Step;
@@ -20,11 +21,12 @@ pub(super) fn part(
     exact: &mut Exact<'_>,
     output: usize,
     cell: &Cell,
+    points: &[Var],
     work: &mut Work,
 ) -> Option<(Rational, Part)> {
     let mut conditions = Conditions { cell, known: Vec::new() };
     for k in exact.quotients_by_sums(output) {
-        let Step::Quotient(_, divisor) = exact.step(k) else { continue };
+        let Step::Div(_, divisor) = exact.step(k) else { continue };
         let (bound, part) = relative::part(exact, *divisor, cell, work)?;
         let last = part.last(&bound);
         part.conditions.into_iter().chain([last]).for_each(|p| conditions.add(p));
@@ -38,10 +40,12 @@ pub(super) fn part(
         if conditions.is_exact(exact, *k, work)? {
             continue;
         }
-        let (share, weight) = (over(share, &below)?, exact.weight(*k));
-        match cell.sign(&share, work) {
-            Some(_) => signed = &signed + &conditions.absolute(&share, work)?.scale(&weight),
-            None => rest += &(&conditions.largest(&share, &value, work)? * &weight),
+        let weight = exact.weight(*k);
+        for share in coefficients(&over(share, &below)?, points)? {
+            match cell.sign(&share, work) {
+                Some(_) => signed = &signed + &conditions.absolute(&share, work)?.scale(&weight),
+                None => rest += &(&conditions.largest(&share, &value, work)? * &weight),
+            }
         }
     }
     let size = size(exact, output, &mut conditions, work)?;
@@ -50,6 +54,21 @@ pub(super) fn part(
     let domain = Rc::clone(&cell.domain);
     let part = Part { domain, conditions: conditions.known, value, sum: signed, rest: rest.clone() };
     Some((&first + &rest, part))
+}
+
+/// The coefficients of the points in a linear form in them; without points the polynomial itself.
+fn coefficients(share: &Poly, points: &[Var]) -> Option<Vec<Poly>> {
+    if points.is_empty() {
+        return Some(vec![share.clone()]);
+    }
+    let mut coefficients = Vec::new();
+    let mut left = share.clone();
+    for point in points.iter().filter(|point| share.depends_on(**point)) {
+        let coefficient = share.derivative(*point);
+        left = &left - &(&coefficient * &Poly::var(*point));
+        coefficients.push(coefficient);
+    }
+    left.is_zero().then_some(coefficients)
 }
 
 /// A bound of the sum of the absolute values of the products of which a step is the sum.
@@ -68,13 +87,13 @@ fn size(
                 bounded(&value, conditions, work)?
             }
             Step::Neg(a) => size(a)?.clone(),
-            Step::Sum(a, b) | Step::Difference(a, b) => size(a)? + size(b)?,
-            Step::Product(a, b) => size(a)? * size(b)?,
-            Step::Quotient(a, b) => {
+            Step::Add(a, b) | Step::Sub(a, b) => size(a)? + size(b)?,
+            Step::Mul(a, b) => size(a)? * size(b)?,
+            Step::Div(a, b) => {
                 let inverse = Fraction::constant(Rational::ONE).div_within(&exact.value(*b, work)?, work);
                 size(a)? * &bounded(&inverse.ok()??, conditions, work)?
             }
-            Step::Input(_) | Step::Number(_) => return None,
+            Step::Input(_) | Step::Constant(_) => return None,
         };
         sizes[k] = Some(here);
     }

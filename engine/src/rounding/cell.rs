@@ -9,6 +9,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use basis_prover::collections::list::Listed;
 
 /// A cell.
 pub(super) struct Cell {
@@ -16,26 +17,29 @@ pub(super) struct Cell {
 }
 
 /// More cells than this are not made.
-const MOST: usize = 64;
+const MOST: u64 = 64;
 
 impl Cell {
-    /// The cells of a grid that cuts a region along these variables, each range into `count` equal parts, or fewer when
-    /// these would be too many cells.
-    pub(super) fn grid(region: &Region, cut: &[Var], count: u32) -> Vec<Self> {
-        let mut count = i64::from(count);
-        while count > 1 && usize::try_from(count).map_or(true, |n| n.pow(cut.len() as u32) > MOST) {
-            count -= 1;
+    /// The cells of a grid that cuts the range of each of some variables into a number of equal parts, or fewer when
+    /// these would be too many cells. A range without end is not cut.
+    pub(super) fn grid(region: &Region, cuts: &[(Var, u32)]) -> Vec<Self> {
+        let mut most = cuts.iter().map(|(_, count)| *count).max().unwrap_or(1);
+        let size = |most: u32| {
+            cuts.iter().fold(1_u64, |size, (_, count)| size.saturating_mul(u64::from(*count.min(&most))))
+        };
+        while most > 1 && size(most) > MOST {
+            most -= 1;
         }
         let mut cells = vec![region.clone()];
-        for var in cut {
+        for (var, count) in cuts {
             let mut finer = Vec::new();
             for cell in cells {
-                finer.extend(parts(&cell, *var, count));
+                finer.extend(parts(&cell, *var, i64::from(*count.min(&most))));
             }
             cells = finer;
         }
         let cells = cells.into_iter();
-        cells.map(|region| Self { domain: Rc::new(Domain::of(region)) }).collect()
+        cells.map(|region| Self { domain: Rc::new(Domain::of(region)) }).listed()
     }
 
     /// Whether p ≥ 0 (`Some(true)`) or p ≤ 0 (`Some(false)`) by the signs of its Bernstein coefficients.

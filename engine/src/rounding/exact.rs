@@ -1,11 +1,10 @@
 //! What each step computes exactly, which steps round, and how their errors reach a result.
 
-use super::rest;
+use super::{Inputs, rest};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::plan::Input;
 use crate::steps::{Step, Steps};
 use basis_prover::collections::list::Listed;
 
@@ -32,12 +31,12 @@ pub(super) struct Exact<'a> {
 
 impl<'a> Exact<'a> {
     /// `None` when an input is no variable.
-    pub(super) fn new(steps: &'a Steps, variable: &dyn Fn(Input) -> Option<Var>) -> Option<Self> {
+    pub(super) fn new(steps: &'a Steps, inputs: &Inputs) -> Option<Self> {
         let steps = &steps.steps[..];
         let mut variables = Vec::new();
         for step in steps {
             variables.push(match step {
-                Step::Input(input) => Some(variable(*input)?),
+                Step::Input(input) => Some(inputs.variable(*input)?),
                 _ => None,
             });
         }
@@ -66,12 +65,12 @@ impl<'a> Exact<'a> {
             let of = |a: &usize| self.values[*a].clone();
             let value = match self.step(k) {
                 Step::Input(_) => Fraction::var(self.variables[k]?),
-                Step::Number(c) => Fraction::constant(c.clone()),
+                Step::Constant(c) => Fraction::constant(c.clone()),
                 Step::Neg(a) => -&of(a)?,
-                Step::Sum(a, b) => of(a)?.add_within(&of(b)?, work)?,
-                Step::Difference(a, b) => of(a)?.sub_within(&of(b)?, work)?,
-                Step::Product(a, b) => of(a)?.mul_within(&of(b)?, work)?,
-                Step::Quotient(a, b) => of(a)?.div_within(&of(b)?, work).ok()??,
+                Step::Add(a, b) => of(a)?.add_within(&of(b)?, work)?,
+                Step::Sub(a, b) => of(a)?.sub_within(&of(b)?, work)?,
+                Step::Mul(a, b) => of(a)?.mul_within(&of(b)?, work)?,
+                Step::Div(a, b) => of(a)?.div_within(&of(b)?, work).ok()??,
             };
             self.values[k] = Some(value);
         }
@@ -82,27 +81,27 @@ impl<'a> Exact<'a> {
     pub(super) fn is_exact(&self, k: usize) -> bool {
         match self.step(k) {
             Step::Input(_) => true,
-            Step::Number(c) => is_float(c),
+            Step::Constant(c) => is_float(c),
             Step::Neg(a) => self.is_exact(*a),
-            Step::Product(a, b) => {
+            Step::Mul(a, b) => {
                 (self.is_power(*a) && self.is_exact(*b)) || (self.is_power(*b) && self.is_exact(*a))
             }
-            Step::Quotient(a, b) => self.is_power(*b) && self.is_exact(*a),
-            Step::Sum(..) | Step::Difference(..) => false,
+            Step::Div(a, b) => self.is_power(*b) && self.is_exact(*a),
+            Step::Add(..) | Step::Sub(..) => false,
         }
     }
 
     /// Whether a step is a sum or a difference of exact values: off by one factor 1 + δ at most.
     pub(super) fn is_leaf(&self, k: usize) -> bool {
         match self.step(k) {
-            Step::Sum(a, b) | Step::Difference(a, b) => self.is_exact(*a) && self.is_exact(*b),
-            Step::Number(_) => true,
+            Step::Add(a, b) | Step::Sub(a, b) => self.is_exact(*a) && self.is_exact(*b),
+            Step::Constant(_) => true,
             _ => self.is_exact(k),
         }
     }
 
     fn is_power(&self, k: usize) -> bool {
-        matches!(self.step(k), Step::Number(c) if is_power_of_two(c))
+        matches!(self.step(k), Step::Constant(c) if is_power_of_two(c))
     }
 
     /// When a step rounds.
@@ -110,12 +109,12 @@ impl<'a> Exact<'a> {
         Some(match self.step(k) {
             _ if self.is_exact(k) => Rounds::Never,
             Step::Neg(_) => Rounds::Never,
-            Step::Product(a, b) if self.is_power(*a) || self.is_power(*b) => Rounds::Never,
-            Step::Quotient(_, b) if self.is_power(*b) => Rounds::Never,
-            Step::Sum(a, b) | Step::Difference(a, b) if self.is_leaf(k) => {
+            Step::Mul(a, b) if self.is_power(*a) || self.is_power(*b) => Rounds::Never,
+            Step::Div(_, b) if self.is_power(*b) => Rounds::Never,
+            Step::Add(a, b) | Step::Sub(a, b) if self.is_leaf(k) => {
                 let (a, b) = (*a, *b);
                 let (x, y) = (self.value(a, work)?, self.value(b, work)?);
-                let y = if matches!(self.step(k), Step::Sum(..)) { -&y } else { y };
+                let y = if matches!(self.step(k), Step::Add(..)) { -&y } else { y };
                 let (x, y) = (x.as_poly()?, y.as_poly()?);
                 let two = Rational::from(2);
                 let both = [&y.scale(&two) - x, &x.scale(&two) - y];
@@ -128,7 +127,11 @@ impl<'a> Exact<'a> {
 
     /// How many u a step is off by its own rounding.
     pub(super) fn weight(&self, k: usize) -> Rational {
-        self.weights[k].clone().unwrap_or(Rational::ONE)
+        match self.step(k) {
+            // As an `f32` a constant is rounded twice, to the nearest `f64` before.
+            Step::Constant(_) => &Rational::ONE + &rest::unit(),
+            _ => self.weights[k].clone().unwrap_or(Rational::ONE),
+        }
     }
 
     /// Of a quotient by a sum: the sum may be off by `bound` u. The quotient is then off by a factor between
@@ -169,22 +172,22 @@ impl<'a> Exact<'a> {
                 Some(())
             };
             match self.step(k) {
-                Step::Input(_) | Step::Number(_) => {}
+                Step::Input(_) | Step::Constant(_) => {}
                 Step::Neg(a) => add(&mut weights, *a, -&w, work)?,
-                Step::Sum(a, b) => {
+                Step::Add(a, b) => {
                     add(&mut weights, *a, w.clone(), work)?;
                     add(&mut weights, *b, w, work)?;
                 }
-                Step::Difference(a, b) => {
+                Step::Sub(a, b) => {
                     add(&mut weights, *a, w.clone(), work)?;
                     add(&mut weights, *b, -&w, work)?;
                 }
-                Step::Product(a, b) => {
+                Step::Mul(a, b) => {
                     let (x, y) = (self.value(*a, work)?, self.value(*b, work)?);
                     add(&mut weights, *a, w.mul_within(&y, work)?, work)?;
                     add(&mut weights, *b, w.mul_within(&x, work)?, work)?;
                 }
-                Step::Quotient(a, b) => {
+                Step::Div(a, b) => {
                     let y = self.value(*b, work)?;
                     let w = w.div_within(&y, work).ok()??;
                     // A divisor that is a sum has its share in the weight of the quotient.
@@ -208,7 +211,7 @@ impl<'a> Exact<'a> {
             if !reached[k] {
                 continue;
             }
-            if let Step::Quotient(_, b) = self.step(k)
+            if let Step::Div(_, b) = self.step(k)
                 && !self.is_leaf(*b)
             {
                 found.push(k);
@@ -242,15 +245,15 @@ impl<'a> Exact<'a> {
             };
             depths[k] = match self.step(k) {
                 _ if self.is_exact(k) => Rational::ZERO,
-                Step::Input(_) | Step::Number(_) => Rational::ONE,
+                Step::Input(_) | Step::Constant(_) => Rational::ONE,
                 Step::Neg(a) => depths[*a].clone(),
-                Step::Sum(a, b) | Step::Difference(a, b) => &larger(*a, *b) + &Rational::ONE,
-                Step::Product(a, b) => &(&depths[*a] + &depths[*b]) + &Rational::ONE,
-                Step::Quotient(a, b) if self.is_leaf(*b) => {
+                Step::Add(a, b) | Step::Sub(a, b) => &larger(*a, *b) + &Rational::ONE,
+                Step::Mul(a, b) => &(&depths[*a] + &depths[*b]) + &Rational::ONE,
+                Step::Div(a, b) if self.is_leaf(*b) => {
                     // 1/(1 + δ) ≤ (1 + u)² for the divisor
                     &(&depths[*a] + &(&depths[*b] * &Rational::from(2))) + &Rational::ONE
                 }
-                Step::Quotient(a, _) => &depths[*a] + &(&self.weight(k) + &Rational::ONE),
+                Step::Div(a, _) => &depths[*a] + &(&self.weight(k) + &Rational::ONE),
             };
         }
         depths[of].clone()

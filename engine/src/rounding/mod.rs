@@ -36,7 +36,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::plan::Input;
-use crate::steps::Steps;
+use crate::steps::FamilySteps;
 use cell::Cell;
 use exact::Exact;
 
@@ -102,46 +102,46 @@ impl Bound {
     }
 }
 
-/// Bounds of the errors of the values of all functions; an error with no bound is `None`.
+/// Bounds of the errors of the values of all functions; `None` for one without.
 ///
-/// `None` in place of a list when the work is spent.
+/// `None` in place of a list when the work is spent or the family is too large to be generated.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
-    let steps: Steps = todo!();
-    basis_prover::working(family.budget, &mut |work| bounds(family, &steps, work))
+    let steps = FamilySteps::new(family)?.values();
+    basis_prover::working(family.budget, &mut |work| {
+        let inputs = Inputs::of(family, 0);
+        let mut exact = Exact::new(&steps, &inputs)?;
+        Some(steps.outputs.mapped(|output| value(&mut exact, *output, &inputs, work)))
+    })
 }
 
-fn bounds(family: &Family, steps: &Steps, work: &mut Work) -> Option<Vec<Option<Bound>>> {
-    let (region, variables) = inputs(family);
-    let variable = |input: Input| match input {
-        Input::Shape(k) => family.shapes.get(k).map(|p| p.var),
-        Input::Coordinate(k) => variables.get(k).copied(),
-        Input::Point(_) | Input::Derivative(_) => None,
-    };
-    let mut exact = Exact::new(steps, &variable)?;
-    let mut all = Vec::new();
-    for output in &steps.outputs {
-        all.push(bound(&mut exact, *output, &region, &variables, work)?);
-    }
-    Some(all)
+/// A bound of the error of each component of a point of a curve, with the binding of its control points, relative to
+/// the largest absolute value of that component of a control point.
+///
+/// `None` on simplices and boxes, and when the work is spent or nothing is found.
+pub fn point(family: &Family) -> Option<Bound> {
+    let form = FamilySteps::new(family)?;
+    let steps = form.on_control_points(&form.curve(1)?);
+    basis_prover::working(family.budget, &mut |work| {
+        let inputs = Inputs::of(family, family.functions.len());
+        let mut exact = Exact::new(&steps, &inputs)?;
+        let output = *steps.outputs.first()?;
+        let counts: Vec<(Var, u32)> = inputs.coordinates.iter().map(|v| (*v, 8)).chain(family.shapes.iter().map(|p| (p.var, 4))).listed();
+        let cells = Cell::grid(&inputs.region, &counts);
+        let parts = on_each(&cells, &mut |cell| absolute::part(&mut exact, output, cell, &inputs.points, work))?;
+        Some(rounded_up(parts, Error::Absolute))
+    })
 }
 
-/// The bound of one result, relative if there is one.
-fn bound(
-    exact: &mut Exact<'_>,
-    output: usize,
-    region: &Region,
-    cut: &[Var],
-    work: &mut Work,
-) -> Option<Option<Bound>> {
+/// The bound of one value, relative if there is one.
+fn value(exact: &mut Exact<'_>, output: usize, inputs: &Inputs, work: &mut Work) -> Option<Bound> {
+    let cells = |count: u32| Cell::grid(&inputs.region, &inputs.coordinates.mapped(|v| (*v, count)));
     for count in [2, 8] {
-        let cells = Cell::grid(region, cut, count);
-        if let Some(parts) = on_each(&cells, &mut |cell| relative::part(exact, output, cell, work)) {
-            return Some(Some(rounded_up(parts, Error::Relative)));
+        if let Some(parts) = on_each(&cells(count), &mut |cell| relative::part(exact, output, cell, work)) {
+            return Some(rounded_up(parts, Error::Relative));
         }
     }
-    let cells = Cell::grid(region, cut, 16);
-    let parts = on_each(&cells, &mut |cell| absolute::part(exact, output, cell, work));
-    Some(parts.map(|parts| rounded_up(parts, Error::Absolute)))
+    let parts = on_each(&cells(16), &mut |cell| absolute::part(exact, output, cell, &[], work))?;
+    Some(rounded_up(parts, Error::Absolute))
 }
 
 /// A part for each cell, or `None` if one has none.
@@ -169,16 +169,42 @@ fn rounded_up(parts: Vec<(Rational, Part)>, error: fn(Rational) -> Error) -> Bou
     Bound { error, cells: parts.into_iter().map(|(_, part)| part).listed() }
 }
 
-/// The ranges of all inputs, and the variables of the coordinates in order: on a simplex one more than are independent.
-fn inputs(family: &Family) -> (Region, Vec<Var>) {
-    let coordinates = family.domain.iter().chain(&family.dependent);
-    let mut ranges: Vec<(Var, Range)> = family.shapes.mapped(|p| (p.var, p.range.clone()));
-    let mut variables = Vec::new();
-    for p in coordinates {
-        ranges.push((p.var, if family.is_simplex() { Range::unit() } else { p.range.clone() }));
-        variables.push(p.var);
+/// The variables that stand for the inputs of steps.
+struct Inputs {
+    /// The ranges of all of them.
+    region: Region,
+    shapes: Vec<Var>,
+    /// On a simplex one more than are independent.
+    coordinates: Vec<Var>,
+    /// One component of each control point, between −1 and 1.
+    points: Vec<Var>,
+}
+
+impl Inputs {
+    fn of(family: &Family, points: usize) -> Self {
+        let mut ranges: Vec<(Var, Range)> = family.shapes.mapped(|p| (p.var, p.range.clone()));
+        let shapes = family.shapes.mapped(|p| p.var);
+        let mut coordinates = Vec::new();
+        for p in family.domain_variables() {
+            ranges.push((p.var, if family.is_simplex() { Range::unit() } else { p.range.clone() }));
+            coordinates.push(p.var);
+        }
+        let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
+        let points = (first..first + points).map(Var).listed();
+        for point in &points {
+            ranges.push((*point, Range::closed(Rational::from(-1), Rational::ONE)));
+        }
+        Self { region: Region { ranges }, shapes, coordinates, points }
     }
-    (Region { ranges }, variables)
+
+    fn variable(&self, input: Input) -> Option<Var> {
+        match input {
+            Input::Shape(k) => self.shapes.get(k).copied(),
+            Input::Coordinate(k) => self.coordinates.get(k).copied(),
+            Input::Point(k) => self.points.get(k).copied(),
+            Input::Derivative(_) | Input::Bound(_) => None,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -117,15 +117,15 @@ fn product(exact: &Exact<'_>, output: usize) -> Product {
                 pass(*a, 1);
                 continue;
             }
-            Step::Product(a, b) => {
+            Step::Mul(a, b) => {
                 pass(*a, 1);
                 pass(*b, 1);
             }
-            Step::Quotient(a, b) => {
+            Step::Div(a, b) => {
                 pass(*a, 1);
                 pass(*b, -1);
             }
-            Step::Sum(..) | Step::Difference(..) if !exact.is_leaf(k) => {
+            Step::Add(..) | Step::Sub(..) if !exact.is_leaf(k) => {
                 sums.push((k, net, total));
                 continue;
             }
@@ -199,16 +199,16 @@ fn size(
                 conditions.absolute(value.as_poly()?, work)?
             }
             Step::Neg(a) => size(a)?.clone(),
-            Step::Sum(a, b) | Step::Difference(a, b) => size(a)? + size(b)?,
-            Step::Product(a, b) => {
+            Step::Add(a, b) | Step::Sub(a, b) => size(a)? + size(b)?,
+            Step::Mul(a, b) => {
                 work.spend_product(size(a)?, size(b)?)?;
                 size(a)? * size(b)?
             }
-            Step::Quotient(a, b) => {
+            Step::Div(a, b) => {
                 let divisor = exact.value(*b, work)?.as_constant()?;
                 size(a)?.scale(&divisor.abs().recip()?)
             }
-            Step::Input(_) | Step::Number(_) => return None,
+            Step::Input(_) | Step::Constant(_) => return None,
         };
         sizes[k] = Some(here);
     }

@@ -15,17 +15,17 @@ impl Writer {
     }
 
     fn number(&mut self, n: i64) -> usize {
-        self.push(Step::Number(Rational::from(n)))
+        self.push(Step::Constant(Rational::from(n)))
     }
 
     fn product(&mut self, a: usize, b: usize) -> usize {
-        if self.0[a] == Step::Number(Rational::ONE) {
+        if self.0[a] == Step::Constant(Rational::ONE) {
             return b;
         }
-        if self.0[b] == Step::Number(Rational::ONE) {
+        if self.0[b] == Step::Constant(Rational::ONE) {
             return a;
         }
-        self.push(Step::Product(a, b))
+        self.push(Step::Mul(a, b))
     }
 
     /// Nested in s, as the runtime does it.
@@ -36,11 +36,11 @@ impl Writer {
                 power = self.product(power, x);
             }
             let binomial = crate::algebra::number::binomial(c.len() as u32 - 1, k as u32);
-            let binomial = self.push(Step::Number(binomial));
+            let binomial = self.push(Step::Constant(binomial));
             let weight = self.product(power, binomial);
             let term = self.product(c[k], weight);
             let first = self.product(total, s);
-            total = self.push(Step::Sum(first, term));
+            total = self.push(Step::Add(first, term));
         }
         total
     }
@@ -51,13 +51,13 @@ fn quartic() -> Steps {
     let lambda = w.push(Step::Input(Input::Shape(0)));
     let t = w.push(Step::Input(Input::Coordinate(0)));
     let (one, three) = (w.number(1), w.number(3));
-    let (s, x) = (w.push(Step::Difference(one, t)), t);
+    let (s, x) = (w.push(Step::Sub(one, t)), t);
     let s2 = w.product(s, s);
     let s3 = w.product(s, s2);
     let x2 = w.product(x, x);
     let x3 = w.product(x, x2);
-    let c0 = w.push(Step::Difference(one, lambda));
-    let c1 = w.push(Step::Sum(three, lambda));
+    let c0 = w.push(Step::Sub(one, lambda));
+    let c1 = w.push(Step::Add(three, lambda));
     let mut outputs = Vec::new();
     for (c, a, b) in [([one, c0], s3, one), ([c1, three], s2, x), ([three, c1], s, x2), ([c0, one], one, x3)] {
         let inner = w.bernstein(&c, s, x);

@@ -7,11 +7,12 @@ use syn::{Result, Token};
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::words::{at_word, equals, take_word, text_of};
-use super::{Binding, Claim, ClaimKind, Expected, Loops, Relation};
+use super::{Binding, Claim, ClaimKind, Comparison, Expected, Loops, Relation};
 use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
-const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
+const PROPERTIES: [&str; 6] =
+    ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity", "rounding"];
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
@@ -27,6 +28,7 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
                 "nonnegative" => ClaimKind::Nonnegative,
                 "symmetric" => ClaimKind::Symmetric,
                 "continuity" => continuity(input, span)?,
+                "rounding" => rounding(input, span)?,
                 _ => ClaimKind::Independent(exceptions(input, span)?),
             };
             only = loops(input)?;
@@ -45,7 +47,7 @@ fn property(input: ParseStream<'_>) -> Option<&'static str> {
     let (ident, after) = input.cursor().ident()?;
     let alone = match after.token_tree() {
         None | Some((TokenTree::Ident(_), _)) => true,
-        Some((TokenTree::Punct(p), _)) => p.as_char() == ';',
+        Some((TokenTree::Punct(p), _)) => p.as_char() == ';' || (ident == "rounding" && "<>=".contains(p.as_char())),
         Some((TokenTree::Group(_), _)) => ident == "continuity",
         _ => false,
     };
@@ -96,6 +98,14 @@ fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKi
         return Err(unexpected(&content, "`)`"));
     }
     Ok(ClaimKind::Continuity(order))
+}
+
+/// `rounding <= 5` after its first word.
+fn rounding(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
+    match comparison(input)? {
+        Some(Comparison::LessEqual) => Ok(ClaimKind::Rounding(expr(input)?)),
+        _ => Err(error(word, "`rounding` needs a bound of the errors", "write `rounding <= 5`, in units of ε")),
+    }
 }
 
 /// `except λ = -3, λ = 1` or `except (α = 0, β = 1)`: a list of exceptions, each one or several values.

@@ -389,6 +389,8 @@ pub enum ClaimKind {
     Independent(Vec<Vec<Binding>>),
     /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
     Continuity(Expr),
+    /// `rounding <= 5`
+    Rounding(Expr),
     /// An equation or inequality.
     Relation(Relation),
     /// Equations and inequalities at fixed values: `at t = 0 { … }`.

@@ -175,6 +175,15 @@ fn property(
             }
             (format!("continuity({order})"), ClaimKind::Continuity(order))
         }
+        syntax::ClaimKind::Rounding(bound) => {
+            let value = scope.number(bound, "a bound of rounding errors")?;
+            if !value.is_positive() {
+                let error = scope.error(bound.span, "a bound of rounding errors is a positive number of ε");
+                scope.report(error.help("`basis explain` shows the bound that can be proved"));
+                return None;
+            }
+            (format!("rounding <= {value}"), ClaimKind::Rounding(value))
+        }
         syntax::ClaimKind::Relation(_) | syntax::ClaimKind::At(..) => return None,
     })
 }
