@@ -58,6 +58,12 @@ pub(crate) enum Command {
     /// as formulas in the given ones, and its claims, each with its verdict and the reason.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
+    /// Serve an editor: verdicts while you type
+    ///
+    /// A language server that speaks the Language Server Protocol on standard input and output: a mark with its reason at
+    /// every claim, formulas under the pointer, completion, go to definition, rename, formatting, and actions such as
+    /// inserting the claims that hold. Editors start it; editors/README.md has a line for each of them.
+    Lsp(LspArguments),
     /// Print the families of spec files with what is proved of them, as a table in Markdown
     ///
     /// One row for each family: ✓ what is proved, ✗ what is refuted, for which orders and with which exceptions.
@@ -96,6 +102,14 @@ Examples:
   basis check quartic.basis
   basis check library:quartic
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis lsp`.
+#[derive(Debug, Args)]
+pub(crate) struct LspArguments {
+    /// Speak on standard input and output, which is the only way there is; many editors say so
+    #[arg(long)]
+    stdio: bool,
+}
 
 /// What can be typed after `basis table`.
 #[derive(Debug, Args)]

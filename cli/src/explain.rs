@@ -113,6 +113,7 @@ fn text(family: &Family) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
+    section(&mut text, "Rounding errors of evaluation, at most", explain::rounding(family).into_iter());
     for contact in explain::contacts(family) {
         section(&mut text, &contact.title, contact.points.into_iter());
         if !contact.conditions.is_empty() {

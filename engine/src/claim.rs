@@ -60,10 +60,8 @@ pub enum ClaimKind {
     Rounding(Rational),
     /// Every difference compares with zero as stated, on the declared ranges.
     Relation {
-        /// How the differences compare with zero.
-        comparison: Comparison,
-        /// Left side minus right side, one for each component of the two sides.
-        differences: Vec<Difference>,
+        /// Left side minus right side and how it compares with zero, for each component of two neighbouring sides.
+        differences: Vec<(Comparison, Difference)>,
         /// Variables that an `at` block fixes; they no longer occur in the differences.
         fixed: Vec<(Var, Fraction)>,
         /// The values that the block fixes as text, such as `t = 0`; nothing outside of one.
@@ -122,7 +120,7 @@ impl ClaimKind {
             Self::Scalar { difference, .. } => difference.value.depends_on(var),
             Self::Vector { value, .. } => form(value),
             Self::Parallel { left, right } => form(&left.value) || form(&right.value),
-            Self::Relation { differences, .. } => differences.iter().any(|d| d.value.depends_on(var)),
+            Self::Relation { differences, .. } => differences.iter().any(|(_, d)| d.value.depends_on(var)),
             _ => true,
         }
     }
@@ -135,7 +133,7 @@ impl ClaimKind {
         };
         let form = |form: &Form| form.terms.values().try_for_each(|f| run.keep(f));
         match self {
-            Self::Relation { differences, .. } => differences.iter().try_for_each(kept),
+            Self::Relation { differences, .. } => differences.iter().try_for_each(|(_, d)| kept(d)),
             Self::Scalar { difference, .. } => kept(difference),
             Self::Vector { value, .. } => form(value),
             Self::Parallel { left, right } => form(&left.value).and_then(|()| form(&right.value)),

@@ -21,11 +21,11 @@ use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::simplest::simplest_between;
 use crate::algebra::work::Work;
-use crate::generate::form::IntervalForm;
-use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
-use crate::state;
+use crate::plan::form::IntervalForm;
+use crate::plan::patch_form::{PatchForm, factored_text};
+use crate::{rounding, state};
 
 /// The work for the factors of denominators.
 const DENOMINATORS: u64 = 1_000_000;
@@ -355,4 +355,26 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
         }
     };
     if denom.is_one() { bracket(numer) } else { format!("{}/{}", bracket(numer), bracket(denom)) }
+}
+
+/// Proved bounds of the rounding errors of the values, and of a point of a curve, each with what it is about; nothing for
+/// families for which no code can be generated.
+///
+/// ε is the distance from 1 to the next float. Functions with the same bound share a line.
+pub fn rounding(family: &Family) -> Vec<(String, String)> {
+    let Some(bounds) = rounding::values(family) else { return Vec::new() };
+    let mut lines: Vec<(String, String)> = Vec::new();
+    for (k, bound) in bounds.iter().enumerate() {
+        let text = bound.as_ref().map_or_else(|| String::from("no bound found"), |b| b.error.to_string());
+        let label = family.function_label(k);
+        match lines.iter_mut().find(|(_, known)| *known == text) {
+            Some((labels, _)) => *labels += &format!(", {label}"),
+            None => lines.push((label, text)),
+        }
+    }
+    if let Some(bound) = rounding::point(family) {
+        let text = format!("{} times the largest control point, in each coordinate", bound.error);
+        lines.push((String::from("C(t)"), text));
+    }
+    lines
 }

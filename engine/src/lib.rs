@@ -32,17 +32,20 @@ pub mod generate;
 pub mod model;
 pub mod plan;
 pub mod plural;
-pub mod rounding;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
 #[cfg(any(test, feature = "tools"))]
 pub mod query;
+#[cfg(any(test, feature = "rounding"))]
+pub mod rounding;
 pub mod source;
 pub mod state;
+#[cfg(any(test, feature = "rounding"))]
 pub mod steps;
 pub mod subject;
 pub mod syntax;
 pub mod theorem;
+mod weights;
 
 use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};

@@ -108,7 +108,7 @@ fn short_sum(formula: &str) -> String {
 
 /// The point of a counterexample; large nets are left to the JSON output.
 fn short_point(witness: &Witness) -> String {
-    let points = witness.points().0.len();
+    let points = witness.points().listed.len();
     if points <= MAX_POINTS {
         return witness.point();
     }

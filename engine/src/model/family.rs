@@ -115,6 +115,16 @@ impl Family {
         Some((only.var, low, high))
     }
 
+    /// The lower and the upper end of every domain variable of a box; of a simplex nothing.
+    pub fn ends(&self) -> Vec<(Fraction, Fraction)> {
+        let variables = if self.is_simplex() { &[] } else { &self.domain[..] };
+        variables
+            .iter()
+            .filter_map(|p| p.range.finite())
+            .map(|(low, high)| (Fraction::constant(low.clone()), Fraction::constant(high.clone())))
+            .listed()
+    }
+
     /// Whether the domain is without some of its ends, as for `domain 0 <= t < 1;`.
     pub fn leaves_an_end_out(&self) -> bool {
         self.domain.iter().any(|p| !p.range.low.is_included() || !p.range.high.is_included())

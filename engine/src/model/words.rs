@@ -1,8 +1,8 @@
 //! Names with a fixed meaning: the functions of the language, and those from elsewhere for which errors have advice.
 
 /// Names that the language itself defines.
-pub(crate) const BUILTINS: [&str; 9] =
-    ["D", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
+pub(crate) const BUILTINS: [&str; 10] =
+    ["D", "integral", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
 
 /// Functions that are not polynomials.
 pub(crate) const ELSEWHERE: [&str; 10] =

@@ -12,7 +12,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::explain::{exceptional_set, formulas};
-use crate::generate::form::IntervalForm;
+use crate::plan::form::IntervalForm;
 use crate::model::{Family, Library, Selected};
 use crate::source::{Files, Source};
 use crate::state::{Prover, Run, Verdict};

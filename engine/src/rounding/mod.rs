@@ -59,6 +59,28 @@ impl Error {
     }
 }
 
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let epsilons = decimal(self.epsilons());
+        match self {
+            _ if self.epsilons().is_zero() => f.write_str("exact"),
+            Self::Relative(_) => write!(f, "{epsilons} ε of the value"),
+            Self::Absolute(_) => write!(f, "{epsilons} ε"),
+        }
+    }
+}
+
+/// A whole number of hundredths as a decimal number.
+pub fn decimal(x: &Rational) -> String {
+    let whole = x.floor();
+    let hundredths = (&(x - &whole) * &Rational::from(100)).to_string();
+    match hundredths.trim_end_matches('0') {
+        "" => whole.to_string(),
+        _ if hundredths.len() == 1 => format!("{whole}.0{hundredths}"),
+        digits => format!("{whole}.{digits}"),
+    }
+}
+
 /// A bound with what it follows from.
 #[derive(Clone, Debug)]
 pub struct Bound {

@@ -193,7 +193,10 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     Ok(ClaimKind::At(fixed, relations))
 }
 
-/// `left = right for i in 0..=n`, with any comparison.
+/// The most signs of a chain after the first one.
+const MAX_CHAIN: usize = 15;
+
+/// `left = right for i in 0..=n`, with any comparison, or a chain `a <= b <= c`.
 fn relation(input: ParseStream<'_>) -> Result<Relation> {
     let (start, first) = (input.span(), input.cursor());
     let single = first.ident();
@@ -220,13 +223,38 @@ fn relation(input: ParseStream<'_>) -> Result<Relation> {
         ));
     };
     let right = expr(input)?;
-    if matches!(input.cursor().token_tree(), Some((TokenTree::Punct(p), _)) if "<>=".contains(p.as_char())) {
-        return Err(error(input.span(), "a claim has two sides only", "write two claims"));
+    let mut chain = Vec::new();
+    let mut last_sign = comparison;
+    loop {
+        let at = input.span();
+        let Some(sign) = super::expr::comparison(input)? else { break };
+        let direction = |sign: Comparison| match sign {
+            Comparison::Less | Comparison::LessEqual => -1,
+            Comparison::Greater | Comparison::GreaterEqual => 1,
+            Comparison::Equal | Comparison::NotEqual => 0,
+        };
+        let turns = direction(sign) * direction(last_sign) < 0;
+        if turns || [sign, comparison].contains(&Comparison::NotEqual) {
+            let message = if turns {
+                format!("`{}` and `{}` do not make a chain", last_sign.symbol(), sign.symbol())
+            } else {
+                String::from("`!=` cannot stand in a chain")
+            };
+            return Err(error(at, message, "write a chain in one direction, `-1 <= x <= 1`, or two claims"));
+        }
+        if direction(sign) != 0 {
+            last_sign = sign;
+        }
+        chain.push((sign, expr(input)?));
+        if chain.len() > MAX_CHAIN {
+            let help = "write several claims";
+            return Err(error(at, format!("a chain has at most {} signs", MAX_CHAIN + 1), help));
+        }
     }
     let sides = input.cursor();
     let loops = loops(input)?;
     let (text, range) = (text_of(first, sides), text_of(sides, input.cursor()));
-    let span = join(start, right.span);
-    let last = right.span;
-    Ok(Relation { left, comparison, right, loops, text, range, span, last })
+    let last = chain.last().map_or(right.span, |(_, side)| side.span);
+    let span = join(start, last);
+    Ok(Relation { left, comparison, right, chain, loops, text, range, span, last })
 }

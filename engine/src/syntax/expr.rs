@@ -10,7 +10,7 @@ use syn::{Ident, Result, Token};
 
 use super::error::{error, missing_semicolon};
 use super::glyphs::MAX_NESTING;
-use super::{Comparison, Expr, ExprKind, Generator, IndexRange, Loops, Name, Role, Sign};
+use super::{Comparison, Condition, Expr, ExprKind, Generator, IndexRange, Loops, Name, Role, Sign};
 use crate::algebra::rational::{self, Rational};
 
 /// Numbers with more digits than this are refused.
@@ -131,7 +131,9 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         return Err(missing_semicolon(before.span));
     }
     let help = match found.as_str() {
-        "and" | "or" => "write two claims, or `,` between the members of a list",
+        "and" | "or" => {
+            "write two claims, `,` between the members of a list, `&&` or `||` between conditions"
+        }
         "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
         "where" | "when" | "with" => {
             "ranges are declared, `scalar 0 < c;`; index variables follow after `for`"
@@ -461,23 +463,71 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
     }
     if input.peek(Token![if]) {
         input.parse::<Token![if]>()?;
-        loop {
-            let left = expr(input)?;
-            let Some(sign) = comparison(input)? else {
-                return Err(unexpected(input, "a comparison such as `!=`"));
-            };
-            result.conditions.push((left, sign, expr(input)?));
-            if input.peek(Token![||]) {
-                let help = "write `&&`, or two statements for two cases";
-                return Err(error(input.span(), "conditions are joined by `&&` only", help));
-            }
-            if !input.peek(Token![&&]) {
-                break;
-            }
-            input.parse::<Token![&&]>()?;
-        }
+        result.condition = Some(Box::new(any(input, 0)?));
     }
     Ok(result)
+}
+
+/// Conditions joined by `||`, which binds looser than `&&`.
+fn any(input: ParseStream<'_>, depth: usize) -> Result<Condition> {
+    check_depth(input, depth)?;
+    let mut parts = vec![all(input, depth)?];
+    while input.peek(Token![||]) {
+        input.parse::<Token![||]>()?;
+        parts.push(all(input, depth)?);
+    }
+    Ok(if parts.len() > 1 { Condition::Any(parts) } else { parts.remove(0) })
+}
+
+/// Conditions joined by `&&`.
+fn all(input: ParseStream<'_>, depth: usize) -> Result<Condition> {
+    let mut parts = vec![condition(input, depth)?];
+    while input.peek(Token![&&]) {
+        input.parse::<Token![&&]>()?;
+        parts.push(condition(input, depth)?);
+    }
+    Ok(if parts.len() > 1 { Condition::All(parts) } else { parts.remove(0) })
+}
+
+/// A comparison, or a condition in brackets, perhaps with `!` in front.
+fn condition(input: ParseStream<'_>, depth: usize) -> Result<Condition> {
+    if input.peek(Token![!]) && !input.peek(Token![!=]) {
+        let not = input.parse::<Token![!]>()?;
+        if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
+            && !input.peek(Token![!])
+        {
+            let help = "write `!(i == j)`, or `i != j`";
+            return Err(error(not.span, "`!` needs a condition in brackets", help));
+        }
+        check_depth(input, depth)?;
+        return Ok(Condition::Not(Box::new(condition(input, depth + 1)?)));
+    }
+    if let Some((TokenTree::Group(g), _)) = input.cursor().token_tree()
+        && g.delimiter() == Delimiter::Parenthesis
+        && compares(g.stream())
+    {
+        let content;
+        syn::parenthesized!(content in input);
+        let inner = any(&content, depth + 1)?;
+        if !content.is_empty() {
+            return Err(unexpected(&content, "`)`, `&&` or `||`"));
+        }
+        return Ok(inner);
+    }
+    let left = expr(input)?;
+    let Some(sign) = comparison(input)? else {
+        return Err(unexpected(input, "a comparison such as `!=`"));
+    };
+    Ok(Condition::Compare(left, sign, expr(input)?))
+}
+
+/// Whether brackets hold a condition and not a number: a sign of a comparison or `!` stands in them, perhaps deeper.
+fn compares(tokens: proc_macro2::TokenStream) -> bool {
+    tokens.into_iter().any(|token| match token {
+        TokenTree::Punct(p) => "<>=!".contains(p.as_char()),
+        TokenTree::Group(g) => g.delimiter() == Delimiter::Parenthesis && compares(g.stream()),
+        _ => false,
+    })
 }
 
 /// `i in low..=high`, or `i, j, k in simplex(n)`.

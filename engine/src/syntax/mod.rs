@@ -113,8 +113,8 @@ pub enum StatementKind {
     Simplex(Vec<Name>),
     /// `shape -3 <= λ <= 1;`
     Shape(RangeDecl),
-    /// `let c = …;`
-    Let(Name, Expr),
+    /// `let c = …;` or `let h(x) = …;`
+    Let(NameDef),
     /// `b[i] = … for i in 0..=n;`
     Function(FunctionDef),
     /// `base n = 3 { … }`: the functions of the lowest order.
@@ -127,15 +127,35 @@ pub enum StatementKind {
     Budget(Expr),
 }
 
+/// `let name = value` or `let name(parameters) = value`.
+#[derive(Debug)]
+pub struct NameDef {
+    /// The name.
+    pub name: Name,
+    /// The names of its arguments; none for a name that stands for one value.
+    pub parameters: Vec<Name>,
+    /// The value.
+    pub value: Expr,
+}
+
 /// A name with its range, such as `-3 <= λ < 1`.
 #[derive(Debug)]
 pub struct RangeDecl {
     /// The name.
     pub name: Name,
-    /// The lower end and whether it is included.
-    pub low: Option<(Expr, bool)>,
-    /// The upper end and whether it is included.
-    pub high: Option<(Expr, bool)>,
+    /// The lower end.
+    pub low: Option<Limit>,
+    /// The upper end.
+    pub high: Option<Limit>,
+}
+
+/// An end of a range.
+#[derive(Debug)]
+pub struct Limit {
+    /// The number.
+    pub value: Expr,
+    /// Whether the range contains it.
+    pub included: bool,
 }
 
 /// Claims about curves and surfaces over families, as they are written.
@@ -220,10 +240,10 @@ pub enum PatchKind {
 pub struct Bounds {
     /// The name.
     pub target: Expr,
-    /// The lower end and whether it is included.
-    pub low: Option<(Expr, bool)>,
-    /// The upper end and whether it is included.
-    pub high: Option<(Expr, bool)>,
+    /// The lower end.
+    pub low: Option<Limit>,
+    /// The upper end.
+    pub high: Option<Limit>,
 }
 
 /// A claim of a theorem as it is written.
@@ -285,8 +305,32 @@ pub struct FunctionDef {
 pub struct Loops {
     /// What the names run over, the first slowest.
     pub generators: Vec<Generator>,
-    /// Comparisons that must all hold.
-    pub conditions: Vec<(Expr, Comparison, Expr)>,
+    /// What must hold of the values, after `if`.
+    pub condition: Option<Box<Condition>>,
+}
+
+/// What must hold of index variables, such as `i != j && !(i == 0 || j == 0)`.
+#[derive(Debug)]
+pub enum Condition {
+    /// Two numbers compare in this way.
+    Compare(Expr, Comparison, Expr),
+    /// All of them hold, `&&`.
+    All(Vec<Condition>),
+    /// One of them holds, `||`.
+    Any(Vec<Condition>),
+    /// It does not hold, `!`.
+    Not(Box<Condition>),
+}
+
+impl Condition {
+    /// The number that stands first.
+    pub fn first(&self) -> &Expr {
+        match self {
+            Self::Compare(left, ..) => left,
+            Self::All(parts) | Self::Any(parts) => parts[0].first(), // there are at least two
+            Self::Not(inner) => inner.first(),
+        }
+    }
 }
 
 /// What one or several index variables run over.
@@ -406,7 +450,7 @@ pub struct Binding {
     pub value: Expr,
 }
 
-/// `left = right for …`.
+/// `left = right for …`, or a chain such as `0 <= middle <= 1`.
 #[derive(Debug)]
 pub struct Relation {
     /// The left side.
@@ -415,9 +459,11 @@ pub struct Relation {
     pub comparison: Comparison,
     /// The right side.
     pub right: Expr,
+    /// What follows in a chain: signs with the sides behind them.
+    pub chain: Vec<(Comparison, Expr)>,
     /// What index variables run over.
     pub loops: Loops,
-    /// Both sides as they are written, in one line, without comments.
+    /// All sides as they are written, in one line, without comments.
     pub text: Rc<str>,
     /// The loops in the same way, such as `for i in 0..=n`; empty without any.
     pub range: Rc<str>,

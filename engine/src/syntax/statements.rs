@@ -8,8 +8,8 @@ use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
 use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
 use super::ranges::{SHAPE_HELP, range};
-use super::words::{at_word, doc, equals, names_between, skip_statement, take_word};
-use super::{Binding, Family, FunctionDef, Name, Statement, StatementKind, SyntaxErrors};
+use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};
+use super::{Binding, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
 use crate::advice::did_you_mean;
 use basis_prover::collections::sort::sort_unique;
 
@@ -75,14 +75,14 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
 fn begins_claim(input: ParseStream<'_>) -> bool {
     let ahead = input.fork();
-    let _ = doc(&ahead, false);
+    let _ = doc(&ahead, Doc::Outer);
     let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
     ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<Statement> {
-    let doc = doc(input, false)?;
+    let doc = doc(input, Doc::Outer)?;
     let start = input.span();
     let Some((TokenTree::Ident(word), after)) = input.cursor().token_tree() else {
         return Err(unexpected(input, "a statement"));
@@ -108,9 +108,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         }
         "let" => {
             take_word(input)?;
-            let name = name(input)?;
-            equals(input, &name)?;
-            StatementKind::Let(name, expr(input)?)
+            StatementKind::Let(definition(input)?)
         }
         "prove" | "refute" => {
             let claim = claim(input)?;
@@ -181,6 +179,52 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         _ => "a statement ends with `;`",
     };
     Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
+}
+
+/// `c = …` or `h(x, y) = …` after `let`.
+fn definition(input: ParseStream<'_>) -> Result<NameDef> {
+    let name = name(input)?;
+    let mut parameters: Vec<Name> = Vec::new();
+    match input.cursor().token_tree() {
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
+            let content;
+            syn::parenthesized!(content in input);
+            while !content.is_empty() {
+                let parameter = self::name(&content)?;
+                if parameters.iter().any(|known| known.text == parameter.text) {
+                    let message = format!("the argument `{}` is named twice", parameter.text);
+                    return Err(error(parameter.span, message, "give every argument a name of its own"));
+                }
+                parameters.push(parameter);
+                if !content.is_empty() {
+                    content.parse::<Token![,]>().map_err(|_| {
+                        let found = unexpected(&content, "`,`").to_string();
+                        let help = "the arguments of a name are names themselves: `let h(x) = x^2;`";
+                        error(content.span(), found, help)
+                    })?;
+                }
+            }
+            if parameters.is_empty() || parameters.len() > MAX_INDICES {
+                let message = match parameters.len() {
+                    0 => format!("`{}` has brackets without arguments", name.text),
+                    _ => format!("a name has at most {MAX_INDICES} arguments"),
+                };
+                let help = format!("write `let {} = …;` or `let {}(x) = …;`", name.text, name.text);
+                return Err(error(name.span, message, help));
+            }
+        }
+        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket => {
+            let found = unexpected(input, &format!("`=` after `{}`", name.text)).to_string();
+            let help = format!(
+                "a list is given as a whole: `let {} = [-1, 0, 1];` or `let {} = [i/2 for i in 0..=2];`",
+                name.text, name.text
+            );
+            return Err(error(g.span_open(), found, help));
+        }
+        _ => {}
+    }
+    equals(input, &name)?;
+    Ok(NameDef { name, parameters, value: expr(input)? })
 }
 
 fn function(input: ParseStream<'_>) -> Result<FunctionDef> {

@@ -160,8 +160,8 @@ impl Elaboration<'_> {
 
     /// Notes that a parameter of a patch occurs in the theorem.
     pub(super) fn mention(&mut self, var: Var) {
-        if let Some(parameter) = self.implicit.iter_mut().find(|(v, _)| *v == var) {
-            parameter.1 = true;
+        if let Some(parameter) = self.implicit.iter_mut().find(|p| p.var == var) {
+            parameter.mentioned = true;
         }
     }
 
@@ -176,7 +176,7 @@ impl Elaboration<'_> {
             return value.clone();
         }
         if let Some(value) = self.scope.lets.named(name) {
-            let value = value.as_ref()?;
+            let Some(crate::model::formula::Value::Scalar(value)) = value else { return None };
             self.fits(self.scope.budget.copy(value), span)?;
             let value = value.clone();
             for var in value.numer().variables() {
@@ -409,6 +409,7 @@ impl Elaboration<'_> {
         if let ExprKind::Name(name) = &callee.kind {
             match name.as_str() {
                 "D" => return self.derivative(arguments, whole.span),
+                "integral" => return self.integral(arguments, whole.span),
                 "cross" | "dot" => return self.vector_product(name, arguments, whole.span),
                 "sum" => return self.sum(arguments, whole.span),
                 _ if BUILTINS.contains(&name.as_str()) => {

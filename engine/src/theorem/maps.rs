@@ -154,6 +154,40 @@ impl Elaboration<'_> {
         }
     }
 
+    /// integral(x, c, a, b): of a scalar or a vector in a scalar c.
+    pub(super) fn integral(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        let [subject, variable, low, high] = arguments else {
+            let error = self.scope.error(span, "an integral needs its variable and bounds here");
+            self.scope.report(error.help("write `integral(P(t), t, 0, 1)`"));
+            return None;
+        };
+        let value = self.value(subject)?;
+        let name = match &variable.kind {
+            ExprKind::Name(_) | ExprKind::Index(..) => self.target_name(variable)?,
+            _ => String::new(),
+        };
+        let Some(var) = self.scope.variable(&name) else {
+            if name.is_empty() || !self.scope.is_mistaken(&name) {
+                let error =
+                    self.scope.error(variable.span, "expected the variable of the integral, a scalar");
+                self.scope.report(error.help("write `integral(P(t), t, 0, 1)`"));
+            }
+            return None;
+        };
+        let (low, high) = (self.scalar(low)?, self.scalar(high)?);
+        let mut over = |f: &Fraction| self.scope.between(f, var, &low, &high, span).ok_or(());
+        match value {
+            Value::Scalar(f) => over(&f).ok().map(Value::Scalar),
+            Value::Vector(form) => form.map(&mut over).ok().map(Value::Vector),
+            Value::Outer(form) => form.map(&mut over).ok().map(Value::Outer),
+            Value::Map(..) => {
+                let error = self.scope.error(subject.span, "a curve or surface needs its parameters here");
+                self.scope.report(error.help("write `integral(P(t), t, 0, 1)`"));
+                None
+            }
+        }
+    }
+
     /// The variable by which a name says to differentiate.
     fn step(&mut self, value: &Value, name: &str, span: Span) -> Option<Var> {
         if let Value::Map(patch, _) = value {

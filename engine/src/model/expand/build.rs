@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::{claims, functions, indices};
+use super::{claims, functions, indices, names};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
@@ -18,20 +18,22 @@ use crate::syntax::{self, Name, RangeDecl, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// Expands a family of one order; `None`, or anything with messages, cannot be used.
-pub(crate) fn family(
-    library: &Library<'_>,
+pub(crate) fn family<'a>(
+    library: &'a Library<'a>,
     unit: usize,
     source: SourceId,
-    written: &syntax::Family,
+    written: &'a syntax::Family,
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).listed();
+    scope.order = scope.constants.len();
+    names::plan(&mut scope, written);
     let result = build(&mut scope, written);
     (result, scope.diagnostics.into_inner())
 }
 
-fn build(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Family> {
+fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
     let shapes = shapes(scope, written);
     let domain = domain(scope, written);
@@ -194,6 +196,9 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
         match (bounded, variable, &mut domain) {
             (Some(range), Some(var), Some(list)) => {
                 scope.domain.push(var);
+                if let Some((low, high)) = range.finite() {
+                    scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
+                }
                 let place = scope.place(decl.name.span);
                 list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), place, var, range });
             }
@@ -248,12 +253,14 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     let mut budget = 1;
     for statement in &written.statements {
         let StatementKind::Budget(value) = &statement.kind else { continue };
-        budget = budget_value(scope, value).unwrap_or(budget);
+        budget = names::attempt(scope, &mut |scope| budget_value(scope, value)).unwrap_or(budget);
     }
     budget
 }
 
 /// The declared range, with exact ends.
 fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
-    range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
+    names::attempt(scope, &mut |scope| {
+        range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
+    })
 }

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
+use super::names;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::DisplayRange as _;
@@ -15,17 +16,18 @@ use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
 use crate::model::{Family, Library};
-use crate::syntax::{self, Binding, Comparison, Relation, StatementKind};
+use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// The claims of a family that is expanded; claims with errors are left out and reported.
-pub(crate) fn claims(
-    library: &Library<'_>,
+pub(crate) fn claims<'a>(
+    library: &'a Library<'a>,
     unit: usize,
-    written: &syntax::Family,
+    written: &'a syntax::Family,
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
     let (region, whole) = (family.region(), Rc::new(family.points()));
     let mut all = Vec::new();
@@ -33,13 +35,13 @@ pub(crate) fn claims(
         // What the scope has copied.
         let _ = scope.budget.copy(&f.value);
     }
+    // The same values as before; their errors are reported already.
+    for def in names::names(written) {
+        names::declare(&mut scope, &def.name);
+        names::force(&mut scope, &def.name.text);
+    }
     for (number, statement) in written.statements.iter().enumerate() {
         match &statement.kind {
-            StatementKind::Let(name, value) => {
-                // The same values as before; their errors are reported already.
-                let value = scope.scalar(value);
-                scope.lets.insert(name.text.clone(), value);
-            }
             StatementKind::Claim(_) if library.run().is_stopped() => {}
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
@@ -175,6 +177,13 @@ fn property(
             }
             (format!("continuity({order})"), ClaimKind::Continuity(order))
         }
+        #[cfg(not(any(test, feature = "rounding")))]
+        syntax::ClaimKind::Rounding(_) => {
+            let error = scope.error(span, "claims about rounding need the feature `rounding` of basis-runtime, which is off");
+            scope.report(error.help("switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"rounding\"] }`"));
+            return None;
+        }
+        #[cfg(any(test, feature = "rounding"))]
         syntax::ClaimKind::Rounding(bound) => {
             let value = scope.number(bound, "a bound of rounding errors")?;
             if !value.is_positive() {
@@ -368,7 +377,8 @@ fn relation(
         scope.report(error.help("write `refute … = …;` to say that two things differ, or claim `<` or `>`"));
         return;
     }
-    if !scope.mentions_variable(&relation.left) && !scope.mentions_variable(&relation.right) {
+    let mut sides = core::iter::once(&relation.left).chain(signs(relation).map(|(_, side)| side));
+    if !sides.any(|side| scope.mentions_variable(side)) {
         let error = scope.error(relation.span, "the claim names no function and no variable");
         scope.report(error.help("claim something about the functions, such as `b[0] + b[1] = 1 - b[2]`"));
         return;
@@ -377,19 +387,17 @@ fn relation(
     let fine = scope.each(&relation.loops, &mut |scope| {
         any = true;
         let before = scope.pending.len();
-        match differences(scope, relation, fixed) {
+        match all_differences(scope, relation, fixed) {
             Some(differences) => {
                 let (vars, values): (Vec<Var>, Vec<Fraction>) = fixed.iter().cloned().unzip();
                 scope.fix_obligations(before, &vars, &values);
                 let printer = Printer { constants: &scope.constants, component: None };
-                let (left, right) = (printer.print(&relation.left), printer.print(&relation.right));
-                let text = format!("{left} {} {right}", relation.comparison.symbol());
-                let kind = ClaimKind::Relation {
-                    comparison: relation.comparison,
-                    differences,
-                    fixed: fixed.to_vec(),
-                    at: at.map(String::from),
-                };
+                let mut text = printer.print(&relation.left);
+                for (sign, side) in signs(relation) {
+                    text += &format!(" {} {}", sign.symbol(), printer.print(side));
+                }
+                let kind =
+                    ClaimKind::Relation { differences, fixed: fixed.to_vec(), at: at.map(String::from) };
                 push(scope, text, kind)
             }
             None => {
@@ -407,14 +415,61 @@ fn relation(
     }
 }
 
-/// Left side minus right side, component by component; a lone 0 stands for all components.
-fn differences(
+/// The signs of a relation, each with the side behind it.
+fn signs(relation: &Relation) -> impl Iterator<Item = (Comparison, &Expr)> {
+    let first = core::iter::once((relation.comparison, &relation.right));
+    first.chain(relation.chain.iter().map(|(sign, side)| (*sign, side)))
+}
+
+/// The differences of neighbouring sides, with the signs between them.
+fn all_differences(
     scope: &mut Scope<'_>,
     relation: &Relation,
     fixed: &[(Var, Fraction)],
+) -> Option<Vec<(Comparison, Difference)>> {
+    let mut all = Vec::new();
+    let (mut left, mut fine) = (&relation.left, true);
+    for (sign, right) in signs(relation) {
+        match differences(scope, relation.span, left, right, fixed) {
+            Some(list) => all.extend(list.into_iter().map(|difference| (sign, difference))),
+            None => fine = false,
+        }
+        left = right;
+    }
+    (fine && (relation.chain.is_empty() || !ends_cross(scope, relation)?)).then_some(all)
+}
+
+/// Whether no number lies between the two ends of a chain; then that is reported.
+fn ends_cross(scope: &mut Scope<'_>, relation: &Relation) -> Option<bool> {
+    let last = &relation.chain.last()?.1;
+    let (Value::Scalar(first), Value::Scalar(end)) = (scope.value(&relation.left)?, scope.value(last)?)
+    else {
+        return Some(false);
+    };
+    let (Some(first), Some(end)) = (first.as_constant(), end.as_constant()) else { return Some(false) };
+    let strict = signs(relation).any(|(sign, _)| matches!(sign, Comparison::Less | Comparison::Greater));
+    let falls =
+        signs(relation).any(|(sign, _)| matches!(sign, Comparison::Greater | Comparison::GreaterEqual));
+    let (low, high) = if falls { (&end, &first) } else { (&first, &end) };
+    let crosses = low > high || strict && low == high;
+    if crosses {
+        let error = scope.error(relation.span, "the ends of the chain cross: nothing lies between them");
+        let why = if low > high { format!("{low} is above {high}") } else { format!("both are {low}") };
+        scope.report(error.label(why).help("write the smaller end first, as in `-1 <= x <= 1`"));
+    }
+    Some(crosses)
+}
+
+/// Left side minus right side, component by component; a lone 0 stands for all components.
+fn differences(
+    scope: &mut Scope<'_>,
+    span: Span,
+    written_left: &Expr,
+    written_right: &Expr,
+    fixed: &[(Var, Fraction)],
 ) -> Option<Vec<Difference>> {
-    let left = scope.value(&relation.left)?;
-    let right = scope.value(&relation.right)?;
+    let left = scope.value(written_left)?;
+    let right = scope.value(written_right)?;
     let (left, right, is_list) = match (left, right) {
         (Value::Scalar(l), Value::Scalar(r)) => (vec![(Vec::new(), l)], vec![(Vec::new(), r)], false),
         (Value::List(l), Value::List(r)) => {
@@ -423,10 +478,10 @@ fn differences(
                 if scope.cut_short {
                     return None;
                 }
-                let shown = if matches!(relation.right.kind, syntax::ExprKind::List(_)) {
-                    relation.right.span
+                let shown = if matches!(written_right.kind, syntax::ExprKind::List(_)) {
+                    written_right.span
                 } else {
-                    relation.span
+                    span
                 };
                 let error = scope.error(
                     shown,
@@ -437,7 +492,7 @@ fn differences(
                     ),
                 );
                 let family =
-                    matches!(relation.right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
+                    matches!(written_right.kind, syntax::ExprKind::Call(..) | syntax::ExprKind::Name(_));
                 scope.report(error.help(match l.len() {
                     0 => String::from("write the values of the left side"),
                     n if family => {
@@ -458,10 +513,8 @@ fn differences(
             (zeros, r, true)
         }
         (Value::List(list), _) | (_, Value::List(list)) => {
-            let error = scope.error(
-                relation.span,
-                format!("a list of {} functions is compared with a single one", list.len()),
-            );
+            let error = scope
+                .error(span, format!("a list of {} functions is compared with a single one", list.len()));
             scope.report(error.help(format!(
                 "write a list of {} values, `[…]`; only 0 stands for all of them",
                 list.len()
@@ -473,12 +526,9 @@ fn differences(
     let (library, unit) = (scope.library, scope.unit);
     let mut all = Vec::new();
     for (position, ((index, l), (other, r))) in left.into_iter().zip(right).enumerate() {
-        let difference = scope.fits(scope.budget.sub(&l, &r), relation.span)?;
-        let value = if vars.is_empty() {
-            difference
-        } else {
-            scope.put(&difference, &vars, &values, relation.span)?
-        };
+        let difference = scope.fits(scope.budget.sub(&l, &r), span)?;
+        let value =
+            if vars.is_empty() { difference } else { scope.put(&difference, &vars, &values, span)? };
         let is_family = |name: &str| scope.variable(name).is_none() && library.knows(unit, name);
         let function_name = scope.function_name.as_str();
         // A plain list has positions for indices; the functions' own indices say more.
@@ -486,7 +536,7 @@ fn differences(
         let component =
             is_list.then_some(Component { function_name, is_family: &is_family, position, index });
         let printer = Printer { constants: &scope.constants, component };
-        let (left, right, text) = printer.difference(&relation.left, &relation.right);
+        let (left, right, text) = printer.difference(written_left, written_right);
         all.push(Difference { left, right, text, value });
     }
     Some(all)

@@ -5,34 +5,50 @@ use std::rc::Rc;
 use proc_macro2::Span;
 
 use super::indices::{MAX_FUNCTIONS, check_indices, sizes};
+use super::names;
 use crate::algebra::fraction::Fraction;
-use crate::model::scope::{Definition, Scope};
+use crate::model::scope::{Definition, Needed, PlannedFunction, Scope};
 use crate::model::tuples::{grid, multi_indices};
 use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
+use basis_prover::collections::sort::{sort_by, sort_unique};
 
-/// Defines what the statements define, in the order in which they are written.
-pub(crate) fn define(scope: &mut Scope<'_>, written: &syntax::Family) {
+/// Defines what the statements define. Names and functions may stand in any order, unless the functions are raised from
+/// those of a lowest order: then a statement sees what those before it define.
+pub(crate) fn define<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) {
     name_functions(scope, written);
+    for (count, def) in names::names(written).enumerate() {
+        if !scope.has_room(count, def.name.span) {
+            scope.cut_short = true;
+            return;
+        }
+        names::declare(scope, &def.name);
+    }
+    let recursive = written
+        .statements
+        .iter()
+        .any(|s| matches!(s.kind, StatementKind::Base(..) | StatementKind::Raise(_)));
+    if !recursive {
+        for statement in &written.statements {
+            if let StatementKind::Function(def) = &statement.kind {
+                plan(scope, def);
+            }
+        }
+    }
     let mut base: Option<(String, i64)> = None;
     let (mut bases, mut raises) = (None, None);
     for statement in &written.statements {
         match &statement.kind {
-            StatementKind::Let(name, value) => {
-                if !scope.has_room(scope.lets.len(), name.span) {
-                    scope.cut_short = true;
-                    return;
+            StatementKind::Let(def) => names::force(scope, &def.name.text),
+            StatementKind::Function(def) => {
+                if recursive {
+                    plan(scope, def);
                 }
-                let free = scope.check_free(name);
-                let value = scope.scalar(value);
-                if free {
-                    scope.lets.insert(name.text.clone(), value);
-                }
+                function(scope, def);
             }
-            StatementKind::Function(def) => function(scope, def),
             StatementKind::Base(order, functions) => {
                 let help = "give the functions of one order; `raise` gives all others";
                 if once(scope, &mut bases, order.name.span, "`base`", help) {
@@ -128,33 +144,94 @@ fn name_functions(scope: &mut Scope<'_>, written: &syntax::Family) {
     }
 }
 
-fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
-    let mut any = false;
-    let fine = scope.each(&def.loops, &mut |scope| {
-        any = true;
-        let Some(index) = index(scope, def) else {
-            scope.cut_short = true;
-            return false;
-        };
-        let value = scope.scalar(&def.value);
-        scope.cut_short |= value.is_none() && (def.permute || !def.loops.generators.is_empty());
-        if def.permute {
-            let fine = value.is_some_and(|value| permutations(scope, def, &index, &value));
-            scope.cut_short |= !fine;
-            return fine;
-        }
-        let fine = value.is_some();
-        insert(scope, def, index, value) && fine
+/// Finds out which functions a statement defines, each to be evaluated when it is needed.
+fn plan<'a>(scope: &mut Scope<'a>, def: &'a FunctionDef) {
+    let depth = scope.constants.len();
+    let mut found: Option<(Vec<PlannedFunction<'a>>, bool)> = None;
+    names::attempt(scope, &mut |scope| {
+        let mut all = Vec::new();
+        let fine = scope.each(&def.loops, &mut |scope| {
+            // One more than there may be: then that is said.
+            if all.len() > MAX_FUNCTIONS {
+                return false;
+            }
+            let Some(index) = index(scope, def) else {
+                scope.cut_short |= scope.waits_for.is_none();
+                return false;
+            };
+            all.push(PlannedFunction { def, index, constants: scope.constants[depth..].to_vec() });
+            true
+        });
+        found = Some((all, fine));
+        Some(())
     });
+    let Some((all, fine)) = found else { return };
     // A range that depends on the order may well be empty for the lowest one.
-    if fine && !any && scope.constants.is_empty() {
+    if fine && all.is_empty() && scope.constants.is_empty() {
         let error = scope.error(def.name.span, "the loop is empty: no function is defined");
         scope.report(error.help("write the smaller bound first, `0..=n` includes n"));
     }
+    for function in all {
+        let indices = if numbered_corners(scope, def) {
+            permuted(&function.index)
+        } else {
+            vec![function.index.clone()]
+        };
+        if !indices.into_iter().all(|index| insert(scope, &function, index)) {
+            return;
+        }
+    }
 }
 
-/// Adds a function; reports one that is there already.
-fn insert(scope: &mut Scope<'_>, def: &FunctionDef, index: Vec<i64>, value: Option<Fraction>) -> bool {
+/// Evaluates the functions that a statement defines.
+fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
+    let own = scope.planned_functions.iter().filter(|(_, planned)| core::ptr::eq(planned.def, def));
+    let mut indices: Vec<(usize, Vec<i64>)> =
+        own.map(|(index, _)| (scope.defined.get(index).map_or(0, |d| d.place), index.clone())).listed();
+    sort_by(&mut indices, Ord::cmp);
+    for (_, index) in indices {
+        if scope.planned_functions.contains_key(&index) {
+            names::solve(scope, Needed::Function(index));
+        }
+    }
+}
+
+/// Evaluates a function; `false` when it went wrong or waits for another one.
+pub(super) fn evaluate(scope: &mut Scope<'_>, index: &[i64]) -> bool {
+    let Some(PlannedFunction { def, index: own, constants }) = scope.planned_functions.get(&index.to_vec())
+    else {
+        return false;
+    };
+    let (def, own) = (*def, own.clone());
+    let depth = scope.constants.len();
+    scope.constants.extend(constants.iter().cloned());
+    let value = scope.scalar(&def.value);
+    scope.constants.truncate(depth);
+    let Some(value) = value else { return false };
+    if def.permute {
+        return permutations(scope, def, &own, &value);
+    }
+    scope.planned_functions.remove(&own);
+    scope.functions.insert(own, Some(value));
+    true
+}
+
+/// Leaves a function without a value, and those that the same loop or permutation defines.
+pub(super) fn give_up(scope: &mut Scope<'_>, index: &[i64]) {
+    let Some(PlannedFunction { def, .. }) = scope.planned_functions.get(&index.to_vec()) else { return };
+    let def = *def;
+    if def.permute || !def.loops.generators.is_empty() {
+        scope.cut_short = true;
+        scope.planned_functions.retain(|_, planned| !core::ptr::eq(planned.def, def));
+        return;
+    }
+    scope.planned_functions.remove(&index.to_vec());
+    scope.functions.insert(index.to_vec(), None);
+}
+
+/// Adds a function that is to be evaluated; reports one that is there already.
+fn insert<'a>(scope: &mut Scope<'a>, function: &PlannedFunction<'a>, index: Vec<i64>) -> bool {
+    let def = function.def;
     if let Some(Definition { span: first, permuted, .. }) = scope.defined.get(&index) {
         let name = label(&def.name.text, &index);
         let error = scope
@@ -169,9 +246,17 @@ fn insert(scope: &mut Scope<'_>, def: &FunctionDef, index: Vec<i64>, value: Opti
         scope.cut_short = true;
         return false;
     }
+    if scope.functions.len() + scope.planned_functions.len() >= MAX_FUNCTIONS {
+        scope.report(
+            scope.error(def.name.span, format!("the family has more than {MAX_FUNCTIONS} functions")),
+        );
+        scope.cut_short = true;
+        return false;
+    }
     let definition = Definition { place: scope.defined.len(), span: def.name.span, permuted: def.permute };
     scope.defined.insert(index.clone(), definition);
-    scope.functions.insert(index, value);
+    let constants = function.constants.clone();
+    scope.planned_functions.insert(index, PlannedFunction { def, index: function.index.clone(), constants });
     true
 }
 
@@ -189,13 +274,8 @@ fn index(scope: &mut Scope<'_>, def: &FunctionDef) -> Option<Vec<i64>> {
         );
         return None;
     }
-    if scope.functions.len() >= MAX_FUNCTIONS {
-        scope.report(
-            scope.error(def.name.span, format!("the family has more than {MAX_FUNCTIONS} functions")),
-        );
-        return None;
-    }
-    if let Some(other) = scope.functions.keys().next().filter(|k| k.len() != index.len()) {
+    let mut known = scope.functions.keys().chain(scope.planned_functions.keys());
+    if let Some(other) = known.next().filter(|k| k.len() != index.len()) {
         let (new, old) = (label(&def.name.text, &index), label(&def.name.text, other));
         let message = format!("`{new}` has {}, `{old}` has {}", indices(index.len()), indices(other.len()));
         scope.report(
@@ -209,7 +289,7 @@ fn index(scope: &mut Scope<'_>, def: &FunctionDef) -> Option<Vec<i64>> {
 /// Defines all functions that follow by permuting indices and barycentric coordinates together.
 fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: &Fraction) -> bool {
     let corners = scope.domain.len() + 1;
-    if scope.dependent.is_none() || index.len() != corners {
+    if !numbered_corners(scope, def) {
         let error = scope
             .error(def.name.span, "`permute` needs a simplex and one index for each barycentric coordinate");
         scope.report(error.help("declare `domain triangle (u, v, w);` and write `permute b[2,1,0] = …;`"));
@@ -241,7 +321,23 @@ fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: 
             }
         }
     }
-    new.into_iter().all(|(index, value)| insert(scope, def, index, Some(value)))
+    for (index, value) in new {
+        scope.planned_functions.remove(&index);
+        scope.functions.insert(index, Some(value));
+    }
+    true
+}
+
+/// Whether a definition is one of functions that have an index for each corner of a simplex, and for all permutations.
+fn numbered_corners(scope: &Scope<'_>, def: &FunctionDef) -> bool {
+    def.permute && scope.dependent.is_some() && def.indices.len() == scope.domain.len() + 1
+}
+
+/// All permutations of an index, each once.
+fn permuted(index: &[i64]) -> Vec<Vec<i64>> {
+    let mut all = orders(index.len()).mapped(|order| order.mapped(|k| index[*k]));
+    sort_unique(&mut all);
+    all
 }
 
 /// All orders of 0, 1, …, len − 1.
@@ -259,14 +355,14 @@ fn orders(len: usize) -> Vec<Vec<usize>> {
 }
 
 /// The functions of the lowest order; its index parameter and value.
-fn base(
-    scope: &mut Scope<'_>,
+fn base<'a>(
+    scope: &mut Scope<'a>,
     written: &syntax::Family,
     order: &Binding,
-    functions: &[FunctionDef],
+    functions: &'a [FunctionDef],
 ) -> Option<(String, i64)> {
     let name = &order.name.text;
-    let lowest = scope.whole(&order.value, "the lowest order");
+    let lowest = names::attempt(scope, &mut |scope| scope.whole(&order.value, "the lowest order"));
     let Some(wanted) = scope.constant(name) else {
         let error = scope.error(order.name.span, format!("`{name}` is not an index parameter of the family"));
         let from = lowest.unwrap_or(1);
@@ -287,6 +383,7 @@ fn base(
     }
     scope.constants.push((name.clone(), lowest));
     for def in functions {
+        plan(scope, def);
         function(scope, def);
     }
     scope.constants.pop();
@@ -338,7 +435,7 @@ fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, ord
         for index in indices {
             let depth = scope.constants.len();
             scope.constants.extend(names.iter().cloned().zip(index.iter().copied()));
-            let value = scope.scalar(&def.value);
+            let value = names::attempt(scope, &mut |scope| scope.scalar(&def.value));
             scope.constants.truncate(depth);
             scope.cut_short |= value.is_none();
             raised.insert(index, value);

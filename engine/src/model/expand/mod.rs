@@ -1,7 +1,8 @@
 //! From a family as it is written to the family itself: its ranges (`build`), its functions one by one, by loops and by
-//! recursion (`functions`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
+//! recursion (`functions`), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
 
 pub(crate) mod build;
 pub(crate) mod claims;
 mod functions;
 mod indices;
+mod names;

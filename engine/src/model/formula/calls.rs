@@ -1,4 +1,5 @@
-//! The functions of another family in expressions: `Bernstein(3)`, `Other(λ)`, `Raised(4)(λ)`.
+//! The functions of another family in expressions: `Bernstein(3)`, `Other(λ)`, `Raised(4)(λ)`; with arguments in place
+//! of its domain variables, `Bernstein(3)[i](u)`, on any domain.
 
 use proc_macro2::Span;
 
@@ -7,16 +8,70 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::model::scope::{Inside, Scope};
 use crate::plural::{count, here};
-use crate::syntax::Expr;
+use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
+/// The functions of a family, or one of them, as they are written.
+#[derive(Clone, Copy)]
+pub(crate) struct Factor<'e> {
+    pub(crate) name: &'e str,
+    pub(crate) orders: &'e [Expr],
+    pub(crate) shapes: &'e [Expr],
+    pub(crate) index: Option<&'e [Expr]>,
+}
+
 impl Scope<'_> {
-    /// The functions of another family, in this family's domain variables.
+    /// The family that an expression names, perhaps with its order, shape values and an index.
+    pub(crate) fn factor<'e>(&self, expr: &'e Expr) -> Option<Factor<'e>> {
+        let free = |name: &str| {
+            name != self.function_name && self.taken(name).is_none() && self.library.knows(self.unit, name)
+        };
+        let ordered = |name: &str| self.library.order_count(self.unit, name) > 0;
+        let plain = |name| Factor { name, orders: &[], shapes: &[], index: None };
+        match &expr.kind {
+            ExprKind::Name(name) if free(name) && !ordered(name) => Some(plain(name)),
+            ExprKind::Call(inner, arguments) => match &inner.kind {
+                ExprKind::Name(name) if free(name) => Some(if ordered(name) {
+                    Factor { orders: arguments, ..plain(name) }
+                } else {
+                    Factor { shapes: arguments, ..plain(name) }
+                }),
+                ExprKind::Call(..) => {
+                    let factor = self.factor(inner)?;
+                    let room = factor.shapes.is_empty() && ordered(factor.name);
+                    room.then_some(Factor { shapes: arguments, ..factor })
+                }
+                _ => None,
+            },
+            ExprKind::Index(inner, index) => {
+                let factor = self.factor(inner)?;
+                factor.index.is_none().then_some(Factor { index: Some(index), ..factor })
+            }
+            _ => None,
+        }
+    }
+
+    /// The functions of a family, or one of them, with arguments in place of its domain variables.
+    pub(crate) fn factor_at(&mut self, factor: Factor<'_>, arguments: &[Expr], span: Span) -> Option<Value> {
+        let Factor { name, orders, shapes, index } = factor;
+        let Some(index) = index else {
+            return self.family(name, orders, shapes, Some(arguments), None, span);
+        };
+        let mut only = Vec::new();
+        for i in index {
+            only.push(self.whole(i, "an index")?);
+        }
+        let value = self.family(name, orders, shapes, Some(arguments), Some(&only), span)?;
+        self.entry(&value, &only, span)
+    }
+
+    /// The functions of another family, in this family's domain variables or with arguments in place of its own.
     pub(crate) fn family(
         &mut self,
         name: &str,
         orders: &[Expr],
         shapes: &[Expr],
+        arguments: Option<&[Expr]>,
         only: Option<&[i64]>,
         span: Span,
     ) -> Option<Value> {
@@ -34,6 +89,13 @@ impl Scope<'_> {
             }
         };
         self.inherit(&family.obligations);
+        // What stands behind the order of a family without shape parameters is its argument.
+        let (shapes, arguments) = match arguments {
+            None if family.shapes.is_empty() && !orders.is_empty() && !shapes.is_empty() => {
+                (&[][..], Some(shapes))
+            }
+            _ => (shapes, arguments),
+        };
         if shapes.len() != family.shapes.len() {
             let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
             let error = self.error(
@@ -48,7 +110,20 @@ impl Scope<'_> {
             }));
             return None;
         }
-        if family.domain.len() != self.domain.len() || family.is_simplex() != self.dependent.is_some() {
+        let variables = family.domain_variables().count();
+        if let Some(arguments) = arguments
+            && arguments.len() != variables
+        {
+            let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
+            let wanted = count(variables, "argument");
+            let message = format!("the functions of `{name}` take {wanted}, {}", here(arguments.len()));
+            let error = self.error(span, message);
+            self.report(error.help(format!("write one for each coordinate: `(…)({})`", names.join(", "))));
+            return None;
+        }
+        let alike =
+            family.domain.len() == self.domain.len() && family.is_simplex() == self.dependent.is_some();
+        if arguments.is_none() && !alike {
             let kind = |simplex: bool, n: usize| match (simplex, n) {
                 (true, 2) => String::from("a triangle"),
                 (true, _) => String::from("a tetrahedron"),
@@ -58,7 +133,12 @@ impl Scope<'_> {
             let theirs = kind(family.is_simplex(), family.domain.len());
             let ours = kind(self.dependent.is_some(), self.domain.len());
             let error = self.error(span, format!("`{name}` lives on {theirs}, this family on {ours}"));
-            self.report(error.help("compare with a family on the same domain, or with formulas"));
+            let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
+            self.report(error.help(format!(
+                "give its functions arguments, such as `{}({})`, or compare with a family on the same domain",
+                if names.len() == 1 { format!("{name}[i]") } else { name.to_string() },
+                names.join(", ")
+            )));
             return None;
         }
         let mut by = Vec::new();
@@ -91,6 +171,17 @@ impl Scope<'_> {
             }
             by.push(value);
         }
+        if let Some(arguments) = arguments {
+            let mut values = Vec::new();
+            for argument in arguments {
+                values.push(self.scalar(argument)?);
+            }
+            if family.is_simplex() {
+                self.check_corners(&values, span)?;
+                values.pop();
+            }
+            by.extend(values);
+        }
         // The other family's shape parameters stand aside until their values take their places, so that no value
         // is substituted into another; different variables take them at once.
         let plain = by.mapped(Fraction::as_var);
@@ -99,8 +190,10 @@ impl Scope<'_> {
         let aside = |k: usize| Var(width + k);
         let mut names: Vec<Var> =
             (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).listed();
-        names.extend(&self.domain);
-        names.extend(family.dependent.as_ref().and(self.dependent));
+        if arguments.is_none() {
+            names.extend(&self.domain);
+            names.extend(family.dependent.as_ref().and(self.dependent));
+        }
         // An index outside of the family is reported with the whole list.
         let only = only.filter(|index| family.functions.iter().any(|f| f.index == **index));
         let mut list = Vec::new();
@@ -117,8 +210,9 @@ impl Scope<'_> {
                     }
                 }
             }
-            // The domain here may be a wider one.
-            if self.domain.iter().any(|v| value.denom().depends_on(*v)) {
+            // The domain here may be a wider one, and arguments may leave it.
+            let leaves = arguments.is_some() && family.is_rational();
+            if leaves || self.domain.iter().any(|v| value.denom().depends_on(*v)) {
                 self.must_be_defined(&value, span);
             }
             list.push((f.index.clone(), value));

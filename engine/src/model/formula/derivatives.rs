@@ -23,7 +23,7 @@ impl Scope<'_> {
                 _ => None,
             };
             match (name, steps.last_mut()) {
-                (Some(name), _) => match self.variable(name) {
+                (Some(name), _) => match self.variable_called(name) {
                     Some(var) if self.dependent == Some(var) => {
                         let error = self.error(
                             argument.span,

@@ -9,7 +9,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::budget::TooLarge;
 use crate::model::label;
-use crate::model::scope::{Duty, Pending, Scope, Stage};
+use crate::model::scope::{Duty, Needed, Pending, Planned, Scope, Stage};
 use crate::model::words::BUILTINS;
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
@@ -107,13 +107,24 @@ impl Scope<'_> {
     }
 
     fn named(&mut self, name: &str, span: Span) -> Option<Value> {
+        if let Some((_, value)) = self.arguments.iter().find(|(n, _)| n == name) {
+            return self.copy(value, span);
+        }
         if let Some(value) = self.constant(name) {
             return Some(Value::Scalar(Fraction::constant(Rational::from(value))));
         }
         if let Some(value) = self.lets.named(name) {
-            let value = value.as_ref()?;
-            self.fits(self.budget.copy(value), span)?;
-            return Some(Value::Scalar(value.clone()));
+            return self.copy(value.as_ref()?, span);
+        }
+        if let (Some(planned), None) = (self.planned.named(name), self.variable(name)) {
+            if let Some(first) = planned.parameters.first() {
+                let error =
+                    self.error(span, format!("`{name}` needs {}", count_arguments(planned.parameters.len())));
+                self.report(error.help(format!("write `{name}({})`", first.text)));
+            } else if self.waits_for.is_none() {
+                self.waits_for = Some((Needed::Name(name.to_string()), span));
+            }
+            return None;
         }
         if let Some(var) = self.variable(name) {
             let dependent = self.dependent == Some(var);
@@ -121,7 +132,11 @@ impl Scope<'_> {
             return Some(Value::Scalar(value));
         }
         if name == self.function_name && !name.is_empty() {
-            if self.stage == Stage::Defining {
+            if let Some(index) = self.planned_functions.keys().next() {
+                self.waits_for = Some((Needed::Function(index.clone()), span));
+                return None;
+            }
+            if self.stage == Stage::Defining && (self.functions.is_empty() || self.missing_is_zero) {
                 let error = self.error(
                     span,
                     format!("`{name}` alone means all functions, which are not all defined yet"),
@@ -143,7 +158,7 @@ impl Scope<'_> {
             return None;
         }
         if self.library.knows(self.unit, name) {
-            return self.family(name, &[], &[], None, span);
+            return self.family(name, &[], &[], None, None, span);
         }
         self.unknown(name, span);
         None
@@ -304,6 +319,10 @@ impl Scope<'_> {
                 self.fits(self.budget.copy(value), span)?;
                 return Some(Value::Scalar(value.clone()));
             }
+            if self.planned_functions.contains_key(&index) {
+                self.waits_for = Some((Needed::Function(index), span));
+                return None;
+            }
             if self.missing_is_zero {
                 let Some((message, help)) = gap(self, &index) else {
                     return Some(Value::Scalar(Fraction::zero()));
@@ -317,12 +336,15 @@ impl Scope<'_> {
             }
             let wanted = label(name, &index);
             let error = self.error(span, format!("there is no function `{wanted}`"));
-            let known = (self.stage != Stage::Defining)
-                .then(|| self.functions.keys())
-                .and_then(|mut keys| Some((keys.next()?, keys.next_back())));
+            // While they are defined, those that are to come are among them, but of a recursion there may be others.
+            let mut known = self.defined.keys().listed();
+            if self.stage != Stage::Defining {
+                known = self.functions.keys().listed();
+            }
+            let known = known.first().filter(|_| self.base.is_empty()).map(|first| (*first, known.last()));
             self.report(match known {
                 Some((first, last)) => {
-                    let last = label(name, last.unwrap_or(first));
+                    let last = label(name, last.unwrap_or(&first));
                     error.help(if first.len() == index.len() {
                         format!("the last one is `{last}`")
                     } else {
@@ -341,34 +363,51 @@ impl Scope<'_> {
             ExprKind::Call(callee, arguments) => self.call(callee, arguments, Some(&index), base.span)?,
             _ => self.value(base)?,
         };
-        match value {
-            Value::List(list) => match list.iter().find(|(i, _)| *i == index) {
-                Some((_, value)) => Some(Value::Scalar(value.clone())),
-                None => {
-                    let shown: Vec<String> = index.mapped(i64::to_string);
-                    let error = self.error(
-                        span,
-                        format!("the index {} is outside of a list of {}", shown.join(","), list.len()),
-                    );
-                    self.report(error.help("the first index is 0"));
-                    None
-                }
-            },
-            Value::Scalar(_) => {
-                self.report(self.error(base.span, "this has no index: it is a single function"));
-                None
-            }
+        if let Value::Scalar(_) = value {
+            self.report(self.error(base.span, "this has no index: it is a single function"));
+            return None;
         }
+        self.entry(&value, &index, span)
+    }
+
+    /// The entry of a list that has an index.
+    pub(crate) fn entry(&self, value: &Value, index: &[i64], span: Span) -> Option<Value> {
+        let Value::List(list) = value else { return None };
+        if let Some((_, value)) = list.iter().find(|(i, _)| i == index) {
+            return Some(Value::Scalar(value.clone()));
+        }
+        let shown: Vec<String> = index.mapped(i64::to_string);
+        let message = format!("the index {} is outside of a list of {}", shown.join(","), list.len());
+        self.report(self.error(span, message).help(match list.last() {
+            Some((last, _)) if last.len() == 1 && index.len() == 1 => {
+                format!("indices run from 0 to {}", last[0])
+            }
+            _ => String::from("the first index is 0"),
+        }));
+        None
     }
 
     /// The value of a call; of the functions of another family perhaps one only.
     fn call(&mut self, callee: &Expr, arguments: &[Expr], only: Option<&[i64]>, span: Span) -> Option<Value> {
         match &callee.kind {
+            ExprKind::Name(name) if self.is_called(name) => self.call_name(name, arguments, span),
             ExprKind::Name(name) if name == "D" => self.derivative(arguments, span),
+            ExprKind::Name(name) if name == "integral" => self.integral(arguments, span),
             ExprKind::Name(name) if BUILTINS.contains(&name.as_str()) => self.builtin(name, arguments, span),
             ExprKind::Name(name) if *name != self.function_name && self.taken(name).is_some() => {
-                let error = self.error(callee.span, format!("`{name}` is not a function"));
-                self.report(error.help(format!("write `{name}*(…)` for a product")));
+                let is_list = |value: Option<&Option<Value>>| matches!(value, Some(Some(Value::List(_))));
+                if let (Some(_), None) = (self.planned.named(name), self.lets.named(name)) {
+                    self.waits_for = Some((Needed::Name(name.clone()), callee.span));
+                    return None;
+                }
+                let error = if is_list(self.lets.named(name)) {
+                    let error = self.error(callee.span, format!("`{name}` is a list, not a function"));
+                    error.help(format!("write `{name}[0]` for its first entry"))
+                } else {
+                    let error = self.error(callee.span, format!("`{name}` is not a function"));
+                    error.help(format!("write `{name}*(…)` for a product"))
+                };
+                self.report(error);
                 None
             }
             ExprKind::Name(name) if *name != self.function_name => {
@@ -377,9 +416,9 @@ impl Scope<'_> {
                     return None;
                 }
                 if self.library.order_count(self.unit, name) == 0 {
-                    self.family(name, &[], arguments, only, span)
+                    self.family(name, &[], arguments, None, only, span)
                 } else {
-                    self.family(name, arguments, &[], only, span)
+                    self.family(name, arguments, &[], None, only, span)
                 }
             }
             // Family(order)(shape values)
@@ -388,9 +427,12 @@ impl Scope<'_> {
                     if self.library.order_count(self.unit, name) > 0 && self.taken(name).is_none()) =>
             {
                 let ExprKind::Name(name) = &inner.kind else { return None };
-                self.family(name, orders, arguments, only, span)
+                self.family(name, orders, arguments, None, only, span)
             }
             ExprKind::Name(_) | ExprKind::Index(..) | ExprKind::Call(..) => {
+                if let Some(factor) = self.factor(callee) {
+                    return self.factor_at(factor, arguments, span);
+                }
                 let value = self.value(callee)?;
                 self.apply(value, arguments, span)
             }
@@ -400,6 +442,65 @@ impl Scope<'_> {
                 None
             }
         }
+    }
+
+    /// Whether a name stands for an expression with arguments.
+    fn is_called(&self, name: &str) -> bool {
+        self.arguments.iter().all(|(n, _)| n != name)
+            && self.variable(name).is_none()
+            && self.planned.named(name).is_some_and(|planned| !planned.parameters.is_empty())
+    }
+
+    /// h(x): the expression that `let h(x) = …` gives, with a value in place of each argument.
+    fn call_name(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
+        let Planned { parameters, value, .. } = *self.planned.named(name)?;
+        if parameters.len() != arguments.len() {
+            let names: Vec<&str> = parameters.mapped(|p| p.text.as_str());
+            let message =
+                format!("`{name}` takes {}, {}", count_arguments(parameters.len()), here(arguments.len()));
+            let error = self.error(span, message);
+            self.report(error.help(format!("write `{name}({})`", names.join(", "))));
+            return None;
+        }
+        if self.calls.iter().any(|active| active == name) {
+            let error = self.error(span, format!("`{name}` is defined by itself"));
+            self.report(
+                error.help("a formula may use functions and names, in any order, that do not need it"),
+            );
+            return None;
+        }
+        let mut own = Vec::new();
+        for (parameter, argument) in parameters.iter().zip(arguments) {
+            own.push((parameter.text.clone(), self.value(argument)?));
+        }
+        if !self.library.enter() {
+            let error = self.error(span, "names with arguments use one another through too many levels");
+            self.report(error.help("write a part of the formula out"));
+            return None;
+        }
+        // What is around the call has no meaning in the formula of the name.
+        let around = self.constants.split_off(self.order.min(self.constants.len()));
+        let outer = core::mem::replace(&mut self.arguments, own);
+        self.calls.push(name.to_string());
+        let result = self.value(value);
+        self.calls.pop();
+        self.arguments = outer;
+        self.constants.extend(around);
+        self.library.leave();
+        result
+    }
+
+    /// A value that is kept, counted.
+    fn copy(&self, value: &Value, span: Span) -> Option<Value> {
+        match value {
+            Value::Scalar(f) => self.fits(self.budget.copy(f), span)?,
+            Value::List(list) => {
+                for (_, f) in list {
+                    self.fits(self.budget.copy(f), span)?;
+                }
+            }
+        }
+        Some(value.clone())
     }
 
     /// f(x): the function with an argument in place of the domain variable.
@@ -420,13 +521,7 @@ impl Scope<'_> {
             by.push(self.scalar(argument)?);
         }
         if self.dependent.is_some() {
-            let sum = by.iter().fold(Fraction::zero(), |sum, f| &sum + f);
-            if sum != Fraction::constant(Rational::ONE) {
-                let shown = sum.display(&self.names);
-                let error = self.error(span, format!("the barycentric coordinates sum to {shown}, not to 1"));
-                self.report(error.help("choose coordinates that sum to 1"));
-                return None;
-            }
+            self.check_corners(&by, span)?;
             by.pop();
         }
         match value {
@@ -439,6 +534,18 @@ impl Scope<'_> {
                 Some(Value::List(result))
             }
         }
+    }
+
+    /// Barycentric coordinates sum to 1.
+    pub(crate) fn check_corners(&self, coordinates: &[Fraction], span: Span) -> Option<()> {
+        let sum = coordinates.iter().fold(Fraction::zero(), |sum, f| &sum + f);
+        if sum == Fraction::constant(Rational::ONE) {
+            return Some(());
+        }
+        let shown = sum.display(&self.names);
+        let error = self.error(span, format!("the barycentric coordinates sum to {shown}, not to 1"));
+        self.report(error.help("choose coordinates that sum to 1"));
+        None
     }
 
     /// The function with arguments in place of the domain variables; they may leave the domain, but not come upon a
@@ -558,6 +665,11 @@ impl Scope<'_> {
             }
         }
     }
+}
+
+/// `1 argument`, `2 arguments`.
+fn count_arguments(number: usize) -> String {
+    count(number, "argument")
 }
 
 fn map(value: Value, with: impl Fn(&Fraction) -> Fraction) -> Value {

@@ -3,7 +3,7 @@
 use crate::model::budget::SPLIT;
 use crate::model::scope::Scope;
 use crate::model::tuples::multi_indices;
-use crate::syntax::{Comparison, Generator, Loops, Name};
+use crate::syntax::{Comparison, Condition, Generator, Loops, Name};
 use basis_prover::collections::list::Listed;
 
 /// Loops that run longer than this are refused.
@@ -29,6 +29,38 @@ impl Scope<'_> {
         fine
     }
 
+    /// Whether a condition holds; `None` when a side went wrong. What follows after the answer is clear is not looked at.
+    fn holds(&mut self, condition: &Condition) -> Option<bool> {
+        match condition {
+            Condition::Compare(a, sign, b) => {
+                let x = self.number(a, "a side of a condition");
+                let y = self.number(b, "a side of a condition");
+                let (x, y) = (x?, y?);
+                Some(match sign {
+                    Comparison::Equal => x == y,
+                    Comparison::NotEqual => x != y,
+                    Comparison::Less => x < y,
+                    Comparison::LessEqual => x <= y,
+                    Comparison::Greater => x > y,
+                    Comparison::GreaterEqual => x >= y,
+                })
+            }
+            Condition::All(parts) => self.first(parts, false),
+            Condition::Any(parts) => self.first(parts, true),
+            Condition::Not(inner) => Some(!self.holds(inner)?),
+        }
+    }
+
+    /// Whether some part is as `wanted`, for `||`; the other way round for `&&`.
+    fn first(&mut self, parts: &[Condition], wanted: bool) -> Option<bool> {
+        for part in parts {
+            if self.holds(part)? == wanted {
+                return Some(wanted);
+            }
+        }
+        Some(!wanted)
+    }
+
     fn check_loop_name(&self, name: &Name) -> bool {
         match self.taken(&name.text) {
             None | Some("an index") => true,
@@ -52,25 +84,11 @@ impl Scope<'_> {
         body: &mut dyn FnMut(&mut Self) -> bool,
     ) -> bool {
         let Some(generator) = loops.generators.get(level) else {
-            for (a, sign, b) in &loops.conditions {
-                let (Some(x), Some(y)) =
-                    (self.number(a, "a side of a condition"), self.number(b, "a side of a condition"))
-                else {
-                    return false;
-                };
-                let holds = match sign {
-                    Comparison::Equal => x == y,
-                    Comparison::NotEqual => x != y,
-                    Comparison::Less => x < y,
-                    Comparison::LessEqual => x <= y,
-                    Comparison::Greater => x > y,
-                    Comparison::GreaterEqual => x >= y,
-                };
-                if !holds {
-                    return true;
-                }
-            }
-            return body(self);
+            return match loops.condition.as_ref().map(|condition| self.holds(condition)) {
+                None | Some(Some(true)) => body(self),
+                Some(Some(false)) => true,
+                Some(None) => false,
+            };
         };
         let (names, values) = match generator {
             Generator::Range(range) => {

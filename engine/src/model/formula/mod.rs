@@ -1,10 +1,11 @@
-//! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives,
+//! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, integrals,
 //! calls of other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to
 //! mean something; `print` writes them into messages.
 
 mod calls;
 mod derivatives;
 mod evaluate;
+mod integrals;
 mod loops;
 pub(crate) mod numbers;
 pub(crate) mod print;

@@ -1,6 +1,6 @@
 //! Expressions as text for messages: index variables replaced by their values, lists by one component.
 
-use crate::syntax::{Expr, ExprKind, Generator, Role, Sign, TheoremRelation};
+use crate::syntax::{Condition, Expr, ExprKind, Generator, Role, Sign, TheoremRelation};
 use basis_prover::collections::list::Mapped;
 
 /// How to print.
@@ -136,13 +136,31 @@ impl Printer<'_> {
                 };
                 let ranges: Vec<String> = loops.generators.mapped(range);
                 let mut text = format!("{} for {}", self.print(body), ranges.join(", "));
-                for (k, (a, sign, b)) in loops.conditions.iter().enumerate() {
-                    let word = if k == 0 { "if" } else { "&&" };
-                    let sign = TheoremRelation::Compare(*sign).symbol();
-                    text += &format!(" {word} {} {sign} {}", self.print(a), self.print(b));
+                if let Some(condition) = &loops.condition {
+                    text += &format!(" if {}", self.condition(condition, false));
                 }
                 (text, Binding::Sum)
             }
+        }
+    }
+
+    /// A condition; inside of another one with brackets if it is made of several.
+    fn condition(&self, condition: &Condition, inner: bool) -> String {
+        let joined = |parts: &[Condition], word: &str| {
+            let text = parts.mapped(|part| self.condition(part, true)).join(word);
+            if inner { format!("({text})") } else { text }
+        };
+        match condition {
+            Condition::Compare(a, sign, b) => {
+                let sign = TheoremRelation::Compare(*sign).symbol();
+                format!("{} {sign} {}", self.print(a), self.print(b))
+            }
+            Condition::All(parts) => joined(parts, " && "),
+            Condition::Any(parts) => joined(parts, " || "),
+            Condition::Not(part) => match &**part {
+                Condition::Compare(..) => format!("!({})", self.condition(part, false)),
+                _ => format!("!{}", self.condition(part, true)),
+            },
         }
     }
 

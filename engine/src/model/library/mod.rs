@@ -4,7 +4,7 @@
 mod families;
 mod read;
 
-use core::cell::RefCell;
+use core::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use proc_macro2::Span;
@@ -59,6 +59,8 @@ pub struct Library<'f> {
     active: RefCell<Vec<(usize, usize, Vec<i64>)>>,
     diagnostics: RefCell<Diagnostics>,
     run: Rc<Run>,
+    /// How many names with arguments are being evaluated, one inside of the other.
+    calls: Cell<usize>,
     /// Whether a spec was left out because all together are too long.
     is_too_long: bool,
 }
@@ -66,7 +68,22 @@ pub struct Library<'f> {
 /// The unit that was asked for.
 const MAIN: usize = 0;
 
+/// Names with arguments that use one another through more levels than this are refused.
+const MAX_CALLS: usize = 16;
+
 impl<'f> Library<'f> {
+    /// Counts a name with arguments whose formula is being evaluated; `false` when there are too many.
+    pub(crate) fn enter(&self) -> bool {
+        let fine = self.calls.get() < MAX_CALLS;
+        self.calls.set(self.calls.get() + usize::from(fine));
+        fine
+    }
+
+    /// The formula of a name with arguments is evaluated.
+    pub(crate) fn leave(&self) {
+        self.calls.set(self.calls.get().saturating_sub(1));
+    }
+
     fn families_of(&self, unit: usize) -> impl Iterator<Item = &syntax::Family> {
         self.units[unit].spec.items.iter().filter_map(|item| match item {
             syntax::Item::Family(family) => Some(family),

@@ -51,6 +51,7 @@ impl<'f> Library<'f> {
             active: RefCell::default(),
             diagnostics: RefCell::default(),
             run: Rc::new(Run::new()),
+            calls: core::cell::Cell::new(0),
             is_too_long: false,
         }
     }

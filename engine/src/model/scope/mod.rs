@@ -6,6 +6,7 @@ use core::cell::RefCell;
 use proc_macro2::Span;
 
 use super::budget::{Budget, SPLIT, TooLarge};
+use super::formula::Value;
 use super::obligation::Obligation;
 use super::words::{BINOMIALS, BUILTINS, ELSEWHERE};
 use super::{Family, Function, Library};
@@ -15,7 +16,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
 use crate::source::SourceId;
-use crate::syntax::Name;
+use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -55,6 +56,33 @@ pub(crate) struct Definition {
     pub(crate) permuted: bool,
 }
 
+/// A name that `let` gives, as it is written.
+#[derive(Clone, Copy)]
+pub(crate) struct Planned<'a> {
+    pub(crate) parameters: &'a [Name],
+    pub(crate) value: &'a Expr,
+    /// Whether its statement has been looked at, so that nothing else may take the name.
+    pub(crate) is_declared: bool,
+}
+
+/// What has no value yet.
+#[derive(Clone, PartialEq, Eq)]
+pub(crate) enum Needed {
+    /// A name that `let` gives.
+    Name(String),
+    /// A function of the family.
+    Function(Vec<i64>),
+}
+
+/// A function that is to be evaluated.
+pub(crate) struct PlannedFunction<'a> {
+    pub(crate) def: &'a FunctionDef,
+    /// The index in the definition; with `permute` another one may be meant.
+    pub(crate) index: Vec<i64>,
+    /// The index variables of its loops with their values.
+    pub(crate) constants: Vec<(String, i64)>,
+}
+
 /// The names of one family while it is being expanded.
 pub(crate) struct Scope<'a> {
     pub(crate) library: &'a Library<'a>,
@@ -63,12 +91,26 @@ pub(crate) struct Scope<'a> {
     pub(crate) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
     pub(crate) constants: Vec<(String, i64)>,
+    /// How many of them are the index parameters of the family.
+    pub(crate) order: usize,
     /// What `let` defined; `None` when that went wrong.
-    pub(crate) lets: SortedMap<String, Option<Fraction>>,
+    pub(crate) lets: SortedMap<String, Option<Value>>,
+    /// The names that `let` gives in a family, evaluated or not.
+    pub(crate) planned: SortedMap<String, Planned<'a>>,
+    /// The arguments of the name with arguments whose formula is evaluated.
+    pub(crate) arguments: Vec<(String, Value)>,
+    /// The functions that have no value yet.
+    pub(crate) planned_functions: SortedMap<Vec<i64>, PlannedFunction<'a>>,
+    /// The names with arguments whose formulas are being evaluated, the outermost first.
+    pub(crate) calls: Vec<String>,
+    /// What a formula needs that has no value yet, and where it says so.
+    pub(crate) waits_for: Option<(Needed, Span)>,
     /// The names of the variables: shape parameters, then domain variables.
     pub(crate) names: Vec<String>,
     /// The independent domain variables.
     pub(crate) domain: Vec<Var>,
+    /// The ends of their ranges, in the same order; of a simplex none.
+    pub(crate) ends: Vec<(Fraction, Fraction)>,
     /// The last barycentric coordinate of a simplex.
     pub(crate) dependent: Option<Var>,
     pub(crate) function_name: String,
@@ -161,7 +203,11 @@ impl Scope<'_> {
             Some("a function of the language")
         } else if self.constant(name).is_some() {
             Some("an index")
-        } else if self.lets.named(name).is_some() {
+        } else if self.arguments.iter().any(|(n, _)| n == name) {
+            Some("an argument")
+        } else if self.planned.named(name).is_some_and(|planned| planned.is_declared)
+            || self.subject == Subject::Theorem && self.lets.named(name).is_some()
+        {
             Some("a name given by `let`")
         } else if let Some(var) = self.variable(name) {
             Some(if self.subject == Subject::Theorem {
@@ -222,6 +268,7 @@ impl Scope<'_> {
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
         known.extend(self.lets.keys().map(String::as_str));
+        known.extend(self.planned.keys().map(String::as_str));
         known.push(&self.function_name);
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
@@ -278,9 +325,16 @@ impl Scope<'_> {
             source,
             subject: Subject::Family,
             constants: Vec::new(),
+            order: 0,
             lets: SortedMap::new(),
+            planned: SortedMap::new(),
+            arguments: Vec::new(),
+            planned_functions: SortedMap::new(),
+            calls: Vec::new(),
+            waits_for: None,
             names: Vec::new(),
             domain: Vec::new(),
+            ends: Vec::new(),
             dependent: None,
             function_name: String::new(),
             functions: SortedMap::new(),
@@ -303,8 +357,10 @@ impl Scope<'_> {
     pub(crate) fn of_family<'a>(library: &'a Library<'a>, unit: usize, family: &Family) -> Scope<'a> {
         let mut scope = Self::new(library, unit, family.source);
         scope.constants.clone_from(&family.order);
+        scope.order = scope.constants.len();
         scope.names.clone_from(&family.names);
         scope.domain = family.domain.mapped(|p| p.var);
+        scope.ends = family.ends();
         scope.dependent = family.dependent.as_ref().map(|p| p.var);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {

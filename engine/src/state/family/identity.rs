@@ -228,7 +228,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             } else {
                 format!(" at {}", describe_fixed(family, fixed))
             };
-            let sides = differences.iter().find(|d| d.text == *of && d.value == difference);
+            let sides = differences.iter().map(|(_, d)| d).find(|d| d.text == *of && d.value == difference);
             let (left, right) = sides.map(|d| (d.left.as_str(), d.right.as_str())).unwrap_or_default();
             vec![
                 format!("`{left}`{at} differs from `{right}` by `{shown}`"),

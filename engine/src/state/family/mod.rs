@@ -3,9 +3,12 @@
 mod identity;
 mod independent;
 mod point;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
 
 use std::rc::Rc;
 
+use basis_kernel::Statement;
 use basis_prover::{Counterexample, Failure, Method, Shown};
 
 use super::inequality::{self, compared};
@@ -14,7 +17,7 @@ use super::verdict::{Evidence, Stated, Verdict, Witness};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::claim::{Claim, ClaimKind, Comparison};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference};
 use crate::model::Family;
 use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
@@ -33,7 +36,9 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
             let functions = family.functions.iter().enumerate();
             functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
         }
-        ClaimKind::Relation { differences, .. } => differences.mapped(|d| (d.text.clone(), d.value.clone())),
+        ClaimKind::Relation { differences, .. } => {
+            differences.mapped(|(_, d)| (d.text.clone(), d.value.clone()))
+        }
         _ => Vec::new(),
     })
 }
@@ -44,21 +49,30 @@ pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     if let ClaimKind::Independent(except) = kind {
         return Some(vec![independent::stated(family, except)]);
     }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = kind {
+        return rounding::statements(family, epsilons);
+    }
     let domain = Rc::new(inequality::domain(family, kind.fixed()));
-    let comparison = match kind {
+    let comparison = |k: usize| match kind {
         ClaimKind::Nonnegative => Comparison::GreaterEqual,
-        ClaimKind::Relation { comparison, .. } => *comparison,
+        ClaimKind::Relation { differences, .. } => differences[k].0,
         _ => Comparison::Equal,
     };
     let expressions =
         basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?.into_iter();
-    Some(expressions.map(|(of, value)| Stated::new(of, compared(&value, comparison, &domain))).listed())
+    let stated = |(k, (of, value))| Stated::new(of, compared(&value, comparison(k), &domain));
+    Some(expressions.enumerate().map(stated).listed())
 }
 
 const TOO_LONG: &str = "the budget is spent on a common denominator of the functions";
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = &claim.kind {
+        return rounding::decide(family, epsilons);
+    }
     let Some(statements) = statements(family, claim) else {
         return Verdict::Undecided(String::from(TOO_LONG));
     };
@@ -76,7 +90,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
 
 /// How a claim was proved, in a few words.
 fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
-    let equation = matches!(kind, ClaimKind::Relation { comparison: Comparison::Equal, .. });
+    let equation = matches!(kind, ClaimKind::Relation { differences, .. }
+        if differences.iter().all(|(comparison, _)| *comparison == Comparison::Equal));
     String::from(match kind {
         ClaimKind::PartitionOfUnity => "expansion of the sum",
         ClaimKind::Symmetric => "expansion of the moved functions",
@@ -90,18 +105,25 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
     })
 }
 
+/// How the expression of a statement compares with zero, as the claim has it.
+fn stated_comparison(kind: &ClaimKind, of: &str, statement: &Statement) -> Option<Comparison> {
+    let ClaimKind::Relation { differences, .. } = kind else { return Some(Comparison::Equal) };
+    let (Statement::Zero { domain, .. } | Statement::Sign { domain, .. }) = statement else { return None };
+    let own = |(comparison, d): &&(Comparison, Difference)| {
+        d.text == of && compared(&d.value, *comparison, domain) == *statement
+    };
+    differences.iter().find(own).map(|(comparison, _)| *comparison)
+}
+
 /// The witness that a counterexample is.
 fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample) -> Witness {
     if let ClaimKind::Independent(except) = kind {
         return independent::witness(family, except, found);
     }
     let at = named_point(family, found, kind.fixed());
-    let negated = match kind {
-        ClaimKind::Relation { comparison, .. } => {
-            inequality::relation(*comparison).is_some_and(|(_, negate)| negate)
-        }
-        _ => false,
-    };
+    // Of the statements of a chain several may be about one expression.
+    let comparison = stated_comparison(kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
+    let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());

@@ -280,7 +280,7 @@ fn reciprocal(exponents: &[u32], groups: &[Group]) -> Rational {
 
 /// The functions of the next order by the recursion b[I] = Σ_j x_j b[I − e_j] on a simplex, x_j the barycentric
 /// coordinates.
-pub(super) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
+pub(crate) fn raised(family: &Family, functions: &[Function]) -> Vec<Function> {
     use crate::algebra::fraction::Fraction;
     let mut known: SortedMap<&[i64], &Fraction> = SortedMap::new();
     for f in functions {

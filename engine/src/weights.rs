@@ -11,7 +11,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{Symmetries, decide};
 
-/// The factors of a polynomial that are not known to be different from zero on a region.
+/// The factors of a polynomial in the shape values that are not known to be different from zero on a region.
 pub(crate) fn zeros(p: &Poly, region: &Region, budget: u32) -> Vec<Poly> {
     let domain = Rc::new(Domain::of(region.clone()));
     let zero_free = |p: &Poly| {

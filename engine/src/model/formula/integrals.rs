@@ -1,0 +1,168 @@
+//! Integrals in expressions: `integral(f)` over the domain, `integral(f, t, a, b)` in one variable between bounds.
+//!
+//! A polynomial has a polynomial as its antiderivative. Over the simplex u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is
+//! a₁! ⋯ aₖ!/(a₁ + … + aₖ + k)!.
+
+use proc_macro2::Span;
+
+use super::Value;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::model::scope::Scope;
+use crate::plural::here;
+use crate::syntax::{Expr, ExprKind};
+use basis_prover::collections::list::Listed;
+
+/// n!
+fn factorial(n: u32) -> Rational {
+    (1..=i64::from(n)).fold(Rational::ONE, |product, k| &product * &Rational::from(k))
+}
+
+/// What an integral that cannot be written down is answered with.
+const LEAVES: &str = "integrals of polynomials are exact; multiply by what stands below the fraction line";
+
+impl Scope<'_> {
+    /// integral(f), integral(f, t, a, b).
+    pub(crate) fn integral(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        let (f, bounds) = match arguments {
+            [f] => (f, None),
+            [f, variable, low, high] => (f, Some((self.integrated(variable)?, low, high))),
+            _ => {
+                let error =
+                    self.error(span, format!("`integral` takes 1 or 4 arguments, {}", here(arguments.len())));
+                self.report(error.help(
+                    "write `integral(b[0])` over the whole domain, `integral(b[0], t, 0, 1/2)` between bounds",
+                ));
+                return None;
+            }
+        };
+        let bounds = match bounds {
+            Some((var, low, high)) => {
+                let (low, high) = (self.bound(low), self.bound(high));
+                Some((var, low?, high?))
+            }
+            None if self.domain.is_empty() => {
+                let error = self.error(span, "an integral needs its variable and bounds here");
+                self.report(error.help("write `integral(x, t, 0, 1)`"));
+                return None;
+            }
+            None => None,
+        };
+        let over = |scope: &mut Self, f: &Fraction| match &bounds {
+            Some((var, low, high)) => scope.between(f, *var, low, high, span),
+            None => scope.over_domain_of(f, span),
+        };
+        match self.value(f)? {
+            Value::Scalar(f) => Some(Value::Scalar(over(self, &f)?)),
+            Value::List(list) => {
+                let mut result = Vec::new();
+                for (index, f) in list {
+                    result.push((index, over(self, &f)?));
+                }
+                Some(Value::List(result))
+            }
+        }
+    }
+
+    /// The variable of an integral.
+    fn integrated(&self, expr: &Expr) -> Option<Var> {
+        let ExprKind::Name(name) = &expr.kind else {
+            let error = self.error(expr.span, "expected the variable of the integral");
+            self.report(error.help("write `integral(x, t, 0, 1)`: the variable, then its bounds"));
+            return None;
+        };
+        let var = self.variable_called(name);
+        if self.dependent.is_some() && var.is_some_and(|v| self.is_domain_variable(v)) {
+            let error = self.error(expr.span, "on a simplex an integral is over all of it");
+            self.report(
+                error.help("write `integral(x)`; with w = 1 - u - v in place of w every variable matters"),
+            );
+            return None;
+        }
+        match var {
+            Some(var) => Some(var),
+            None if self.is_mistaken(name) => None,
+            None => {
+                let error = self.error(expr.span, format!("`{name}` is not a variable to integrate by"));
+                self.report(error.help(format!("variables are {}", crate::plural::list(&self.names))));
+                None
+            }
+        }
+    }
+
+    /// The variable with a name, or the one that stands for an argument of the name whose formula is evaluated.
+    pub(crate) fn variable_called(&self, name: &str) -> Option<Var> {
+        match self.arguments.iter().find(|(n, _)| n == name) {
+            Some((_, Value::Scalar(f))) => f.as_var(),
+            Some(_) => None,
+            None => self.variable(name),
+        }
+    }
+
+    /// A bound of an integral.
+    fn bound(&mut self, expr: &Expr) -> Option<Fraction> {
+        let value = self.scalar(expr)?;
+        let Some(var) = self.domain.iter().find(|v| value.depends_on(**v)) else { return Some(value) };
+        let name = &self.names[var.0];
+        let error = self.error(expr.span, format!("a bound contains the domain variable `{name}`"));
+        self.report(error.help("bounds are made of shape parameters and numbers"));
+        None
+    }
+
+    /// The integral in one variable.
+    pub(crate) fn between(
+        &self,
+        f: &Fraction,
+        var: Var,
+        low: &Fraction,
+        high: &Fraction,
+        span: Span,
+    ) -> Option<Fraction> {
+        self.check_integrand(f, &[var], span)?;
+        self.fits(self.budget.spend(f.numer().len() as u64), span)?;
+        let raised = f.numer().terms().map(|(m, c)| {
+            let exponent = m.exponent(var) + 1;
+            (m.with_exponent(var, exponent), c * &Rational::new(1, i64::from(exponent)))
+        });
+        let antiderivative = Fraction::new(Poly::from_terms(raised), f.denom().clone())?;
+        let upper = self.put_one(&antiderivative, var, high, span)?;
+        let lower = self.put_one(&antiderivative, var, low, span)?;
+        self.fits(self.budget.sub(&upper, &lower), span)
+    }
+
+    /// The integral over the whole domain.
+    fn over_domain_of(&self, f: &Fraction, span: Span) -> Option<Fraction> {
+        if self.dependent.is_none() {
+            let mut value = f.clone();
+            for (var, (low, high)) in self.domain.iter().zip(&self.ends) {
+                value = self.between(&value, *var, low, high, span)?;
+            }
+            return Some(value);
+        }
+        self.check_integrand(f, &self.domain, span)?;
+        self.fits(self.budget.spend(f.numer().len() as u64), span)?;
+        let terms = f.numer().terms().map(|(m, c)| {
+            let mut value = c.clone();
+            let (mut rest, mut sum) = (m.clone(), self.domain.len() as u32);
+            for var in &self.domain {
+                let exponent = u32::from(m.exponent(*var));
+                value *= &factorial(exponent);
+                rest = rest.with_exponent(*var, 0);
+                sum += exponent;
+            }
+            (rest, &value / &factorial(sum))
+        });
+        let terms: Vec<(Monomial, Rational)> = terms.listed();
+        Fraction::new(Poly::from_terms(terms), f.denom().clone())
+    }
+
+    /// No variable of the integral stands below a fraction line.
+    fn check_integrand(&self, f: &Fraction, vars: &[Var], span: Span) -> Option<()> {
+        let Some(var) = vars.iter().find(|v| f.denom().depends_on(**v)) else { return Some(()) };
+        let name = &self.names[var.0];
+        let error = self.error(span, "the integral is not a rational number or function");
+        self.report(error.label(format!("`{name}` stands below a fraction line")).help(LEAVES));
+        None
+    }
+}
