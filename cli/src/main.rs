@@ -12,9 +12,12 @@ mod check;
 mod domain;
 mod eval;
 mod explain;
+mod layout;
 mod lsp;
 mod name;
+mod new;
 mod output;
+mod shell;
 mod spec;
 mod table;
 
@@ -29,9 +32,13 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Fmt(arguments) => layout::run(&arguments),
         Command::Lsp(_) => lsp::run(),
+        Command::New(arguments) => new::run(&arguments),
         Command::Table(arguments) => catalogue::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments),
+        Command::Man(arguments) => shell::man(&arguments),
     };
     status.into()
 }

@@ -167,9 +167,8 @@ impl Printer<'_> {
 
     /// Whether these are all control points in their order.
     fn is_all(&self, points: &[Ref], count: Option<usize>) -> bool {
-        let all = points.iter().enumerate();
-        let mut inputs = all.map(|(k, p)| self.plan.nodes[p.position()] == Node::Input(Input::Point(k)));
-        count == Some(points.len()) && inputs.all(|same| same)
+        let is = |k: usize, at: Ref| matches!(self.plan.nodes[at.position()], Node::Input(Input::Point(p)) if p == k);
+        count == Some(points.len()) && (0..points.len()).all(|k| is(k, points[k]))
     }
 
     /// A node as a part of an expression, in parentheses if it has one of these forms.

@@ -2,7 +2,6 @@
 
 use super::{Builder, Input, Node, Plan, Ref};
 use crate::algebra::poly::Poly;
-use crate::algebra::rational::Rational;
 use crate::continuation::EndPoints;
 use crate::model::Family;
 
@@ -33,7 +32,7 @@ impl Builder {
     /// Σ weight·point; the point itself where it is the only one and has the weight 1.
     pub(super) fn combination(&mut self, points: Vec<Ref>, weights: Vec<Ref>) -> Ref {
         match (points.as_slice(), weights.as_slice()) {
-            ([point], [weight]) if self.node(*weight) == &Node::Number(Rational::ONE) => *point,
+            ([point], [weight]) if matches!(self.node(*weight), Node::Number(w) if w.is_one()) => *point,
             _ => self.push(Node::Combine { points, weights }),
         }
     }

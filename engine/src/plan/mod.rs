@@ -31,7 +31,7 @@ use crate::algebra::rational::Rational;
 use build::Builder;
 
 /// A computation: nodes, the names of some of them, and what comes out.
-#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug, PartialEq))] // every user builds the rest
 pub struct Plan {
     /// The nodes; each refers to nodes before it only.
     pub nodes: Vec<Node>,
@@ -42,7 +42,8 @@ pub struct Plan {
 }
 
 /// A node of a plan, by its position.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
+#[cfg_attr(any(test, feature = "tools"), derive(Debug, PartialEq, Eq))]
 pub struct Ref(usize);
 
 impl Ref {
@@ -53,7 +54,7 @@ impl Ref {
 }
 
 /// A node with a name.
-#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug, PartialEq))]
 pub struct Let {
     /// The name, in ASCII; two names `[s, x]` for the two parts of a [`Node::Unit`]. The list `b` of a recursion takes
     /// the name of the list before it.
@@ -63,7 +64,8 @@ pub struct Let {
 }
 
 /// A number that is given from outside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
+#[cfg_attr(any(test, feature = "tools"), derive(Debug, PartialEq, Eq, PartialOrd, Ord))]
 pub enum Input {
     /// A coordinate of the point of the domain: the parameter t, a variable of a box, a barycentric coordinate.
     Coordinate(usize),
@@ -78,7 +80,7 @@ pub enum Input {
 }
 
 /// One step of a plan.
-#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug, PartialEq))]
 pub enum Node {
     /// A number from outside.
     Input(Input),

@@ -24,7 +24,7 @@ fn boxes_are_tight<B: Basis<Scalar = f64>>(basis: B, random: &mut Random) {
     ends.push(hi);
     assert!(ends.is_sorted());
     for pair in ends.windows(2) {
-        let part: Vec<[f64; 2]> = curve.subsegment(pair[0]..pair[1]).samples(50).collect();
+        let part: Vec<[f64; 2]> = curve.subsegment(pair[0]..pair[1]).unwrap().samples(50).collect();
         for d in 0..2 {
             let rising = part[0][d] <= part[49][d];
             for step in part.windows(2) {
@@ -165,7 +165,7 @@ fn polygons_stay_within_the_tolerance() {
             }
             for pair in corners.windows(2).step_by(7) {
                 let middle = [0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1])];
-                assert!(curve.nearest(middle, 1e-9).distance <= tolerance + 1e-9);
+                assert!(curve.nearest(middle, 1e-9).unwrap().distance <= tolerance + 1e-9);
             }
         }
     }

@@ -32,7 +32,7 @@ fn curvature_and_torsion_of_the_twisted_cubic() {
 #[test]
 fn curvature_has_a_sign_in_the_plane_only() {
     let left = Bezier::from_points([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0_f64]]);
-    assert!(left.curvature(0.3) > 0.0 && left.reverse().curvature(0.7) < 0.0);
+    assert!(left.curvature(0.3) > 0.0 && left.reversed().curvature(0.7) < 0.0);
     let space = Bezier::from_points([[1.0, 1.0, 5.0], [1.0, 0.0, 5.0], [0.0, 0.0, 5.0_f64]]);
     assert!((space.curvature(0.7) - left.curvature(0.3)).abs() < 1e-14);
     assert_eq!(Bezier::from_points([0.0, 1.0, 5.0_f64]).curvature(0.5), 0.0);
@@ -52,7 +52,7 @@ fn tangents_where_the_velocity_vanishes() {
     // Three coincident points.
     let late = Bezier::from_points([[0.1, 0.2], [0.1, 0.2], [0.1, 0.2], [3.1, 4.2]]);
     assert!(near(late.tangent(0.0).unwrap(), [0.6, 0.8]));
-    assert!(near(late.reverse().tangent(1.0).unwrap(), [-0.6, -0.8]));
+    assert!(near(late.reversed().tangent(1.0).unwrap(), [-0.6, -0.8]));
     assert_eq!(Bezier::from_points([[0.1, 0.2]; 5]).tangent(0.3), None);
     assert_eq!(Bezier::from_points([[0.1, 0.2], [f64::NAN, 1.0]]).tangent(0.3), None);
 }

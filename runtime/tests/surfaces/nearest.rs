@@ -17,7 +17,7 @@ fn is_the_nearest_of_all() {
         let target: [f64; 3] = core::array::from_fn(|_| random.between(-2.0, 2.0));
         let accuracy = [1e-3, 1e-9][round % 2];
         let found = surface.nearest(target, accuracy).unwrap();
-        let [u, v] = found.parameters;
+        let [u, v] = found.at;
         assert_eq!(surface.eval(u, v), found.point);
         assert!((distance(found.point, target) - found.distance).abs() < 1e-14);
         assert!(found.at_least >= found.distance - accuracy && found.at_least <= found.distance);

@@ -162,7 +162,7 @@ fn have_nearest_points() {
         let target: [f64; 3] = core::array::from_fn(|_| random.between(-2.0, 2.0));
         let away = |p: [f64; 3]| p.iter().zip(target).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
         let found = patch.nearest(target, 1e-6).unwrap();
-        let [u, v] = found.parameters;
+        let [u, v] = found.at;
         assert!(u >= 0.0 && v >= 0.0 && u + v <= 1.0 + 1e-15);
         assert!(near(patch.eval(u, v), found.point, 1e-13));
         assert!((away(found.point) - found.distance).abs() < 1e-14);

@@ -513,6 +513,10 @@ fn differences(
             (zeros, r, true)
         }
         (Value::List(list), _) | (_, Value::List(list)) => {
+            let mistaken = |side: &syntax::Expr| matches!(&side.kind, syntax::ExprKind::Name(name) if scope.is_mistaken(name));
+            if mistaken(written_left) || mistaken(written_right) {
+                return None;
+            }
             let error = scope
                 .error(span, format!("a list of {} functions is compared with a single one", list.len()));
             scope.report(error.help(format!(

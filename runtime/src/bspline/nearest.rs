@@ -3,13 +3,10 @@
 use alloc::vec::Vec;
 
 use super::rows::{self, Rows};
-use super::{BSplineSurface, Direction, KnotVector, Projection};
+use super::{BSplineSurface, Direction, KnotVector};
 use crate::surface::nearest::{Piece, length_unit, search};
 use crate::vector::length;
-use crate::{Point, Scalar};
-
-/// How much nearer a point may be than the one that is found, as a part of the extent of the net.
-const TOLERANCE: f64 = 1e-10;
+use crate::{Nearest, Point, Scalar};
 
 impl<P: Point> BSplineSurface<P> {
     /// The point of the surface that is nearest to `point`.
@@ -18,8 +15,8 @@ impl<P: Point> BSplineSurface<P> {
     /// bound of its distance (their bounding box, and the Bernstein coefficients of the squared distance), and parts
     /// that cannot be nearer than the best point found so far are left out; that point is improved by Newton's method.
     /// So the distance is the smallest one of the whole surface, not of a neighbourhood: it exceeds
-    /// [`at_least`](Projection::at_least), which is proved, by no more than 1e-10 of the extent of the net (1e-6 in
-    /// single precision).
+    /// [`at_least`](Nearest::at_least), which is proved, by no more than `accuracy`. An `accuracy` below some 64 `ε`
+    /// times the greatest distance of a control point, also zero or NaN, asks for what the scalar type can give.
     ///
     /// Where very many points are almost equally near, such as around the centre of a sphere, the work ends earlier:
     /// the point is still a minimum, and `at_least` says how much is proved. At a knot where the surface jumps the
@@ -35,23 +32,18 @@ impl<P: Point> BSplineSurface<P> {
     ///     [[-1.0_f64, -1.0, 1.0], [-1.0, 1.0, -1.0]],
     ///     [[1.0, -1.0, -1.0], [1.0, 1.0, 1.0]],
     /// ])?)?;
-    /// let found = saddle.project([0.0, 0.0, 1.0]).unwrap();
+    /// let found = saddle.nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     /// assert!((found.distance - 1.0).abs() < 1e-15);
     /// assert!(found.at_least > 1.0 - 1e-9);
     /// # Ok::<(), basis_runtime::bspline::SplineError>(())
     /// ```
-    pub fn project(&self, point: P) -> Option<Projection<P>> {
+    pub fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {
         let spans = [Direction::U, Direction::V].map(|d| self.knots(d).spans().collect::<Vec<_>>());
         let differences = self.net().map(|p| p.minus(point));
         let unit = length_unit(differences.as_slice().iter().map(|&p| length(p)));
         let pieces = self.pieces(point, unit);
-        let extent = (0..P::DIM).fold(0.0_f64, |extent, c| {
-            let all = self.net().as_slice().iter().map(|p| p.component(c).to_f64()).filter(|x| x.is_finite());
-            let (lo, hi) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
-            extent.max((hi - lo) / unit)
-        });
         let epsilon = P::Scalar::EPSILON.to_f64();
-        let tolerance = TOLERANCE.max(8.0 * epsilon) * extent + 64.0 * epsilon;
+        let tolerance = (0.5 * accuracy.to_f64() / unit).max(64.0 * epsilon);
         let (nearest, bound) = search(&pieces, tolerance)?;
 
         let place = [nearest.piece / spans[1].len(), nearest.piece % spans[1].len()];
@@ -81,7 +73,7 @@ impl<P: Point> BSplineSurface<P> {
         }
         let distance = away(found);
         let at_least = P::Scalar::of((bound * unit * (1.0 - epsilon)).max(0.0)).min(distance);
-        Some(Projection { parameters: at, point: found, distance, at_least })
+        Some(Nearest { at, point: found, distance, at_least })
     }
 
     /// The polynomial pieces as Bézier patches, those with the lowest `u` first; differences from `point` in that unit.
