@@ -120,8 +120,11 @@ fn no_error_is_beyond_its_bound() {
             }
             last.clone_from(&family.name);
             let Some(steps) = FamilySteps::new(family) else { continue };
-            let bounds: Vec<Option<Error>> =
-                rounding::values(family).unwrap_or_default().into_iter().map(|b| b.map(|b| b.error)).collect();
+            let bounds: Vec<Option<Error>> = rounding::values(family)
+                .unwrap_or_default()
+                .into_iter()
+                .map(|b| b.map(|b| b.error))
+                .collect();
             for bound in &bounds {
                 counts[match bound {
                     Some(Error::Relative(_)) => 0,

@@ -7,53 +7,74 @@
 use std::rc::Rc;
 
 use super::cell::Cell;
-use super::conditions::{Conditions, common_denominator, over};
+use super::conditions::{Conditions, Shares, common_denominator, over};
 use super::exact::Exact;
-use super::{Part, relative, rest};
+use super::relative::Relative;
+use super::{Part, rest};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::steps::Step;
 
-/// The bound on a cell in u, and what it follows from; `None` if there is none.
-pub(super) fn part(
-    exact: &mut Exact<'_>,
+/// What the error of a result is made of, on any cell.
+pub(super) struct Absolute {
     output: usize,
-    cell: &Cell,
-    points: &[Var],
-    work: &mut Work,
-) -> Option<(Rational, Part)> {
-    let mut conditions = Conditions { cell, known: Vec::new() };
-    for k in exact.quotients_by_sums(output) {
-        let Step::Div(_, divisor) = exact.step(k) else { continue };
-        let (bound, part) = relative::part(exact, *divisor, cell, work)?;
-        let last = part.last(&bound);
-        part.conditions.into_iter().chain([last]).for_each(|p| conditions.add(p));
-        exact.set_weight(k, &bound)?;
-    }
-    let shares = exact.shares(output, work)?;
-    let below = common_denominator(&mut shares.iter().map(|(_, share)| share), work)?;
-    let value = conditions.absolute(&below, work)?;
-    let (mut signed, mut rest) = (Poly::zero(), Rational::ZERO);
-    for (k, share) in &shares {
-        if conditions.is_exact(exact, *k, work)? {
-            continue;
-        }
-        let weight = exact.weight(*k);
-        for share in coefficients(&over(share, &below)?, points)? {
-            match cell.sign(&share, work) {
-                Some(_) => signed = &signed + &conditions.absolute(&share, work)?.scale(&weight),
-                None => rest += &(&conditions.largest(&share, &value, work)? * &weight),
+    /// The quotients by a sum, with the errors of the sums.
+    quotients: Vec<(usize, Relative)>,
+    /// The common denominator of all shares.
+    below: Poly,
+    shares: Shares,
+}
+
+impl Absolute {
+    /// Of a step that is linear in some points, if there are any; `None` when the work is spent.
+    pub(super) fn new(exact: &mut Exact<'_>, output: usize, points: &[Var], work: &mut Work) -> Option<Self> {
+        let mut quotients = Vec::new();
+        for k in exact.quotients_by_sums(output) {
+            if let Step::Div(_, divisor) = exact.step(k) {
+                quotients.push((k, Relative::new(exact, *divisor, work)?));
             }
         }
+        let shares = exact.shares(output, work)?;
+        let below = common_denominator(&mut shares.iter().map(|(_, share)| share), work)?;
+        let mut grouped = Shares::default();
+        for (k, share) in &shares {
+            for share in coefficients(&over(share, &below)?, points)? {
+                grouped.add(exact, *k, &share, work)?;
+            }
+        }
+        Some(Self { output, quotients, below, shares: grouped })
     }
-    let size = size(exact, output, &mut conditions, work)?;
-    rest += &rest::of_sum(&exact.depth(output), &size)?;
-    let first = cell.ratio(&signed, &value, work)?;
-    let domain = Rc::clone(&cell.domain);
-    let part = Part { domain, conditions: conditions.known, value, sum: signed, rest: rest.clone() };
-    Some((&first + &rest, part))
+
+    /// The bound on a cell in u, and what it follows from; `None` if there is none.
+    pub(super) fn on(&self, exact: &mut Exact<'_>, cell: &Cell, work: &mut Work) -> Option<(Rational, Part)> {
+        let mut conditions = Conditions { cell, known: Vec::new() };
+        for (k, divisor) in &self.quotients {
+            let (bound, part) = divisor.on(exact, cell, work)?;
+            let last = part.last(&bound);
+            part.conditions.into_iter().chain([last]).for_each(|p| conditions.add(p));
+            exact.set_weight(*k, &bound)?;
+        }
+        let value = conditions.absolute(&self.below, work)?;
+        let (mut signed, mut rest) = (Poly::zero(), Rational::ZERO);
+        for share in &self.shares.groups {
+            let weight = share.weight(exact, &mut conditions, work)?;
+            if weight.is_zero() {
+                continue;
+            }
+            match cell.sign(&share.poly, work) {
+                Some(_) => signed = &signed + &conditions.absolute(&share.poly, work)?.scale(&weight),
+                None => rest += &(&conditions.largest(&share.poly, &value, work)? * &weight),
+            }
+        }
+        let size = size(exact, self.output, &mut conditions, work)?;
+        rest += &rest::of_sum(&exact.depth(self.output), &size)?;
+        let first = cell.ratio(&signed, &value, work)?;
+        let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
+        let part = Part { domain, conditions, value, sum: signed, rest: rest.clone() };
+        Some((&first + &rest, part))
+    }
 }
 
 /// The coefficients of the points in a linear form in them; without points the polynomial itself.

@@ -56,6 +56,66 @@ impl Conditions<'_> {
     }
 }
 
+/// The shares of steps in an error, those that are multiples of one another together.
+#[derive(Default)]
+pub(super) struct Shares {
+    pub(super) groups: Vec<Group>,
+}
+
+/// Steps whose shares are multiples of one polynomial.
+pub(super) struct Group {
+    pub(super) poly: Poly,
+    /// The sum of the factors of those that always round.
+    always: Rational,
+    /// The others, with their factors.
+    sometimes: Vec<(usize, Rational)>,
+}
+
+impl Shares {
+    /// Adds the share of a step; `None` when the work is spent.
+    pub(super) fn add(
+        &mut self,
+        exact: &mut Exact<'_>,
+        k: usize,
+        share: &Poly,
+        work: &mut Work,
+    ) -> Option<()> {
+        let Some((_, leading)) = share.leading_term() else { return Some(()) };
+        let poly = share.scale(&leading.recip()?);
+        let factor = leading.abs();
+        let place = self.groups.iter().position(|group| group.poly == poly);
+        let place = place.unwrap_or_else(|| {
+            self.groups.push(Group { poly, always: Rational::ZERO, sometimes: Vec::new() });
+            self.groups.len() - 1
+        });
+        let group = &mut self.groups[place];
+        match exact.rounds(k, work)? {
+            Rounds::Never => {}
+            Rounds::Always if !exact.has_own_weight(k) => group.always += &(&factor * &exact.weight(k)),
+            Rounds::Always | Rounds::Unless(_) => group.sometimes.push((k, factor)),
+        }
+        Some(())
+    }
+}
+
+impl Group {
+    /// The sum of the factors of the steps that round on a cell.
+    pub(super) fn weight(
+        &self,
+        exact: &mut Exact<'_>,
+        conditions: &mut Conditions<'_>,
+        work: &mut Work,
+    ) -> Option<Rational> {
+        let mut weight = self.always.clone();
+        for (k, factor) in &self.sometimes {
+            if !conditions.is_exact(exact, *k, work)? {
+                weight += &(factor * &exact.weight(*k));
+            }
+        }
+        Some(weight)
+    }
+}
+
 /// A product of the denominators of quotients, each once; `None` when the work is spent.
 pub(super) fn common_denominator(
     quotients: &mut dyn Iterator<Item = &Fraction>,

@@ -134,6 +134,11 @@ impl<'a> Exact<'a> {
         }
     }
 
+    /// Whether a step is a quotient by a sum, whose weight depends on the cell.
+    pub(super) fn has_own_weight(&self, k: usize) -> bool {
+        matches!(self.step(k), Step::Div(_, b) if !self.is_leaf(*b))
+    }
+
     /// Of a quotient by a sum: the sum may be off by `bound` u. The quotient is then off by a factor between
     /// (1 − u)/(1 + b u) and (1 + u)/(1 − b u), b = `bound`, which is within (1 + b)(1 + 2(1 + b) u) u of 1.
     pub(super) fn set_weight(&mut self, k: usize, bound: &Rational) -> Option<()> {

@@ -37,8 +37,10 @@ use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::plan::Input;
 use crate::steps::FamilySteps;
+use absolute::Absolute;
 use cell::Cell;
 use exact::Exact;
+use relative::Relative;
 
 /// How far a computed value may be from the exact one, in units of ε, the distance from 1 to the next float: 2⁻²³ for
 /// `f32`, 2⁻⁵² for `f64`.
@@ -147,9 +149,11 @@ pub fn point(family: &Family) -> Option<Bound> {
         let inputs = Inputs::of(family, family.functions.len());
         let mut exact = Exact::new(&steps, &inputs)?;
         let output = *steps.outputs.first()?;
-        let counts: Vec<(Var, u32)> = inputs.coordinates.iter().map(|v| (*v, 8)).chain(family.shapes.iter().map(|p| (p.var, 4))).listed();
+        let cuts = |variables: &[Var], count: u32| variables.mapped(|v| (*v, count));
+        let counts = [cuts(&inputs.coordinates, 8), cuts(&inputs.shapes, 4)].concat();
         let cells = Cell::grid(&inputs.region, &counts);
-        let parts = on_each(&cells, &mut |cell| absolute::part(&mut exact, output, cell, &inputs.points, work))?;
+        let absolute = Absolute::new(&mut exact, output, &inputs.points, work)?;
+        let parts = on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))?;
         Some(rounded_up(parts, Error::Absolute))
     })
 }
@@ -157,12 +161,15 @@ pub fn point(family: &Family) -> Option<Bound> {
 /// The bound of one value, relative if there is one.
 fn value(exact: &mut Exact<'_>, output: usize, inputs: &Inputs, work: &mut Work) -> Option<Bound> {
     let cells = |count: u32| Cell::grid(&inputs.region, &inputs.coordinates.mapped(|v| (*v, count)));
-    for count in [2, 8] {
-        if let Some(parts) = on_each(&cells(count), &mut |cell| relative::part(exact, output, cell, work)) {
-            return Some(rounded_up(parts, Error::Relative));
+    if let Some(relative) = Relative::new(exact, output, work) {
+        for count in [2, 8] {
+            if let Some(parts) = on_each(&cells(count), &mut |cell| relative.on(exact, cell, work)) {
+                return Some(rounded_up(parts, Error::Relative));
+            }
         }
     }
-    let parts = on_each(&cells(16), &mut |cell| absolute::part(exact, output, cell, &[], work))?;
+    let absolute = Absolute::new(exact, output, &[], work)?;
+    let parts = on_each(&cells(16), &mut |cell| absolute.on(exact, cell, work))?;
     Some(rounded_up(parts, Error::Absolute))
 }
 

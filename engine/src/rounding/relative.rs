@@ -11,7 +11,7 @@
 use std::rc::Rc;
 
 use super::cell::Cell;
-use super::conditions::{Conditions, common_denominator, over};
+use super::conditions::{Conditions, Shares, common_denominator, over};
 use super::exact::{Exact, Share};
 use super::{Part, rest};
 use crate::algebra::fraction::Fraction;
@@ -19,87 +19,123 @@ use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::steps::Step;
-use basis_prover::collections::list::Mapped;
+use basis_prover::collections::list::Listed;
 
-/// A result as a product.
-struct Product {
+type Factor = (usize, i64, i64);
+
+/// What the relative error of a result is made of, on any cell.
+pub(super) struct Relative {
     /// The roundings of factors and products: the step, its exponent, and how often it occurs above or below the
     /// fraction line.
-    roundings: Vec<(usize, i64, i64)>,
-    /// The sums, likewise.
-    sums: Vec<(usize, i64, i64)>,
+    roundings: Vec<Factor>,
+    /// The sums with their values, likewise.
+    sums: Vec<(usize, Fraction, i64)>,
+    /// G
+    value: Poly,
+    /// The Rₖ.
+    shares: Shares,
 }
 
-/// The bound on a cell in u, and what it follows from; `None` if there is none.
-pub(super) fn part(
-    exact: &mut Exact<'_>,
-    output: usize,
-    cell: &Cell,
-    work: &mut Work,
-) -> Option<(Rational, Part)> {
-    let Product { roundings, sums } = product(exact, output);
-    // Sums on the way to sums are no quotients: their divisors are products.
-    if sums.iter().any(|(f, ..)| !exact.quotients_by_sums(*f).is_empty()) {
-        return None;
-    }
-    let mut conditions = Conditions { cell, known: Vec::new() };
-    let mut factors: Vec<(Fraction, Vec<Share>)> = Vec::new();
-    for (f, ..) in &sums {
-        factors.push((exact.value(*f, work)?, exact.shares(*f, work)?));
-    }
-    let product_of = |skip: Option<usize>, work: &mut Work| {
-        let mut product = Fraction::constant(Rational::ONE);
-        for (i, (f, _)) in factors.iter().enumerate() {
-            if Some(i) != skip {
-                product = product.mul_within(f, work)?;
+impl Relative {
+    /// Of a step; `None` when the work is spent, or a sum has a sum in a denominator.
+    pub(super) fn new(exact: &mut Exact<'_>, output: usize, work: &mut Work) -> Option<Self> {
+        let (roundings, sums) = product(exact, output);
+        let mut factors: Vec<(Fraction, Vec<Share>)> = Vec::new();
+        for (f, ..) in &sums {
+            // Sums on the way to sums are no quotients: their divisors are products.
+            if !exact.quotients_by_sums(*f).is_empty() {
+                return None;
+            }
+            factors.push((exact.value(*f, work)?, exact.shares(*f, work)?));
+        }
+        let product_of = |skip: Option<usize>, work: &mut Work| {
+            let mut product = Fraction::constant(Rational::ONE);
+            for (i, (f, _)) in factors.iter().enumerate() {
+                if Some(i) != skip {
+                    product = product.mul_within(f, work)?;
+                }
+            }
+            Some(product)
+        };
+        let all = product_of(None, work)?;
+        let mut shares: Vec<Share> = Vec::new();
+        let mut add = |k: usize, share: Fraction, work: &mut Work| {
+            match shares.iter_mut().find(|(j, _)| *j == k) {
+                Some((_, sum)) => *sum = sum.add_within(&share, work)?,
+                None => shares.push((k, share)),
+            }
+            Some(())
+        };
+        for (k, exponent, _) in &roundings {
+            add(*k, scaled(&all, *exponent), work)?;
+        }
+        for (i, (_, exponent, _)) in sums.iter().enumerate() {
+            let others = scaled(&product_of(Some(i), work)?, *exponent);
+            for (k, share) in &factors[i].1 {
+                add(*k, share.mul_within(&others, work)?, work)?;
             }
         }
-        Some(product)
-    };
-    let all = product_of(None, work)?;
-    let mut shares: Vec<(usize, Fraction)> = Vec::new();
-    let mut add = |k: usize, share: Fraction, work: &mut Work| {
-        match shares.iter_mut().find(|(j, _)| *j == k) {
-            Some((_, sum)) => *sum = sum.add_within(&share, work)?,
-            None => shares.push((k, share)),
+        // Everything times the denominators, which are numbers or polynomials in shape values.
+        let quotients = shares.iter().map(|(_, share)| share);
+        let below = common_denominator(&mut quotients.chain([&all]), work)?;
+        let value = over(&all, &below)?;
+        let mut grouped = Shares::default();
+        for (k, share) in &shares {
+            grouped.add(exact, *k, &over(share, &below)?, work)?;
         }
-        Some(())
-    };
-    for (k, exponent, _) in &roundings {
-        add(*k, scaled(&all, *exponent), work)?;
+        let values = factors.into_iter().map(|(value, _)| value);
+        let sums = sums.into_iter().zip(values).map(|((f, _, total), value)| (f, value, total)).listed();
+        Some(Self { roundings, sums, value, shares: grouped })
     }
-    for (i, (_, exponent, _)) in sums.iter().enumerate() {
-        let others = scaled(&product_of(Some(i), work)?, *exponent);
-        for (k, share) in &factors[i].1 {
-            add(*k, share.mul_within(&others, work)?, work)?;
+
+    /// The bound on a cell in u, and what it follows from; `None` if there is none.
+    pub(super) fn on(&self, exact: &mut Exact<'_>, cell: &Cell, work: &mut Work) -> Option<(Rational, Part)> {
+        let mut conditions = Conditions { cell, known: Vec::new() };
+        let value = conditions.absolute(&self.value, work)?;
+        let mut sum = Poly::zero();
+        for share in &self.shares.groups {
+            let weight = share.weight(exact, &mut conditions, work)?;
+            if !weight.is_zero() {
+                sum = &sum + &conditions.absolute(&share.poly, work)?.scale(&weight);
+            }
         }
+        let first = cell.ratio(&sum, &value, work)?;
+        let rest = self.higher(exact, &mut conditions, work)?;
+        let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
+        let part = Part { domain, conditions, value, sum, rest: rest.clone() };
+        Some((&first + &rest, part))
     }
-    // Everything times the denominators, which are numbers or polynomials in shape values.
-    let quotients = shares.iter().map(|(_, share)| share);
-    let below = common_denominator(&mut quotients.chain([&all]), work)?;
-    let value = conditions.absolute(&over(&all, &below)?, work)?;
-    let mut sum = Poly::zero();
-    for (k, share) in &shares {
-        let share = over(share, &below)?;
-        if share.is_zero() || conditions.is_exact(exact, *k, work)? {
-            continue;
+
+    /// What is of higher order, in u.
+    fn higher(
+        &self,
+        exact: &mut Exact<'_>,
+        conditions: &mut Conditions<'_>,
+        work: &mut Work,
+    ) -> Option<Rational> {
+        let mut size = Rational::ZERO;
+        for (_, _, total) in &self.roundings {
+            size += &Rational::from(*total);
         }
-        let size = conditions.absolute(&share, work)?;
-        sum = &sum + &size.scale(&exact.weight(*k));
+        let mut rest = Rational::ZERO;
+        for (f, value, total) in &self.sums {
+            let times = cancellation(exact, *f, value, conditions, work)?;
+            let (depth, total) = (exact.depth(*f), Rational::from(*total));
+            let of_sum = rest::of_sum(&depth, &times)?;
+            size += &(&total * &(&(&depth * &times) + &of_sum));
+            rest += &(&total * &of_sum);
+        }
+        Some(&rest + &rest::of_product(&size)?)
     }
-    let first = cell.ratio(&sum, &value, work)?;
-    let rest = higher(exact, &roundings, &sums, &factors.mapped(|(f, _)| f.clone()), &mut conditions, work)?;
-    let part =
-        Part { domain: Rc::clone(&cell.domain), conditions: conditions.known, value, sum, rest: rest.clone() };
-    Some((&first + &rest, part))
 }
 
 fn scaled(f: &Fraction, exponent: i64) -> Fraction {
     f * &Fraction::constant(Rational::from(exponent))
 }
 
-/// The factors of a step.
-fn product(exact: &Exact<'_>, output: usize) -> Product {
+/// The factors of a step: single roundings and sums, each with its exponent, and how often it occurs above or below the
+/// fraction line.
+fn product(exact: &Exact<'_>, output: usize) -> (Vec<Factor>, Vec<Factor>) {
     let mut exponents = vec![(0_i64, 0_i64); output + 1];
     exponents[output] = (1, 1);
     let (mut roundings, mut sums) = (Vec::new(), Vec::new());
@@ -133,31 +169,7 @@ fn product(exact: &Exact<'_>, output: usize) -> Product {
         }
         roundings.push((k, net, total));
     }
-    Product { roundings, sums }
-}
-
-/// What is of higher order, in u.
-fn higher(
-    exact: &mut Exact<'_>,
-    roundings: &[(usize, i64, i64)],
-    sums: &[(usize, i64, i64)],
-    values: &[Fraction],
-    conditions: &mut Conditions<'_>,
-    work: &mut Work,
-) -> Option<Rational> {
-    let mut size = Rational::ZERO;
-    for (_, _, total) in roundings {
-        size += &Rational::from(*total);
-    }
-    let mut rest = Rational::ZERO;
-    for ((f, _, total), value) in sums.iter().zip(values) {
-        let times = cancellation(exact, *f, value, conditions, work)?;
-        let (depth, total) = (exact.depth(*f), Rational::from(*total));
-        let of_sum = rest::of_sum(&depth, &times)?;
-        size += &(&total * &(&(&depth * &times) + &of_sum));
-        rest += &(&total * &of_sum);
-    }
-    Some(&rest + &rest::of_product(&size)?)
+    (roundings, sums)
 }
 
 /// A number m for which the absolute values of the products, of which a step is the sum, add up to at most m times its
@@ -184,12 +196,7 @@ fn cancellation(
 }
 
 /// The sum of the absolute values of the products of which a step is the sum.
-fn size(
-    exact: &mut Exact<'_>,
-    of: usize,
-    conditions: &mut Conditions<'_>,
-    work: &mut Work,
-) -> Option<Poly> {
+fn size(exact: &mut Exact<'_>, of: usize, conditions: &mut Conditions<'_>, work: &mut Work) -> Option<Poly> {
     let mut sizes: Vec<Option<Poly>> = vec![None; of + 1];
     for k in exact.reached(of) {
         let size = |a: &usize| sizes[*a].as_ref();

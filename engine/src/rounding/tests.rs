@@ -59,7 +59,8 @@ fn quartic() -> Steps {
     let c0 = w.push(Step::Sub(one, lambda));
     let c1 = w.push(Step::Add(three, lambda));
     let mut outputs = Vec::new();
-    for (c, a, b) in [([one, c0], s3, one), ([c1, three], s2, x), ([three, c1], s, x2), ([c0, one], one, x3)] {
+    for (c, a, b) in [([one, c0], s3, one), ([c1, three], s2, x), ([three, c1], s, x2), ([c0, one], one, x3)]
+    {
         let inner = w.bernstein(&c, s, x);
         let powers = w.product(a, b);
         outputs.push(w.product(inner, powers));

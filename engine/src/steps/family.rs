@@ -38,8 +38,12 @@ pub struct EndSteps {
 }
 
 impl<'a> FamilySteps<'a> {
-    /// The steps of a family; `None` when it is too large to be generated.
+    /// The steps of a family; `None` when it is too large to be generated, or its functions have the domain variables
+    /// in a denominator.
     pub fn new(family: &'a Family) -> Option<Self> {
+        if family.is_rational() {
+            return None;
+        }
         let form = match IntervalForm::new(family) {
             Some(form) => Form::Interval(form),
             None => Form::Patch(PatchPlans::new(family)?),

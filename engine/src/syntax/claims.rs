@@ -47,7 +47,9 @@ fn property(input: ParseStream<'_>) -> Option<&'static str> {
     let (ident, after) = input.cursor().ident()?;
     let alone = match after.token_tree() {
         None | Some((TokenTree::Ident(_), _)) => true,
-        Some((TokenTree::Punct(p), _)) => p.as_char() == ';' || (ident == "rounding" && "<>=".contains(p.as_char())),
+        Some((TokenTree::Punct(p), _)) => {
+            p.as_char() == ';' || (ident == "rounding" && "<>=".contains(p.as_char()))
+        }
         Some((TokenTree::Group(_), _)) => ident == "continuity",
         _ => false,
     };
@@ -104,7 +106,9 @@ fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKi
 fn rounding(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
     match comparison(input)? {
         Some(Comparison::LessEqual) => Ok(ClaimKind::Rounding(expr(input)?)),
-        _ => Err(error(word, "`rounding` needs a bound of the errors", "write `rounding <= 5`, in units of ε")),
+        _ => {
+            Err(error(word, "`rounding` needs a bound of the errors", "write `rounding <= 5`, in units of ε"))
+        }
     }
 }
 

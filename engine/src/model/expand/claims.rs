@@ -179,8 +179,14 @@ fn property(
         }
         #[cfg(not(any(test, feature = "rounding")))]
         syntax::ClaimKind::Rounding(_) => {
-            let error = scope.error(span, "claims about rounding need the feature `rounding` of basis-runtime, which is off");
-            scope.report(error.help("switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"rounding\"] }`"));
+            let error = scope.error(
+                span,
+                "claims about rounding need the feature `rounding` of basis-runtime, which is off",
+            );
+            scope
+                .report(error.help(
+                    "switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"rounding\"] }`",
+                ));
             return None;
         }
         #[cfg(any(test, feature = "rounding"))]
