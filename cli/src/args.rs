@@ -292,6 +292,9 @@ Examples:
 /// What can be typed after `basis explain`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
+    /// How to print the explanation
+    #[arg(long, value_enum, default_value_t = ExplainFormat::Text)]
+    pub(crate) format: ExplainFormat,
     /// The spec file, - for standard input, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
@@ -309,7 +312,19 @@ Examples:
   basis explain library:papers/quartic
   basis explain bernstein.basis 'Bernstein(n=3)'
   basis explain quadratic.basis G1
+  basis explain quartic.basis --format latex > quartic.tex && pdflatex quartic.tex
   basis explain papers/quartic.basis | less";
+
+/// How to print an explanation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ExplainFormat {
+    /// Lines of text
+    Text,
+    /// One JSON object, with every formula in LaTeX as well, and the claims with their verdicts
+    Json,
+    /// A document for LaTeX: definition, theorem, counterexamples, control points of joins
+    Latex,
+}
 
 /// How to print results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

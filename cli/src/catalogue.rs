@@ -1,6 +1,5 @@
 //! `basis table`: the families of spec files with what is known of them, as a table in Markdown.
 
-use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeMap;
 
 use basis_engine::{ClaimKind, Family, Subject, Verdict};
@@ -50,7 +49,7 @@ fn row(path: &str, items: &[Decided]) -> Option<String> {
     let orders = if orders.is_empty() { orders } else { format!(", {orders}") };
     let mut domain = format!("`{}`", domain::describe(family));
     for shape in &family.shapes {
-        domain += &format!(", `{}`", shape.range.display(&shape.name));
+        domain += &format!(", `{}`", family.declared(shape));
     }
     let cells = [
         format!("[{}]({path}){orders}", family.name),

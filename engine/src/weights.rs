@@ -1,6 +1,6 @@
 //! Weights of points as text: as products, and where they have no value.
 
-use crate::algebra::factor::factor;
+use crate::algebra::divisors::factor::factor;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;

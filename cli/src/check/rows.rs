@@ -79,7 +79,7 @@ fn reason(decided: &DecidedClaim) -> String {
         Verdict::Refuted(witness) => {
             let point = short_point(witness);
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
-            format!("{} = {}{place}", short_sum(&witness.of), witness.value)
+            format!("{} = {}{place}", short_sum(&witness.of), witness.value_text())
         }
         Verdict::Undecided(left) => left.clone(),
     }

@@ -47,8 +47,10 @@ pub fn family(
     verdicts: &[(Claim, Verdict)],
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    if family.is_rational() || family.leaves_an_end_out() {
-        let message = if family.is_rational() {
+    if family.is_rational() || family.leaves_an_end_out() || !family.analytic.is_empty() {
+        let message = if !family.analytic.is_empty() {
+            "no code is generated for families with sin, cos, exp or pi yet"
+        } else if family.is_rational() {
             "no code is generated for families with denominators in the domain variable yet"
         } else {
             "no code is generated for families on a domain without its ends yet"
@@ -93,7 +95,11 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last || family.is_rational() || !floats::of_family(family) {
+        if family.name == last
+            || family.is_rational()
+            || !family.analytic.is_empty()
+            || !floats::of_family(family)
+        {
             continue;
         }
         let mut error = floats::direct(family);

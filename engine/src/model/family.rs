@@ -2,11 +2,13 @@
 
 use basis_kernel::{Domain, Simplex};
 
+use super::angle::Analytic;
 use super::obligation::Obligation;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{DisplayRange as _, Range, Region};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::diagnostic::Place;
 use crate::source::SourceId;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -33,6 +35,8 @@ pub struct Family {
     pub domain: Vec<Parameter>,
     /// The last barycentric coordinate of a simplex, 1 minus the others; it does not occur in the functions.
     pub dependent: Option<Parameter>,
+    /// What goes beyond quotients of polynomials: which variables are angles, and π.
+    pub analytic: Analytic,
     /// The name that the functions share.
     pub function_name: String,
     /// The functions in the order of their indices.
@@ -100,12 +104,34 @@ impl Family {
 
     /// The declared ranges of all independent variables; of a simplex the surrounding box.
     pub fn region(&self) -> Region {
-        Region { ranges: self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone())).listed() }
+        let declared = self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone()));
+        Region { ranges: declared.chain(self.analytic.ranges.iter().cloned()).listed() }
     }
 
     /// The declared ranges of the shape parameters.
     pub fn shape_region(&self) -> Region {
-        Region { ranges: self.shapes.mapped(|p| (p.var, p.range.clone())) }
+        let declared = self.shapes.iter().map(|p| (p.var, p.range.clone()));
+        Region { ranges: declared.chain(self.analytic.ranges.iter().cloned()).listed() }
+    }
+
+    /// The range of a shape parameter or domain variable as it is written, such as `0 <= θ <= pi/2`.
+    pub fn declared(&self, parameter: &Parameter) -> String {
+        match self.analytic.angle(parameter.var) {
+            Some(angle) => angle.declared.clone(),
+            None => parameter.range.display(&parameter.name).to_string(),
+        }
+    }
+
+    /// The derivative of a function in a variable; `None` when the work is spent.
+    pub fn derivative_within(&self, f: &Fraction, var: Var, work: &mut Work) -> Option<Fraction> {
+        self.analytic.derivative_within(f, var, work)
+    }
+
+    /// The two ends of the domain of a family on an interval, for reading.
+    pub fn end_texts(&self) -> Option<[String; 2]> {
+        let (var, low, high) = self.interval()?;
+        let angle = self.analytic.angle(var);
+        Some(angle.map_or_else(|| [low.to_string(), high.to_string()], |a| a.ends.clone()))
     }
 
     /// The only domain variable and the two ends of its range; `None` when there are several.
@@ -149,10 +175,14 @@ impl Family {
     /// functions are: each function times a polynomial that vanishes nowhere, the same for all functions of a rational
     /// family, and [`Family::numerator_factor`] otherwise.
     pub fn numerators(&self) -> Vec<Poly> {
-        self.functions.mapped(|f| match self.is_rational() {
-            false => f.value.numer().clone(),
-            // `over` is a multiple of every denominator.
-            true => &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer(),
+        let rational = self.is_rational();
+        self.functions.mapped(|f| {
+            if rational {
+                // `over` is a multiple of every denominator.
+                &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer()
+            } else {
+                f.value.numer().clone()
+            }
         })
     }
 

@@ -5,6 +5,7 @@
 //! meanwhile; `formula` goes from expressions to exact functions; `expand` from the statements of a family to the
 //! family and its claims. [`Family`] is what comes out.
 
+pub mod angle;
 pub(crate) mod bernstein;
 pub(crate) mod budget;
 mod expand;

@@ -52,7 +52,8 @@ pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Dom
 pub(crate) fn domain(family: &Family, fixed: &[(Var, Fraction)]) -> Domain {
     let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
     let parameters = family.shapes.iter().chain(if family.is_simplex() { &[] } else { &family.domain[..] });
-    let ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).listed();
+    let mut ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).listed();
+    ranges.extend(family.analytic.ranges.iter().filter(|(v, _)| free(v)).cloned());
     let mut domain = Domain::of(Region { ranges });
     let variables: Vec<Var> = if family.is_simplex() {
         family.domain.iter().map(|p| p.var).filter(free).listed()

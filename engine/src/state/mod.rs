@@ -29,6 +29,8 @@ pub use report::diagnose;
 pub use run::Run;
 pub use verdict::{Evidence, Stated, Verdict, Witness, WitnessPoints, as_declared, point_text};
 
+use basis_prover::collections::list::Listed;
+
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::subject::Subject;
@@ -53,7 +55,9 @@ pub fn instances(
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
         Subject::Family(family) if given.is_empty() => {
-            family::statements(family, claim).ok_or("the budget is spent on a common denominator")
+            let stated =
+                family::statements(family, claim).ok_or("the budget is spent on a common denominator")?;
+            Ok(stated.into_iter().filter(|s| !family::is_wider(family, &s.statement)).listed())
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

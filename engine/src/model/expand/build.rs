@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::{claims, functions, indices, names};
+use super::{angles, claims, functions, indices, names};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
@@ -35,8 +35,15 @@ pub(crate) fn family<'a>(
 
 fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
-    let shapes = shapes(scope, written);
-    let domain = domain(scope, written);
+    let (shapes, domain) = if angles::occur(written) {
+        match angles::declare(scope, written) {
+            Some((shapes, domain)) => (Some(shapes), Some(domain)),
+            // Nothing has a meaning without the angles.
+            None => return None,
+        }
+    } else {
+        (shapes(scope, written), domain(scope, written))
+    };
     let budget = budget(scope, written);
     scope.cut_short |= written.incomplete;
     functions::define(scope, written);
@@ -73,6 +80,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         shapes,
         domain,
         dependent,
+        analytic: scope.analytic.clone(),
         function_name: scope.function_name.clone(),
         functions,
         over,
@@ -92,7 +100,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
 
 /// The least common multiple of the denominators of functions, if a domain variable occurs in one of them; otherwise 1.
 fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> Option<Poly> {
-    let rational = |f: &Function| scope.domain.iter().any(|v| f.value.denom().depends_on(*v));
+    let rational = |f: &Function| scope.is_over_domain(&Fraction::from(f.value.denom().clone()));
     let mut over = Fraction::constant(Rational::ONE);
     if !functions.iter().any(rational) {
         return Some(Poly::one());
@@ -126,11 +134,11 @@ fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Paramet
 }
 
 /// The independent domain variables, and the last barycentric coordinate of a simplex.
-type Domain = (Vec<Parameter>, Option<Parameter>);
+pub(super) type Domain = (Vec<Parameter>, Option<Parameter>);
 
 /// The domain variables come after the shape parameters: the independent ones, and the last barycentric
 /// coordinate of a simplex.
-fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
+pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
     let mut found: Option<(Span, Option<Domain>)> = None;
     for statement in &written.statements {
         if !matches!(statement.kind, StatementKind::Domain(_) | StatementKind::Simplex(_)) {
@@ -229,7 +237,7 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
 const MAX_VARIABLES: usize = 64;
 
 /// A new variable, unless the name is taken.
-fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
+pub(super) fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
     if scope.names.len() >= MAX_VARIABLES {
         if scope.names.len() == MAX_VARIABLES {
             // A name that nothing can have: said once, and unknown names are those that have no room.

@@ -7,15 +7,15 @@ use proc_macro2::Span;
 use super::names;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::DisplayRange as _;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Statement};
 use crate::diagnostic::Diagnostics;
+use crate::model::angle::Angle;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Family, Library};
+use crate::model::{Family, Library, Parameter};
 use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -218,12 +218,28 @@ fn exceptions(
     for exception in written {
         let mut values: Vec<(Var, Rational)> = Vec::new();
         for binding in exception {
-            let value = scope.number(&binding.value, "an exceptional value")?;
-            let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
+            let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == binding.name.text;
+            let found = family.shapes.iter().find(named);
+            let angle = found.and_then(|s| family.analytic.angle(s.var)).cloned();
+            let value = match &angle {
+                Some(angle) => {
+                    let value = scope.scalar(&binding.value)?;
+                    let tangent = scope.angle_at(angle, &value, binding.value.span);
+                    match tangent.map(|x| x.map(|x| x.as_constant())) {
+                        Ok(x) => x??,
+                        Err((message, help)) => {
+                            scope.report(scope.error(binding.value.span, message).help(help));
+                            return None;
+                        }
+                    }
+                }
+                None => scope.number(&binding.value, "an exceptional value")?,
+            };
+            let Some(shape) = found else {
                 if scope.is_mistaken(&binding.name.text) {
                     return None;
                 }
-                let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
+                let known: Vec<String> = family.shapes.mapped(|s| scope.names[scope.itself(s.var).0].clone());
                 let error = scope
                     .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
                 scope.report(if known.is_empty() {
@@ -234,10 +250,17 @@ fn exceptions(
                 return None;
             };
             if !shape.range.contains(&value) {
-                let range = shape.range.display(&shape.name).to_string();
+                let range = family.declared(shape);
                 let error = scope.error(
                     binding.value.span,
-                    format!("{} = {value} is outside of the declared range `{range}`", shape.name),
+                    match &angle {
+                        Some(angle) => {
+                            format!("the value of {} is outside of the declared range `{range}`", angle.name)
+                        }
+                        None => {
+                            format!("{} = {value} is outside of the declared range `{range}`", shape.name)
+                        }
+                    },
                 );
                 scope.report(error.help("only values inside the range can be exceptions"));
                 return None;
@@ -274,7 +297,15 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             return None;
         }
         let value = scope.scalar(&binding.value)?;
-        let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)?;
+        if let Some(angle) = family.analytic.angle(var).cloned() {
+            fixed_angle(scope, family, &angle, (value, binding), &mut fixed)?;
+            continue;
+        }
+        let Some(parameter) = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)
+        else {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is a number")));
+            return None;
+        };
         let inside = Inside {
             value: value.clone(),
             name: name.clone(),
@@ -313,6 +344,45 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
         }
     }
     Some(fixed)
+}
+
+/// Fixes an angle: what takes its place, and the variable itself.
+fn fixed_angle(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    angle: &Angle,
+    (value, binding): (Fraction, &Binding),
+    fixed: &mut Vec<(Var, Fraction)>,
+) -> Option<()> {
+    let span = binding.value.span;
+    let y = match scope.angle_at(angle, &value, span) {
+        Ok(y) => y?,
+        Err((message, help)) => {
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+    };
+    let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
+    let declared = family.declared(parameter);
+    match y.as_constant() {
+        Some(c) if !parameter.range.contains(&c) => {
+            let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
+            let message = format!("{} = {shown} is outside of the declared range `{declared}`", angle.name);
+            let help = "claims are about the declared ranges; widen the range, or choose a value inside";
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+        Some(_) => {}
+        None => {
+            let (name, range) = (parameter.name.clone(), parameter.range.clone());
+            let inside = Inside { value: y.clone(), name, range, family: None, assumable: false };
+            let place = scope.place(span);
+            scope.must_stay_inside(inside, place);
+        }
+    }
+    fixed.push((angle.var, y));
+    fixed.push((angle.itself, value));
+    Some(())
 }
 
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.

@@ -1,7 +1,9 @@
-//! From a family as it is written to the family itself: its ranges (`build`), its functions (`functions`, by loops and by
-//! recursion, `function` a single one), all of them in any order (`names`), whether their indices leave a gap
+//! From a family as it is written to the family itself: its ranges (`build`, with angles `angles`), its functions
+//! (`functions`, by loops and by recursion, `function` a single one), all of them in any order (`names`), whether their
+//! indices leave a gap
 //! (`indices`), and what is claimed (`claims`).
 
+pub(crate) mod angles;
 pub(crate) mod build;
 pub(crate) mod claims;
 mod function;

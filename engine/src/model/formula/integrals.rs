@@ -49,6 +49,12 @@ impl Scope<'_> {
             }
             None => None,
         };
+        let of = |var: &Var| self.analytic.angle(*var).is_some();
+        if bounds.as_ref().map_or_else(|| self.domain.iter().any(of), |(var, ..)| of(var)) {
+            let error = self.error(span, "integrals over an angle are not computed");
+            self.report(error.help("claim the derivative of an antiderivative: `D(-cos(t)) = sin(t)`"));
+            return None;
+        }
         let over = |scope: &mut Self, f: &Fraction| match &bounds {
             Some((var, low, high)) => scope.between(f, *var, low, high, span),
             None => scope.over_domain_of(f, span),

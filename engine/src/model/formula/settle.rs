@@ -58,10 +58,9 @@ impl Scope<'_> {
                 return false;
             }
             let (before, at) = (basis_prover::spent(), place.clone());
-            let over = |f: &Fraction| self.domain.iter().any(|v| f.depends_on(*v));
             let whole_domain = match &duty {
-                Duty::Nonzero(p) => self.domain.iter().any(|v| p.depends_on(*v)),
-                Duty::Inside(inside) => over(&inside.value),
+                Duty::Nonzero(p) => self.is_over_domain(&Fraction::from(p.clone())),
+                Duty::Inside(inside) => self.is_over_domain(&inside.value),
             };
             let domain = if whole_domain { whole } else { &shapes };
             let error = match &duty {
@@ -148,6 +147,16 @@ impl Scope<'_> {
         } else {
             (">", Range { low: excluded, ..range.clone() })
         };
+        if let Some(angle) = self.analytic.angle(var) {
+            let [low, high] = &angle.ends;
+            let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
+            return match at(&range.low) || at(&range.high) {
+                true => {
+                    format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
+                }
+                false => format!("choose a range without this value of `{}`", angle.name),
+            };
+        }
         if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {
             return format!("choose a domain without {name} = {value}");
         }

@@ -67,6 +67,8 @@ fn unnumbered(
 struct Motion {
     /// New values of the independent variables.
     by: Vec<(Var, Poly)>,
+    /// New values of variables that are angles, after the others.
+    angles: Vec<(Var, Fraction)>,
     /// The same for reading, all variables.
     arguments: Vec<String>,
     /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the
@@ -110,6 +112,11 @@ impl Motion {
             let renamed = p.rename(&names);
             substituted.map_or_else(|| renamed.clone(), |(var, value)| renamed.substitute(var, value))
         };
+        if !self.angles.is_empty() {
+            // Each value contains its own variable only, and what is fixed.
+            let renamed = Fraction::new(moved(f.numer()), moved(f.denom()))?;
+            return self.angles.iter().try_fold(renamed, |f, (var, value)| f.substitute(*var, value));
+        }
         let denom = f.denom();
         let fixed = self.by.iter().all(|(var, _)| !denom.depends_on(*var));
         Fraction::new(moved(f.numer()), if fixed { denom.clone() } else { moved(denom) })
@@ -134,17 +141,33 @@ fn motions(family: &Family) -> Vec<Motion> {
             moved.swap(k, k + 1);
             arguments.swap(k, k + 1);
             let by = vars.iter().copied().zip(moved).listed();
-            all.push(Motion { by, arguments, places: numbered.then_some((k, k + 1)), last: last.clone() });
+            all.push(Motion {
+                by,
+                angles: Vec::new(),
+                arguments,
+                places: numbered.then_some((k, k + 1)),
+                last: last.clone(),
+            });
         }
         return all;
     }
     for (k, variable) in family.domain.iter().enumerate() {
         let Some((low, high)) = variable.range.finite() else { continue };
-        let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
+        let angle = family.analytic.angle(variable.var);
+        let angles = angle.map_or_else(Vec::new, |a| a.mirror.clone());
+        let reversed = match angle {
+            Some(_) => Poly::var(variable.var),
+            None => &Poly::constant(low + high) - &Poly::var(variable.var),
+        };
         let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).listed();
-        let arguments = moved.mapped(|p| p.display(&family.names).to_string());
+        let argument = |(j, p): (usize, &Poly)| match (j == k, angles.last()) {
+            (true, Some((_, itself))) => itself.display(&family.names),
+            _ => p.display(&family.names).to_string(),
+        };
+        let arguments = moved.iter().enumerate().map(argument).listed();
         all.push(Motion {
             by: vars.iter().copied().zip(moved).listed(),
+            angles,
             arguments,
             places: (last.len() == vars.len()).then_some((k, k)),
             last: last.clone(),
@@ -160,11 +183,16 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
     let mut differences = Vec::new();
     let Some((var, low, high)) = family.interval() else { return differences };
     let len = family.functions.len();
+    let Some([low_text, high_text]) = family.end_texts() else { return differences };
     let at = |k: usize, order: u32, end: &Rational| {
-        let value = (0..order).fold(family.functions[k].value.clone(), |f, _| f.derivative(var));
+        let work = &mut Work::unlimited();
+        let mut value = family.functions[k].value.clone();
+        for _ in 0..order {
+            value = family.derivative_within(&value, var, work)?;
+        }
         value.substitute(var, &Fraction::constant(end.clone()))
     };
-    let name = |k: usize, order: u32, end: &Rational| {
+    let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
         match order {
             0 => format!("{b}({end})"),
@@ -179,11 +207,11 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
             // A denominator vanishes nowhere on the domain, so that there is a value at its ends.
             if let Some(f) = k.checked_sub(1).and_then(|k| at(k, order, low)) {
                 difference = f;
-                parts.push(name(k - 1, order, low));
+                parts.push(name(k - 1, order, &low_text));
             }
             if let Some(f) = Some(k).filter(|k| *k < len).and_then(|k| at(k, order, high)) {
                 difference = &difference - &f;
-                parts.push(name(k, order, high));
+                parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
             differences.push((of, difference));
@@ -198,7 +226,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     let here = witness.point();
     let value = match witness.refutation().statement() {
         Statement::Zero { value, .. } => Fraction::new(value.numerator.clone(), value.denominator.clone()),
-        _ => return vec![format!("`{of}` is {} at {here}", witness.value)],
+        _ => return vec![format!("`{of}` is {} at {here}", witness.value_text())],
     };
     let difference = value.unwrap_or_else(Fraction::zero);
     let shown = abbreviated(&difference.display(&family.names));
@@ -210,7 +238,10 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
                     "the sum of the functions is `{}`",
                     abbreviated(&(&difference + &one).display(&family.names))
                 ),
-                format!("at {here} it is {}", &witness.value + &Rational::ONE),
+                match &witness.shown {
+                    Some(value) => format!("at {here} it is 1 + {value}"),
+                    None => format!("at {here} it is {}", &witness.value + &Rational::ONE),
+                },
             ]
         }
         ClaimKind::Continuity(order) => {
@@ -232,10 +263,10 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             let (left, right) = sides.map(|d| (d.left.as_str(), d.right.as_str())).unwrap_or_default();
             vec![
                 format!("`{left}`{at} differs from `{right}` by `{shown}`"),
-                format!("at {here} the difference is {}", witness.value),
+                format!("at {here} the difference is {}", witness.value_text()),
             ]
         }
-        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value)],
+        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value_text())],
     }
 }
 

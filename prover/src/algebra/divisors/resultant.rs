@@ -4,10 +4,10 @@ use crate::collections::list::{Listed, Mapped};
 use crate::collections::map::SortedMap;
 
 use super::gcd::checked_product;
-use super::poly::{Monomial, Poly, Var};
-use super::rational::Rational;
-use super::univariate::Univariate;
-use super::work::Work;
+use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
 
 /// The resultant in a variable: the determinant of the Sylvester matrix, lc(a)^deg b · ∏ b(α) over the roots α of
 /// a. It vanishes where the two have a common root or both leading coefficients vanish.

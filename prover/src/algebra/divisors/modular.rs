@@ -1,12 +1,12 @@
 //! Images modulo a prime: cheap proofs that two polynomials have no common factor, or that a determinant is not zero.
 
-use super::number::modulo;
-use super::poly::{Poly, Var};
-use super::rational::Rational;
-use super::work::{Spent, Work};
+use crate::algebra::number::modulo;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::{Spent, Work};
 
 /// The prime 2³¹ − 1: products of two residues fit in a machine word.
-pub(super) const PRIME: u64 = 2_147_483_647;
+pub(in crate::algebra) const PRIME: u64 = 2_147_483_647;
 
 /// The degree in `main` of the greatest common divisor of the images of two polynomials modulo [`PRIME`], with
 /// fixed numbers put in place of the other variables.
@@ -52,7 +52,10 @@ pub(super) fn image(poly: &Poly, main: Var, attempt: u64) -> Option<Vec<u64>> {
 ///
 /// # Errors
 /// When the work is spent.
-pub(super) fn pivot_columns(rows: &[Vec<Rational>], work: &mut Work) -> Result<Option<Vec<usize>>, Spent> {
+pub(in crate::algebra) fn pivot_columns(
+    rows: &[Vec<Rational>],
+    work: &mut Work,
+) -> Result<Option<Vec<usize>>, Spent> {
     let residue = |x: &Rational| modulo(x, PRIME as u32).map(u64::from);
     let images: Option<Vec<Vec<u64>>> = rows.iter().map(|row| row.iter().map(residue).collect()).collect();
     let Some(mut rows) = images else { return Ok(None) };

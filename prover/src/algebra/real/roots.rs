@@ -1,11 +1,11 @@
 //! Real roots of polynomials in one variable: isolation by Descartes' rule of signs in Bernstein form.
 
-use super::fibre;
-use super::number::modulo;
-use super::rational::Rational;
 use super::simplest::{simplest_between, simplest_within, spend_simplest};
-use super::univariate::Univariate;
-use super::work::Work;
+use crate::algebra::fibre;
+use crate::algebra::number::modulo;
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
 
 /// Where one root is.
 #[derive(Clone, Debug, PartialEq, Eq)]

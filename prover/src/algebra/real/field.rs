@@ -5,12 +5,12 @@
 //! otherwise ("dynamic evaluation": J. Della Dora, C. Dicrescenzo, D. Duval 1985).
 
 use super::algebraic::Algebraic;
-use super::poly::{Poly, Var};
-use super::rational::Rational;
-use super::resultant::resultant;
 use super::roots::isolate;
-use super::univariate::{ToPoly, Univariate};
-use super::work::Work;
+use crate::algebra::divisors::resultant::resultant;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::{ToPoly, Univariate};
+use crate::algebra::work::Work;
 use crate::collections::list::Mapped;
 
 /// A number of the field: a polynomial in θ.

@@ -1,11 +1,11 @@
 //! Factored forms for reading: contents, square-free parts and linear factors.
 
 use super::gcd::{content, leading_coefficient, square_free};
-use super::poly::{Poly, Var};
-use super::rational::Rational;
-use super::roots::{linear, rational_roots};
-use super::univariate::{ToPoly, Univariate};
-use super::work::Work;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::real::roots::{linear, rational_roots};
+use crate::algebra::univariate::{ToPoly, Univariate};
+use crate::algebra::work::Work;
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 

@@ -8,7 +8,7 @@ use basis_runtime::{
 use crate::random::Random;
 
 basis!(
-    "../../../specs/triangular.basis",
+    "../../../../specs/triangular.basis",
     TriangularI(2),
     TriangularII(4),
     TriangularII(3) as TriangularCubic

@@ -1,9 +1,9 @@
 //! Greatest common divisors and square-free parts of polynomials in any number of variables.
 
 use super::modular::common_degree;
-use super::poly::{Monomial, Poly, Var};
-use super::univariate::{ToPoly, Univariate};
-use super::work::Work;
+use crate::algebra::poly::{Monomial, Poly, Var};
+use crate::algebra::univariate::{ToPoly, Univariate};
+use crate::algebra::work::Work;
 use crate::collections::list::Listed;
 use crate::collections::sort::sort_by;
 
@@ -24,14 +24,15 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
     }
     let (m, a) = split_monomial(a);
     let (n, b) = split_monomial(b);
-    let common = Poly::term(meet(&m, &n), super::rational::Rational::ONE);
+    let common = Poly::term(meet(&m, &n), crate::algebra::rational::Rational::ONE);
     Some(&common * &gcd_without_monomials(&a.normalized(), &b.normalized(), work)?)
 }
 
 /// The greatest common divisor of several polynomials; 0 for none.
 pub fn gcd_all<'a>(polys: impl IntoIterator<Item = &'a Poly>, work: &mut Work) -> Option<Poly> {
     let mut polys: Vec<&Poly> = polys.into_iter().listed();
-    sort_by(&mut polys, |p, q| (p.total_degree(), p.len()).cmp(&(q.total_degree(), q.len()))); // the simplest first, for an early end
+    // The simplest first, for an early end.
+    sort_by(&mut polys, |p, q| (p.total_degree(), p.len()).cmp(&(q.total_degree(), q.len())));
     let mut common = Poly::zero();
     for p in polys {
         common = checked_gcd(&common, p, work)?;
@@ -163,7 +164,7 @@ pub fn pseudo_remainder(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Option
     while !rest.is_zero() && rest.degree(var) >= n && left > 0 {
         let shift = Monomial::one().with_exponent(var, (rest.degree(var) - n) as u16);
         let top = leading_coefficient(&rest, var);
-        let top = &top * &Poly::term(shift, super::rational::Rational::ONE);
+        let top = &top * &Poly::term(shift, crate::algebra::rational::Rational::ONE);
         rest = &checked_product(&lead, &rest, work)? - &checked_product(&top, b, work)?;
         left -= 1;
     }
@@ -234,7 +235,7 @@ fn square_root(poly: &Poly) -> Option<Poly> {
     };
     let (m, c) = poly.leading_term()?;
     half(poly.terms().next()?.0)?;
-    let lead = (half(m)?, super::number::square_root(c)?);
+    let lead = (half(m)?, crate::algebra::number::square_root(c)?);
     let mut root = Poly::term(lead.0.clone(), lead.1.clone());
     let mut rest = poly - &(&root * &root);
     // The root of a square has no more terms than the square.
@@ -288,8 +289,8 @@ fn quotient(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::rational::Rational;
     use super::*;
+    use crate::algebra::rational::Rational;
 
     fn x() -> Poly {
         Poly::var(Var(0))

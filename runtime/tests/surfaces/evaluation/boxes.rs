@@ -10,7 +10,7 @@ use basis_runtime::{
 use crate::families::{Cubic, Linear, bicubic, graph, random_surface};
 use crate::random::Random;
 
-basis!("../../../specs/triangular.basis", TriangularII(4));
+basis!("../../../../specs/triangular.basis", TriangularII(4));
 
 /// Samples of the surface are inside of the tight box and come near its sides; the control box contains it.
 fn check<S: Surface<Point = [f64; 3]>>(

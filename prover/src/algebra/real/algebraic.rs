@@ -3,11 +3,11 @@
 use core::cmp::Ordering;
 use core::fmt;
 
-use super::poly::{Poly, Var};
-use super::rational::Rational;
 use super::roots::{Root, linear, rational_roots};
-use super::univariate::{ToPoly, Univariate};
-use super::work::Work;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::univariate::{ToPoly, Univariate};
+use crate::algebra::work::Work;
 
 /// The only root of a polynomial strictly between two rational numbers.
 ///
@@ -21,8 +21,8 @@ pub struct Algebraic {
 }
 
 impl Algebraic {
-    /// The root of `polynomial` that [`isolate`](super::roots::isolate) found between two numbers; `None` when the signs there are not
-    /// opposite.
+    /// The root of `polynomial` that [`isolate`](super::roots::isolate) found between two numbers; `None` when the
+    /// signs there are not opposite.
     pub fn new(polynomial: &Univariate, low: Rational, high: Rational) -> Option<Self> {
         let polynomial = polynomial.normalized();
         let opposite = polynomial.sign_at(&low) * polynomial.sign_at(&high) == -1;
