@@ -26,7 +26,7 @@ use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
 use crate::plan::form::IntervalForm;
 use crate::plan::patch_form::{PatchForm, factored_text};
-use crate::{rounding, state};
+use crate::state;
 
 /// The work for the factors of denominators.
 const DENOMINATORS: u64 = 1_000_000;
@@ -377,18 +377,18 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
 ///
 /// ε is the distance from 1 to the next float. Functions with the same bound share a line.
 pub fn rounding(family: &Family) -> Vec<(String, String)> {
-    let Some(bounds) = rounding::values(family) else { return Vec::new() };
     let mut lines: Vec<(String, String)> = Vec::new();
-    for (k, bound) in bounds.iter().enumerate() {
-        let text = bound.as_ref().map_or_else(|| String::from("no bound found"), |b| b.error.to_string());
+    for (k, bound) in state::value_errors(family).iter().enumerate() {
+        let text =
+            bound.as_ref().map_or_else(|| String::from("no bound found"), |(error, _)| error.to_string());
         let label = family.function_label(k);
         match lines.iter_mut().find(|(_, known)| *known == text) {
             Some((labels, _)) => *labels += &format!(", {label}"),
             None => lines.push((label, text)),
         }
     }
-    if let Some(bound) = rounding::point(family) {
-        let text = format!("{} times the largest control point, in each coordinate", bound.error);
+    if let Some((error, _)) = state::point_error(family) {
+        let text = format!("{error} times the largest control point, in each coordinate");
         lines.push((String::from("C(t)"), text));
     }
     lines

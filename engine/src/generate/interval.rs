@@ -8,6 +8,7 @@ use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::ends::Ends;
 use super::formula::factored;
+use super::rounding;
 use super::rust::Body;
 use crate::claim::Claim;
 use crate::model::Family;
@@ -26,14 +27,15 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
         .map(|(k, f)| format!("{} = {}", family.function_label(k), factored(family, form, f)))
         .listed();
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
-    let basis = emitter.basis(&shell.core());
+    let (rounding, bounds) = rounding::constant(shell);
+    let basis = emitter.basis(&shell.core(), &rounding);
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::Basis for #name<S> {
             #basis
         }
     };
-    shell.definition(&docs::family(family, &formulas, verdicts), &emitter.methods(), &traits)
+    shell.definition(&docs::family(family, &formulas, &bounds, verdicts), &emitter.methods(), &traits)
 }
 
 struct Emitter<'a> {
@@ -105,7 +107,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn basis(&self, core: &TokenStream) -> TokenStream {
+    fn basis(&self, core: &TokenStream, rounding: &TokenStream) -> TokenStream {
         let Self { runtime, form, family, .. } = self;
         let (len, terms) =
             (Literal::usize_unsuffixed(form.len()), Literal::usize_unsuffixed(form.degree as usize + 1));
@@ -122,6 +124,7 @@ impl Emitter<'_> {
             type Form<P: #runtime::Point<Scalar = S>> = #form_type;
 
             const NAME: &'static str = #title;
+#rounding
 
             #[inline]
             fn domain() -> [S; 2] {

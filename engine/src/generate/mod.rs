@@ -11,6 +11,11 @@ mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
+#[cfg(not(any(test, feature = "rounding")))]
+#[path = "no_rounding.rs"]
+mod rounding;
 mod rust;
 
 use proc_macro2::{Ident, Span, TokenStream};

@@ -7,6 +7,7 @@ use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::formula::factored_on_box;
+use super::rounding;
 use super::rust::Body;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
@@ -30,7 +31,9 @@ pub(super) fn emit(shell: &Shell<'_>, verdicts: &[(Claim, Verdict)]) -> Result<T
     };
     let emitter = Emitter { shell, plans };
     let formulas = emitter.formulas();
-    Ok(shell.definition(&docs::family(family, &formulas, verdicts), &emitter.methods(), &emitter.traits()))
+    let (rounding, bounds) = rounding::constant(shell);
+    let docs = docs::family(family, &formulas, &bounds, verdicts);
+    Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits(&rounding)))
 }
 
 struct Emitter<'a> {
@@ -158,7 +161,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn traits(&self) -> TokenStream {
+    fn traits(&self, rounding: &TokenStream) -> TokenStream {
         let Shell { runtime, name, family, .. } = self.shell;
         let (basis, core) = (self.basis(), self.shell.core());
         let (len, terms) = self.lengths();
@@ -205,6 +208,7 @@ impl Emitter<'_> {
                 type Bernstein<T: #core::marker::Copy> = [T; #terms];
 
                 const NAME: &'static str = #title;
+#rounding
                 #shape
 
                 #[inline]
