@@ -20,22 +20,25 @@ use basis_prover::collections::list::Listed;
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {
     let Shell { family, name, runtime, .. } = shell;
-    let formulas: Vec<String> = form
-        .functions
-        .iter()
-        .enumerate()
-        .map(|(k, f)| format!("{} = {}", family.function_label(k), factored(family, form, f)))
-        .listed();
+    let formulas = formulas(family, form);
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
-    let (rounding, bounds) = rounding::constant(shell);
-    let basis = emitter.basis(&shell.core(), &rounding);
+    let errors = rounding::errors(family);
+    let basis = emitter.basis(&shell.core(), &rounding::constant(&errors, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::Basis for #name<S> {
             #basis
         }
     };
-    shell.definition(&docs::family(family, &formulas, &bounds, verdicts), &emitter.methods(), &traits)
+    let docs = docs::family(family, &formulas, &rounding::lines(&errors, family), verdicts, shell.decided);
+    shell.definition(&docs, &emitter.methods(), &traits)
+}
+
+/// The functions as products, for reading.
+pub(super) fn formulas(family: &Family, form: &IntervalForm) -> Vec<String> {
+    let formula =
+        |k: usize| format!("{} = {}", family.function_label(k), factored(family, form, &form.functions[k]));
+    (0..form.len()).map(formula).listed()
 }
 
 struct Emitter<'a> {

@@ -2,9 +2,17 @@
 
 use proc_macro2::TokenStream;
 
-use super::code::shell::Shell;
+use crate::model::Family;
+
+/// No bounds.
+pub(super) fn errors(_: &Family) {}
 
 /// Nothing: the trait has a constant for types without bounds.
-pub(super) fn constant(_: &Shell<'_>) -> (TokenStream, Vec<String>) {
-    (TokenStream::new(), Vec::new())
+pub(super) fn constant((): &(), _: &TokenStream) -> TokenStream {
+    TokenStream::new()
+}
+
+/// Nothing.
+pub(super) fn lines((): &(), _: &Family) -> Vec<String> {
+    Vec::new()
 }

@@ -3,43 +3,52 @@
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-use super::code::shell::Shell;
 use super::code::tokens::{float, site};
+use crate::model::Family;
 use crate::rounding::Error;
 use crate::state::value_errors;
-use basis_prover::collections::list::Mapped;
+use basis_prover::collections::list::{Listed, Mapped};
 
-/// The constant `ROUNDING` of a trait, and what the documentation says of it; nothing where no bound is found.
-pub(super) fn constant(shell: &Shell<'_>) -> (TokenStream, Vec<String>) {
-    let Shell { family, runtime, .. } = shell;
-    let errors = value_errors(family);
-    if errors.iter().all(Option::is_none) {
-        return (TokenStream::new(), Vec::new());
+/// The proved bounds for all functions; empty where there are none.
+pub(super) fn errors(family: &Family) -> Vec<Option<Error>> {
+    let errors = value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).listed();
+    if errors.iter().all(Option::is_none) { Vec::new() } else { errors }
+}
+
+/// The constant `ROUNDING` of a trait.
+pub(super) fn constant(errors: &[Option<Error>], runtime: &TokenStream) -> TokenStream {
+    if errors.is_empty() {
+        return TokenStream::new();
     }
-    let bounds = errors.mapped(|known| match known {
-        Some((Error::Relative(bound), _)) => {
+    let bounds = errors.mapped(|error| match error {
+        Some(Error::Relative(bound)) => {
             let bound = float(bound);
             quote_spanned!(site()=> #runtime::Rounding::Relative(#bound))
         }
-        Some((Error::Absolute(bound), _)) => {
+        Some(Error::Absolute(bound)) => {
             let bound = float(bound);
             quote_spanned!(site()=> #runtime::Rounding::Absolute(#bound))
         }
         None => quote_spanned!(site()=> #runtime::Rounding::Unknown),
     });
-    let constant = quote_spanned! {site()=>
-        const ROUNDING: &'static [#runtime::Rounding] = &[#(#bounds),*];
-    };
-    let mut lines: Vec<(String, String)> = Vec::new();
-    for (k, known) in errors.iter().enumerate() {
-        let bound = known.as_ref().map_or_else(|| String::from("unknown"), |(error, _)| error.to_string());
+    quote_spanned!(site()=> const ROUNDING: &'static [#runtime::Rounding] = &[#(#bounds),*];)
+}
+
+/// What the documentation says of the bounds. Functions with the same one stand together.
+pub(super) fn lines(errors: &[Option<Error>], family: &Family) -> Vec<String> {
+    if errors.is_empty() {
+        return Vec::new();
+    }
+    let mut groups: Vec<(String, String)> = Vec::new();
+    for (k, error) in errors.iter().enumerate() {
+        let bound = error.as_ref().map_or_else(|| String::from("unknown"), ToString::to_string);
         let label = family.function_label(k);
-        match lines.iter_mut().find(|(_, other)| *other == bound) {
+        match groups.iter_mut().find(|(_, other)| *other == bound) {
             Some((labels, _)) => *labels += &format!(", {label}"),
-            None => lines.push((label, bound)),
+            None => groups.push((label, bound)),
         }
     }
-    let texts = lines.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
+    let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
     let line = format!("Rounding errors of the values, proved to be at most: {}.", texts.join("; "));
-    (constant, vec![String::new(), line])
+    vec![String::new(), line]
 }

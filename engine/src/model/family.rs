@@ -48,7 +48,7 @@ pub struct Family {
     pub base: Vec<Function>,
     /// What holds on the declared ranges, so that the formulas mean something.
     pub obligations: Vec<Obligation>,
-    /// How many times the usual work the provers may spend on a claim.
+    /// The factor of the usual work that the provers may spend on a claim.
     pub budget: u32,
 }
 

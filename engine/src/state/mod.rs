@@ -19,12 +19,12 @@ mod theorem;
 mod verdict;
 
 #[cfg(any(test, feature = "tools"))]
-pub(crate) use family::combination_text;
-#[cfg(any(test, feature = "tools"))]
 pub use family::point_error;
 #[cfg(any(test, feature = "rounding"))]
 pub use family::value_errors;
 pub use family::{Table, coefficient_table, statements as family_statements};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use family::{combination_text, moves};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;

@@ -25,7 +25,7 @@ impl Stated {
     }
 }
 
-/// What is known about a claim.
+/// The verdict on a claim.
 #[derive(Clone, Debug)]
 pub enum Verdict {
     /// The claim is true.

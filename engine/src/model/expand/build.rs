@@ -5,7 +5,7 @@ use std::rc::Rc;
 use proc_macro2::Span;
 
 use super::{angles, claims, functions, indices, names};
-use crate::algebra::fraction::Fraction;
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
@@ -35,9 +35,13 @@ pub(crate) fn family<'a>(
 
 fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
+    set_known_factors(Vec::new());
     let (shapes, domain) = if angles::occur(written) {
         match angles::declare(scope, written) {
-            Some((shapes, domain)) => (Some(shapes), Some(domain)),
+            Some((shapes, domain)) => {
+                set_known_factors(scope.analytic.denominators());
+                (Some(shapes), Some(domain))
+            }
             // Nothing has a meaning without the angles.
             None => return None,
         }

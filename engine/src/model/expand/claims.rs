@@ -5,7 +5,7 @@ use std::rc::Rc;
 use proc_macro2::Span;
 
 use super::names;
-use crate::algebra::fraction::Fraction;
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Statement};
@@ -27,6 +27,7 @@ pub(crate) fn claims<'a>(
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    set_known_factors(family.analytic.denominators());
     names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
     let (region, whole) = (family.region(), Rc::new(family.points()));

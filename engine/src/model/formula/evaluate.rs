@@ -7,6 +7,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::model::angle::Kind;
 use crate::model::budget::TooLarge;
 use crate::model::expand::angles::PI;
 use crate::model::formula::phase::is_transcendental;
@@ -132,6 +133,11 @@ impl Scope<'_> {
             return Some(Value::Scalar(Fraction::var(pi)));
         }
         if let Some(var) = self.variable(name) {
+            if let Some(angle) =
+                self.analytic.angles.iter().find(|a| a.itself == var && a.kind == Kind::Linear)
+            {
+                return Some(Value::Scalar(angle.tangent()));
+            }
             let dependent = self.dependent == Some(var);
             let value = if dependent { self.barycentric(self.domain.len()) } else { Fraction::var(var) };
             return Some(Value::Scalar(value));

@@ -102,7 +102,7 @@ pub(crate) struct Scope<'a> {
     pub(crate) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
     pub(crate) constants: Vec<(String, i64)>,
-    /// How many of them are the index parameters of the family.
+    /// The number of those that are the index parameters of the family.
     pub(crate) order: usize,
     /// What `let` defined; `None` when that went wrong.
     pub(crate) lets: SortedMap<String, Option<Value>>,

@@ -15,7 +15,7 @@ use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
 use basis_kernel::Statement;
 
-use crate::algebra::fraction::Fraction;
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
@@ -24,6 +24,8 @@ use crate::model::Family;
 use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
@@ -52,6 +54,7 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let kind = &claim.kind;
+    set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return Some(vec![independent::stated(family, except)]);
     }

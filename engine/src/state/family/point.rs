@@ -47,10 +47,10 @@ pub(super) fn named_point(
         }
         all.push((parameter.name.clone(), value));
     }
-    for k in 0..all.len() {
-        let parameter = family.shapes.iter().chain(&family.domain).nth(k);
-        if let Some(angle) = parameter.and_then(|p| family.analytic.angle(p.var)) {
-            all[k] = named_angle(family, angle, (&parameter.map_or("", |p| &p.name), &all[k].1), found);
+    let parameters = family.shapes.iter().chain(&family.domain);
+    for (entry, parameter) in all.iter_mut().zip(parameters) {
+        if let Some(angle) = family.analytic.angle(parameter.var) {
+            *entry = named_angle(family, angle, (&parameter.name, &entry.1), found);
         }
     }
     if let Some(dependent) = &family.dependent {
