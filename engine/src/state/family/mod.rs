@@ -3,6 +3,8 @@
 mod identity;
 mod independent;
 mod point;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
 mod spans;
 
 use std::rc::Rc;
@@ -28,6 +30,10 @@ pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
+#[cfg(any(test, feature = "tools"))]
+pub use rounding::point_error;
+#[cfg(any(test, feature = "rounding"))]
+pub use rounding::value_errors;
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
@@ -57,6 +63,10 @@ pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return Some(vec![independent::stated(family, except)]);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = kind {
+        return rounding::statements(family, epsilons);
     }
     let domain = Rc::new(inequality::domain(family, kind.fixed()));
     let comparison = |k: usize| match kind {
@@ -129,6 +139,10 @@ const WIDER: &str =
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Spans(parts) = &claim.kind {
         return spans::decide(family, claim, parts);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = &claim.kind {
+        return rounding::decide(family, epsilons);
     }
     let Some(statements) = statements(family, claim) else {
         return Verdict::Undecided(String::from(TOO_LONG));
