@@ -27,16 +27,16 @@ pub(super) fn occur(written: &syntax::Family) -> bool {
 
 /// Whether a shape parameter stands at an end of the domain.
 fn parametric_ends(written: &syntax::Family) -> bool {
+    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
+        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
+            || parts(expr).into_iter().any(|part| names(part, declared))
+    }
     let declared = |name: &String| {
         written
             .statements
             .iter()
             .any(|s| matches!(&s.kind, StatementKind::Shape(decl) if decl.name.text == *name))
     };
-    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
-        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
-            || parts(expr).into_iter().any(|part| names(part, declared))
-    }
     let decls = written.statements.iter().flat_map(|s| match &s.kind {
         StatementKind::Domain(decls) => decls.as_slice(),
         _ => &[],
