@@ -1,6 +1,5 @@
 //! What the editor shows about the word under the pointer.
 
-use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::query::{FunctionFacts, Symbol, SymbolKind, TokenKind, function_facts, latex, word};
 use basis_engine::{Family, Subject, explain};
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
@@ -128,7 +127,7 @@ fn cut(formula: &str) -> String {
 
 fn shape(text: &Text, family: &Family, symbol: &Symbol) -> String {
     let Some(parameter) = family.shapes.iter().find(|p| p.name == symbol.name) else { return String::new() };
-    let mut value = format!("\n\ndeclared `{}`", parameter.range.display(&parameter.name));
+    let mut value = format!("\n\ndeclared `{}`", family.declared(parameter));
     let position = text.document.symbols.iter().position(|s| s == symbol);
     let uses = position.map_or(0, |s| text.document.places(s).count().saturating_sub(1));
     value += &format!(", named in {}", crate::name::count(uses, "place"));
@@ -155,7 +154,7 @@ fn summary(analysis: &Analysis, family: &Family) -> String {
     let mut value =
         format!("\n\n{functions} of degree {} on `{}`", degrees.join(", "), domain::describe(family));
     for shape in &family.shapes {
-        value += &format!(", `{}`", shape.range.display(&shape.name));
+        value += &format!(", `{}`", family.declared(shape));
     }
     if items.len() > 1 {
         value += &format!("; the lowest of {} orders", items.len());

@@ -566,6 +566,11 @@ impl Scope<'_> {
     /// The function with arguments in place of the domain variables; they may leave the domain, but not come upon a
     /// zero of its denominator.
     fn at_arguments(&mut self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
+        if self.span.is_some() {
+            let error = self.error(span, "a function on several spans has no argument");
+            self.report(error.help("claim what holds at a point: `at x = 2 { … }`"));
+            return None;
+        }
         let (mut vars, mut values) = (Vec::new(), Vec::new());
         for (var, value) in self.domain.iter().zip(by) {
             let Some(angle) = self.analytic.angle(*var) else {

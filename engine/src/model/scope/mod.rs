@@ -124,6 +124,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) dependent: Option<Var>,
     /// What goes beyond quotients of polynomials: angles, π.
     pub(crate) analytic: Analytic,
+    /// Which of several spans is expanded, and how many there are.
+    pub(crate) span: Option<(usize, usize)>,
+    /// The families on all spans, once they are expanded, with the text of the family.
+    pub(crate) siblings: Option<(Vec<std::rc::Rc<Family>>, &'a crate::syntax::Family)>,
     /// The arguments of sin, cos, exp and the like, while only these are looked for.
     pub(crate) recorded: Option<Vec<Argument>>,
     pub(crate) function_name: String,
@@ -379,6 +383,8 @@ impl Scope<'_> {
             ends: Vec::new(),
             dependent: None,
             analytic: Analytic::default(),
+            span: None,
+            siblings: None,
             recorded: None,
             function_name: String::new(),
             functions: SortedMap::new(),
