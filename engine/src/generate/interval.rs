@@ -127,7 +127,8 @@ impl Emitter<'_> {
             type Form<P: #runtime::Point<Scalar = S>> = #form_type;
 
             const NAME: &'static str = #title;
-#rounding
+
+            #rounding
 
             #[inline]
             fn domain() -> [S; 2] {

@@ -212,7 +212,9 @@ impl Emitter<'_> {
                 type Bernstein<T: #core::marker::Copy> = [T; #terms];
 
                 const NAME: &'static str = #title;
-#rounding
+
+                #rounding
+
                 #shape
 
                 #[inline]
