@@ -154,7 +154,7 @@ impl FamilyFacts {
             title: family.title(),
             doc: family.doc.clone(),
             domain: domain::describe(family),
-            shapes: family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect(),
+            shapes: family.shapes.iter().map(|p| family.declared(p)).collect(),
             functions: function_facts(family).into_iter().map(function).collect(),
             ends: explain::end_derivatives(family, ORDER).into_iter().map(equation).collect(),
             dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
@@ -219,12 +219,12 @@ fn sentence(subject: &Subject, claim: &Claim) -> String {
             format!("The functions are nonnegative on the domain{shapes}, ${b}_i \\ge 0$.")
         }
         ClaimKind::Symmetric => match family.interval() {
-            Some((var, low, high)) => {
+            Some((var, low, high)) if family.analytic.is_empty() => {
                 let (t, n) = (latex::name(&family.names[var.0]), family.functions.len() - 1);
                 let sum = latex::math(&(low + high).to_string()).unwrap_or_default();
                 format!("The functions are symmetric, ${b}_i({t}) = {b}_{{{n}-i}}({sum} - {t})$.")
             }
-            None => String::from("The functions are symmetric under the symmetries of the domain."),
+            _ => String::from("The functions are symmetric under the symmetries of the domain."),
         },
         ClaimKind::Independent(exceptions) => {
             let point = |values: &basis_kernel::Values| {

@@ -43,6 +43,9 @@ pub struct Family {
     pub function_name: String,
     /// The functions in the order of their indices.
     pub functions: Vec<Function>,
+    /// The statements that define them, as lines of the spec without `base`; none where each function has one of its own,
+    /// or the spec is no text.
+    pub written: Vec<String>,
     /// What stands below the fraction line of the functions once it is the same for all of them; 1 where no domain
     /// variable stands below one.
     pub over: Poly,

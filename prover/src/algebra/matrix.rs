@@ -351,6 +351,7 @@ impl Elimination {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::poly::Var;
     use crate::tests::letters::{n, x};
 
     fn numbers(rows: &[&[i64]]) -> Rows<Rational> {

@@ -7,7 +7,7 @@ use basis_engine::Verdict;
 use basis_engine::algebra::poly::{Poly, PolyExt};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::plan::patch_form::PatchForm;
-use basis_engine::{Disk, Library, Prover, Selected, Subject, source};
+use basis_engine::{Disk, Subject, source};
 use basis_runtime::Scalar;
 use basis_tests::each_patch;
 use basis_tests::exact::{Reference, epsilon, fraction};

@@ -11,15 +11,13 @@ use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
 use crate::model::formula::numbers::range_of;
-use crate::model::formula::phase::{Linear, is_transcendental};
+use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
+use crate::model::words::{PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
-
-/// The name of the number.
-pub(crate) const PI: [&str; 2] = ["pi", "π"];
 
 /// Whether sin, cos, exp and the like, or π, occur in a family, or a shape parameter at an end of the domain.
 pub(super) fn occur(written: &syntax::Family) -> bool {

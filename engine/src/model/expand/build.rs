@@ -9,7 +9,7 @@ use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Place};
 use crate::model::formula::numbers::{budget_value, range_of};
 use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library, Parameter};
@@ -101,6 +101,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         dependent,
         analytic: scope.analytic.clone(),
         function_name: scope.function_name.clone(),
+        written: lines_of_functions(scope, written, functions.len()),
         functions,
         over,
         pieces: Vec::new(),
@@ -301,4 +302,30 @@ fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
     names::attempt(scope, &mut |scope| {
         range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
     })
+}
+
+/// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its own, or the spec
+/// is no text.
+fn lines_of_functions(scope: &Scope<'_>, written: &syntax::Family, functions: usize) -> Vec<String> {
+    /// More lines explain nothing.
+    const MOST: usize = 40;
+    let defines =
+        |s: &&syntax::Statement| matches!(s.kind, StatementKind::Function(_) | StatementKind::Raise(_));
+    let statements = written.statements.iter().filter(defines).listed();
+    let mut lines = Vec::new();
+    if statements.len() == functions {
+        return lines;
+    }
+    let text = scope.library.sources().get(scope.source).text.as_deref().unwrap_or_default();
+    for statement in statements {
+        let Place::Text(_, range) = scope.place(statement.span) else { return Vec::new() };
+        let statement = text.get(range).unwrap_or_default();
+        for (k, line) in statement.trim_end_matches(';').lines().enumerate() {
+            let line = line.trim();
+            let indent = if k == 0 || line == "}" { "" } else { "    " };
+            lines.push(format!("{indent}{line}"));
+        }
+    }
+    // A fence would end the block in which the lines are shown.
+    if lines.len() > MOST || lines.iter().any(|line| line.contains("```")) { Vec::new() } else { lines }
 }

@@ -7,17 +7,15 @@ use proc_macro2::Span;
 
 use super::angle::Analytic;
 use super::budget::{Budget, SPLIT, TooLarge};
-use super::expand::angles::PI;
 use super::formula::Value;
 use super::obligation::Obligation;
-use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC};
+use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC, PI, is_transcendental};
 use super::{Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
-use crate::model::formula::phase::is_transcendental;
 use crate::source::SourceId;
 use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
