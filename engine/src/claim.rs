@@ -54,6 +54,10 @@ pub enum ClaimKind {
     Independent(Vec<Values>),
     /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
     Continuity(u32),
+    /// The derivatives up to this order agree at the inner knots of a domain of several spans.
+    Smooth(u32),
+    /// Of a domain of several spans: what is claimed on those with these numbers.
+    Spans(Vec<(usize, ClaimKind)>),
     /// Every difference compares with zero as stated, on the declared ranges.
     Relation {
         /// Left side minus right side and how it compares with zero, for each component of two neighbouring sides.

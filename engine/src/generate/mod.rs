@@ -62,7 +62,9 @@ pub fn family(
 
 /// Why no code is generated for a family of any size; `None` where it is.
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    let message = if family.analytic.is_transcendental() {
+    let message = if !family.pieces.is_empty() {
+        "no code is generated for families on several spans yet"
+    } else if family.analytic.is_transcendental() {
         "no code is generated for families with sin, cos, exp or pi yet"
     } else if !family.analytic.is_empty() {
         "no code is generated for families with shape parameters at the ends of the domain yet"

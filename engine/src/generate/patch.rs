@@ -56,10 +56,16 @@ pub(super) fn formulas(plans: &PatchPlans<'_>) -> Vec<String> {
         };
         let names = family.domain_variables().map(|p| p.name.as_str());
         let terms: Vec<String> = names.enumerate().map(term).listed();
-        let steps = if *steps == 1 { String::from("once") } else { format!("{steps} times") };
         lines.push(String::new());
         let left = format!("{}[{}]", family.function_name, letters.join(","));
-        lines.push(format!("{left} = {} of the order before, {steps}", terms.join(" + ")));
+        let (lowest, highest) = (plans.lowest(), plans.lowest() + steps);
+        let raised = format!("from order {lowest} up to order {highest}");
+        if family.written.is_empty() {
+            lines.push(format!("{left} = {}, {raised}", terms.join(" + ")));
+        } else {
+            // The recursion stands above.
+            lines.push(format!("and all others by `raise`, {raised}"));
+        }
     }
     lines
 }

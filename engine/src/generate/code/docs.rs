@@ -23,6 +23,10 @@ pub(in crate::generate) fn family(
         lines.extend([String::new(), format!("Generated for {}.", values.join(", "))]);
     }
     lines.extend(["", "# Functions", "", "```text"].map(String::from));
+    if !family.written.is_empty() {
+        lines.extend(family.written.iter().cloned());
+        lines.push(String::new());
+    }
     lines.extend(formulas.iter().cloned());
     lines.push(String::from("```"));
     lines.push(String::new());

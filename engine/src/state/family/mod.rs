@@ -3,6 +3,7 @@
 mod identity;
 mod independent;
 mod point;
+mod spans;
 
 use std::rc::Rc;
 
@@ -32,7 +33,9 @@ pub use independent::{Table, coefficient_table};
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     Some(match kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
+        ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
+        ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
         ClaimKind::Continuity(order) => identity::continuity(family, *order),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
@@ -48,6 +51,9 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let kind = &claim.kind;
+    if let ClaimKind::Spans(parts) = kind {
+        return spans::statements(family, claim, parts);
+    }
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return Some(vec![independent::stated(family, except)]);
@@ -121,6 +127,9 @@ const WIDER: &str =
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    if let ClaimKind::Spans(parts) = &claim.kind {
+        return spans::decide(family, claim, parts);
+    }
     let Some(statements) = statements(family, claim) else {
         return Verdict::Undecided(String::from(TOO_LONG));
     };
@@ -147,6 +156,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::PartitionOfUnity => "expansion of the sum",
         ClaimKind::Symmetric => "expansion of the moved functions",
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
+        ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
         ClaimKind::Independent(_) => "minors",
         _ if equation => "expansion of both sides",
         _ => {
@@ -179,7 +189,7 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
     witness.shown = shown(family, found);
-    if matches!(kind, ClaimKind::Continuity(_)) {
+    if matches!(kind, ClaimKind::Continuity(_) | ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }
     witness.notes = identity::notes(family, kind, &witness);

@@ -4,11 +4,11 @@ use basis_engine::query::{FunctionFacts, Symbol, SymbolKind, TokenKind, function
 use basis_engine::{Family, Subject, explain};
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
-use super::analysis::Analysis;
-use super::files::Other;
 use super::marks::reasons;
-use super::server::Text;
 use crate::domain;
+use crate::lsp::analysis::Analysis;
+use crate::lsp::files::Other;
+use crate::lsp::workspace::Text;
 
 /// The most functions that are shown at once.
 const MAX_FUNCTIONS: usize = 8;
@@ -17,7 +17,12 @@ const MAX_FUNCTIONS: usize = 8;
 const MAX_FORMULA: usize = 600;
 
 /// What there is to say about the word at a position.
-pub(super) fn hover(text: &Text, analysis: &Analysis, others: &[Other], position: Position) -> Option<Hover> {
+pub(in crate::lsp) fn hover(
+    text: &Text,
+    analysis: &Analysis,
+    others: &[Other],
+    position: Position,
+) -> Option<Hover> {
     let offset = text.offset(position);
     let (range, value) = match text.document.at(offset) {
         Some(name) => {
@@ -32,7 +37,8 @@ pub(super) fn hover(text: &Text, analysis: &Analysis, others: &[Other], position
             let token = text.document.token(offset)?;
             let known = word(token.text(&text.document.text)).filter(|_| token.kind == TokenKind::Word)?;
             let mut value = format!("`{}`: {}", known.text, known.meaning);
-            let own = |s: &super::analysis::Statement<'_>| s.place.start <= offset && offset <= s.place.end;
+            let own =
+                |s: &crate::lsp::analysis::Statement<'_>| s.place.start <= offset && offset <= s.place.end;
             if let Some(statement) = analysis.statements().iter().find(|s| own(s)) {
                 value += &format!("\n\n{}", reasons(statement));
             }
@@ -138,7 +144,7 @@ fn shape(text: &Text, family: &Family, symbol: &Symbol) -> String {
 }
 
 fn summary(analysis: &Analysis, family: &Family) -> String {
-    let of = |item: &&super::analysis::Checked| matches!(&item.subject, Subject::Family(f) if f.name == family.name);
+    let of = |item: &&crate::lsp::analysis::Checked| matches!(&item.subject, Subject::Family(f) if f.name == family.name);
     let items: Vec<_> = analysis.items.iter().filter(of).collect();
     let claims = || items.iter().flat_map(|item| &item.claims);
     let decided = claims().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
