@@ -42,7 +42,11 @@ pub const SPECS: &[(&str, &str)] = specs![
     "rational/lupas"
     "rational/tension"
     "smoothstep"
+    "splines/bspline"
+    "splines/kernels"
     "triangular"
+    "trigonometric/end_angle"
+    "trigonometric/han"
 ];
 
 /// The text of the spec with this name; `None` where the library has no such spec.

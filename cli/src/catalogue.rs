@@ -21,7 +21,7 @@ pub(crate) fn run(arguments: &TableArguments) -> Status {
     let mut status = Status::Fine;
     let mut text = String::from(HEADER);
     for entry in files::find(&arguments.paths) {
-        let outcome = prove::file(entry);
+        let outcome = prove::file(entry, prove::Formal::Left);
         status = status.max(outcome.status());
         for problem in outcome.all_diagnostics() {
             output::complain(&(problem.render(&outcome.sources, true) + "\n\n"));
@@ -92,7 +92,7 @@ fn independent(item: &Decided) -> Option<String> {
     except.or_else(|| known(item, |kind| matches!(kind, ClaimKind::Independent(e) if e.is_empty())))
 }
 
-/// What is known in all orders, or what is known in which.
+/// A cell of the table: one verdict for all orders, or each verdict with its orders.
 fn cell(items: &[Decided], known: impl Fn(&Decided) -> Option<String>) -> String {
     let mut groups: Vec<(Option<String>, Vec<&Decided>)> = Vec::new();
     for item in items {

@@ -28,7 +28,7 @@ pub enum Side {
 pub struct Continuation {
     /// Which end is continued.
     pub side: Side,
-    /// How many derivatives are concerned, 1 or 2.
+    /// The number of derivatives that are concerned, 1 or 2.
     pub order: u32,
     /// The names of all variables: the shape parameters of P, those of Q, f, and c.
     pub names: Vec<String>,

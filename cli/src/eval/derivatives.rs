@@ -57,7 +57,7 @@ pub(super) fn up_to(
     Ok(all)
 }
 
-/// How many values there are up to an order: functions · binomial(order + variables, variables).
+/// The number of values up to an order: functions · binomial(order + variables, variables).
 fn number(functions: usize, variables: usize, order: u32) -> usize {
     let steps =
         (1..=variables).try_fold(1_usize, |product, k| Some(product.checked_mul(order as usize + k)? / k));

@@ -117,7 +117,7 @@ fn claims(claims: &[ClaimFacts]) -> String {
     for claim in claims {
         match groups.last_mut() {
             Some((first, group)) if first.statement == claim.statement && first.latex == claim.latex => {
-                group.push(claim)
+                group.push(claim);
             }
             _ => groups.push((claim, vec![claim])),
         }

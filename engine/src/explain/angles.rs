@@ -16,6 +16,11 @@ pub(super) fn text(family: &Family, f: &Fraction) -> String {
     // The variables of the domain first: their tangents may be multiples of those of the shape parameters.
     for angle in family.analytic.angles.iter().rev() {
         let Some(plain) = unscaled(&f, angle) else { return f.display(&names) };
+        if angle.kind == Kind::Linear {
+            names[angle.var.0].clone_from(&angle.name);
+            f = plain;
+            continue;
+        }
         let (numer, denom) = (plain.numer(), plain.denom());
         let powers = numer.degree(angle.var).max(denom.degree(angle.var)).div_ceil(2);
         if powers == 0 {

@@ -8,6 +8,7 @@ use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::ends::Ends;
 use super::formula::factored;
+use super::rounding;
 use super::rust::Body;
 use crate::claim::Claim;
 use crate::model::Family;
@@ -19,21 +20,25 @@ use basis_prover::collections::list::Listed;
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {
     let Shell { family, name, runtime, .. } = shell;
-    let formulas: Vec<String> = form
-        .functions
-        .iter()
-        .enumerate()
-        .map(|(k, f)| format!("{} = {}", family.function_label(k), factored(family, form, f)))
-        .listed();
+    let formulas = formulas(family, form);
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
-    let basis = emitter.basis(&shell.core());
+    let errors = rounding::errors(family);
+    let basis = emitter.basis(&shell.core(), &rounding::constant(&errors, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::Basis for #name<S> {
             #basis
         }
     };
-    shell.definition(&docs::family(family, &formulas, verdicts), &emitter.methods(), &traits)
+    let docs = docs::family(family, &formulas, &rounding::lines(&errors, family), verdicts, shell.decided);
+    shell.definition(&docs, &emitter.methods(), &traits)
+}
+
+/// The functions as products, for reading.
+pub(super) fn formulas(family: &Family, form: &IntervalForm) -> Vec<String> {
+    let formula =
+        |k: usize| format!("{} = {}", family.function_label(k), factored(family, form, &form.functions[k]));
+    (0..form.len()).map(formula).listed()
 }
 
 struct Emitter<'a> {
@@ -105,7 +110,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn basis(&self, core: &TokenStream) -> TokenStream {
+    fn basis(&self, core: &TokenStream, rounding: &TokenStream) -> TokenStream {
         let Self { runtime, form, family, .. } = self;
         let (len, terms) =
             (Literal::usize_unsuffixed(form.len()), Literal::usize_unsuffixed(form.degree as usize + 1));
@@ -122,6 +127,8 @@ impl Emitter<'_> {
             type Form<P: #runtime::Point<Scalar = S>> = #form_type;
 
             const NAME: &'static str = #title;
+
+            #rounding
 
             #[inline]
             fn domain() -> [S; 2] {

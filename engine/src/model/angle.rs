@@ -3,17 +3,22 @@
 //!
 //! sin 2ψ = 2x/(1 + x²), cos 2ψ = (1 − x²)/(1 + x²); sinh 2ψ = 2x/(1 − x²), exp 2ψ = (1 + x)/(1 − x), where ψ = v·s.
 //!
-//! Where the ends of its range are no rational numbers in x, a variable y from 0 to 1 takes the place of x,
+//! A domain variable whose ends contain shape parameters, and which stands in none of these, is x itself. Where the ends of
+//! its range are no rational numbers in x, a variable y from 0 to 1 takes the place of x,
 //! x = low + width·y. The numbers π and exp(r) are variables as well: they are transcendental, so that an equation holds
 //! if and only if it holds for all values of these variables, as is so for s itself beside x.
 
 use basis_prover::collections::list::Listed;
 
+use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+
+/// The work for a common factor of the coefficients of a small polynomial.
+const CONTENT: u64 = 100_000;
 
 /// Which functions a variable stands in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +27,8 @@ pub enum Kind {
     Circular,
     /// sinh, cosh, tanh, exp.
     Hyperbolic,
+    /// None: a domain variable whose ends contain shape parameters, x = s.
+    Linear,
 }
 
 /// A domain variable or shape parameter s that stands in sin, cos, exp and the like.
@@ -45,6 +52,8 @@ pub struct Angle {
     pub low: Fraction,
     /// dx/dy.
     pub width: Fraction,
+    /// The ends of the range in s; 0 where there is none.
+    pub limits: [Fraction; 2],
     /// The ends of the range as they are written; empty where there is none.
     pub ends: [String; 2],
     /// The range of s as it is written, such as `0 <= θ <= pi/2`.
@@ -61,7 +70,11 @@ impl Angle {
 
     /// The name of x, such as `tan(θ/2)`.
     pub fn tangent_name(&self) -> String {
-        let function = if self.kind == Kind::Circular { "tan" } else { "tanh" };
+        let function = match self.kind {
+            Kind::Circular => "tan",
+            Kind::Hyperbolic => "tanh",
+            Kind::Linear => return self.name.clone(),
+        };
         let s = if self.shift.is_zero() {
             self.name.clone()
         } else {
@@ -87,11 +100,11 @@ impl Angle {
     /// dy/ds.
     fn rate_of_change(&self, pi: Option<Var>, work: &mut Work) -> Option<Fraction> {
         let x = self.tangent();
-        let square = x.mul_within(&x, work)?;
         let one = Fraction::constant(Rational::ONE);
         let sum = match self.kind {
-            Kind::Circular => one.add_within(&square, work)?,
-            Kind::Hyperbolic => one.sub_within(&square, work)?,
+            Kind::Circular => one.add_within(&x.mul_within(&x, work)?, work)?,
+            Kind::Hyperbolic => one.sub_within(&x.mul_within(&x, work)?, work)?,
+            Kind::Linear => one,
         };
         self.slope(pi).mul_within(&sum, work)
     }
@@ -132,6 +145,37 @@ pub struct Analytic {
 }
 
 impl Analytic {
+    /// Irreducible polynomials of which the denominators of sin, cos and the like are made: 1 + x², or 1 + x and 1 − x.
+    pub(crate) fn denominators(&self) -> Vec<Poly> {
+        let one = Fraction::constant(Rational::ONE);
+        let mut all = Vec::new();
+        for angle in &self.angles {
+            let x = angle.tangent();
+            match angle.kind {
+                Kind::Circular => all.push((&one + &(&x * &x)).numer().normalized()),
+                Kind::Hyperbolic => all.extend([&one + &x, &one - &x].iter().map(|f| f.numer().normalized())),
+                Kind::Linear => {}
+            }
+        }
+        // Of degree 1, or 2 without real zeros, in y: irreducible unless its coefficients share a factor.
+        let proper = |(p, angle): (&Poly, &Angle)| {
+            content(p, angle.var, &mut Work::new(CONTENT)).is_some_and(|c| c.as_constant().is_some())
+        };
+        let count = |a: &Angle| match a.kind {
+            Kind::Circular => 1,
+            Kind::Hyperbolic => 2,
+            Kind::Linear => 0,
+        };
+        let owners = self.angles.iter().flat_map(|a| core::iter::repeat_n(a, count(a)));
+        let checked: Vec<bool> = all.iter().zip(owners).map(proper).listed();
+        all.into_iter().zip(checked).filter(|(_, fine)| *fine).map(|(p, _)| p).listed()
+    }
+
+    /// Whether a variable stands in sin, exp or the like.
+    pub fn is_transcendental(&self) -> bool {
+        self.angles.iter().any(|a| a.kind != Kind::Linear)
+    }
+
     /// Whether nothing does.
     pub fn is_empty(&self) -> bool {
         self.angles.is_empty() && self.pi.is_none() && self.exponential.is_none()
@@ -155,24 +199,26 @@ impl Analytic {
     /// The derivative of a function in a variable: of one that stands in sin, cos and the like in the variable itself,
     /// all others fixed; `None` when the work is spent.
     pub fn derivative_within(&self, f: &Fraction, var: Var, work: &mut Work) -> Option<Fraction> {
-        let Some(angle) = self.angle(var) else { return f.derivative_within(var, work) };
+        let (slot, itself, own) = match self.angle(var) {
+            Some(angle) => (angle.var, angle.itself, angle.rate_of_change(self.pi, work)?),
+            None => (var, var, Fraction::constant(Rational::ONE)),
+        };
         let mut sum = Fraction::zero();
-        if f.depends_on(angle.itself) {
-            sum = f.derivative_within(angle.itself, work)?;
+        if f.depends_on(itself) {
+            sum = f.derivative_within(itself, work)?;
         }
-        let own = angle.rate_of_change(self.pi, work)?;
         for other in self.angles.iter().filter(|a| f.depends_on(a.var)) {
-            let change = if other.var == angle.var {
+            let change = if other.var == slot {
                 own.clone()
             } else {
                 // x = low + width·y stays what it is, so that y′ = −(low′ + width′·y)/width.
                 let (low, width) = (&other.low, &other.width);
-                if !low.depends_on(angle.var) && !width.depends_on(angle.var) {
+                if !low.depends_on(slot) && !width.depends_on(slot) {
                     continue;
                 }
                 let y = Fraction::var(other.var);
-                let stretched = width.derivative_within(angle.var, work)?.mul_within(&y, work)?;
-                let moved = low.derivative_within(angle.var, work)?.add_within(&stretched, work)?;
+                let stretched = width.derivative_within(slot, work)?.mul_within(&y, work)?;
+                let moved = low.derivative_within(slot, work)?.add_within(&stretched, work)?;
                 let relative = moved.div_within(width, work).ok().flatten()?;
                 -&relative.mul_within(&own, work)?
             };
@@ -198,6 +244,7 @@ mod tests {
             shift: Rational::ZERO,
             low: Fraction::zero(),
             width: Fraction::constant(Rational::ONE),
+            limits: [Fraction::zero(), Fraction::zero()],
             ends: Default::default(),
             declared: String::new(),
             mirror: Vec::new(),

@@ -14,7 +14,7 @@ pub(crate) mod formula;
 mod library;
 pub mod obligation;
 pub(crate) mod scope;
-mod tuples;
+pub(crate) mod tuples;
 pub(crate) mod words;
 
 pub(crate) use family::label;

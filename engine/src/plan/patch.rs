@@ -16,7 +16,7 @@ use basis_prover::collections::map::SortedMap;
 const MAX_TERMS: usize = 15;
 
 /// A family on a simplex or a box, as it is evaluated.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug))]
 pub struct PatchPlans<'a> {
     /// The family.
     pub family: &'a Family,
@@ -27,7 +27,7 @@ pub struct PatchPlans<'a> {
 }
 
 /// The Bernstein weights of the functions: a table with few different entries.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug))]
 pub struct Table {
     /// The different entries.
     pub entries: Plan,
@@ -49,7 +49,7 @@ impl<'a> PatchPlans<'a> {
         if self.steps > 0 { &self.family.base } else { &self.family.functions }
     }
 
-    /// How many coordinates a point of the domain has.
+    /// The number of coordinates of a point of the domain.
     pub fn corners(&self) -> usize {
         self.family.domain.len() + usize::from(self.family.is_simplex())
     }

@@ -206,7 +206,7 @@ impl Rational {
         Self::from(n.div_floor(&d))
     }
 
-    /// How many bits numerator and denominator take together: the work that arithmetic on the number costs.
+    /// The size of numerator and denominator together, in bits: the work that arithmetic on the number costs.
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Small(n, d) => u64::from(128 - n.unsigned_abs().leading_zeros() - d.leading_zeros()),
@@ -366,7 +366,7 @@ fn product((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt)) -> Rational {
     Rational::lowest((a / &first) * (c / &second), (b / second) * (d / first))
 }
 
-/// Implements one operator for references and values: in 128 bits on small numbers, in big integers else.
+/// Implements one operator for references and values: in 128 bits on small numbers, in big integers otherwise.
 macro_rules! operator {
     ($trait:ident $method:ident $assign_trait:ident $assign:ident $checked:ident $big:expr, |$a:ident, $b:ident, $c:ident, $d:ident| $small:expr) => {
         impl $trait<&Rational> for &Rational {

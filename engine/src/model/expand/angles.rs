@@ -6,25 +6,49 @@ use proc_macro2::Span;
 use super::build::{Domain, variable};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range};
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
 use crate::model::formula::numbers::range_of;
-use crate::model::formula::phase::{Linear, is_transcendental};
+use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
+use crate::model::words::{PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::map::SortedMap;
 
-/// The name of the number.
-pub(crate) const PI: [&str; 2] = ["pi", "π"];
-
-/// Whether sin, cos, exp and the like, or π, occur in a family.
+/// Whether sin, cos, exp and the like, or π, occur in a family, or a shape parameter at an end of the domain.
 pub(super) fn occur(written: &syntax::Family) -> bool {
-    let mut found = false;
+    let mut found = parametric_ends(written);
     each_expression(written, &mut |expr| found |= mentions(expr));
     found && !written.statements.iter().any(|s| declares_pi(&s.kind))
+}
+
+/// Whether a shape parameter stands at an end of the domain.
+fn parametric_ends(written: &syntax::Family) -> bool {
+    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
+        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
+            || parts(expr).into_iter().any(|part| names(part, declared))
+    }
+    let declared = |name: &String| {
+        written
+            .statements
+            .iter()
+            .any(|s| matches!(&s.kind, StatementKind::Shape(decl) if decl.name.text == *name))
+    };
+    let decls = written.statements.iter().flat_map(|s| match &s.kind {
+        StatementKind::Domain(decls) => decls.as_slice(),
+        _ => &[],
+    });
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names_one(&limit.value, &declared))
+}
+
+/// Whether an expression contains one of some names.
+fn names_one(expr: &Expr, wanted: &dyn Fn(&String) -> bool) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) if wanted(name))
+        || parts(expr).into_iter().any(|part| names_one(part, wanted))
 }
 
 fn declares_pi(kind: &StatementKind) -> bool {
@@ -49,16 +73,23 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
             StatementKind::Domain(decls) => decls.iter().for_each(|decl| range(decl, with)),
             StatementKind::Shape(decl) => range(decl, with),
             StatementKind::Let(def) => with(&def.value),
-            StatementKind::Function(def) | StatementKind::Raise(def) => with(&def.value),
+            StatementKind::Function(def) | StatementKind::Raise(def) => {
+                with(&def.value);
+                def.further.iter().for_each(&mut *with);
+            }
             StatementKind::Base(_, functions) => functions.iter().for_each(|def| with(&def.value)),
             StatementKind::Claim(claim) => match &claim.kind {
                 ClaimKind::Relation(r) => sides(r, with),
                 ClaimKind::At(bindings, relations) => {
-                    bindings.iter().for_each(|b| with(&b.value));
-                    relations.iter().for_each(|r| sides(r, with));
+                    for b in bindings {
+                        with(&b.value);
+                    }
+                    for r in relations {
+                        sides(r, with);
+                    }
                 }
                 ClaimKind::Independent(exceptions) => {
-                    exceptions.iter().flatten().for_each(|b| with(&b.value))
+                    exceptions.iter().flatten().for_each(|b| with(&b.value));
                 }
                 _ => {}
             },
@@ -150,23 +181,15 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
     probe.recorded = Some(Vec::new());
-    super::names::plan(&mut probe, written);
-    super::functions::define(&mut probe, written);
-    probe.stage = Stage::Complete;
     let mut places = Vec::new();
-    for statement in &written.statements {
-        let StatementKind::Claim(claim) = &statement.kind else { continue };
-        match &claim.kind {
-            ClaimKind::Relation(relation) => probe_relation(&mut probe, relation),
-            ClaimKind::At(bindings, relations) => {
-                for Binding { name, value } in bindings {
-                    let var = probe.variable(&name.text);
-                    places.extend(var.zip(probe.scalar(value)));
-                }
-                relations.iter().for_each(|relation| probe_relation(&mut probe, relation));
-            }
-            _ => {}
-        }
+    // The angles are the same on all spans, so that their tangents can be compared.
+    for k in 0..scope.span.map_or(1, |(_, count)| count) {
+        probe.span = scope.span.map(|(_, count)| (k, count));
+        probe.functions = SortedMap::new();
+        probe.planned_functions = SortedMap::new();
+        probe.defined = SortedMap::new();
+        probe.lets = SortedMap::new();
+        probe_claims(&mut probe, written, &mut places);
     }
     let mut uses = Uses::default();
     for Argument { circular, value, span } in probe.recorded.unwrap_or_default() {
@@ -190,6 +213,30 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         }
     }
     uses
+}
+
+/// Evaluates the functions and the claims of a family; the values that `at` gives to variables.
+fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, places: &mut Vec<(Var, Fraction)>) {
+    probe.stage = Stage::Defining;
+    super::names::plan(probe, written);
+    super::functions::define(probe, written);
+    probe.stage = Stage::Complete;
+    for statement in &written.statements {
+        let StatementKind::Claim(claim) = &statement.kind else { continue };
+        match &claim.kind {
+            ClaimKind::Relation(relation) => probe_relation(probe, relation),
+            ClaimKind::At(bindings, relations) => {
+                for Binding { name, value } in bindings {
+                    let var = probe.variable(&name.text);
+                    places.extend(var.zip(probe.scalar(value)));
+                }
+                for relation in relations {
+                    probe_relation(probe, relation);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// Evaluates the sides of a claim for all values of its index variables.
@@ -246,7 +293,9 @@ pub(super) fn declare<'a>(
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Shape(decl) => shapes.push((decl, &statement.doc)),
-            StatementKind::Domain(decls) => domain.extend(decls.iter().map(|d| (d, &statement.doc[..]))),
+            StatementKind::Domain(decls) => {
+                domain.extend(super::build::of_span(scope, decls).iter().map(|d| (d, &statement.doc[..])));
+            }
             StatementKind::Simplex(_) => simplex = true,
             _ => {}
         }
@@ -280,14 +329,14 @@ pub(super) fn declare<'a>(
     let mut fine = true;
     let mut limits = Vec::new();
     for (decl, _) in shapes.iter().chain(&domain) {
-        limits.push([limit(scope, decl.low.as_ref()), limit(scope, decl.high.as_ref())]);
+        limits.push(self::limits(scope, decl)?);
     }
     let shape_count = shapes.len();
     // An end of the domain that is a shape parameter is an angle like the variable.
     let mut all: Vec<Option<Use>> = (0..names.len()).map(|k| uses.of(Var(k)).cloned()).listed();
     for k in shape_count..names.len() {
         for end in limits[k].iter().flatten() {
-            for (var, factor, _) in &end.as_ref()?.value.parts {
+            for (var, factor, _) in &end.value.parts {
                 let shape = var.0.checked_sub(count).filter(|s| *s < shape_count)?;
                 if let Some(mut of) = all[k].clone() {
                     of.unit = &of.unit * &factor.abs();
@@ -319,6 +368,9 @@ pub(super) fn declare<'a>(
         let at = Place { slot: slots[k], itself: itself(k), is_domain: k >= shape_count };
         let range = match &all[k] {
             Some(of) => angle(scope, decl, &at, of, &limits[k], (&all, count, &parameters)),
+            None if at.is_domain && limits[k].iter().flatten().any(|l| !l.value.parts.is_empty()) => {
+                linear(scope, decl, &at, &limits[k], count, &parameters)
+            }
             None => plain(scope, decl, &at, &limits[k], written.incomplete),
         };
         let Some(range) = range else {
@@ -331,7 +383,7 @@ pub(super) fn declare<'a>(
     if !fine {
         return None;
     }
-    mirrors(scope, shape_count, &parameters, &limits)?;
+    mirrors(scope, shape_count, &parameters, &limits, count)?;
     scope.analytic.ranges = ranges(scope);
     let domain = parameters.split_off(shape_count);
     if own.is_none() && domain.is_empty() {
@@ -350,46 +402,50 @@ struct Place {
     is_domain: bool,
 }
 
-/// An end as it is written: nothing where there is none, `None` when it is no sum of multiples.
-fn limit(scope: &mut Scope<'_>, end: Option<&syntax::Limit>) -> Option<Option<Bound>> {
-    let Some(syntax::Limit { value: expr, included }) = end else { return None };
-    let value = scope.scalar(expr);
-    let Some(value) = value.and_then(|f| Linear::of(&f, scope.analytic.pi)) else {
-        let error = scope
-            .error(expr.span, "the end of a range is a number, a multiple of `pi`, or a shape parameter");
-        if scope.diagnostics.borrow().is_empty() {
-            scope.report(error);
-        }
-        return Some(None);
-    };
-    let text = Printer { constants: &scope.constants, component: None }.print(expr);
-    Some(Some(Bound { value, included: *included, text }))
+/// The ends of a range as they are written, where it has ends; `None` when one is no sum of multiples.
+fn limits(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Limits> {
+    let mut ends = [None, None];
+    for (end, limit) in ends.iter_mut().zip([&decl.low, &decl.high]) {
+        let Some(syntax::Limit { value: expr, included }) = limit else { continue };
+        let value = scope.scalar(expr).and_then(|f| Linear::of(&f, scope.analytic.pi));
+        let Some(value) = value else {
+            if scope.diagnostics.borrow().is_empty() {
+                let message = "the end of a range is a number, a multiple of `pi`, or a shape parameter";
+                scope.report(scope.error(expr.span, message));
+            }
+            return None;
+        };
+        let text = Printer { constants: &scope.constants, component: None }.print(expr);
+        *end = Some(Bound { value, included: *included, text });
+    }
+    Some(ends)
 }
 
-type Bounds = [Option<Option<Bound>>; 2];
+/// The ends of a range, the lower one first.
+type Limits = [Option<Bound>; 2];
 
 /// The range as it is written.
-fn declared(name: &str, limits: &Bounds) -> String {
+fn declared(name: &str, limits: &Limits) -> String {
     let sign = |limit: &Bound| if limit.included { "<=" } else { "<" };
     let mut text = String::from(name);
-    if let [Some(Some(low)), _] = limits {
+    if let [Some(low), _] = limits {
         text = format!("{} {} {text}", low.text, sign(low));
     }
-    if let [_, Some(Some(high))] = limits {
+    if let [_, Some(high)] = limits {
         text = format!("{text} {} {}", sign(high), high.text);
     }
     text
 }
 
 /// The number exp(r) in which all others are powers.
-fn exponential(scope: &mut Scope<'_>, uses: &Uses, all: &[Option<Use>], limits: &[Bounds]) {
+fn exponential(scope: &mut Scope<'_>, uses: &Uses, all: &[Option<Use>], limits: &[Limits]) {
     let mut unit = Rational::ZERO;
     for number in &uses.numbers {
         unit = unit.gcd(number);
     }
     for (of, ends) in all.iter().zip(limits) {
         let Some(of) = of.as_ref().filter(|of| of.kind == Kind::Hyperbolic) else { continue };
-        for end in ends.iter().flatten().flatten() {
+        for end in ends.iter().flatten() {
             unit = unit.gcd(&(&end.value.number * &of.unit));
         }
     }
@@ -404,7 +460,7 @@ fn plain(
     scope: &mut Scope<'_>,
     decl: &RangeDecl,
     at: &Place,
-    limits: &Bounds,
+    limits: &Limits,
     incomplete: bool,
 ) -> Option<Range> {
     // It stands for itself.
@@ -412,7 +468,6 @@ fn plain(
     scope.names[at.itself.0] = format!("{name} ");
     scope.names[at.slot.0] = name;
     for limit in limits.iter().flatten() {
-        let limit = limit.as_ref()?;
         if !limit.value.pi.is_zero() || !limit.value.parts.is_empty() {
             if incomplete {
                 return Some(Range::unit()); // its sine may be what could not be read
@@ -434,6 +489,79 @@ fn plain(
         return None;
     }
     Some(range)
+}
+
+/// The sum at an end of a range.
+fn sum_of(scope: &Scope<'_>, value: &Linear, count: usize) -> Option<Fraction> {
+    let mut sum = Fraction::constant(value.number.clone());
+    for (var, factor, turns) in &value.parts {
+        // A parameter that is no angle stands where it is declared.
+        let angle = scope.analytic.angles.iter().any(|a| a.itself == *var);
+        let var = if angle { *var } else { Var(var.0.checked_sub(count)?) };
+        let mut part = &Fraction::constant(factor.clone()) * &Fraction::var(var);
+        if *turns {
+            part = &part * &Fraction::var(scope.analytic.pi?);
+        }
+        sum = &sum + &part;
+    }
+    if !value.pi.is_zero() {
+        sum = &sum + &(&Fraction::constant(value.pi.clone()) * &Fraction::var(scope.analytic.pi?));
+    }
+    Some(sum)
+}
+
+/// A domain variable whose ends contain shape parameters: y runs from 0 to 1.
+fn linear(
+    scope: &mut Scope<'_>,
+    decl: &RangeDecl,
+    at: &Place,
+    limits: &Limits,
+    count: usize,
+    known: &[Parameter],
+) -> Option<Range> {
+    let name = &decl.name.text;
+    let [Some(low), Some(high)] = limits else {
+        let error = scope.error(decl.name.span, format!("the domain of `{name}` has no end on one side"));
+        scope.report(error.help("write both ends, such as `domain 0 <= t <= α;`"));
+        return None;
+    };
+    let (first, last) = (sum_of(scope, &low.value, count)?, sum_of(scope, &high.value, count)?);
+    let width = &last - &first;
+    let region = Region { ranges: known.mapped(|p| (p.var, p.range.clone())) };
+    if let Err(text) = scope.is_positive(&width, &region) {
+        let message = format!("the ends of the domain of `{name}` are not in order");
+        let error = scope.error(decl.name.span, message).label(text);
+        scope.report(
+            error.help("narrow the ranges of the parameters so that the lower end is below the upper one"),
+        );
+        return None;
+    }
+    let new = Angle {
+        name: name.clone(),
+        kind: Kind::Linear,
+        var: at.slot,
+        itself: at.itself,
+        rate: Rational::ONE,
+        turns: false,
+        shift: Rational::ZERO,
+        low: first.clone(),
+        width,
+        limits: [first.clone(), last.clone()],
+        ends: [low.text.clone(), high.text.clone()],
+        declared: declared(name, limits),
+        mirror: Vec::new(),
+    };
+    let own =
+        |text: &str| if text.contains([' ', '+', '-']) { format!("({text})") } else { text.to_string() };
+    scope.names[at.slot.0] = if new.low.is_zero() {
+        format!("{name}/{}", own(&high.text))
+    } else {
+        format!("({name} - {})/({} - {})", own(&low.text), high.text, own(&low.text))
+    };
+    scope.analytic.angles.push(new);
+    scope.ends.push((Fraction::zero(), Fraction::constant(Rational::ONE)));
+    let end = |l: &Bound, x: Rational| if l.included { End::Included(x) } else { End::Excluded(x) };
+    Some(Range { low: end(low, Rational::ZERO), high: end(high, Rational::ONE) })
 }
 
 /// ψ/π at an end of a range that is a multiple of π, or of 1 where the rate is one of π.
@@ -463,11 +591,11 @@ fn angle(
     decl: &RangeDecl,
     at: &Place,
     of: &Use,
-    limits: &Bounds,
+    limits: &Limits,
     (all, count, known): (&[Option<Use>], usize, &[Parameter]),
 ) -> Option<Range> {
     let name = &decl.name.text;
-    let ends: Vec<&Bound> = limits.iter().flatten().map(Option::as_ref).collect::<Option<Vec<_>>>()?;
+    let ends: Vec<&Bound> = limits.iter().flatten().listed();
     let circular = of.kind == Kind::Circular;
     let wrong = |scope: &Scope<'_>, message: String, help: &str| {
         scope.report(scope.error(decl.name.span, message).help(help));
@@ -591,9 +719,10 @@ fn angle(
         shift,
         low: Fraction::zero(),
         width: one.clone(),
-        ends: [0, 1].map(|k| {
-            limits[k].as_ref().and_then(Option::as_ref).map_or_else(String::new, |l| l.text.clone())
+        limits: [0, 1].map(|k| {
+            limits[k].as_ref().and_then(|l| sum_of(scope, &l.value, count)).unwrap_or_else(Fraction::zero)
         }),
+        ends: [0, 1].map(|k| limits[k].as_ref().map_or_else(String::new, |l| l.text.clone())),
         declared: declared(name, limits),
         mirror: Vec::new(),
     };
@@ -601,11 +730,11 @@ fn angle(
     let exact = parametric.is_empty() && (circular || ends.iter().all(|l| l.value.number.is_zero()));
     let range = if exact {
         let end = |side: usize| match &limits[side] {
-            None | Some(None) => {
+            None => {
                 // Only of a hyperbolic parameter.
                 End::Excluded(Rational::from(if side == 0 { -1 } else { 1 }))
             }
-            Some(Some(l)) => match Tangent::of(new.kind, &new.rate, new.turns, &new.shift, &l.value) {
+            Some(l) => match Tangent::of(new.kind, &new.rate, new.turns, &new.shift, &l.value) {
                 Tangent::Exact(x) if l.included => End::Included(x),
                 Tangent::Exact(x) => End::Excluded(x),
                 Tangent::Infinite | Tangent::Irrational => End::Infinite,
@@ -702,21 +831,18 @@ fn mirrors(
     scope: &mut Scope<'_>,
     shape_count: usize,
     parameters: &[Parameter],
-    limits: &[Bounds],
+    limits: &[Limits],
+    count: usize,
 ) -> Option<()> {
     for (k, parameter) in parameters.iter().enumerate().skip(shape_count) {
         let Some(position) = scope.analytic.angles.iter().position(|a| a.var == parameter.var) else {
             continue;
         };
         let angle = scope.analytic.angles[position].clone();
-        let mut reversed = -&Fraction::var(angle.itself);
-        for end in limits[k].iter().flatten().flatten() {
-            let mut sum = Fraction::constant(end.value.number.clone());
-            for (var, factor, _) in &end.value.parts {
-                sum = &sum + &(&Fraction::constant(factor.clone()) * &Fraction::var(*var));
-            }
-            let pi = Fraction::var(scope.analytic.pi?);
-            reversed = &(&reversed + &sum) + &(&Fraction::constant(end.value.pi.clone()) * &pi);
+        let own = if angle.kind == Kind::Linear { angle.tangent() } else { Fraction::var(angle.itself) };
+        let mut reversed = -&own;
+        for end in limits[k].iter().flatten() {
+            reversed = &reversed + &sum_of(scope, &end.value, count)?;
         }
         if let Ok(Some(y)) = scope.angle_at(&angle, &reversed, Span::call_site()) {
             scope.analytic.angles[position].mirror = vec![(angle.var, y), (angle.itself, reversed)];
@@ -725,7 +851,7 @@ fn mirrors(
     Some(())
 }
 
-/// Bounds of π and exp(r).
+/// Limits of π and exp(r).
 fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
     let open =
         |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };

@@ -10,7 +10,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind, multiple_of_pi};
 use crate::model::scope::{Argument, Scope};
-use crate::model::words::{CIRCULAR, HYPERBOLIC};
+use crate::model::words::CIRCULAR;
 use crate::syntax::Expr;
 use basis_prover::collections::list::Mapped;
 
@@ -194,6 +194,8 @@ impl Scope<'_> {
         let value = self.scalar(argument)?;
         let kind = if CIRCULAR.contains(&name) { Kind::Circular } else { Kind::Hyperbolic };
         if let Some(recorded) = &mut self.recorded {
+            // tan(ψ) itself is one of the tangents.
+            let value = if is_tangent(name) { &value + &value } else { value };
             recorded.push(Argument { circular: kind == Kind::Circular, value, span: argument.span });
             return Some(Fraction::var(Var(self.names.len())));
         }
@@ -205,13 +207,23 @@ impl Scope<'_> {
         if let Some(number) = special(name, &linear) {
             return Some(Fraction::constant(number));
         }
-        let phase = match self.phase(kind, &linear.scaled(&Rational::new(1, 2)), argument.span) {
+        let half = if is_tangent(name) { linear } else { linear.scaled(&Rational::new(1, 2)) };
+        let phase = match self.phase(kind, &half, argument.span) {
             Ok(phase) => phase?,
             Err((message, help)) => {
                 self.report(self.error(argument.span, message).help(help));
                 return None;
             }
         };
+        if is_tangent(name) {
+            if phase.c.is_zero() {
+                self.report(self.error(span, "the tangent of a right angle has no value"));
+                return None;
+            }
+            let tangent = self.fits(self.budget.div(&phase.s, &phase.c), span)?;
+            self.must_be_defined(&tangent, span);
+            return Some(tangent);
+        }
         let (budget, circular) = (&self.budget, kind == Kind::Circular);
         let mul = |a: &Fraction, b: &Fraction| self.fits(budget.mul(a, b), span);
         let (cc, ss, cs) = (mul(&phase.c, &phase.c)?, mul(&phase.s, &phase.s)?, mul(&phase.c, &phase.s)?);
@@ -222,16 +234,7 @@ impl Scope<'_> {
         let quotient = match name {
             "sin" | "sinh" => budget.div(&twice, square),
             "cos" | "cosh" => budget.div(cos, square),
-            "exp" => budget.div(&(&phase.c + &phase.s), &(&phase.c - &phase.s)),
-            _ => {
-                if cos.is_zero() {
-                    self.report(self.error(span, "the tangent of a right angle has no value"));
-                    return None;
-                }
-                let tangent = self.fits(budget.div(&twice, cos), span)?;
-                self.must_be_defined(&tangent, span);
-                return Some(tangent);
-            }
+            _ => budget.div(&(&phase.c + &phase.s), &(&phase.c - &phase.s)),
         };
         self.fits(quotient, span)
     }
@@ -267,6 +270,10 @@ impl Scope<'_> {
         value: &Fraction,
         span: Span,
     ) -> Result<Option<Fraction>, Wrong> {
+        if angle.kind == Kind::Linear {
+            let rise = self.fits(self.budget.sub(value, &angle.low), span);
+            return Ok(rise.and_then(|rise| self.fits(self.budget.div(&rise, &angle.width), span)));
+        }
         let linear = Linear::of(value, self.analytic.pi).and_then(|linear| linear.in_place_of(angle));
         let Some(psi) = linear else {
             let message = format!("the value of `{}` is not linear", angle.name);
@@ -283,6 +290,11 @@ impl Scope<'_> {
         let y = self.fits(y, span).and_then(|rise| self.fits(self.budget.div(&rise, &angle.width), span));
         Ok(y)
     }
+}
+
+/// Whether a function is a tangent.
+fn is_tangent(name: &str) -> bool {
+    name == "tan" || name == "tanh"
 }
 
 /// sin, cos and tan of numbers that are rational: of multiples of π/6.
@@ -304,9 +316,4 @@ fn special(name: &str, linear: &Linear) -> Option<Rational> {
         "cos" => sin(sixths + 3),
         _ => None,
     }
-}
-
-/// Whether a name is that of a function that this file is about.
-pub(crate) fn is_transcendental(name: &str) -> bool {
-    CIRCULAR.contains(&name) || HYPERBOLIC.contains(&name)
 }

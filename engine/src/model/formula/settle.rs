@@ -81,6 +81,21 @@ impl Scope<'_> {
         fine
     }
 
+    /// Whether a function of shape parameters is positive on a box; where it is not, or that it is undecided.
+    ///
+    /// # Errors
+    /// The point as text.
+    pub(crate) fn is_positive(&mut self, value: &Fraction, region: &Region) -> Result<(), String> {
+        let domain = Rc::new(Domain::of(region.clone()));
+        let statement = Statement::Sign { value: value.quotient(), relation: Relation::Positive, domain };
+        let of = format!("{} > 0", value.display(&self.names));
+        match self.judge(of, Goal::Holds(statement), 1) {
+            Ok(()) => Ok(()),
+            Err(Open::Fails(point)) => Err(format!("at {}", self.own(value.numer(), &point))),
+            Err(Open::Undecided(left)) => Err(left),
+        }
+    }
+
     /// Has a goal decided; what the error is about if it does not hold.
     fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Open> {
         let proof = self.library.judge().judge(&goal, budget)?;
@@ -150,11 +165,10 @@ impl Scope<'_> {
         if let Some(angle) = self.analytic.angle(var) {
             let [low, high] = &angle.ends;
             let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
-            return match at(&range.low) || at(&range.high) {
-                true => {
-                    format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
-                }
-                false => format!("choose a range without this value of `{}`", angle.name),
+            return if at(&range.low) || at(&range.high) {
+                format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
+            } else {
+                format!("choose a range without this value of `{}`", angle.name)
             };
         }
         if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {

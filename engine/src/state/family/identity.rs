@@ -48,6 +48,33 @@ pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String,
     Some(differences)
 }
 
+/// What symmetry says: this function is that one with these arguments in place of the domain variables, of a simplex all
+/// barycentric coordinates, for each motion that generates the symmetries of the domain.
+#[cfg(any(test, feature = "tools"))]
+pub(crate) fn moves(family: &Family) -> Vec<(usize, usize, Vec<Poly>)> {
+    let mut all = Vec::new();
+    for motion in motions(family) {
+        for (k, function) in family.functions.iter().enumerate() {
+            let mut arguments: Vec<Poly> = motion.by.mapped(|(_, p)| p.clone());
+            if family.is_simplex() {
+                arguments.push(arguments.iter().fold(Poly::one(), |rest, p| &rest - p));
+            }
+            match motion.index(&function.index) {
+                Some(moved) => {
+                    let other = family.functions.iter().position(|f| f.index == moved);
+                    all.extend(other.filter(|other| *other >= k).map(|other| (k, other, arguments)));
+                }
+                None => {
+                    let Some(moved) = motion.apply(&function.value) else { continue };
+                    let other = family.functions.iter().position(|f| f.value == moved).unwrap_or(k);
+                    all.push((other, k, arguments));
+                }
+            }
+        }
+    }
+    all
+}
+
 /// In a numbering that says nothing about the domain, a moved function must be one of the functions: its difference
 /// from that one, or from the function itself if it is none of them.
 fn unnumbered(

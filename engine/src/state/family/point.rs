@@ -11,7 +11,9 @@ use crate::model::angle::Angle;
 
 /// The names of the domain variables.
 pub(super) fn domain_names(family: &Family) -> Vec<String> {
-    family.domain_variables().map(|p| p.name.clone()).listed()
+    let angles = family.domain.iter().filter_map(|p| family.analytic.angle(p.var));
+    let other = angles.flat_map(|a| [a.name.clone(), a.tangent_name()]);
+    family.domain_variables().map(|p| p.name.clone()).chain(other).listed()
 }
 
 /// A counterexample as a point of the names, complete with what `at` fixes and with values for what plays no part.
@@ -47,10 +49,10 @@ pub(super) fn named_point(
         }
         all.push((parameter.name.clone(), value));
     }
-    for k in 0..all.len() {
-        let parameter = family.shapes.iter().chain(&family.domain).nth(k);
-        if let Some(angle) = parameter.and_then(|p| family.analytic.angle(p.var)) {
-            all[k] = named_angle(family, angle, (&parameter.map_or("", |p| &p.name), &all[k].1), found);
+    let parameters = family.shapes.iter().chain(&family.domain);
+    for (entry, parameter) in all.iter_mut().zip(parameters) {
+        if let Some(angle) = family.analytic.angle(parameter.var) {
+            *entry = named_angle(family, angle, (&parameter.name, &entry.1), found);
         }
     }
     if let Some(dependent) = &family.dependent {
