@@ -8,7 +8,7 @@ use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Role, Sign, Term, polynomial};
 use basis_engine::{Coordinate, Family, Witness};
 use basis_kernel::algebra::poly::{Poly, Var};
-use basis_kernel::algebra::range::{End, Region};
+use basis_kernel::algebra::range::{End, Range, Region};
 use basis_kernel::algebra::work::Work;
 use basis_kernel::{Certificate, Minors, Proof, Signed, Statement, Values, minor, pieces};
 
@@ -198,8 +198,9 @@ impl Subject<'_> {
             let dims: Vec<String> =
                 dims.iter().map(|(a, b)| format!("({}%Q, {}%Q)", rational(a), rational(b))).collect();
             text += &format!(
-                "    {{ refine (independent_by [{}] [] [{}] [{}]\n      [{}]\n      [{}] A' _ _ _); [run | box |].\n",
+                "    {{ refine (independent_by [{}] {} [{}] [{}]\n      [{}]\n      [{}] A' _ _ _); [run | box |].\n",
                 sides.join("; "),
+                self.defined_on(&variables_of(self.family)),
                 dims.join("; "),
                 functions.join("; "),
                 steps.join(";\n       "),
@@ -314,10 +315,13 @@ impl Subject<'_> {
             self.family.domain.iter().map(|p| range_data(&p.range)).collect()
         };
         sides.extend(free.map(|p| range_data(&p.range)));
+        let open: Vec<(Var, Range)> =
+            variables_of(self.family).into_iter().filter(|(v, _)| env.contains(&v.0)).collect();
         let point: Vec<&str> = env.iter().map(|v| self.names[*v].as_str()).collect();
         text += &format!(
-            "  refine (equal_by [{}] [] {} (Num 0) [{}] _ _); [run | box].\nQed.\n",
+            "  refine (equal_by [{}] {} {} (Num 0) [{}] _ _); [run | box].\nQed.\n",
             sides.join("; "),
+            self.defined_on(&open),
             writer.data(&sum, &env),
             point.join("; ")
         );
@@ -420,6 +424,11 @@ impl Subject<'_> {
         };
         self.family.domain.iter().filter_map(inside).collect()
     }
+}
+
+/// The independent domain variables, and then the shape parameters, with their ranges.
+fn variables_of(family: &Family) -> Vec<(Var, Range)> {
+    family.domain.iter().chain(&family.shapes).map(|p| (p.var, p.range.clone())).collect()
 }
 
 /// The coefficients of the functions, in the basis of the certificate and as sums of coefficients of monomials.

@@ -154,7 +154,12 @@ impl Subject<'_> {
     fn defined(&self, frame: &Frame) -> String {
         let variables: Vec<(Var, Range)> =
             frame.independent.iter().map(|(v, _, range)| (Var(*v), range.clone())).collect();
-        let known = self.obligations.iter().filter_map(|proof| certificate::by_cuts(proof, &variables).ok());
+        self.defined_on(&variables)
+    }
+
+    /// The same for variables with their ranges.
+    pub(super) fn defined_on(&self, variables: &[(Var, Range)]) -> String {
+        let known = self.obligations.iter().filter_map(|proof| certificate::by_cuts(proof, variables).ok());
         let mut all: Vec<String> = known.map(|(above, _)| above).filter(|c| c != "Direct").collect();
         all.dedup();
         format!("[{}]", all.join("; "))
