@@ -79,7 +79,7 @@ impl Ladder<'_> {
         let range = &self.family.domain.first()?.range;
         let (first, last) =
             (self.at(value, 0, work), self.at(value, 1, work).filter(|_| range.high.is_included()));
-        let sign = |value: &Option<Fraction>| value.as_ref().and_then(|v| self.sign(v));
+        let sign = |value: &Option<Fraction>| value.as_ref().map(|v| self.sign(v));
         let growing = match (sign(&first)?, sign(&last)) {
             (_, None) => true,
             (0, Some(0)) if !strict => {
@@ -91,7 +91,7 @@ impl Ladder<'_> {
             (a, Some(b)) if a != b => a < b,
             _ => {
                 let rise = last.as_ref()?.sub_within(first.as_ref()?, work)?;
-                self.sign(&rise)? >= 0
+                self.sign(&rise) >= 0
             }
         };
         if growing {
@@ -111,7 +111,7 @@ impl Ladder<'_> {
     }
 
     /// The sign at a typical point: a guess, from which the steps are chosen.
-    fn sign(&self, value: &Fraction) -> Option<i32> {
+    fn sign(&self, value: &Fraction) -> i32 {
         let point = |p: &Poly| {
             let region = self.family.region();
             let coordinate = |v: Var| {
@@ -122,9 +122,9 @@ impl Ladder<'_> {
             number.as_constant().map_or(0, |c| c.signum())
         };
         if value.is_zero() {
-            return Some(0);
+            return 0;
         }
-        Some(point(value.numer()) * point(value.denom()))
+        point(value.numer()) * point(value.denom())
     }
 }
 
