@@ -182,7 +182,7 @@ mod surface;
 #[allow(dead_code)] // some of it only with some features
 mod vector;
 
-pub use basis::{Array, Basis};
+pub use basis::{Array, Basis, Rounding};
 #[cfg(feature = "macros")]
 pub use basis_macros::basis;
 

@@ -11,6 +11,11 @@ mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
+#[cfg(not(any(test, feature = "rounding")))]
+#[path = "no_rounding.rs"]
+mod rounding;
 mod rust;
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -110,7 +115,8 @@ pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &s
         Some(form) => interval::formulas(family, &form),
         None => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
     };
-    Some(code::docs::family(family, &formulas, verdicts, decided))
+    let bounds = rounding::lines(&rounding::errors(family), family);
+    Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
 }
 
 /// The type of a family, with its documentation and evaluators.

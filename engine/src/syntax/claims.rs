@@ -11,8 +11,8 @@ use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, Loops, Relati
 use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
-const PROPERTIES: [&str; 6] =
-    ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity", "smooth"];
+const PROPERTIES: [&str; 7] =
+    ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity", "smooth", "rounding"];
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
@@ -29,6 +29,7 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
                 "symmetric" => ClaimKind::Symmetric,
                 "continuity" => continuity(input, span)?,
                 "smooth" => smooth(input, span)?,
+                "rounding" => rounding(input, span)?,
                 _ => ClaimKind::Independent(exceptions(input, span)?),
             };
             only = loops(input)?;
@@ -47,7 +48,9 @@ fn property(input: ParseStream<'_>) -> Option<&'static str> {
     let (ident, after) = input.cursor().ident()?;
     let alone = match after.token_tree() {
         None | Some((TokenTree::Ident(_), _)) => true,
-        Some((TokenTree::Punct(p), _)) => p.as_char() == ';',
+        Some((TokenTree::Punct(p), _)) => {
+            p.as_char() == ';' || (ident == "rounding" && "<>=".contains(p.as_char()))
+        }
         Some((TokenTree::Group(_), _)) => ident == "continuity" || ident == "smooth",
         _ => false,
     };
@@ -108,6 +111,16 @@ fn order(input: ParseStream<'_>, word: proc_macro2::Span, name: &str) -> Result<
         return Err(unexpected(&content, "`)`"));
     }
     Ok(order)
+}
+
+/// `rounding <= 5` after its first word.
+fn rounding(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
+    match comparison(input)? {
+        Some(Comparison::LessEqual) => Ok(ClaimKind::Rounding(expr(input)?)),
+        _ => {
+            Err(error(word, "`rounding` needs a bound of the errors", "write `rounding <= 5`, in units of ε"))
+        }
+    }
 }
 
 /// `except λ = -3, λ = 1` or `except (α = 0, β = 1)`: a list of exceptions, each one or several values.

@@ -437,6 +437,8 @@ pub enum ClaimKind {
     Continuity(Expr),
     /// The derivatives up to this order agree at the inner knots of a domain of several spans.
     Smooth(Expr),
+    /// `rounding <= 5`
+    Rounding(Expr),
     /// An equation or inequality.
     Relation(Relation),
     /// Equations and inequalities at fixed values: `at t = 0 { … }`.

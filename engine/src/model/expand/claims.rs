@@ -236,6 +236,28 @@ fn property(
             }
             (format!("continuity({order})"), ClaimKind::Continuity(order))
         }
+        #[cfg(not(any(test, feature = "rounding")))]
+        syntax::ClaimKind::Rounding(_) => {
+            let error = scope.error(
+                span,
+                "claims about rounding need the feature `rounding` of basis-runtime, which is off",
+            );
+            scope
+                .report(error.help(
+                    "switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"rounding\"] }`",
+                ));
+            return None;
+        }
+        #[cfg(any(test, feature = "rounding"))]
+        syntax::ClaimKind::Rounding(bound) => {
+            let value = scope.number(bound, "a bound of rounding errors")?;
+            if !value.is_positive() {
+                let error = scope.error(bound.span, "a bound of rounding errors is a positive number of ε");
+                scope.report(error.help("`basis explain` shows the bound that can be proved"));
+                return None;
+            }
+            (format!("rounding <= {value}"), ClaimKind::Rounding(value))
+        }
         syntax::ClaimKind::Relation(_) | syntax::ClaimKind::At(..) => return None,
     })
 }
