@@ -40,9 +40,11 @@ pub mod plural;
 pub mod published;
 #[cfg(any(test, feature = "tools"))]
 pub mod query;
+#[cfg(any(test, feature = "rounding"))]
+pub mod rounding;
 pub mod source;
 pub mod state;
-#[cfg(any(test, feature = "tools"))]
+#[cfg(any(test, feature = "rounding"))]
 pub mod steps;
 pub mod subject;
 pub mod syntax;

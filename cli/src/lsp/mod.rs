@@ -4,17 +4,12 @@
 //! of the editor, so that a newer version of a text stops the work on an older one, and an answer that needs verdicts
 //! waits for them.
 
-mod actions;
 mod analysis;
-mod complete;
+mod answers;
 mod files;
-mod hover;
-mod marks;
-mod names;
-mod outline;
 mod position;
 mod server;
-mod words;
+mod workspace;
 
 use lsp_server::Connection;
 

@@ -1,6 +1,7 @@
 //! `basis plot`: pictures of basis functions, of curves over them, and of counterexamples.
 //!
-//! Values are computed exactly and rounded once, to the place of a point in the picture.
+//! Values of quotients of polynomials are computed exactly and rounded once, to the place of a point in the picture; those
+//! of sines and exponentials in floating point.
 
 mod curve;
 mod frame;

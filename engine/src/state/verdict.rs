@@ -57,6 +57,11 @@ impl Evidence {
         Self { method, steps }
     }
 
+    /// The method and the proofs.
+    pub(super) fn into_parts(self) -> (String, Vec<(String, Proof)>) {
+        (self.method, self.steps)
+    }
+
     /// The method in a few words; where several steps were needed, the most elaborate one.
     pub fn method(&self) -> &str {
         &self.method

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::{angles, claims, functions, indices, names};
+use super::{angles, claims, functions, indices, names, spans};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
@@ -25,7 +25,22 @@ pub(crate) fn family<'a>(
     written: &'a syntax::Family,
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
+    match spans::spans(written) {
+        Some(decls) => spans::family(library, (unit, source), written, order, decls),
+        None => piece(library, (unit, source), written, order, None),
+    }
+}
+
+/// Expands a family of one order on one span; `span` is its number among how many.
+pub(super) fn piece<'a>(
+    library: &'a Library<'a>,
+    (unit, source): (usize, SourceId),
+    written: &'a syntax::Family,
+    order: &[i64],
+    span: Option<(usize, usize)>,
+) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
+    scope.span = span;
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).listed();
     scope.order = scope.constants.len();
     names::plan(&mut scope, written);
@@ -89,6 +104,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         written: lines_of_functions(scope, written, functions.len()),
         functions,
         over,
+        pieces: Vec::new(),
         base: core::mem::take(&mut scope.base),
         obligations: Vec::new(),
         budget,
@@ -107,7 +123,9 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
 fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> Option<Poly> {
     let rational = |f: &Function| scope.is_over_domain(&Fraction::from(f.value.denom().clone()));
     let mut over = Fraction::constant(Rational::ONE);
-    if !functions.iter().any(rational) {
+    // On several spans a function has one factor on all of them.
+    let several = scope.span.is_some() && functions.iter().any(|f| f.value.as_poly().is_none());
+    if !several && !functions.iter().any(rational) {
         return Some(Poly::one());
     }
     for f in functions {
@@ -138,6 +156,11 @@ fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Paramet
     complete.then_some(shapes)
 }
 
+/// The range of the span that is expanded.
+pub(super) fn of_span<'d>(scope: &Scope<'_>, decls: &'d [RangeDecl]) -> &'d [RangeDecl] {
+    scope.span.and_then(|(k, _)| decls.get(k..=k)).unwrap_or(decls)
+}
+
 /// The independent domain variables, and the last barycentric coordinate of a simplex.
 pub(super) type Domain = (Vec<Parameter>, Option<Parameter>);
 
@@ -160,7 +183,10 @@ pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
             continue;
         }
         let domain = match &statement.kind {
-            StatementKind::Domain(decls) => intervals(scope, decls, &statement.doc).map(|list| (list, None)),
+            StatementKind::Domain(decls) => {
+                let decls = of_span(scope, decls);
+                intervals(scope, decls, &statement.doc).map(|list| (list, None))
+            }
             StatementKind::Simplex(names) => simplex(scope, names, &statement.doc),
             _ => None,
         };

@@ -3,6 +3,9 @@
 mod identity;
 mod independent;
 mod point;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
+mod spans;
 
 use std::rc::Rc;
 
@@ -27,12 +30,18 @@ pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
+#[cfg(any(test, feature = "tools"))]
+pub use rounding::point_error;
+#[cfg(any(test, feature = "rounding"))]
+pub use rounding::value_errors;
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     Some(match kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
+        ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
+        ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
         ClaimKind::Continuity(order) => identity::continuity(family, *order),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
@@ -48,9 +57,16 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let kind = &claim.kind;
+    if let ClaimKind::Spans(parts) = kind {
+        return spans::statements(family, claim, parts);
+    }
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return Some(vec![independent::stated(family, except)]);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = kind {
+        return rounding::statements(family, epsilons);
     }
     let domain = Rc::new(inequality::domain(family, kind.fixed()));
     let comparison = |k: usize| match kind {
@@ -121,6 +137,13 @@ const WIDER: &str =
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    if let ClaimKind::Spans(parts) = &claim.kind {
+        return spans::decide(family, claim, parts);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = &claim.kind {
+        return rounding::decide(family, epsilons);
+    }
     let Some(statements) = statements(family, claim) else {
         return Verdict::Undecided(String::from(TOO_LONG));
     };
@@ -147,6 +170,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::PartitionOfUnity => "expansion of the sum",
         ClaimKind::Symmetric => "expansion of the moved functions",
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
+        ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
         ClaimKind::Independent(_) => "minors",
         _ if equation => "expansion of both sides",
         _ => {
@@ -179,7 +203,7 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
     witness.shown = shown(family, found);
-    if matches!(kind, ClaimKind::Continuity(_)) {
+    if matches!(kind, ClaimKind::Continuity(_) | ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }
     witness.notes = identity::notes(family, kind, &witness);
