@@ -136,7 +136,11 @@ fn text(facts: &FamilyFacts) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
-    section(&mut text, "Rounding errors of evaluation, at most", facts.rounding.iter().map(|r| (&r.of, &r.bound)));
+    section(
+        &mut text,
+        "Rounding errors of evaluation, at most",
+        facts.rounding.iter().map(|r| (&r.of, &r.bound)),
+    );
     for contact in &facts.contacts {
         section(&mut text, &contact.title, pairs(&contact.points));
         if !contact.conditions.is_empty() {
