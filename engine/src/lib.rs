@@ -21,6 +21,11 @@
 
 #![cfg_attr(docsrs, feature(doc_cfg))] // items say which feature they need
 
+/// The Rust of the guide is tested with the engine.
+#[cfg(all(doctest, feature = "tools"))]
+#[doc = include_str!("../../guide/src/engine.md")]
+mod guide {}
+
 mod advice;
 pub mod algebra;
 pub mod claim;

@@ -51,8 +51,8 @@ mod sealed {
 /// How far the computed value of a function may be from the exact one, in units of ε: the distance from 1 to the next
 /// float, [`f32::EPSILON`] or [`f64::EPSILON`].
 ///
-/// A bound holds for all parameters in the domain and all shape values in their ranges, with fused operations or without,
-/// as long as nothing overflows or underflows. `basis!` proves it while a crate is compiled.
+/// A bound holds for all parameters in the domain and all shape values in their ranges, with fused operations or
+/// without, as long as nothing overflows or underflows. `basis!` proves it while a crate is compiled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Rounding {
     /// At most this many ε times the value: a value that is 0 is computed as 0.

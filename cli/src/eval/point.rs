@@ -13,13 +13,13 @@ use crate::args::Assignment;
 use crate::output::error;
 
 /// Of a family on several spans the first one that contains the value of the domain variable.
-pub(super) fn on_span(family: Rc<Family>, at: &[Assignment]) -> Rc<Family> {
+pub(super) fn on_span(family: &Rc<Family>, at: &[Assignment]) -> Rc<Family> {
     let holds = |piece: &&Rc<Family>| {
         let [variable] = piece.domain.as_slice() else { return false };
         let given = at.iter().find(|a| a.name == variable.name);
         given.is_some_and(|a| variable.range.contains(&a.value))
     };
-    family.pieces.iter().find(holds).or(family.pieces.first()).map_or(family.clone(), Rc::clone)
+    family.pieces.iter().find(holds).or(family.pieces.first()).unwrap_or(family).clone()
 }
 
 /// A value for each shape parameter and each domain variable.

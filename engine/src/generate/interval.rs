@@ -120,37 +120,38 @@ impl Emitter<'_> {
         let (form_type, bind) = self.bind();
         let solutions = self.ends.solutions();
         quote_spanned! {site()=>
-                    type Scalar = S;
-                    type Values = [S; #len];
-                    type Points<T: #core::marker::Copy> = [T; #len];
-                    type Bernstein<T: #core::marker::Copy> = [T; #terms];
-                    type Form<P: #runtime::Point<Scalar = S>> = #form_type;
+            type Scalar = S;
+            type Values = [S; #len];
+            type Points<T: #core::marker::Copy> = [T; #len];
+            type Bernstein<T: #core::marker::Copy> = [T; #terms];
+            type Form<P: #runtime::Point<Scalar = S>> = #form_type;
 
-                    const NAME: &'static str = #title;
-        #rounding
+            const NAME: &'static str = #title;
 
-                    #[inline]
-                    fn domain() -> [S; 2] {
-                        [#low, #high]
-                    }
+            #rounding
 
-                    #[inline]
-                    fn values(&self, t: S) -> [S; #len] {
-                        Self::values(self, t)
-                    }
+            #[inline]
+            fn domain() -> [S; 2] {
+                [#low, #high]
+            }
 
-                    #[inline]
-                    fn bernstein_weights(&self) -> [[S; #len]; #terms] {
-                        #weights
-                    }
+            #[inline]
+            fn values(&self, t: S) -> [S; #len] {
+                Self::values(self, t)
+            }
 
-                    #[inline]
-                    fn bind<P: #runtime::Point<Scalar = S>>(&self, points: &[P; #len]) -> Self::Form<P> {
-                        #bind
-                    }
+            #[inline]
+            fn bernstein_weights(&self) -> [[S; #len]; #terms] {
+                #weights
+            }
 
-                    #solutions
-                }
+            #[inline]
+            fn bind<P: #runtime::Point<Scalar = S>>(&self, points: &[P; #len]) -> Self::Form<P> {
+                #bind
+            }
+
+            #solutions
+        }
     }
 
     /// The code of a plan in a method with the parameter `t` or the control points `points`.

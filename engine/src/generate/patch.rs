@@ -202,31 +202,33 @@ impl Emitter<'_> {
         };
         let triangle = (self.corners() == 3 && family.is_simplex()).then(|| self.triangle());
         quote_spanned! {site()=>
-                    #[allow(clippy::all, clippy::pedantic)]
-                    impl<S: #runtime::Scalar> #basis for #name<S> {
-                        type Scalar = S;
-                        type Coordinates = [S; #k];
-                        type Orders = [usize; #orders];
-                        type Values = [S; #len];
-                        type Points<T: #core::marker::Copy> = [T; #len];
-                        type Bernstein<T: #core::marker::Copy> = [T; #terms];
+            #[allow(clippy::all, clippy::pedantic)]
+            impl<S: #runtime::Scalar> #basis for #name<S> {
+                type Scalar = S;
+                type Coordinates = [S; #k];
+                type Orders = [usize; #orders];
+                type Values = [S; #len];
+                type Points<T: #core::marker::Copy> = [T; #len];
+                type Bernstein<T: #core::marker::Copy> = [T; #terms];
 
-                        const NAME: &'static str = #title;
-        #rounding
-                        #shape
+                const NAME: &'static str = #title;
 
-                        #[inline]
-                        fn values(&self, at: [S; #k]) -> [S; #len] {
-                            Self::values(self, at)
-                        }
+                #rounding
 
-                        fn bernstein_weights(&self) -> [[S; #len]; #terms] {
-                            #weights
-                        }
-                    }
+                #shape
 
-                    #triangle
+                #[inline]
+                fn values(&self, at: [S; #k]) -> [S; #len] {
+                    Self::values(self, at)
                 }
+
+                fn bernstein_weights(&self) -> [[S; #len]; #terms] {
+                    #weights
+                }
+            }
+
+            #triangle
+        }
     }
 
     /// What only a triangle has: edges. When on every edge the functions of its control points alone are different from

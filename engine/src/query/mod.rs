@@ -2,8 +2,8 @@
 //! claims that hold of a family, formulas in LaTeX, the text in its standard layout.
 //!
 //! Names, words and layout are read from the text alone, so that there are answers while a spec is being typed and
-//! cannot be read as a whole. Facts about families come from the same functions that `basis explain` prints, and a claim
-//! is called true when the kernel has accepted a proof of it.
+//! cannot be read as a whole. Facts about families come from the same functions that `basis explain` prints, and a
+//! claim is called true when the kernel has accepted a proof of it.
 
 mod complete;
 mod document;

@@ -1,8 +1,8 @@
 //! Bounds of the error itself, for results that change their sign, and of points relative to the largest control point.
 //!
 //! The shares wₖvₖ that have one sign on a cell are added before their sum is enclosed; any other one lies between −m
-//! and m for a number m. A point is linear in the control points Pᵢ, and so are the shares: with max |Pᵢ| = 1, |wₖvₖ| is
-//! at most the sum of the absolute values of their coefficients.
+//! and m for a number m. A point is linear in the control points Pᵢ, and so are the shares: with max |Pᵢ| = 1, |wₖvₖ|
+//! is at most the sum of the absolute values of their coefficients.
 
 use std::rc::Rc;
 

@@ -228,8 +228,8 @@ impl<'a> Exact<'a> {
         found
     }
 
-    /// The steps that a step is made of, down to values that are exact or off by one rounding, and the step itself, from
-    /// the first to the last.
+    /// The steps that a step is made of, down to values that are exact or off by one rounding, and the step itself,
+    /// from the first to the last.
     pub(super) fn reached(&self, of: usize) -> Vec<usize> {
         let mut reached = vec![false; of + 1];
         reached[of] = true;

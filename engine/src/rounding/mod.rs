@@ -1,16 +1,16 @@
 //! Proved bounds of rounding errors.
 //!
-//! The value that floats give for a function is that of its [`Steps`] in which step k is multiplied by 1 + δₖ, |δₖ| ≤ u,
-//! where u = ε/2 is half the distance from 1 to the next float. To first order the error is Σ δₖ·wₖvₖ, with vₖ the exact
-//! value of the step and wₖ the derivative of the result with respect to it. Both are rational functions of the inputs,
-//! so that a bound is a statement like any other one about signs, which the kernel decides:
+//! The value that floats give for a function is that of its [`Steps`] in which step k is multiplied by 1 + δₖ, |δₖ| ≤
+//! u, where u = ε/2 is half the distance from 1 to the next float. To first order the error is Σ δₖ·wₖvₖ, with vₖ the
+//! exact value of the step and wₖ the derivative of the result with respect to it. Both are rational functions of the
+//! inputs, so that a bound is a statement like any other one about signs, which the kernel decides:
 //!
 //! - *relative*, κ·u times the value: κ·|v| − Σ|wₖvₖ| ≥ 0; file `relative`;
 //! - *absolute*, c·u, for functions that change their sign: c − Σ|wₖvₖ| ≥ 0; file `absolute`.
 //!
-//! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file `rest`.
-//! Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of two, and
-//! differences a − b with b/2 ≤ a ≤ 2b (Sterbenz), for which the domain is cut into cells.
+//! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file
+//! `rest`. Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of
+//! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz), for which the domain is cut into cells.
 //!
 //! A fused multiplication and addition rounds less, so that the bounds hold for fused code, too. They hold as long as
 //! nothing overflows; each product that underflows adds half the smallest float.

@@ -5,10 +5,10 @@
 //!
 //! A·((1 + u)ᵈ − 1 − d u) ≤ A·(d u)² if d u ≤ 1.
 //!
-//! A product ∏ (1 + xᵢ)^mᵢ differs from 1 + Σ mᵢxᵢ by at most ∏ (1 − |xᵢ|)^−|mᵢ| − 1 − Σ |mᵢ||xᵢ|, because the series of
-//! the latter has the absolute values of the coefficients of the former. With S = Σ |mᵢ||xᵢ| ≤ 1/4 this is at most 3S²:
-//! −ln(1 − x) ≤ x + x² for 0 ≤ x ≤ 1/2, so that the logarithm of the product is at most z = S + S², and eᶻ ≤ 1 + z + z²
-//! for 0 ≤ z ≤ 1.
+//! A product ∏ (1 + xᵢ)^mᵢ differs from 1 + Σ mᵢxᵢ by at most ∏ (1 − |xᵢ|)^−|mᵢ| − 1 − Σ |mᵢ||xᵢ|, because the series
+//! of the latter has the absolute values of the coefficients of the former. With S = Σ |mᵢ||xᵢ| ≤ 1/4 this is at most
+//! 3S²: −ln(1 − x) ≤ x + x² for 0 ≤ x ≤ 1/2, so that the logarithm of the product is at most z = S + S², and eᶻ ≤ 1 + z
+//! + z² for 0 ≤ z ≤ 1.
 
 use crate::algebra::rational::Rational;
 

@@ -61,7 +61,10 @@ pub fn instances(
         Subject::Family(family) if given.is_empty() => {
             let stated =
                 family::statements(family, claim).ok_or("the budget is spent on a common denominator")?;
-            Ok(stated.into_iter().filter(|s| !family::is_wider(family, &s.statement)).listed())
+            Ok(stated
+                .into_iter()
+                .filter(|s| !s.is_stronger && !family::is_wider(family, &s.statement))
+                .listed())
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

@@ -1,11 +1,12 @@
 //! Where curves meet: by exclusion of parts that are apart, and a test that two parts meet at most once.
 //!
-//! Two parts `A(x)` and `B(y)` are put aside when their boxes, or their control points along the direction from one to the
-//! other, are farther apart than the accuracy. With a matrix `M` near the inverse of the derivative of `F = A - B` in the
-//! middle and `q = max |M F' - 1| < 1` over both parts, from the control points of the derivatives, `F` has at most one zero,
-//! and that lies within `q/2` of the place to which Newton's step leads from the middle (the operator of Krawczyk): if that
-//! is outside of both parts there is none; otherwise Newton's method finds it. All others are halved, until they are so
-//! short, or so straight, that they are one answer within the accuracy. So nothing is left out.
+//! Two parts `A(x)` and `B(y)` are put aside when their boxes, or their control points along the direction from one to
+//! the other, are farther apart than the accuracy. With a matrix `M` near the inverse of the derivative of `F = A - B`
+//! in the middle and `q = max |M F' - 1| < 1` over both parts, from the control points of the derivatives, `F` has at
+//! most one zero, and that lies within `q/2` of the place to which Newton's step leads from the middle (the operator of
+//! Krawczyk): if that is outside of both parts there is none; otherwise Newton's method finds it. All others are
+//! halved, until they are so short, or so straight, that they are one answer within the accuracy. So nothing is left
+//! out.
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -205,8 +206,8 @@ impl Search {
         }
     }
 
-    /// Whether the curve goes on in one direction from the first part to the second, so that they meet only there; also if
-    /// both are as short as the accuracy.
+    /// Whether the curve goes on in one direction from the first part to the second, so that they meet only there; also
+    /// if both are as short as the accuracy.
     #[inline]
     fn goes_on(&self, pair: &Pair) -> bool {
         let mut all = velocities(&pair.first);
@@ -370,8 +371,8 @@ fn beside(part: &CurvePiece, other: &CurvePiece, accuracy: f64) -> Option<[f64; 
     (from <= to).then(|| [part.parameter(from), part.parameter(to)])
 }
 
-/// An interval outside of which a polynomial with these Bernstein coefficients is negative, from the hull of its control
-/// polygon; `[1, 0]` if it is negative everywhere.
+/// An interval outside of which a polynomial with these Bernstein coefficients is negative, from the hull of its
+/// control polygon; `[1, 0]` if it is negative everywhere.
 #[inline]
 fn not_negative(coefficients: &[f64]) -> [f64; 2] {
     let degree = coefficients.len().saturating_sub(1).max(1) as f64;

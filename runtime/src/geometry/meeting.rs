@@ -37,8 +37,8 @@ pub struct Meeting<P: Point> {
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 #[non_exhaustive]
 pub struct PlaneMeeting<P: Point> {
-    /// [`Crossing`](MeetingKind::Crossing) if the curve goes on at the other side, [`Contact`](MeetingKind::Contact) if it
-    /// touches the plane or ends there, [`Overlap`](MeetingKind::Overlap) if a piece of it lies in the plane.
+    /// [`Crossing`](MeetingKind::Crossing) if the curve goes on at the other side, [`Contact`](MeetingKind::Contact) if
+    /// it touches the plane or ends there, [`Overlap`](MeetingKind::Overlap) if a piece of it lies in the plane.
     pub kind: MeetingKind,
     /// The parameters between which they meet here; equal but for an overlap.
     pub interval: [P::Scalar; 2],

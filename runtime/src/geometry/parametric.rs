@@ -57,8 +57,8 @@ pub trait ParametricCurve {
     /// The parts before and after `t`, over domains of their own.
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
-    /// part would be a point.
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where
+    /// one part would be a point.
     fn split(&self, t: CurveScalar<Self>) -> Result<[Self::Part; 2], CurveError>
     where
         Self: Sized;
@@ -136,8 +136,8 @@ pub trait ParametricCurve {
 
     /// The unit vector in which the curve goes on at `t`.
     ///
-    /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that of
-    /// arriving. `None` if the curve is a point there, and if anything is not finite.
+    /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that
+    /// of arriving. `None` if the curve is a point there, and if anything is not finite.
     fn tangent(&self, t: CurveScalar<Self>) -> Option<Self::Point> {
         let mut first = [Self::Point::zero(); 2];
         self.derivatives_into(t, &mut first);
@@ -158,7 +158,8 @@ pub trait ParametricCurve {
         CurveScalar::<Self>::of(pieces.iter().map(CurvePiece::largest).fold(0.0, f64::max))
     }
 
-    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the left.
+    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the
+    /// left.
     ///
     /// Infinite or NaN where the velocity vanishes.
     fn curvature(&self, t: CurveScalar<Self>) -> CurveScalar<Self> {
@@ -337,11 +338,11 @@ pub trait ParametricCurve {
     /// All places at which the curve meets another one, in the order of its own parameter.
     ///
     /// None is missed: every pair of parameters at which the curves have a point in common lies in one of the answers,
-    /// up to rounding errors. An answer is a pair of parameters, or an interval of each curve in which they are nearer to
-    /// each other than about `accuracy`, also where they touch or run along each other; in space the curves need not meet
-    /// exactly to be an answer. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN, asks for
-    /// what the scalar type can give; curves that run along each other take the longer the smaller it is. `None` if a
-    /// control point is not finite.
+    /// up to rounding errors. An answer is a pair of parameters, or an interval of each curve in which they are nearer
+    /// to each other than about `accuracy`, also where they touch or run along each other; in space the curves need not
+    /// meet exactly to be an answer. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN,
+    /// asks for what the scalar type can give; curves that run along each other take the longer the smaller it is.
+    /// `None` if a control point is not finite.
     ///
     /// ```
     /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve};
@@ -377,8 +378,8 @@ pub trait ParametricCurve {
     }
 
     /// All places at which the curve meets the plane through `point` with that normal, in the plane the line, in the
-    /// order of the parameter: zeros of a polynomial, isolated by changes of sign, so that none is missed. `None` if the
-    /// normal is zero or anything is not finite.
+    /// order of the parameter: zeros of a polynomial, isolated by changes of sign, so that none is missed. `None` if
+    /// the normal is zero or anything is not finite.
     ///
     /// ```
     /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve};

@@ -47,8 +47,8 @@ impl Cell {
         [[u0, v0], [u1, v0], [u1, v1], [u0, v1]]
     }
 
-    /// The direction in which to cut: across what bends more, or across the wider side if neither says much; `None` of a
-    /// rectangle that is as small as parameters allow.
+    /// The direction in which to cut: across what bends more, or across the wider side if neither says much; `None` of
+    /// a rectangle that is as small as parameters allow.
     fn direction(self, flatness: &Flatness) -> Option<usize> {
         let [h, k] = [0, 1].map(|c| self.to[c] - self.from[c]);
         if h <= 1 && k <= 1 {
@@ -202,8 +202,8 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         }
     }
 
-    /// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the bounds
-    /// over some thousand of them tell, always over those that need most.
+    /// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the
+    /// bounds over some thousand of them tell, always over those that need most.
     fn foreseen(&self) -> Result<(), MeshError> {
         let mut heap = BinaryHeap::new();
         heap.push(Estimate::new(self, self.whole()));
@@ -311,8 +311,8 @@ impl Cells {
         Ok(())
     }
 
-    /// Cuts rectangles whose triangles are moved too far by the corners of neighbours on their sides; whether there were
-    /// any.
+    /// Cuts rectangles whose triangles are moved too far by the corners of neighbours on their sides; whether there
+    /// were any.
     pub(super) fn refine<S: Scalar>(&mut self, sheet: &Sheet<'_, S>) -> Result<bool, MeshError> {
         let leaves = core::mem::take(&mut self.leaves);
         let mut open = Vec::new();

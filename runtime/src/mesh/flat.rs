@@ -5,12 +5,12 @@
 //!
 //! - The distance from `K` is a convex function, so that the surface is nowhere farther from `K` than a control point.
 //! - The nearest point of `K` is a continuous function of the point of the surface. Every point of `K` is its value
-//!   somewhere, but for those between a side and the curve along it; these are no farther from the curve than its control
-//!   points are from the side.
+//! somewhere, but for those between a side and the curve along it; these are no farther from the curve than its control
+//! points are from the side.
 //!
 //! So with the largest distance of the control points from the triangles, or from the side to which they belong, plus
-//! `t`, every point of the surface is that near to the triangles, and every point of these to the surface. Nothing is said
-//! about parameters: a surface whose points move in its own plane needs no more triangles for that.
+//! `t`, every point of the surface is that near to the triangles, and every point of these to the surface. Nothing is
+//! said about parameters: a surface whose points move in its own plane needs no more triangles for that.
 
 use alloc::vec::Vec;
 
@@ -88,8 +88,8 @@ pub(super) struct Flatness {
     pub(super) distance: f64,
 }
 
-/// What nine points say, those in the middle of the sides and of the rectangle among them: how much the surface bends, and
-/// how far it is at least from the triangles. `at` takes halves of the rectangle, from 0 to 2.
+/// What nine points say, those in the middle of the sides and of the rectangle among them: how much the surface bends,
+/// and how far it is at least from the triangles. `at` takes halves of the rectangle, from 0 to 2.
 pub(super) fn sampled(corners: [P3; 4], at: impl Fn([u32; 2]) -> P3) -> Flatness {
     let [a, b, c, d] = corners;
     let [low, high, left, right] = [[1, 0], [1, 2], [0, 1], [2, 1]].map(&at);

@@ -15,10 +15,10 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 
 /// Surfaces that become one mesh.
 ///
-/// Every point of a triangle is nearer to its surface than the tolerance, and every point of a surface nearer than that to
-/// the mesh; this is proved from the control points over each part ([`BoundedSurface`]) and not only tested at samples. The
-/// distance is that of points, whatever the parameters: flat regions need few triangles, also where the parameters are
-/// uneven, and a cylinder is cut around but not along its axis.
+/// Every point of a triangle is nearer to its surface than the tolerance, and every point of a surface nearer than that
+/// to the mesh; this is proved from the control points over each part ([`BoundedSurface`]) and not only tested at
+/// samples. The distance is that of points, whatever the parameters: flat regions need few triangles, also where the
+/// parameters are uneven, and a cylinder is cut around but not along its axis.
 ///
 /// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long
 /// edge meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share
@@ -77,8 +77,8 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
         Ok(self)
     }
 
-    /// With triangles at whose corners the normals of the surface differ by no more than this angle in radians along each
-    /// side, for smooth shading.
+    /// With triangles at whose corners the normals of the surface differ by no more than this angle in radians along
+    /// each side, for smooth shading.
     ///
     /// # Errors
     /// When the angle is not positive.
@@ -104,8 +104,8 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     /// The mesh of all surfaces; empty without any.
     ///
     /// # Errors
-    /// When a surface is infinite or NaN, when it is a curve or a point, as a whole or in part, so that no triangles can
-    /// stand for it, or when the tolerance is so small that a surface would need millions of triangles.
+    /// When a surface is infinite or NaN, when it is a curve or a point, as a whole or in part, so that no triangles
+    /// can stand for it, or when the tolerance is so small that a surface would need millions of triangles.
     pub fn mesh(&self) -> Result<Mesh<S>, MeshError> {
         // What the seams take of the tolerance is left to them: positions that become one are nowhere farther than that
         // from it.
@@ -295,8 +295,8 @@ impl<S: Scalar> Builder<S> {
         }
     }
 
-    /// Numbers the positions and leaves out triangles that have become edges or points. If nothing else stands for such a
-    /// triangle, the surface that has lost it.
+    /// Numbers the positions and leaves out triangles that have become edges or points. If nothing else stands for such
+    /// a triangle, the surface that has lost it.
     fn finish(self, classes: &mut Classes<S>) -> Result<Mesh<S>, usize> {
         let mut positions = Vec::new();
         let mut number = alloc::vec![0_u32; self.points.len()];

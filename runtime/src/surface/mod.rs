@@ -61,8 +61,8 @@ pub trait Surface {
     /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` of the orders `[i, j]`; the point itself for `[0, 0]`.
     fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> Self::Point;
 
-    /// The partial derivatives `out[i * count + j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < count`; what has no
-    /// partner in `out` is left alone.
+    /// The partial derivatives `out[i * count + j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < count`; what has
+    /// no partner in `out` is left alone.
     fn partials_into(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, count: usize, out: &mut [Self::Point]) {
         if count > 0 {
             for (n, out) in out.iter_mut().enumerate().take(count.saturating_mul(count)) {
@@ -164,8 +164,8 @@ pub trait Surface {
     }
 }
 
-/// [`Surface::partials_into`] of a type with an `eval_with_partials` of its own: the numbers that normals and curvatures
-/// ask for go through it, others one by one.
+/// [`Surface::partials_into`] of a type with an `eval_with_partials` of its own: the numbers that normals and
+/// curvatures ask for go through it, others one by one.
 macro_rules! partials_by_number {
     () => {
         #[inline]

@@ -15,8 +15,8 @@ use crate::{Basis, CurveError, Nearest, Point, Point3, Scalar, SurfaceOfRevoluti
 /// S(u, v) = Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j] P[i,j] / Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j]
 /// ```
 ///
-/// with `x = (u - lo_u) / (hi_u - lo_u)` and `y` likewise; on a surface of revolution `v` is the angle and `y` the parameter
-/// of a rational quadratic arc, which grows with it.
+/// with `x = (u - lo_u) / (hi_u - lo_u)` and `y` likewise; on a surface of revolution `v` is the angle and `y` the
+/// parameter of a rational quadratic arc, which grows with it.
 #[derive(Clone, Debug)]
 pub struct SurfacePiece {
     pub(crate) domain: [[f64; 2]; 2],
@@ -26,8 +26,8 @@ pub struct SurfacePiece {
 }
 
 impl SurfacePiece {
-    /// The polynomial patch over a rectangle with these Bézier control points, row by row; a row belongs to one function
-    /// of `u`, and there are `rows` of them.
+    /// The polynomial patch over a rectangle with these Bézier control points, row by row; a row belongs to one
+    /// function of `u`, and there are `rows` of them.
     ///
     /// # Errors
     /// [`CurveError::Length`] if the points cannot be divided into so many equal rows.
@@ -45,8 +45,8 @@ impl SurfacePiece {
     /// The rational patch over a rectangle with these Bézier control points and weights, row by row.
     ///
     /// # Errors
-    /// [`CurveError::Length`] if the points cannot be divided into so many equal rows, or there is not one weight for each
-    /// of them, [`CurveError::Weight`] if a weight is not positive and finite.
+    /// [`CurveError::Length`] if the points cannot be divided into so many equal rows, or there is not one weight for
+    /// each of them, [`CurveError::Weight`] if a weight is not positive and finite.
     #[inline]
     pub fn rational<P: Point>(
         domain: [[P::Scalar; 2]; 2],
@@ -148,9 +148,9 @@ pub trait BoundedSurface: Surface {
     /// The rational Bézier patches of which the surface consists.
     fn pieces(&self) -> Vec<SurfacePiece>;
 
-    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never too
-    /// small up to rounding errors. Infinite if a weight of the Bézier form is not positive. NaN in a component in which a
-    /// control point is NaN.
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never
+    /// too small up to rounding errors. Infinite if a weight of the Bézier form is not positive. NaN in a component in
+    /// which a control point is NaN.
     fn control_box(&self) -> [Self::Point; 2] {
         let pieces = self.pieces();
         let side = |c: usize, sign: f64| {
@@ -188,10 +188,10 @@ pub trait BoundedSurface: Surface {
     ///
     /// It is a global minimum: its distance exceeds [`at_least`](Nearest::at_least), which no point of the surface is
     /// nearer than, by no more than `accuracy`. An `accuracy` below some 64 `ε` times the greatest distance of a Bézier
-    /// control point, also zero or NaN, asks for what the scalar type can give. Where very many points are almost equally
-    /// near, such as around the centre of a sphere, the work ends earlier: the point is still a minimum, and `at_least`
-    /// says how much is proved. `None` if the point, the surface or the distance is not finite, or a weight of the Bézier
-    /// form is not positive.
+    /// control point, also zero or NaN, asks for what the scalar type can give. Where very many points are almost
+    /// equally near, such as around the centre of a sphere, the work ends earlier: the point is still a minimum, and
+    /// `at_least` says how much is proved. `None` if the point, the surface or the distance is not finite, or a weight
+    /// of the Bézier form is not positive.
     fn nearest(
         &self,
         point: Self::Point,

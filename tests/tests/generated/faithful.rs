@@ -1,5 +1,5 @@
-//! The steps of the engine are what the compiled code does: interpreted in `f32` and `f64` they give the same floats, bit
-//! for bit but for the sign of a zero, and exactly they give the functions of the spec.
+//! The steps of the engine are what the compiled code does: interpreted in `f32` and `f64` they give the same floats,
+//! bit for bit but for the sign of a zero, and exactly they give the functions of the spec.
 
 use basis_engine::algebra::rational::Rational;
 use basis_engine::plan::Input;

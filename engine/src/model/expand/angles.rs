@@ -28,6 +28,10 @@ pub(super) fn occur(written: &syntax::Family) -> bool {
 
 /// Whether a shape parameter stands at an end of the domain.
 fn parametric_ends(written: &syntax::Family) -> bool {
+    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
+        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
+            || parts(expr).into_iter().any(|part| names(part, declared))
+    }
     let declared = |name: &String| {
         written
             .statements

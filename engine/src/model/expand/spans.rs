@@ -1,5 +1,5 @@
-//! Families on several neighbouring spans of one variable. Each span is a family of its own, with the formulas of that span;
-//! what is claimed of the whole is claimed on every span, or of its knots.
+//! Families on several neighbouring spans of one variable. Each span is a family of its own, with the formulas of that
+//! span; what is claimed of the whole is claimed on every span, or of its knots.
 
 use std::rc::Rc;
 

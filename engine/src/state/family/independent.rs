@@ -35,7 +35,7 @@ pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
     let Table { rows, symmetries } =
         if family.pieces.is_empty() { coefficient_table(family) } else { table_of_spans(family) };
     let statement = Statement::Independent { rows, except: except.to_vec(), region: family.shape_region() };
-    Stated { of: String::from(COEFFICIENTS), statement, symmetries }
+    Stated { of: String::from(COEFFICIENTS), statement, symmetries, is_stronger: false }
 }
 
 /// The tables of all spans beside one another.

@@ -2,6 +2,7 @@
 
 mod identity;
 mod independent;
+mod ladder;
 mod point;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
@@ -76,13 +77,27 @@ pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     };
     let expressions =
         basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?.into_iter();
-    let stated = |(k, (of, value)): (usize, (String, Fraction))| {
+    let mut all = Vec::new();
+    for (k, (of, value)) in expressions.enumerate() {
         let comparison = comparison(k);
-        let (of, value) =
-            if comparison == Comparison::Equal { (of, value) } else { without_numbers(family, of, value) };
-        Stated::new(of, compared(&value, comparison, &domain))
-    };
-    Some(expressions.enumerate().map(stated).listed())
+        let beside = basis_prover::working(family.budget, &mut |work| {
+            Some(ladder::steps(family, &of, &value, comparison, work))
+        });
+        if let Some(steps) = beside.flatten() {
+            for ladder::Step { of, value, comparison } in steps {
+                let (of, value) = without_numbers(family, of, value);
+                let stated = Stated::new(of, compared(&value, comparison, &domain));
+                all.push(Stated { is_stronger: true, ..stated });
+            }
+            continue;
+        }
+        let (of, value) = match comparison {
+            Comparison::Equal => (of, value),
+            _ => without_numbers(family, of, value),
+        };
+        all.push(Stated::new(of, compared(&value, comparison, &domain)));
+    }
+    Some(all)
 }
 
 /// A value without the powers of π and exp(r) that are its factors: they are positive and play no part in its sign.
@@ -147,9 +162,12 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let Some(statements) = statements(family, claim) else {
         return Verdict::Undecided(String::from(TOO_LONG));
     };
+    let stronger: Vec<String> = statements.iter().filter(|s| s.is_stronger).map(|s| s.of.clone()).listed();
     match all(statements, family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
-        Err((of, Failure::Refuted(found))) if is_wider(family, found.refutation.statement()) => {
+        Err((of, Failure::Refuted(found)))
+            if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
+        {
             Verdict::Undecided(format!("`{of}`: {WIDER}"))
         }
         Err((of, Failure::Refuted(found))) => {
@@ -181,11 +199,20 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 }
 
 /// How the expression of a statement compares with zero, as the claim has it.
-fn stated_comparison(kind: &ClaimKind, of: &str, statement: &Statement) -> Option<Comparison> {
+fn stated_comparison(
+    family: &Family,
+    kind: &ClaimKind,
+    of: &str,
+    statement: &Statement,
+) -> Option<Comparison> {
     let ClaimKind::Relation { differences, .. } = kind else { return Some(Comparison::Equal) };
     let (Statement::Zero { domain, .. } | Statement::Sign { domain, .. }) = statement else { return None };
     let own = |(comparison, d): &&(Comparison, Difference)| {
-        d.text == of && compared(&d.value, *comparison, domain) == *statement
+        let (text, value) = match comparison {
+            Comparison::Equal => (d.text.clone(), d.value.clone()),
+            _ => without_numbers(family, d.text.clone(), d.value.clone()),
+        };
+        text == of && compared(&value, *comparison, domain) == *statement
     };
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }
@@ -197,7 +224,8 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     }
     let at = named_point(family, found, kind.fixed());
     // Of the statements of a chain several may be about one expression.
-    let comparison = stated_comparison(kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
+    let comparison =
+        stated_comparison(family, kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
     let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
