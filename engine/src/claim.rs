@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::model::budget::{Run, TooLarge};
 pub use crate::syntax::{Comparison, Expected};
@@ -54,6 +55,13 @@ pub enum ClaimKind {
     Independent(Vec<Values>),
     /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
     Continuity(u32),
+    /// The derivatives up to this order agree at the inner knots of a domain of several spans.
+    Smooth(u32),
+    /// Of a domain of several spans: what is claimed on those with these numbers.
+    Spans(Vec<(usize, ClaimKind)>),
+    /// The computed values of all functions are within this many ε of the exact ones: relative, or absolute for a
+    /// function that has no relative bound.
+    Rounding(Rational),
     /// Every difference compares with zero as stated, on the declared ranges.
     Relation {
         /// Left side minus right side and how it compares with zero, for each component of two neighbouring sides.

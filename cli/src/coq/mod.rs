@@ -70,7 +70,9 @@ impl Export {
                     continue;
                 }
             };
-            let Some(formulas) = &decided.formulas else {
+            // Tangents in place of angles, and formulas by span, have no counterpart either.
+            let plain = family.analytic.is_empty() && family.pieces.is_empty();
+            let Some(formulas) = decided.formulas.as_ref().filter(|_| plain) else {
                 let why = "a formula of the family has no counterpart";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;

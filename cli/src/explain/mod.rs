@@ -55,12 +55,18 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     let run = &mut Run::default();
     let mut all = Vec::new();
     let mut left_out = 0;
-    for family in families.unwrap_or_default() {
+    // On several spans each has formulas of its own.
+    let spans = |family: Rc<Family>| {
+        if family.pieces.is_empty() { vec![family] } else { family.pieces.clone() }
+    };
+    for family in families.unwrap_or_default().into_iter().flat_map(spans) {
         if run.is_spent() {
             left_out += 1;
             continue;
         }
-        let checked = (wanted == Claims::Shown).then(|| checked(&library, &family, run)).flatten();
+        // Claims are about all spans together, and stand with the first one.
+        let seen = all.iter().any(|facts| matches!(facts, Facts::Family(f) if f.title == family.title()));
+        let checked = (wanted == Claims::Shown && !seen).then(|| checked(&library, &family, run)).flatten();
         let facts = run.counted_work(family.budget, &mut || FamilyFacts::new(&family, checked.as_ref()));
         all.push(Facts::Family(Box::new(facts)));
     }
@@ -132,6 +138,11 @@ fn text(facts: &FamilyFacts) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
+    section(
+        &mut text,
+        "Rounding errors of evaluation, at most",
+        facts.rounding.iter().map(|r| (&r.of, &r.bound)),
+    );
     for contact in &facts.contacts {
         section(&mut text, &contact.title, pairs(&contact.points));
         if !contact.conditions.is_empty() {

@@ -18,6 +18,10 @@ mod theorem;
 mod theorem;
 mod verdict;
 
+#[cfg(any(test, feature = "tools"))]
+pub use family::point_error;
+#[cfg(any(test, feature = "rounding"))]
+pub use family::value_errors;
 pub use family::{Table, coefficient_table, statements as family_statements};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};
@@ -57,7 +61,10 @@ pub fn instances(
         Subject::Family(family) if given.is_empty() => {
             let stated =
                 family::statements(family, claim).ok_or("the budget is spent on a common denominator")?;
-            Ok(stated.into_iter().filter(|s| !family::is_wider(family, &s.statement)).listed())
+            Ok(stated
+                .into_iter()
+                .filter(|s| !s.is_stronger && !family::is_wider(family, &s.statement))
+                .listed())
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

@@ -294,8 +294,10 @@ pub struct FunctionDef {
     pub name: Name,
     /// The indices.
     pub indices: Vec<Expr>,
-    /// The formula.
+    /// The formula; of a function on several spans that on the first one.
     pub value: Expr,
+    /// The formulas on the other spans, `… | … | …`; none for a formula that stands for all of them.
+    pub further: Vec<Expr>,
     /// What the index variables run over.
     pub loops: Loops,
 }
@@ -433,6 +435,10 @@ pub enum ClaimKind {
     Independent(Vec<Vec<Binding>>),
     /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
     Continuity(Expr),
+    /// The derivatives up to this order agree at the inner knots of a domain of several spans.
+    Smooth(Expr),
+    /// `rounding <= 5`
+    Rounding(Expr),
     /// An equation or inequality.
     Relation(Relation),
     /// Equations and inequalities at fixed values: `at t = 0 { … }`.

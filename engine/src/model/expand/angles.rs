@@ -11,14 +11,13 @@ use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
 use crate::model::formula::numbers::range_of;
-use crate::model::formula::phase::{Linear, is_transcendental};
+use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
+use crate::model::words::{PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
-
-/// The name of the number.
-pub(crate) const PI: [&str; 2] = ["pi", "π"];
+use basis_prover::collections::map::SortedMap;
 
 /// Whether sin, cos, exp and the like, or π, occur in a family, or a shape parameter at an end of the domain.
 pub(super) fn occur(written: &syntax::Family) -> bool {
@@ -35,15 +34,17 @@ fn parametric_ends(written: &syntax::Family) -> bool {
             .iter()
             .any(|s| matches!(&s.kind, StatementKind::Shape(decl) if decl.name.text == *name))
     };
-    fn names(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
-        matches!(&expr.kind, ExprKind::Name(name) if declared(name))
-            || parts(expr).into_iter().any(|part| names(part, declared))
-    }
     let decls = written.statements.iter().flat_map(|s| match &s.kind {
         StatementKind::Domain(decls) => decls.as_slice(),
         _ => &[],
     });
-    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names(&limit.value, &declared))
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names_one(&limit.value, &declared))
+}
+
+/// Whether an expression contains one of some names.
+fn names_one(expr: &Expr, wanted: &dyn Fn(&String) -> bool) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) if wanted(name))
+        || parts(expr).into_iter().any(|part| names_one(part, wanted))
 }
 
 fn declares_pi(kind: &StatementKind) -> bool {
@@ -68,7 +69,10 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
             StatementKind::Domain(decls) => decls.iter().for_each(|decl| range(decl, with)),
             StatementKind::Shape(decl) => range(decl, with),
             StatementKind::Let(def) => with(&def.value),
-            StatementKind::Function(def) | StatementKind::Raise(def) => with(&def.value),
+            StatementKind::Function(def) | StatementKind::Raise(def) => {
+                with(&def.value);
+                def.further.iter().for_each(&mut *with);
+            }
             StatementKind::Base(_, functions) => functions.iter().for_each(|def| with(&def.value)),
             StatementKind::Claim(claim) => match &claim.kind {
                 ClaimKind::Relation(r) => sides(r, with),
@@ -173,25 +177,15 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
     probe.recorded = Some(Vec::new());
-    super::names::plan(&mut probe, written);
-    super::functions::define(&mut probe, written);
-    probe.stage = Stage::Complete;
     let mut places = Vec::new();
-    for statement in &written.statements {
-        let StatementKind::Claim(claim) = &statement.kind else { continue };
-        match &claim.kind {
-            ClaimKind::Relation(relation) => probe_relation(&mut probe, relation),
-            ClaimKind::At(bindings, relations) => {
-                for Binding { name, value } in bindings {
-                    let var = probe.variable(&name.text);
-                    places.extend(var.zip(probe.scalar(value)));
-                }
-                for relation in relations {
-                    probe_relation(&mut probe, relation);
-                }
-            }
-            _ => {}
-        }
+    // The angles are the same on all spans, so that their tangents can be compared.
+    for k in 0..scope.span.map_or(1, |(_, count)| count) {
+        probe.span = scope.span.map(|(_, count)| (k, count));
+        probe.functions = SortedMap::new();
+        probe.planned_functions = SortedMap::new();
+        probe.defined = SortedMap::new();
+        probe.lets = SortedMap::new();
+        probe_claims(&mut probe, written, &mut places);
     }
     let mut uses = Uses::default();
     for Argument { circular, value, span } in probe.recorded.unwrap_or_default() {
@@ -215,6 +209,30 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         }
     }
     uses
+}
+
+/// Evaluates the functions and the claims of a family; the values that `at` gives to variables.
+fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, places: &mut Vec<(Var, Fraction)>) {
+    probe.stage = Stage::Defining;
+    super::names::plan(probe, written);
+    super::functions::define(probe, written);
+    probe.stage = Stage::Complete;
+    for statement in &written.statements {
+        let StatementKind::Claim(claim) = &statement.kind else { continue };
+        match &claim.kind {
+            ClaimKind::Relation(relation) => probe_relation(probe, relation),
+            ClaimKind::At(bindings, relations) => {
+                for Binding { name, value } in bindings {
+                    let var = probe.variable(&name.text);
+                    places.extend(var.zip(probe.scalar(value)));
+                }
+                for relation in relations {
+                    probe_relation(probe, relation);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// Evaluates the sides of a claim for all values of its index variables.
@@ -271,7 +289,9 @@ pub(super) fn declare<'a>(
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Shape(decl) => shapes.push((decl, &statement.doc)),
-            StatementKind::Domain(decls) => domain.extend(decls.iter().map(|d| (d, &statement.doc[..]))),
+            StatementKind::Domain(decls) => {
+                domain.extend(super::build::of_span(scope, decls).iter().map(|d| (d, &statement.doc[..])));
+            }
             StatementKind::Simplex(_) => simplex = true,
             _ => {}
         }
@@ -522,6 +542,7 @@ fn linear(
         shift: Rational::ZERO,
         low: first.clone(),
         width,
+        limits: [first.clone(), last.clone()],
         ends: [low.text.clone(), high.text.clone()],
         declared: declared(name, limits),
         mirror: Vec::new(),
@@ -694,6 +715,9 @@ fn angle(
         shift,
         low: Fraction::zero(),
         width: one.clone(),
+        limits: [0, 1].map(|k| {
+            limits[k].as_ref().and_then(|l| sum_of(scope, &l.value, count)).unwrap_or_else(Fraction::zero)
+        }),
         ends: [0, 1].map(|k| limits[k].as_ref().map_or_else(String::new, |l| l.text.clone())),
         declared: declared(name, limits),
         mirror: Vec::new(),

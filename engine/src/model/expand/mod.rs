@@ -9,4 +9,5 @@ pub(crate) mod claims;
 mod function;
 mod functions;
 mod indices;
-mod names;
+pub(crate) mod names;
+pub(crate) mod spans;

@@ -32,9 +32,21 @@ pub struct Table {
 /// Independence on the declared ranges except for the listed shape values; at each of these the functions must be
 /// dependent.
 pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
-    let Table { rows, symmetries } = coefficient_table(family);
+    let Table { rows, symmetries } =
+        if family.pieces.is_empty() { coefficient_table(family) } else { table_of_spans(family) };
     let statement = Statement::Independent { rows, except: except.to_vec(), region: family.shape_region() };
-    Stated { of: String::from(COEFFICIENTS), statement, symmetries }
+    Stated { of: String::from(COEFFICIENTS), statement, symmetries, is_stronger: false }
+}
+
+/// The tables of all spans beside one another.
+fn table_of_spans(family: &Family) -> Table {
+    let mut rows: Vec<Vec<Poly>> = vec![Vec::new(); family.functions.len()];
+    for piece in &family.pieces {
+        for (row, more) in rows.iter_mut().zip(coefficient_table(piece).rows) {
+            row.extend(more);
+        }
+    }
+    Table { rows, symmetries: Symmetries::new() }
 }
 
 /// The coefficients of the numerators of all functions, one row for each; denominators vanish nowhere. On an

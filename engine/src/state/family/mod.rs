@@ -2,7 +2,11 @@
 
 mod identity;
 mod independent;
+mod ladder;
 mod point;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
+mod spans;
 
 use std::rc::Rc;
 
@@ -27,12 +31,18 @@ pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
+#[cfg(any(test, feature = "tools"))]
+pub use rounding::point_error;
+#[cfg(any(test, feature = "rounding"))]
+pub use rounding::value_errors;
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     Some(match kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
+        ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
+        ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
         ClaimKind::Continuity(order) => identity::continuity(family, *order),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
@@ -48,9 +58,16 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let kind = &claim.kind;
+    if let ClaimKind::Spans(parts) = kind {
+        return spans::statements(family, claim, parts);
+    }
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return Some(vec![independent::stated(family, except)]);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = kind {
+        return rounding::statements(family, epsilons);
     }
     let domain = Rc::new(inequality::domain(family, kind.fixed()));
     let comparison = |k: usize| match kind {
@@ -60,13 +77,27 @@ pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     };
     let expressions =
         basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?.into_iter();
-    let stated = |(k, (of, value)): (usize, (String, Fraction))| {
+    let mut all = Vec::new();
+    for (k, (of, value)) in expressions.enumerate() {
         let comparison = comparison(k);
-        let (of, value) =
-            if comparison == Comparison::Equal { (of, value) } else { without_numbers(family, of, value) };
-        Stated::new(of, compared(&value, comparison, &domain))
-    };
-    Some(expressions.enumerate().map(stated).listed())
+        let beside = basis_prover::working(family.budget, &mut |work| {
+            Some(ladder::steps(family, &of, &value, comparison, work))
+        });
+        if let Some(steps) = beside.flatten() {
+            for ladder::Step { of, value, comparison } in steps {
+                let (of, value) = without_numbers(family, of, value);
+                let stated = Stated::new(of, compared(&value, comparison, &domain));
+                all.push(Stated { is_stronger: true, ..stated });
+            }
+            continue;
+        }
+        let (of, value) = match comparison {
+            Comparison::Equal => (of, value),
+            _ => without_numbers(family, of, value),
+        };
+        all.push(Stated::new(of, compared(&value, comparison, &domain)));
+    }
+    Some(all)
 }
 
 /// A value without the powers of π and exp(r) that are its factors: they are positive and play no part in its sign.
@@ -121,12 +152,22 @@ const WIDER: &str =
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    if let ClaimKind::Spans(parts) = &claim.kind {
+        return spans::decide(family, claim, parts);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = &claim.kind {
+        return rounding::decide(family, epsilons);
+    }
     let Some(statements) = statements(family, claim) else {
         return Verdict::Undecided(String::from(TOO_LONG));
     };
+    let stronger: Vec<String> = statements.iter().filter(|s| s.is_stronger).map(|s| s.of.clone()).listed();
     match all(statements, family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
-        Err((of, Failure::Refuted(found))) if is_wider(family, found.refutation.statement()) => {
+        Err((of, Failure::Refuted(found)))
+            if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
+        {
             Verdict::Undecided(format!("`{of}`: {WIDER}"))
         }
         Err((of, Failure::Refuted(found))) => {
@@ -147,6 +188,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::PartitionOfUnity => "expansion of the sum",
         ClaimKind::Symmetric => "expansion of the moved functions",
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
+        ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
         ClaimKind::Independent(_) => "minors",
         _ if equation => "expansion of both sides",
         _ => {
@@ -157,11 +199,20 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 }
 
 /// How the expression of a statement compares with zero, as the claim has it.
-fn stated_comparison(kind: &ClaimKind, of: &str, statement: &Statement) -> Option<Comparison> {
+fn stated_comparison(
+    family: &Family,
+    kind: &ClaimKind,
+    of: &str,
+    statement: &Statement,
+) -> Option<Comparison> {
     let ClaimKind::Relation { differences, .. } = kind else { return Some(Comparison::Equal) };
     let (Statement::Zero { domain, .. } | Statement::Sign { domain, .. }) = statement else { return None };
     let own = |(comparison, d): &&(Comparison, Difference)| {
-        d.text == of && compared(&d.value, *comparison, domain) == *statement
+        let (text, value) = match comparison {
+            Comparison::Equal => (d.text.clone(), d.value.clone()),
+            _ => without_numbers(family, d.text.clone(), d.value.clone()),
+        };
+        text == of && compared(&value, *comparison, domain) == *statement
     };
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }
@@ -173,13 +224,14 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     }
     let at = named_point(family, found, kind.fixed());
     // Of the statements of a chain several may be about one expression.
-    let comparison = stated_comparison(kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
+    let comparison =
+        stated_comparison(family, kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
     let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
     witness.shown = shown(family, found);
-    if matches!(kind, ClaimKind::Continuity(_)) {
+    if matches!(kind, ClaimKind::Continuity(_) | ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }
     witness.notes = identity::notes(family, kind, &witness);
