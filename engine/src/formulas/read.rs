@@ -60,10 +60,14 @@ pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Fo
     Some(Formulas { definitions: reader.definitions, functions: places, claims })
 }
 
-/// Whether all variables of a family stand for themselves: no angle, no π and no exponential function occurs.
+/// Whether all variables of a family stand for themselves, and one formula for the whole domain: no angle, no π and no
+/// exponential function occurs, and the domain has one span.
 const fn is_algebraic(family: &Family) -> bool {
     let analytic = &family.analytic;
-    analytic.angles.is_empty() && analytic.pi.is_none() && analytic.exponential.is_none()
+    analytic.angles.is_empty()
+        && analytic.pi.is_none()
+        && analytic.exponential.is_none()
+        && family.pieces.is_empty()
 }
 
 /// A function that no formula has needed yet, or that is being read.
