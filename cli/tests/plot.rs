@@ -201,3 +201,22 @@ family Mixed { domain 0 <= t <= 1; b[0] = t - sin(pi*t/2)*2/pi; b[1] = 1 - t; }"
     let unit = 380.0 / 1.05 / 1.05;
     assert!((b - a) / unit > 0.3 && (b - a) / unit < 0.42, "{a} {b}");
 }
+
+/// A function has a formula for each span, and a page has none of them.
+#[test]
+fn spans_are_drawn_one_after_another() {
+    let spec = "family S {
+    domain 0 <= x <= 1, 1 <= x <= 3, 3 <= x <= 4;
+    f[0] = x^2/4 | (-x^2 + 4*x - 2)/4 | (4 - x)^2/4;
+    prove smooth(1);
+}";
+    let folder = Folder::with("s.basis", spec);
+    let svg = drawn(&folder, &["s.basis"], "s.svg");
+    let path =
+        svg.split("<title>f[0]</title>").next().and_then(|s| s.rsplit("<path").next()).expect("a line");
+    assert_eq!(path.matches('M').count(), 3, "the pen is lifted twice");
+    assert!(svg.contains("0 ≤ x ≤ 1, 1 ≤ x ≤ 3, 3 ≤ x ≤ 4"), "{svg}");
+    let run = folder.run(&["plot", "s.basis", "-o", "s.html"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("several spans"), "{}", run.stderr);
+}

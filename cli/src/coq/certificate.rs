@@ -1,9 +1,12 @@
 //! Certificates of the kernel as those of `Basis.v`.
 
+use std::rc::Rc;
+
 use basis_engine::algebra::range::{End, Range};
 use basis_engine::algebra::rational::Rational;
 use basis_kernel::algebra::poly::Var;
-use basis_kernel::{Certificate, Cuts, SignProof, Signed};
+use basis_kernel::algebra::work::Work;
+use basis_kernel::{Certificate, Cuts, Proof, SignProof, Signed};
 
 use super::formula::rational;
 
@@ -23,6 +26,34 @@ pub(super) fn of(
             Ok((sign(numerator, variables)?, below))
         }
         _ => Err("another kind of certificate"),
+    }
+}
+
+/// The certificate of a proof of a sign, or else one by cuts alone that the kernel accepts for the same statement.
+pub(super) fn by_cuts(proof: &Proof, variables: &[(Var, Range)]) -> Result<(String, String), &'static str> {
+    let found = of(proof.certificate(), variables);
+    let (Err(_), Certificate::Sign { denominator, .. }) = (&found, proof.certificate()) else { return found };
+    let statement = Rc::new(proof.statement().clone());
+    for depth in 1..=MAX_CUTS {
+        for (var, _) in variables {
+            let numerator = SignProof::Cuts(halved(*var, depth));
+            let certificate = Certificate::Sign { denominator: denominator.clone(), numerator };
+            if let Ok(proof) = Proof::new(Rc::clone(&statement), certificate, &mut Work::usual(1)) {
+                return of(proof.certificate(), variables);
+            }
+        }
+    }
+    found
+}
+
+/// How often a side is halved where the proof has no counterpart.
+const MAX_CUTS: u32 = 3;
+
+/// A side that is halved, and its halves, so many times.
+fn halved(var: Var, depth: u32) -> Cuts {
+    match depth {
+        0 => Cuts::None,
+        _ => Cuts::At { var, low: Box::new(halved(var, depth - 1)), high: Box::new(halved(var, depth - 1)) },
     }
 }
 

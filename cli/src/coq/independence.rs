@@ -8,7 +8,7 @@ use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Role, Sign, Term, polynomial};
 use basis_engine::{Coordinate, Family, Witness};
 use basis_kernel::algebra::poly::{Poly, Var};
-use basis_kernel::algebra::range::{End, Region};
+use basis_kernel::algebra::range::{End, Range, Region};
 use basis_kernel::algebra::work::Work;
 use basis_kernel::{Certificate, Minors, Proof, Signed, Statement, Values, minor, pieces};
 
@@ -36,6 +36,17 @@ impl Subject<'_> {
         let Statement::Independent { rows, region, .. } = proof.statement() else {
             return Err("a statement of another kind");
         };
+        if !self
+            .formulas
+            .functions
+            .iter()
+            .map(|f| self.divisors(*f))
+            .collect::<Vec<_>>()
+            .windows(2)
+            .all(|w| w[0] == w[1])
+        {
+            return Err("independence of functions with different denominators");
+        }
         let table = Table::new(self.family, rows)?;
         let parts = pieces(region, except, MAX_PIECES).ok_or("too many exceptions")?;
         let mut cases = Vec::new();
@@ -65,6 +76,48 @@ impl Subject<'_> {
             }
         }
         Ok(all)
+    }
+
+    /// What stands below fraction lines in a definition and in those that it calls, but for numbers: Coq reduces no
+    /// fractions, so that functions have a common denominator only if it is written in the same way.
+    fn divisors(&self, definition: usize) -> Vec<Term> {
+        fn below(term: &Term, found: &mut Vec<Term>, called: &mut Vec<usize>) {
+            match term {
+                Term::Number(_) | Term::Variable(_) => {}
+                Term::Neg(x) | Term::Power(x, _) => below(x, found, called),
+                Term::Sum(parts) => {
+                    for (_, x) in parts {
+                        below(x, found, called);
+                    }
+                }
+                Term::Product(parts) => {
+                    for (role, x) in parts {
+                        if *role == Role::Divisor && !matches!(x, Term::Number(_)) {
+                            found.push(x.clone());
+                        }
+                        below(x, found, called);
+                    }
+                }
+                Term::Call(f, args) => {
+                    if !called.contains(f) {
+                        called.push(*f);
+                    }
+                    for x in args {
+                        below(x, found, called);
+                    }
+                }
+                Term::Derivative { body, at, .. } => {
+                    below(body, found, called);
+                    below(at, found, called);
+                }
+            }
+        }
+        let (mut found, mut called, mut done) = (Vec::new(), vec![definition], 0);
+        while let Some(next) = called.get(done).copied() {
+            done += 1;
+            below(&self.formulas.definitions[next].value, &mut found, &mut called);
+        }
+        found
     }
 
     /// A point at which the functions are dependent.
@@ -145,8 +198,9 @@ impl Subject<'_> {
             let dims: Vec<String> =
                 dims.iter().map(|(a, b)| format!("({}%Q, {}%Q)", rational(a), rational(b))).collect();
             text += &format!(
-                "    {{ refine (independent_by [{}] [] [{}] [{}]\n      [{}]\n      [{}] A' _ _ _); [run | box |].\n",
+                "    {{ refine (independent_by [{}] {} [{}] [{}]\n      [{}]\n      [{}] A' _ _ _); [run | box |].\n",
                 sides.join("; "),
+                self.defined_on(&variables_of(self.family)),
                 dims.join("; "),
                 functions.join("; "),
                 steps.join(";\n       "),
@@ -164,7 +218,7 @@ impl Subject<'_> {
             text += "      cbv [inside fst snd Q2R Qnum Qden] in X'.\n";
             text += &format!("      change ({nested} = 0).\n");
             text += &format!("      transitivity ({}); [ring |].\n", products.join(" + "));
-            text += &format!("      apply H'; lra. }}\n");
+            text += "      apply H'; lra. }\n";
         }
         text += "  }\n";
         for (k, a) in factors.iter().enumerate() {
@@ -261,10 +315,13 @@ impl Subject<'_> {
             self.family.domain.iter().map(|p| range_data(&p.range)).collect()
         };
         sides.extend(free.map(|p| range_data(&p.range)));
+        let open: Vec<(Var, Range)> =
+            variables_of(self.family).into_iter().filter(|(v, _)| env.contains(&v.0)).collect();
         let point: Vec<&str> = env.iter().map(|v| self.names[*v].as_str()).collect();
         text += &format!(
-            "  refine (equal_by [{}] [] {} (Num 0) [{}] _ _); [run | box].\nQed.\n",
+            "  refine (equal_by [{}] {} {} (Num 0) [{}] _ _); [run | box].\nQed.\n",
             sides.join("; "),
+            self.defined_on(&open),
             writer.data(&sum, &env),
             point.join("; ")
         );
@@ -367,6 +424,11 @@ impl Subject<'_> {
         };
         self.family.domain.iter().filter_map(inside).collect()
     }
+}
+
+/// The independent domain variables, and then the shape parameters, with their ranges.
+fn variables_of(family: &Family) -> Vec<(Var, Range)> {
+    family.domain.iter().chain(&family.shapes).map(|p| (p.var, p.range.clone())).collect()
 }
 
 /// The coefficients of the functions, in the basis of the certificate and as sums of coefficients of monomials.

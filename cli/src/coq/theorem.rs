@@ -86,7 +86,7 @@ impl Subject<'_> {
                 let chart = chart.map_err(|_| "a domain that has no chart")?;
                 let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
                 let ranges = chart.region().ranges.clone();
-                let certificates = certificate::of(proof.certificate(), &ranges)?;
+                let certificates = certificate::by_cuts(proof, &ranges)?;
                 let boxed: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).collect();
                 (frame, boxed, ranges, certificates)
             }
@@ -154,8 +154,12 @@ impl Subject<'_> {
     fn defined(&self, frame: &Frame) -> String {
         let variables: Vec<(Var, Range)> =
             frame.independent.iter().map(|(v, _, range)| (Var(*v), range.clone())).collect();
-        let known =
-            self.obligations.iter().filter_map(|proof| certificate::of(proof.certificate(), &variables).ok());
+        self.defined_on(&variables)
+    }
+
+    /// The same for variables with their ranges.
+    pub(super) fn defined_on(&self, variables: &[(Var, Range)]) -> String {
+        let known = self.obligations.iter().filter_map(|proof| certificate::by_cuts(proof, variables).ok());
         let mut all: Vec<String> = known.map(|(above, _)| above).filter(|c| c != "Direct").collect();
         all.dedup();
         format!("[{}]", all.join("; "))

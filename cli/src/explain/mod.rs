@@ -64,7 +64,9 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             left_out += 1;
             continue;
         }
-        let checked = (wanted == Claims::Shown).then(|| checked(&library, &family, run)).flatten();
+        // Claims are about all spans together, and stand with the first one.
+        let seen = all.iter().any(|facts| matches!(facts, Facts::Family(f) if f.title == family.title()));
+        let checked = (wanted == Claims::Shown && !seen).then(|| checked(&library, &family, run)).flatten();
         let facts = run.counted_work(family.budget, &mut || FamilyFacts::new(&family, checked.as_ref()));
         all.push(Facts::Family(Box::new(facts)));
     }

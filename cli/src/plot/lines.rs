@@ -27,17 +27,34 @@ pub(super) struct Sampled {
     pub(super) values: Vec<Vec<Option<f64>>>,
 }
 
+/// The families on the spans of the domain; of a domain of one span the family itself.
+fn pieces(family: &Family) -> Vec<&Family> {
+    if family.pieces.is_empty() { vec![family] } else { family.pieces.iter().map(AsRef::as_ref).collect() }
+}
+
 /// The values of all functions at every setting.
 pub(super) fn sampled(scene: &Scene) -> Result<Vec<Sampled>, Diagnostic> {
-    let range = scene.family.domain.first().and_then(|p| p.range.finite());
-    let Some((low, high)) = range else { return Err(error("the domain is not an interval with two ends")) };
-    let points = between(low, high, PARTS);
     let sample = |setting| {
-        let functions = Functions::new(&scene.family, setting);
-        let values = points.iter().map(|t| functions.values(core::slice::from_ref(t))).collect();
-        Sampled { at: points.iter().map(|t| functions.axis(t)).collect(), values }
+        let mut all = Sampled { at: Vec::new(), values: Vec::new() };
+        for piece in pieces(&scene.family) {
+            let range = piece.domain.first().and_then(|p| p.range.finite());
+            let Some((low, high)) = range else {
+                return Err(error("the domain is not an interval with two ends"));
+            };
+            let functions = Functions::new(piece, setting);
+            // Between two spans the pen is lifted: functions may jump.
+            if let Some(last) = all.at.last().copied() {
+                all.at.push(last);
+                all.values.push(vec![None; piece.functions.len()]);
+            }
+            for t in between(low, high, PARTS) {
+                all.at.push(functions.axis(&t));
+                all.values.push(functions.values(core::slice::from_ref(&t)));
+            }
+        }
+        Ok(all)
     };
-    Ok(scene.settings.iter().map(sample).collect())
+    scene.settings.iter().map(sample).collect()
 }
 
 /// The name of a domain variable, of an angle its own.
@@ -166,7 +183,9 @@ fn marks(scene: &Scene, frame: &Frame, top: f64) -> (Group, f64) {
     for (k, mark) in scene.marks.iter().enumerate() {
         let number = (k + 1).to_string();
         if let Some(Some(t)) = mark.failure.at.first() {
-            let functions = Functions::new(&scene.family, &scene.settings[mark.setting]);
+            let inside = |piece: &&Family| piece.domain.first().is_some_and(|p| p.range.contains(t));
+            let piece = pieces(&scene.family).into_iter().find(inside).unwrap_or(&scene.family);
+            let functions = Functions::new(piece, &scene.settings[mark.setting]);
             let value = mark.failure.function.and_then(|f| functions.value(f, core::slice::from_ref(t)));
             let t = functions.axis(t);
             let [x, at] = frame.at(t, value.unwrap_or(frame.y[1]));

@@ -26,6 +26,11 @@ pub(super) fn page(scene: &Scene) -> Result<String, Diagnostic> {
 
 fn data(scene: &Scene) -> Result<Value, Diagnostic> {
     let family = &scene.family;
+    if !family.pieces.is_empty() {
+        let message =
+            format!("the page does not draw functions on several spans, as those of `{}`", family.title());
+        return Err(error(message).help("write an `.svg` or a `.png`"));
+    }
     let ranges: Option<Vec<[f64; 2]>> =
         family.domain.iter().map(|p| p.range.finite().map(|(a, b)| [a.to_f64(), b.to_f64()])).collect();
     let Some(ranges) = ranges else { return Err(error("the domain has no ends")) };

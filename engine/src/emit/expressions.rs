@@ -120,7 +120,7 @@ mod tests {
 
     impl Language for Spec {
         fn comment(&self, lines: &[String]) -> String {
-            lines.iter().map(|line| format!("// {line}\n")).collect()
+            lines.iter().map(|line| format!("// {line}\n")).collect::<Vec<_>>().concat()
         }
         fn literal(&self, value: &Rational) -> String {
             if value.is_integer() { value.to_string() } else { format!("({value})") }
@@ -144,16 +144,13 @@ mod tests {
             } else {
                 String::from("domain 0 <= t <= 1;")
             };
-            let shapes = code
-                .shapes
-                .iter()
-                .zip(&self.0)
-                .map(|(shape, name)| format!("shape {};\n", shape.shown.replace(shape.written, name)));
-            let shapes: String = shapes.collect();
-            let lets: String = lets.iter().map(|(name, value)| format!("let {name} = {value};\n")).collect();
-            let functions: String =
-                outputs.iter().enumerate().map(|(k, value)| format!("b[{k}] = {value};\n")).collect();
-            Ok(format!("family {} {{\n{domain}\n{shapes}{lets}{functions}}}\n", code.name))
+            let mut lines = vec![domain];
+            for (shape, name) in code.shapes.iter().zip(&self.0) {
+                lines.push(format!("shape {};", shape.shown.replace(shape.written, name)));
+            }
+            lines.extend(lets.iter().map(|(name, value)| format!("let {name} = {value};")));
+            lines.extend(outputs.iter().enumerate().map(|(k, value)| format!("b[{k}] = {value};")));
+            Ok(format!("family {} {{\n{}\n}}\n", code.name, lines.join("\n")))
         }
         fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic> {
             panic!("{} is not written here", join.name)

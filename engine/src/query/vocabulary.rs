@@ -40,7 +40,7 @@ const fn entry(text: &'static str, kind: WordKind, rest: &'static str, meaning: 
 use WordKind::{Connective, EitherStatement, Function, Item, Property, Statement, TheoremStatement};
 
 /// All words.
-pub const WORDS: [Word; 58] = [
+pub const WORDS: [Word; 55] = [
     entry(
         "family",
         Item,
@@ -89,11 +89,10 @@ pub const WORDS: [Word; 58] = [
     ),
     entry("prove", EitherStatement, " $0;", "a claim that is declared true"),
     entry("refute", EitherStatement, " $0;", "a claim that is declared false"),
-    entry("conjecture", EitherStatement, " $0;", "a claim that may stay undecided"),
     entry("budget", EitherStatement, " $0;", "how many times the usual work may be spent on each claim"),
     entry(
         "assume",
-        EitherStatement,
+        TheoremStatement,
         " $0;",
         "a condition on shape parameters or scalars under which the claims are meant",
     ),
@@ -137,7 +136,6 @@ pub const WORDS: [Word; 58] = [
         "($0);",
         "neighbouring segments, control points shifted by one, join with this many continuous derivatives",
     ),
-    entry("totally_positive", Property, ";", "all minors of the collocation matrices are nonnegative"),
     entry("smooth", Property, "($0);", "derivatives up to this order agree at all inner knots"),
     entry(
         "at",
@@ -149,7 +147,6 @@ pub const WORDS: [Word; 58] = [
     entry("for", Connective, " $0 in 0..=n", "one for each value of index variables"),
     entry("in", Connective, " ", "what an index variable runs over"),
     entry("if", Connective, " $0", "a condition on index variables and orders"),
-    entry("with", Connective, " $0", "shape values of the next segment"),
     entry("simplex", Connective, "($0)", "all whole numbers ≥ 0 with this sum, in lexicographic order"),
     entry("triangle", Connective, " (u, v, w)", "barycentric coordinates, u + v + w = 1, all ≥ 0"),
     entry(

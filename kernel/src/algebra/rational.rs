@@ -56,7 +56,7 @@ impl Rational {
     /// When `denom` is zero.
     pub fn ratio(numer: BigInt, denom: BigInt) -> Self {
         assert!(denom.sign() != Sign::NoSign, "division of {numer} by zero");
-        let common = if denom.is_negative() { -numer.gcd(&denom) } else { numer.gcd(&denom) };
+        let common = euclid(&numer, &denom) * if denom.is_negative() { -1 } else { 1 };
         Self::lowest(numer / &common, denom / common)
     }
 
@@ -252,7 +252,7 @@ impl Rational {
             }
         }
         let ((a, b), (c, d)) = (self.parts(), other.parts());
-        Self::lowest(euclid(a, c), b.lcm(&d)) // no prime divides both, because none divides a and b, or c and d
+        Self::lowest(euclid(&a, &c), b.lcm(&d)) // no prime divides both, because none divides a and b, or c and d
     }
 }
 
@@ -262,9 +262,9 @@ fn small(value: &BigInt) -> Option<i64> {
 }
 
 /// The greatest common divisor; one division first, because mostly one of the two is small.
-fn euclid(a: BigInt, b: BigInt) -> BigInt {
+fn euclid(a: &BigInt, b: &BigInt) -> BigInt {
     let (a, b) = if a.bits() < b.bits() { (b, a) } else { (a, b) };
-    if b.sign() == Sign::NoSign { a.abs() } else { (a % &b).gcd(&b) }
+    if b.sign() == Sign::NoSign { a.abs() } else { (a % b).gcd(b) }
 }
 
 fn gcd(mut a: u128, mut b: u128) -> u128 {
@@ -353,16 +353,16 @@ impl Neg for Rational {
 
 /// a/b + c/d: numerator and denominator b·d / gcd(b, d) have no other common factors than those of gcd(b, d).
 fn sum((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt)) -> Rational {
-    let common = b.gcd(&d);
+    let common = euclid(&b, &d);
     let b = b / &common;
     let numer = a * (&d / &common) + c * &b;
-    let rest = numer.gcd(&common);
+    let rest = euclid(&numer, &common);
     Rational::lowest(numer / &rest, b * (d / rest))
 }
 
 /// a/b · c/d: common are only factors of a and d, and of b and c.
 fn product((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt)) -> Rational {
-    let (first, second) = (a.gcd(&d), b.gcd(&c));
+    let (first, second) = (euclid(&a, &d), euclid(&b, &c));
     Rational::lowest((a / &first) * (c / &second), (b / second) * (d / first))
 }
 

@@ -55,7 +55,14 @@ fn of_symbol(text: &Text, analysis: &Analysis, symbol: &Symbol, offset: usize) -
     let head = format!("**{}**, {}", symbol.name, symbol.kind.noun());
     let doc = if symbol.doc.is_empty() { String::new() } else { format!("\n\n{}", symbol.doc) };
     let facts = match (symbol.kind, family) {
-        (SymbolKind::Functions, Some(family)) => functions(text, family, offset),
+        (SymbolKind::Functions, Some(family)) if family.pieces.is_empty() => functions(text, family, offset),
+        // On each span of the domain a function has a formula of its own.
+        (SymbolKind::Functions, Some(family)) => {
+            let span = |piece: &Family| {
+                format!("\n\non `{}`{}", domain::describe(piece), functions(text, piece, offset))
+            };
+            family.pieces.iter().map(|piece| span(piece)).collect()
+        }
         (SymbolKind::Shape, Some(family)) => shape(text, family, symbol),
         (SymbolKind::Domain, Some(family)) => format!("\n\non `{}`", domain::describe(family)),
         (SymbolKind::Family, Some(family)) => summary(analysis, family),
