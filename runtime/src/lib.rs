@@ -111,9 +111,9 @@
 //! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
-//! | `geometry` | yes | the trait of all curves and what it answers: `ParametricCurve`; implies `alloc` |
+//! | `geometry` | yes | what all types of curves answer, `ParametricCurve`, and what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |
 //! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `geometry` |
-//! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `alloc` |
+//! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `geometry` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
 //! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree. `lyon_geom` implies `std` |
@@ -224,7 +224,7 @@ pub use surface::{
     BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface,
     ScalarOf, Surface, TensorSurface, edge_continuity,
 };
-#[cfg(feature = "alloc")]
+#[cfg(feature = "geometry")]
 pub use surface::{BoundedSurface, SurfacePiece};
 pub use vector::Point3;
 

@@ -103,7 +103,7 @@ fn quotient<S: Scalar>([point, weight]: [S; 2]) -> S {
 }
 
 /// The largest quotient of two components on the unit square; infinite where the second one is not positive.
-#[cfg(feature = "alloc")]
+#[cfg(feature = "geometry")]
 pub(crate) fn largest_quotient<S: Scalar>(net: Net<[S; 2]>) -> S {
     largest(net, quotient)
 }

@@ -10,7 +10,7 @@ pub(crate) mod nearest;
 #[cfg(feature = "alloc")]
 mod net;
 mod parts;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "geometry")]
 mod pieces;
 mod rational;
 mod tensor;
@@ -20,7 +20,7 @@ pub use curvature::Curvature;
 pub use edge::{Direction, Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
 pub use parts::BezierPatchOf;
-#[cfg(feature = "alloc")]
+#[cfg(feature = "geometry")]
 pub use pieces::{BoundedSurface, SurfacePiece};
 pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;

@@ -16,6 +16,7 @@ pub(crate) struct Net<P> {
 
 impl<P: Point> Net<P> {
     /// The patch with these control points, row by row.
+    #[cfg(feature = "geometry")]
     pub(crate) fn new(points: Vec<P>, columns: usize) -> Self {
         Self { points, columns }
     }

@@ -8,6 +8,7 @@ mod search;
 pub(crate) use piece::Piece;
 pub(crate) use search::{length_unit, search};
 
+#[cfg(feature = "geometry")]
 use alloc::vec::Vec;
 
 use super::TensorSurface;
@@ -60,6 +61,7 @@ where
 
 /// The patch and the parameters in it, from 0 to 1, at which rational Bézier patches are nearest to `point`, up to that
 /// accuracy, and a lower bound of their distance; `None` if anything is not finite or a weight not positive.
+#[cfg(feature = "geometry")]
 #[inline]
 pub(crate) fn nearest_of_pieces(
     pieces: &[&Piece],

@@ -29,12 +29,14 @@ impl Piece {
         Self { degrees, dim, stride, net }
     }
 
+    #[cfg(feature = "geometry")]
     #[inline]
     pub(crate) fn degrees(&self) -> [usize; 2] {
         self.degrees
     }
 
     /// The largest value of a component of a control point times a sign; infinite if a weight is not positive.
+    #[cfg(feature = "geometry")]
     #[inline]
     pub(crate) fn largest_of_points(&self, c: usize, sign: f64) -> f64 {
         (0..self.size()).fold(f64::NEG_INFINITY, |largest, n| {
@@ -49,6 +51,7 @@ impl Piece {
     }
 
     /// The patch seen from a point and measured in a unit.
+    #[cfg(feature = "geometry")]
     #[inline]
     pub(crate) fn seen_from(&self, origin: &[f64], unit: f64) -> Self {
         let mut net = self.net.clone();
@@ -63,6 +66,7 @@ impl Piece {
 
     /// The largest difference of a component of a control point from that of a point; infinite if a weight is not
     /// positive, NaN if anything is not finite.
+    #[cfg(feature = "geometry")]
     #[inline]
     pub(crate) fn farthest(&self, origin: &[f64]) -> f64 {
         let mut farthest = 0.0_f64;
