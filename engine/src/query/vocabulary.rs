@@ -91,7 +91,8 @@ pub const WORDS: [Word; 55] = [
     entry("refute", EitherStatement, " $0;", "a claim that is declared false"),
     entry("budget", EitherStatement, " $0;", "how many times the usual work may be spent on each claim"),
     entry(
-        "assume", TheoremStatement,
+        "assume",
+        TheoremStatement,
         " $0;",
         "a condition on shape parameters or scalars under which the claims are meant",
     ),
