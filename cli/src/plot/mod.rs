@@ -116,14 +116,9 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
         Some(name) => eval::find_family(library, name)?,
         None => only(library)?,
     };
-    if !family.analytic.is_empty() || !family.pieces.is_empty() {
-        let message = format!(
-            "`{}` has angles, several spans, or parameters at the ends of its domain",
-            family.title()
-        );
-        return Err(vec![
-            error(message).help("pictures are drawn of families on one span with numbers as ends"),
-        ]);
+    if family.domain.len() > 1 && (!family.analytic.is_empty() || !family.pieces.is_empty()) {
+        let message = format!("`{}` has angles in several variables and no picture", family.title());
+        return Err(vec![error(message).help("draw a family of one variable")]);
     }
     let variables = family.domain.len();
     if variables > 2 {
