@@ -7,6 +7,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod budget;
+pub mod chart;
 mod expand;
 mod family;
 pub(crate) mod formula;

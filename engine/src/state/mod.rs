@@ -21,8 +21,6 @@ mod verdict;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::combination_text;
 pub use family::{Table, coefficient_table, statements as family_statements};
-#[cfg(any(test, feature = "tools"))]
-pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
@@ -53,7 +51,7 @@ pub fn instances(
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
         Subject::Family(family) if given.is_empty() => {
-            family::statements(family, claim).ok_or("the budget is spent on a common denominator")
+            family::refutable(family, claim).ok_or("the budget is spent on a common denominator")
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

@@ -127,8 +127,19 @@ fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<V
 
 fn binding(input: ParseStream<'_>) -> Result<Binding> {
     let name = name(input)?;
+    let mut indices = Vec::new();
+    if matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket)
+    {
+        let content;
+        syn::bracketed!(content in input);
+        indices = super::expr::list(&content, 0)?;
+        if indices.is_empty() {
+            let help = format!("write a number, such as `{}[1] = 0`", name.text);
+            return Err(error(name.span, "an index is missing between the brackets", help));
+        }
+    }
     equals(input, &name)?;
-    Ok(Binding { name, value: expr(input)? })
+    Ok(Binding { name, indices, value: expr(input)? })
 }
 
 fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
@@ -187,7 +198,7 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
 const MAX_CHAIN: usize = 15;
 
 /// `left = right for i in 0..=n`, with any comparison, or a chain `a <= b <= c`.
-fn relation(input: ParseStream<'_>) -> Result<Relation> {
+pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
     let (start, first) = (input.span(), input.cursor());
     let single = first.ident();
     let left = expr(input)?;

@@ -389,7 +389,7 @@ fn number(literal: &Literal) -> Result<Rational> {
 }
 
 /// Expressions separated by commas up to the end of the brackets.
-fn list(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
+pub(super) fn list(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
     let mut parts = Vec::new();
     while !content.is_empty() {
         parts.push(sum(content, depth)?);
@@ -455,7 +455,7 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
                 return Err(error(start, message, "write several statements"));
             }
             result.generators.push(generator);
-            if !input.peek(Token![,]) {
+            if !input.peek(Token![,]) || begins_range(input) {
                 break;
             }
             input.parse::<Token![,]>()?;
@@ -528,6 +528,16 @@ fn compares(tokens: proc_macro2::TokenStream) -> bool {
         TokenTree::Group(g) => g.delimiter() == Delimiter::Parenthesis && compares(g.stream()),
         _ => false,
     })
+}
+
+/// Whether a range of a shape parameter follows after the comma, `, 0 <= μ`, and not another index variable.
+fn begins_range(input: ParseStream<'_>) -> bool {
+    let ahead = input.fork();
+    ahead.parse::<Token![,]>().is_ok()
+        && !ahead.is_empty()
+        && (ahead.cursor().ident().is_none() || !ahead.peek2(Token![in]) && !ahead.peek2(Token![,]))
+        && ahead.call(expr).is_ok()
+        && ahead.call(comparison).is_ok_and(|sign| sign.is_some())
 }
 
 /// `i in low..=high`, or `i, j, k in simplex(n)`.

@@ -111,8 +111,10 @@ pub enum StatementKind {
     Domain(Vec<RangeDecl>),
     /// `domain triangle (u, v, w);`
     Simplex(Vec<Name>),
-    /// `shape -3 <= λ <= 1;`
-    Shape(RangeDecl),
+    /// `shape -3 <= λ <= 1, 0 <= μ[i] for i in 1..=n;`
+    Shape(Vec<ShapeDecl>),
+    /// `assume q < p;`: only these shape values count.
+    Assume(Relation),
     /// `let c = …;` or `let h(x) = …;`
     Let(NameDef),
     /// `b[i] = … for i in 0..=n;`
@@ -147,6 +149,17 @@ pub struct RangeDecl {
     pub low: Option<(Expr, bool)>,
     /// The upper end and whether it is included.
     pub high: Option<(Expr, bool)>,
+}
+
+/// A chain that declares shape parameters, such as `0 < q < p <= 1`.
+#[derive(Debug)]
+pub struct ShapeDecl {
+    /// What stands in the chain, in ascending order: names, perhaps with an index, and ends of ranges.
+    pub parts: Vec<Expr>,
+    /// Whether two neighbours may be equal.
+    pub included: Vec<bool>,
+    /// What the index variables run over.
+    pub loops: Loops,
 }
 
 /// Claims about curves and surfaces over families, as they are written.
@@ -430,11 +443,13 @@ pub enum ClaimKind {
     At(Vec<Binding>, Vec<Relation>),
 }
 
-/// `name = value`.
+/// `name = value`, or with an index, `λ[1] = value`.
 #[derive(Debug)]
 pub struct Binding {
     /// The name.
     pub name: Name,
+    /// Its indices, if it has any.
+    pub indices: Vec<Expr>,
     /// The value.
     pub value: Expr,
 }

@@ -4,9 +4,9 @@ use syn::Result;
 use syn::parse::ParseStream;
 
 use super::error::error;
-use super::expr::{comparison, expr, unexpected};
+use super::expr::{comparison, expr, loops, unexpected};
 use super::words::at_word;
-use super::{Bounds, Comparison, Expr, ExprKind, Name, RangeDecl};
+use super::{Bounds, Comparison, Expr, ExprKind, Name, RangeDecl, ShapeDecl};
 
 /// What the range of a parameter may look like.
 pub(super) const SHAPE_HELP: &str =
@@ -19,9 +19,55 @@ pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
     Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
 }
 
+/// Ranges of shape parameters in one chain, such as `0 < q < p <= 1`.
+pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
+    let help = SHAPE_HELP;
+    let (parts, included) = chain(input, help)?;
+    if !parts.iter().any(|part| is_target(part, true)) {
+        let part = parts.get(usize::from(parts.len() > 2)).unwrap_or(&parts[0]);
+        return Err(error(part.span, "expected the name whose range this is", help));
+    }
+    Ok(ShapeDecl { parts, included, loops: loops(input)? })
+}
+
+/// Whether an expression is a name, or a name with an index if that is `indexed`.
+fn is_target(e: &Expr, indexed: bool) -> bool {
+    match &e.kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Index(base, _) => indexed && matches!(base.kind, ExprKind::Name(_)),
+        _ => false,
+    }
+}
+
 /// A range as papers write it, whose name may have an index, `-3 < γ[1]`, if that is `indexed`.
 pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Result<Bounds> {
     let start = input.span();
+    let (parts, included) = chain(input, help)?;
+    let is_target = |e: &Expr| self::is_target(e, indexed);
+    let target = |e: Expr| {
+        if is_target(&e) { Ok(e) } else { Err(error(e.span, "expected the name whose range this is", help)) }
+    };
+    let mut parts = parts.into_iter();
+    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
+        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
+        (Some(a), Some(b), None, [i]) => {
+            if is_target(&b) {
+                Ok(Bounds { target: b, low: Some((a, *i)), high: None })
+            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
+                target(b).map(|target| Bounds { target, low: Some((a, *i)), high: None })
+            } else {
+                Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
+            }
+        }
+        (Some(a), Some(b), Some(c), [i, j]) => {
+            Ok(Bounds { target: target(b)?, low: Some((a, *i)), high: Some((c, *j)) })
+        }
+        _ => Err(error(start, "a range has at most two ends", help)),
+    }
+}
+
+/// Expressions with inequalities between them, in ascending order, and whether neighbours may be equal.
+fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
     let mut parts = vec![expr(input)?];
     let mut signs = Vec::new();
     loop {
@@ -51,29 +97,5 @@ pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Resul
             _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
         });
     }
-    let is_target = |e: &Expr| match &e.kind {
-        ExprKind::Name(_) => true,
-        ExprKind::Index(base, _) => indexed && matches!(base.kind, ExprKind::Name(_)),
-        _ => false,
-    };
-    let target = |e: Expr| {
-        if is_target(&e) { Ok(e) } else { Err(error(e.span, "expected the name whose range this is", help)) }
-    };
-    let mut parts = parts.into_iter();
-    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
-        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
-        (Some(a), Some(b), None, [i]) => {
-            if is_target(&b) {
-                Ok(Bounds { target: b, low: Some((a, *i)), high: None })
-            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
-                target(b).map(|target| Bounds { target, low: Some((a, *i)), high: None })
-            } else {
-                Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
-            }
-        }
-        (Some(a), Some(b), Some(c), [i, j]) => {
-            Ok(Bounds { target: target(b)?, low: Some((a, *i)), high: Some((c, *j)) })
-        }
-        _ => Err(error(start, "a range has at most two ends", help)),
-    }
+    Ok((parts, included))
 }

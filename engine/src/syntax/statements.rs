@@ -7,15 +7,15 @@ use syn::{Result, Token};
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
 use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
-use super::ranges::{SHAPE_HELP, range};
+use super::ranges::{self, range};
 use super::words::{at_word, doc, equals, names_between, skip_statement, take_word};
 use super::{Binding, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
 use crate::advice::did_you_mean;
 use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
-pub(super) const STATEMENTS: [&str; 9] =
-    ["domain", "shape", "let", "permute", "base", "raise", "prove", "refute", "budget"];
+pub(super) const STATEMENTS: [&str; 10] =
+    ["domain", "shape", "assume", "let", "permute", "base", "raise", "prove", "refute", "budget"];
 
 const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <= 1;`";
 
@@ -104,7 +104,16 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         }
         "shape" => {
             take_word(input)?;
-            StatementKind::Shape(range(input, SHAPE_HELP)?)
+            let mut shapes = vec![ranges::shapes(input)?];
+            while input.peek(Token![,]) {
+                input.parse::<Token![,]>()?;
+                shapes.push(ranges::shapes(input)?);
+            }
+            StatementKind::Shape(shapes)
+        }
+        "assume" => {
+            take_word(input)?;
+            StatementKind::Assume(super::claims::relation(input)?)
         }
         "let" => {
             take_word(input)?;
@@ -151,7 +160,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
     let help = did_you_mean(text, &STATEMENTS, &|| {
         String::from(
-            "statements are `domain`, `shape`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute` and `budget`",
+            "statements are `domain`, `shape`, `assume`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute` and `budget`",
         )
     });
     error(word.span(), format!("`{text}` does not begin a statement"), help)
@@ -170,9 +179,6 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         _ => {}
     }
     let help = match kind {
-        Some(StatementKind::Shape(_)) if input.peek(Token![,]) => {
-            "every shape parameter has a statement of its own: `shape 0 <= λ <= 1; shape 0 <= μ <= 1;`"
-        }
         Some(StatementKind::Claim(_)) if at_word(input, "except") => {
             "`except` belongs to `independent`; for other claims narrow the range of the parameter"
         }
@@ -271,7 +277,7 @@ fn base(input: ParseStream<'_>) -> Result<StatementKind> {
         functions.push(FunctionDef { permute, ..function(&content)? });
         semicolon(&content, None)?;
     }
-    Ok(StatementKind::Base(Binding { name, value }, functions))
+    Ok(StatementKind::Base(Binding { name, indices: Vec::new(), value }, functions))
 }
 
 /// `triangle (u, v, w)` or `tetrahedron (u, v, w, x)`; `None` when something else follows.

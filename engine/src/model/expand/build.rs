@@ -1,15 +1,14 @@
 //! Expands a family as it is written into exact functions.
 
-use std::rc::Rc;
-
 use proc_macro2::Span;
 
-use super::{claims, functions, indices, names};
+use super::{claims, functions, indices, names, shapes};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostics;
+pub(super) use crate::model::formula::numbers::checked_range;
 use crate::model::formula::numbers::{budget_value, range_of};
 use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library, Parameter};
@@ -35,7 +34,7 @@ pub(crate) fn family<'a>(
 
 fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
-    let shapes = shapes(scope, written);
+    let shapes = shapes::shapes(scope, written);
     let domain = domain(scope, written);
     let budget = budget(scope, written);
     scope.cut_short |= written.incomplete;
@@ -70,7 +69,9 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         source: scope.source,
         place: scope.place(written.name.span),
         names: scope.names.clone(),
-        shapes,
+        shapes: shapes.parameters,
+        constraints: shapes.constraints,
+        determined: scope.determined.clone(),
         domain,
         dependent,
         function_name: scope.function_name.clone(),
@@ -80,7 +81,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         obligations: Vec::new(),
         budget,
     };
-    scope.settle(&family.shape_region(), &Rc::new(family.points()), family.budget);
+    scope.settle(&|shapes_only| family.parts(shapes_only), family.budget);
     family.obligations = core::mem::take(&mut scope.obligations);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
@@ -104,25 +105,6 @@ fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> 
         over = scope.fits(scope.budget.mul(&over, &Fraction::from(rest.numer().clone())), span)?;
     }
     Some(over.numer().normalized())
-}
-
-/// The shape parameters become variables 0, 1, …
-fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Parameter>> {
-    let mut shapes = Vec::new();
-    let mut complete = true;
-    for statement in &written.statements {
-        let StatementKind::Shape(decl) = &statement.kind else { continue };
-        let range = range(scope, decl);
-        match (range, variable(scope, &decl.name)) {
-            (Some(range), Some(var)) => {
-                let (name, doc) = (decl.name.text.clone(), statement.doc.clone());
-                let place = scope.place(decl.name.span);
-                shapes.push(Parameter { name, doc, place, var, range });
-            }
-            _ => complete = false,
-        }
-    }
-    complete.then_some(shapes)
 }
 
 /// The independent domain variables, and the last barycentric coordinate of a simplex.
@@ -229,7 +211,7 @@ fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Doma
 const MAX_VARIABLES: usize = 64;
 
 /// A new variable, unless the name is taken.
-fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
+pub(super) fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
     if scope.names.len() >= MAX_VARIABLES {
         if scope.names.len() == MAX_VARIABLES {
             // A name that nothing can have: said once, and unknown names are those that have no room.

@@ -1,7 +1,5 @@
 //! From claims as they are written to exact differences.
 
-use std::rc::Rc;
-
 use proc_macro2::Span;
 
 use super::names;
@@ -15,7 +13,7 @@ use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Family, Library};
+use crate::model::{Family, Library, chart, label};
 use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -29,7 +27,6 @@ pub(crate) fn claims<'a>(
     let mut scope = Scope::of_family(library, unit, family);
     names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
-    let (region, whole) = (family.region(), Rc::new(family.points()));
     let mut all = Vec::new();
     for f in &family.functions {
         // What the scope has copied.
@@ -47,7 +44,7 @@ pub(crate) fn claims<'a>(
                 scope.budget.refill();
                 let first = all.len();
                 one(&mut scope, family, claim, (number, statement), &mut all);
-                if !scope.settle(&region, &whole, family.budget) {
+                if !scope.settle(&|shapes_only| family.parts(shapes_only), family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
                 for claim in &mut all[first..] {
@@ -100,8 +97,13 @@ fn one(
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };
             let printer = Printer { constants: &scope.constants, component: None };
-            let parts: Vec<String> =
-                bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
+            let part = |b: &Binding| {
+                let indices = b.indices.mapped(|i| printer.print(i)).join(",");
+                let name = &b.name.text;
+                let name = if indices.is_empty() { name.clone() } else { format!("{name}[{indices}]") };
+                format!("{name} = {}", printer.print(&b.value))
+            };
+            let parts: Vec<String> = bindings.mapped(part);
             let at = parts.join(", ");
             for (equation, relation) in relations.iter().enumerate() {
                 let (text, range) = (relation.text.clone(), relation.range.clone());
@@ -197,13 +199,13 @@ fn exceptions(
         let mut values: Vec<(Var, Rational)> = Vec::new();
         for binding in exception {
             let value = scope.number(&binding.value, "an exceptional value")?;
-            let Some(shape) = family.shapes.iter().find(|s| s.name == binding.name.text) else {
-                if scope.is_mistaken(&binding.name.text) {
+            let name = bound_name(scope, binding)?;
+            let Some(shape) = family.shapes.iter().find(|s| s.name == name) else {
+                if scope.is_mistaken(&name) {
                     return None;
                 }
                 let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
-                let error = scope
-                    .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
+                let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
                 scope.report(if known.is_empty() {
                     error.help("the family has no shape parameters")
                 } else {
@@ -226,18 +228,59 @@ fn exceptions(
             }
             values.push((shape.var, value));
         }
+        let fixed = values.mapped(|(v, x)| (*v, Fraction::constant(x.clone())));
+        if let (Some(first), true) = (exception.first(), family.pieces(&fixed, &[], true).is_empty()) {
+            assumed_away(scope, family, first.name.span, "an exception has values that are not assumed");
+            return None;
+        }
         all.push(values);
     }
     Some(all)
 }
 
+/// The name that gets a value, indices as numbers.
+fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
+    if binding.indices.is_empty() {
+        return Some(binding.name.text.clone());
+    }
+    let mut index = Vec::new();
+    for i in &binding.indices {
+        index.push(scope.whole(i, "the index of a shape parameter")?);
+    }
+    Some(label(&binding.name.text, &index))
+}
+
+/// Reports values that what is assumed rules out.
+fn assumed_away(scope: &Scope<'_>, family: &Family, span: Span, message: &str) {
+    let texts = chart::texts(&family.constraints);
+    let error = scope.error(span, message).note(format!("assumed is {}", texts.join(", ")));
+    scope
+        .report(error.help("claims are about the shape values that are declared and assumed; choose others"));
+}
+
 /// The values that an `at` block fixes.
 fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option<Vec<(Var, Fraction)>> {
     let mut fixed: Vec<(Var, Fraction)> = Vec::new();
+    let pending = scope.pending.len();
+    let mut all: Vec<(&Binding, String)> = Vec::new();
     for binding in bindings {
-        let name = &binding.name.text;
+        let name = bound_name(scope, binding)?;
+        if binding.indices.is_empty() && scope.variable(&name).is_none() && scope.is_list_of_shapes(&name) {
+            // A name without an index stands for all of its parameters.
+            let own = scope.shapes_of(&name).into_iter().filter(|(_, value)| value.as_var().is_some());
+            all.extend(own.map(|(index, _)| (binding, label(&name, &index))));
+        } else {
+            all.push((binding, name));
+        }
+    }
+    for (binding, name) in &all {
         let Some(var) = scope.variable(name) else {
-            if scope.taken(name).is_some() {
+            let determined = scope.determined.iter().any(|(n, _)| n == name);
+            if determined {
+                let error =
+                    scope.error(binding.name.span, format!("`{name}` is determined by an assumption"));
+                scope.report(error.help("fix the parameters on which it depends"));
+            } else if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
                 scope.report(
                     error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
@@ -281,14 +324,25 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
     }
     let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
     let fixed = independent(scope, fixed, span)?;
-    for (k, (var, _)) in fixed.iter().enumerate() {
-        if fixed.iter().any(|(_, value)| value.depends_on(*var)) {
+    for (k, (var, value)) in fixed.iter().enumerate() {
+        if let Some((user, _)) = fixed.iter().find(|(_, value)| value.depends_on(*var)) {
             let name = scope.names[var.0].clone();
-            let span = bindings.get(k).map_or(span, |b| b.name.span);
-            scope
-                .report(scope.error(span, format!("`{name}` is fixed and used as a value at the same time")));
+            let span = all.get(k).map_or(span, |(b, _)| b.name.span);
+            let error = scope.error(span, format!("`{name}` is fixed and used as a value at the same time"));
+            // at α = β, β = γ: the value of β is known.
+            let end = value.display(&scope.names);
+            let (user, own) = (&scope.names[user.0], user == var);
+            scope.report(match own {
+                true => error.help("write a value in which it does not occur"),
+                false => error.help(format!("write `{user} = …` with the value of `{name}`, which is {end}")),
+            });
             return None;
         }
+    }
+    if !family.constraints.is_empty() && family.pieces(&fixed, &[], true).is_empty() {
+        scope.pending.truncate(pending);
+        assumed_away(scope, family, span, "the block fixes values that are not assumed");
+        return None;
     }
     Some(fixed)
 }

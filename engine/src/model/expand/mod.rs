@@ -1,4 +1,4 @@
-//! From a family as it is written to the family itself: its ranges (`build`), its functions one by one, by loops and by
+//! From a family as it is written to the family itself: its domain (`build`), its shape parameters (`shapes`), its functions one by one, by loops and by
 //! recursion (`functions`), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
 
 pub(crate) mod build;
@@ -6,3 +6,4 @@ pub(crate) mod claims;
 mod functions;
 mod indices;
 mod names;
+mod shapes;

@@ -196,11 +196,13 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
 pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec<String> {
     let of = &witness.of;
     let here = witness.point();
-    let value = match witness.refutation().statement() {
-        Statement::Zero { value, .. } => Fraction::new(value.numerator.clone(), value.denominator.clone()),
-        _ => return vec![format!("`{of}` is {} at {here}", witness.value)],
-    };
-    let difference = value.unwrap_or_else(Fraction::zero);
+    if !matches!(witness.refutation().statement(), Statement::Zero { .. }) {
+        return vec![format!("`{of}` is {} at {here}", witness.value)];
+    }
+    let expressions =
+        basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
+    let own = expressions.unwrap_or_default().into_iter().find(|(label, _)| label == of);
+    let difference = own.map_or_else(Fraction::zero, |(_, value)| value);
     let shown = abbreviated(&difference.display(&family.names));
     match kind {
         ClaimKind::PartitionOfUnity => {

@@ -9,7 +9,7 @@ use std::rc::Rc;
 use basis_kernel::Statement;
 use basis_prover::{Counterexample, Failure, Method, Shown};
 
-use super::inequality::{self, compared};
+use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
 use crate::algebra::fraction::Fraction;
@@ -17,6 +17,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference};
 use crate::model::Family;
+use crate::model::chart::Piece;
 use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
@@ -41,35 +42,81 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
     })
 }
 
+/// A statement of a claim, with what it is about and the part of the points of which it says that.
+struct Said {
+    stated: Stated,
+    /// The expression; of several parts the label of the statement says more.
+    of: String,
+    piece: Piece,
+}
+
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
+    Some(said(family, claim)?.into_iter().map(|said| said.stated).listed())
+}
+
+/// The statements of a claim one of which may be false: of independence only those whose points all count.
+pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
+    let all = said(family, claim)?.into_iter();
+    let counts = |said: &Said| {
+        !matches!(said.stated.statement, Statement::Independent { .. }) || said.piece.is_exact()
+    };
+    Some(all.filter(counts).map(|said| said.stated).listed())
+}
+
+/// What a claim says of each part of the points.
+fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     let kind = &claim.kind;
     if let ClaimKind::Independent(except) = kind {
-        return Some(vec![independent::stated(family, except)]);
+        return independent::said(family, except);
     }
-    let domain = Rc::new(inequality::domain(family, kind.fixed()));
+    let parts = inequality::parts(family, kind.fixed());
     let comparison = |k: usize| match kind {
         ClaimKind::Nonnegative => Comparison::GreaterEqual,
         ClaimKind::Relation { differences, .. } => differences[k].0,
         _ => Comparison::Equal,
     };
-    let expressions =
-        basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?.into_iter();
-    let stated = |(k, (of, value))| Stated::new(of, compared(&value, comparison(k), &domain));
-    Some(expressions.enumerate().map(stated).listed())
+    let expressions = basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?;
+    let mut all = Vec::new();
+    for (number, part) in parts.iter().enumerate() {
+        for (k, (of, value)) in expressions.iter().enumerate() {
+            let stated =
+                Stated::new(on_part(of, number, parts.len()), compared_on(value, comparison(k), part));
+            all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
+        }
+    }
+    Some(all)
+}
+
+/// The label of a statement about one of several parts of the points.
+fn on_part(of: &str, number: usize, parts: usize) -> String {
+    if parts == 1 { String::from(of) } else { format!("{of} [part {}]", number + 1) }
 }
 
 const TOO_LONG: &str = "the budget is spent on a common denominator of the functions";
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
-    let Some(statements) = statements(family, claim) else {
-        return Verdict::Undecided(String::from(TOO_LONG));
+    let Some(said) = said(family, claim) else {
+        return Verdict::Undecided(String::from(if matches!(claim.kind, ClaimKind::Independent(_)) {
+            independent::NOT_IN_PARTS
+        } else {
+            TOO_LONG
+        }));
     };
-    match all(statements, family.budget) {
+    let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
+    let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
+    match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
-        Err((of, Failure::Refuted(found))) => {
-            Verdict::Refuted(Box::new(witness(family, &claim.kind, of, &found)))
+        Err((label, Failure::Refuted(found))) => {
+            let Some((_, of, piece)) = find(&label) else { return Verdict::Undecided(label) };
+            if matches!(claim.kind, ClaimKind::Independent(_)) && !piece.is_exact() {
+                return Verdict::Undecided(String::from(
+                    "the functions are dependent at values that what is assumed may rule out",
+                ));
+            }
+            let witness = witness(family, &claim.kind, of.clone(), &found, piece);
+            Verdict::Refuted(Box::new(if *of == label { witness } else { witness.about(&label) }))
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
             ClaimKind::Independent(_) => left,
@@ -96,23 +143,25 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 }
 
 /// How the expression of a statement compares with zero, as the claim has it.
-fn stated_comparison(kind: &ClaimKind, of: &str, statement: &Statement) -> Option<Comparison> {
+fn stated_comparison(kind: &ClaimKind, of: &str, statement: &Statement, piece: &Piece) -> Option<Comparison> {
     let ClaimKind::Relation { differences, .. } = kind else { return Some(Comparison::Equal) };
     let (Statement::Zero { domain, .. } | Statement::Sign { domain, .. }) = statement else { return None };
+    let part = (piece.clone(), Rc::clone(domain));
     let own = |(comparison, d): &&(Comparison, Difference)| {
-        d.text == of && compared(&d.value, *comparison, domain) == *statement
+        d.text == of && compared_on(&d.value, *comparison, &part) == *statement
     };
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }
 
 /// The witness that a counterexample is.
-fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample) -> Witness {
+fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample, piece: &Piece) -> Witness {
     if let ClaimKind::Independent(except) = kind {
-        return independent::witness(family, except, found);
+        return independent::witness(family, except, found, piece);
     }
-    let at = named_point(family, found, kind.fixed());
+    let at = named_point(family, found, kind.fixed(), piece);
     // Of the statements of a chain several may be about one expression.
-    let comparison = stated_comparison(kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
+    let comparison =
+        stated_comparison(kind, &of, found.refutation.statement(), piece).unwrap_or(Comparison::Equal);
     let negated = inequality::relation(comparison).is_some_and(|(_, negate)| negate);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
