@@ -256,7 +256,7 @@ fn nearest() {
     let curve = cubic::<[f64; 2]>();
     let ours = each(&numbers, 0.0, move |i| {
         let [x, y, _] = target(i);
-        curve.nearest([x, y], ACCURACY).t
+        curve.nearest([x, y], ACCURACY).map_or(f64::NAN, |found| found.at)
     });
     row("nearest point to 1e-9", "kurbo, f64 2D", &race(CURVES, vec![peer, ours]));
     let curve = curvo_cubic();
@@ -264,6 +264,7 @@ fn nearest() {
         curve.find_closest_parameter(&nalgebra::Point3::from(target(i))).unwrap_or(f64::NAN)
     });
     let curve = cubic::<[f64; 3]>();
-    let ours = each(&numbers, 0.0, move |i| curve.nearest(target(i), ACCURACY).t);
+    let ours =
+        each(&numbers, 0.0, move |i| curve.nearest(target(i), ACCURACY).map_or(f64::NAN, |found| found.at));
     row("nearest point to 1e-9", "curvo, f64 3D (local)", &race(CURVES, vec![peer, ours]));
 }

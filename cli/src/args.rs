@@ -58,6 +58,24 @@ pub(crate) enum Command {
     /// as formulas in the given ones, and its claims, each with its verdict and the reason.
     #[command(after_help = EXPLAIN_HELP)]
     Explain(ExplainArguments),
+    /// Give spec files their standard layout
+    ///
+    /// Four columns of indentation, one statement a line, spaces around signs. Comments, broken lines and empty lines
+    /// between statements stay, and so does the choice between `a*b` and `a * b`. What a spec means never changes.
+    #[command(after_help = FMT_HELP)]
+    Fmt(FmtArguments),
+    /// Serve an editor: verdicts while you type
+    ///
+    /// A language server that speaks the Language Server Protocol on standard input and output: a mark with its reason at
+    /// every claim, formulas under the pointer, completion, go to definition, rename, formatting, and actions such as
+    /// inserting the claims that hold. Editors start it; editors/README.md has a line for each of them.
+    Lsp(LspArguments),
+    /// Write a spec to start from
+    ///
+    /// The file is called as the family, in lower case: `basis new RationalCubic` writes `rational_cubic.basis`. Its claims
+    /// are proved; replace its formulas by your own.
+    #[command(after_help = NEW_HELP)]
+    New(NewArguments),
     /// Print the families of spec files with what is proved of them, as a table in Markdown
     ///
     /// One row for each family: ✓ what is proved, ✗ what is refuted, for which orders and with which exceptions.
@@ -69,6 +87,11 @@ pub(crate) enum Command {
     /// it. No proof is searched for.
     #[command(after_help = VERIFY_HELP)]
     Verify(VerifyArguments),
+    /// Print the completions of a shell
+    #[command(after_help = COMPLETIONS_HELP)]
+    Completions(CompletionsArguments),
+    /// Print the manual page of the command, or write one for each subcommand
+    Man(ManArguments),
 }
 
 /// What can be typed after `basis check`.
@@ -80,8 +103,14 @@ pub(crate) struct CheckArguments {
     /// Write a certificate for every family and order into this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) certificates: Option<PathBuf>,
-    /// Spec files, and folders in which every file *.basis is checked; library:NAME is a spec of the library, library:
-    /// all
+    /// Print errors only
+    #[arg(short, long, conflicts_with = "format")]
+    pub(crate) quiet: bool,
+    /// Check again whenever one of the files, or a file that one of them uses, changes
+    #[arg(short, long, conflicts_with_all = ["format", "certificates"])]
+    pub(crate) watch: bool,
+    /// Spec files, and folders in which every file *.basis is checked; - is standard input, library:NAME is a spec of
+    /// the library, library: all
     #[arg(required = true, value_name = "PATH")]
     pub(crate) paths: Vec<PathBuf>,
 }
@@ -95,7 +124,96 @@ Exit status:
 Examples:
   basis check quartic.basis
   basis check library:quartic
+  basis check --watch quartic.basis
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis fmt`.
+#[derive(Debug, Args)]
+pub(crate) struct FmtArguments {
+    /// Change nothing, and name the files that are not in the standard layout
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// Spec files, and folders in which every file *.basis is changed; - is standard input, whose layout is printed
+    #[arg(required = true, value_name = "PATH")]
+    pub(crate) paths: Vec<PathBuf>,
+}
+
+const FMT_HELP: &str = "\
+Exit status:
+  0  every file is in the standard layout now; with --check, it was
+  1  with --check: a file is not
+  2  a file cannot be read or written, or a bracket in it has no partner
+
+Examples:
+  basis fmt specs
+  basis fmt --check specs
+  basis fmt - < quartic.basis";
+
+/// What can be typed after `basis new`.
+#[derive(Debug, Args)]
+pub(crate) struct NewArguments {
+    /// The name of the family, such as RationalCubic
+    pub(crate) name: String,
+    /// What to start from
+    #[arg(long, value_enum, default_value_t = Kind::Curve)]
+    pub(crate) kind: Kind,
+    /// The file to write; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+/// What a new spec starts from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kind {
+    /// Functions on an interval with a shape parameter
+    Curve,
+    /// Functions of every degree on an interval
+    Degrees,
+    /// Functions on a triangle
+    Triangle,
+    /// Functions on a box
+    Box,
+    /// Two curves that join with a common tangent
+    Join,
+}
+
+const NEW_HELP: &str = "\
+Exit status:
+  0  the file is written
+  2  there is such a file already, or it cannot be written, or the command is used wrongly
+
+Examples:
+  basis new RationalCubic
+  basis new Patch --kind triangle -o specs/patch.basis";
+
+/// What can be typed after `basis completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArguments {
+    /// The shell
+    pub(crate) shell: clap_complete::Shell,
+}
+
+const COMPLETIONS_HELP: &str = "\
+Examples:
+  basis completions bash > ~/.local/share/bash-completion/completions/basis
+  basis completions zsh > ~/.zfunc/_basis
+  basis completions fish > ~/.config/fish/completions/basis.fish";
+
+/// What can be typed after `basis man`.
+#[derive(Debug, Args)]
+pub(crate) struct ManArguments {
+    /// Write basis.1, basis-check.1 and so on into this folder
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+/// What can be typed after `basis lsp`.
+#[derive(Debug, Args)]
+pub(crate) struct LspArguments {
+    /// Speak on standard input and output, which is the only way there is; many editors say so
+    #[arg(long)]
+    stdio: bool,
+}
 
 /// What can be typed after `basis table`.
 #[derive(Debug, Args)]
@@ -143,7 +261,7 @@ Examples:
 /// What can be typed after `basis eval`.
 #[derive(Debug, Args)]
 pub(crate) struct EvalArguments {
-    /// The spec file, or library:NAME for a spec of the library
+    /// The spec file, - for standard input, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
     /// The family, with its order if it has index parameters: 'Bernstein(3)' or 'Bernstein(n=3)'
     pub(crate) family: String,
@@ -174,7 +292,7 @@ Examples:
 /// What can be typed after `basis explain`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
-    /// The spec file, or library:NAME for a spec of the library
+    /// The spec file, - for standard input, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
     /// the file, families in their lowest orders

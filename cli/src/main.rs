@@ -1,7 +1,7 @@
 //! The command `basis`: everything that the macro does during a build, and more, at a terminal.
 //!
 //! `basis check` proves the claims of spec files, `basis eval` evaluates a family exactly, `basis explain` shows what
-//! follows from its formulas, `basis table` lists families with their proved properties, `basis verify` checks
+//! follows from its formulas, `basis lsp` serves an editor, `basis table` lists families with their proved properties, `basis verify` checks
 //! certificates of proofs. All are thin: the mathematics is in basis-engine; here are arguments, files, clocks and
 //! tables.
 
@@ -12,8 +12,12 @@ mod check;
 mod domain;
 mod eval;
 mod explain;
+mod layout;
+mod lsp;
 mod name;
+mod new;
 mod output;
+mod shell;
 mod spec;
 mod table;
 
@@ -28,8 +32,13 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Fmt(arguments) => layout::run(&arguments),
+        Command::Lsp(_) => lsp::run(),
+        Command::New(arguments) => new::run(&arguments),
         Command::Table(arguments) => catalogue::run(&arguments),
         Command::Verify(arguments) => certificates::verify(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments),
+        Command::Man(arguments) => shell::man(&arguments),
     };
     status.into()
 }

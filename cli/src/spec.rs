@@ -1,6 +1,7 @@
-//! Reads a spec that a command names: a file, or one of the library.
+//! Reads a spec that a command names: a file, standard input, or one of the library.
 
 use std::fs;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use basis_engine::source::{self, LIBRARY};
@@ -28,6 +29,23 @@ pub(crate) fn library_folder(name: &str) -> Vec<PathBuf> {
     names.filter(inside).map(|known| PathBuf::from(format!("{LIBRARY}{known}"))).collect()
 }
 
+/// The path that stands for standard input.
+pub(crate) const STDIN: &str = "-";
+
+/// The spec on standard input; what it uses is looked for in the current folder.
+fn read_input() -> Result<Source, Diagnostic> {
+    let mut bytes = Vec::new();
+    // Of a very long text only as much as is needed to refuse it.
+    let read = std::io::stdin().lock().take(2 << 20).read_to_end(&mut bytes);
+    read.map_err(|e| error(format!("cannot read standard input: {e}")))?;
+    let path = std::env::current_dir().ok().map(|folder| folder.join("<stdin>"));
+    source::decode("<stdin>", path, bytes).map_err(|problem| {
+        let mut error = error(problem.message);
+        error.help = problem.help;
+        error
+    })
+}
+
 /// The spec in a file or in the library, shown in messages by the path as the user wrote it.
 ///
 /// # Errors
@@ -36,6 +54,9 @@ pub(crate) fn read(path: &Path) -> Result<Source, Diagnostic> {
     let Some(name) = path.to_str() else {
         return Err(error(format!("the path `{}` is not Unicode", path.display())).help("rename the file"));
     };
+    if name == STDIN {
+        return read_input();
+    }
     if let Some(name) = in_library(path) {
         return source::library(&Disk, name).map_err(|problem| {
             let mut error = error(problem.message);

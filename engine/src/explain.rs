@@ -14,17 +14,17 @@ use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
 use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
 
+use crate::algebra::divisors::gcd::{gcd, square_free};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::gcd::{gcd, square_free};
 use crate::algebra::poly::Poly;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::simplest::simplest_between;
+use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
-use crate::generate::form::IntervalForm;
-use crate::generate::patch_form::{PatchForm, factored_text};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
+use crate::plan::form::IntervalForm;
+use crate::plan::patch_form::{PatchForm, factored_text};
 use crate::state;
 
 /// The work for the factors of denominators.

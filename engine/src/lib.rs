@@ -30,6 +30,7 @@ pub mod diagnostic;
 pub mod explain;
 pub mod generate;
 pub mod model;
+pub mod plan;
 pub mod plural;
 #[cfg(any(test, feature = "tools"))]
 pub mod published;
@@ -37,9 +38,12 @@ pub mod published;
 pub mod query;
 pub mod source;
 pub mod state;
+#[cfg(any(test, feature = "tools"))]
+pub mod steps;
 pub mod subject;
 pub mod syntax;
 pub mod theorem;
+mod weights;
 
 use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -169,10 +173,13 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         }
     }
     let run = &mut state::Run::default();
+    // A list is about what it names; without one every theorem is decided.
+    let all = request.families.is_empty();
+    let theorems = if all || !wanted.is_empty() { theorem::theorems(library) } else { Vec::new() };
     #[cfg(feature = "joins")]
-    let joins = joins(library, request, &wanted, run, &mut diagnostics);
-    #[cfg(not(feature = "joins"))] // each theorem and join is an error of the library
-    let joins = TokenStream::new();
+    let joins = joins(library, request, theorems, &wanted, run, &mut diagnostics);
+    #[cfg(not(feature = "joins"))] // an error of the library, where there are any
+    let (joins, _) = (TokenStream::new(), theorems);
     // The names of the types so far, each with what has it.
     let mut types: Vec<(String, String)> = Vec::new();
     if !joins.is_empty() {
@@ -219,12 +226,12 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
     (code, all.into_list())
 }
 
-/// The functions of the joins: of all, or of those in the list. A list is about what it names only; without one every
-/// theorem is decided.
+/// The functions of the joins: of all, or of those in the list.
 #[cfg(feature = "joins")]
 fn joins(
     library: &Library<'_>,
     request: &Request,
+    theorems: Vec<Item>,
     wanted: &[(&Requested, &str)],
     run: &mut state::Run,
     diagnostics: &mut Vec<Diagnostic>,
@@ -232,10 +239,7 @@ fn joins(
     let mut functions = TokenStream::new();
     // The names of the functions so far, each with its join.
     let mut names: Vec<(String, String)> = Vec::new();
-    if !request.families.is_empty() && wanted.is_empty() {
-        return functions;
-    }
-    for item in theorem::theorems(library) {
+    for item in theorems {
         let requested = wanted.iter().find(|(_, name)| *name == item.subject.name()).map(|(r, _)| r);
         if requested.is_none() && !request.families.is_empty() {
             continue;

@@ -215,7 +215,7 @@ pub fn read(files: &dyn Files, name: &str, folders: &[PathBuf]) -> Result<Source
             });
         }
         match files.read(path) {
-            Ok(bytes) => return decode(name, files.canonical(path), bytes),
+            Ok(bytes) => return decode(name, Some(files.canonical(path)), bytes),
             Err(e) if e.kind() == io::ErrorKind::NotFound => {
                 tried.push(format!("tried {}", path.display()));
             }
@@ -281,7 +281,11 @@ pub(crate) fn beside(from: &str, path: &str) -> Result<String, ReadError> {
     Ok(parts.join("/"))
 }
 
-fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError> {
+/// The spec in some bytes, shown in messages as `name`.
+///
+/// # Errors
+/// When they are too many, or not UTF-8.
+pub fn decode(name: &str, path: Option<PathBuf>, bytes: Vec<u8>) -> Result<Source, ReadError> {
     if bytes.len() > MAX_BYTES {
         return Err(ReadError {
             message: format!("`{name}` is larger than {} MiB", MAX_BYTES >> 20),
@@ -301,5 +305,5 @@ fn decode(name: &str, path: PathBuf, bytes: Vec<u8>) -> Result<Source, ReadError
             help: Some(String::from("save the file with the encoding UTF-8")),
         }
     })?;
-    Ok(Source { path: Some(path), ..Source::text(name, &text) })
+    Ok(Source { path, ..Source::text(name, &text) })
 }

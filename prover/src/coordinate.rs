@@ -2,7 +2,7 @@
 
 use basis_kernel::algebra::rational::Rational;
 
-use crate::algebra::algebraic::Algebraic;
+use crate::algebra::real::algebraic::Algebraic;
 
 /// A coordinate of a point.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]

@@ -4,9 +4,9 @@ use std::rc::Rc;
 
 use basis_kernel::{Point, Quotient, Refusal, Refutation, Root, Statement, Witness};
 
-use crate::algebra::field::{Element, Field, field_of};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::real::field::{Element, Field, field_of};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::coordinate::Coordinate;

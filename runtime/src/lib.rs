@@ -45,6 +45,30 @@
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
 //! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
 //!
+//! # Curves of all types
+//!
+//! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
+//! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
+//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve). Lists of curves of several types are
+//! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
+//!
+//! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
+//! | --- | --- | --- | --- | --- | --- |
+//! | points: `domain`, `eval`, `eval_checked`, `eval_clamped`, `start`, `end`, `samples_into` | yes | yes | yes | yes | yes |
+//! | points one after the other: `samples` | yes | yes | yes | yes | no: the iterator has a type of its own |
+//! | derivatives: `derivative`, `derivatives_into` | yes | yes | yes | yes | yes |
+//! | as an array: `eval_with_derivs` | yes | yes | yes | yes | no: the length is a parameter of the function |
+//! | direction and bending: `tangent`, `curvature`, `torsion`, `frenet_frame` | yes | yes | yes | yes | yes |
+//! | frames that do not turn: `rotation_minimizing_frames` | yes | yes | yes | yes | yes |
+//! | length: `arclen`, `inv_arclen` | yes | yes | yes | yes | yes |
+//! | equal distances: `arclen_parameters`, `samples_by_arclen` | yes | yes | yes | yes | yes |
+//! | a polygon within a tolerance: `flatten` | yes | yes | yes | yes | yes |
+//! | boxes: `bounding_box`, `control_box` | yes | yes | yes | yes | yes |
+//! | special points: `extrema`, `inflections` | yes | yes | yes | yes | yes |
+//! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
+//! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
+//! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
+//!
 //! # Points
 //!
 //! A control point is anything that implements [`Point`]: `f32` and `f64`, arrays `[S; D]`, the float vectors of glam,
@@ -69,7 +93,8 @@
 //! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
-//! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `alloc` |
+//! | `geometry` | yes | the trait of all curves and what it answers: `ParametricCurve`; implies `alloc` |
+//! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `geometry` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `alloc` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
@@ -83,7 +108,13 @@
 // items say which feature they need
 // This page links to everything; with fewer features some of it is not there.
 #![cfg_attr(
-    not(all(feature = "alloc", feature = "macros", feature = "bspline", feature = "mesh")),
+    not(all(
+        feature = "alloc",
+        feature = "macros",
+        feature = "geometry",
+        feature = "bspline",
+        feature = "mesh"
+    )),
     allow(rustdoc::broken_intra_doc_links)
 )]
 
@@ -113,10 +144,14 @@ mod curve;
 mod domain;
 mod error;
 mod form;
+#[cfg(feature = "geometry")]
+mod geometry;
 #[cfg(feature = "laws")]
 pub mod laws;
 #[cfg(feature = "mesh")]
 mod mesh;
+#[cfg(feature = "alloc")]
+mod nearest;
 mod point;
 mod revolution;
 mod scalar;
@@ -145,13 +180,17 @@ macro_rules! basis {
 #[doc(inline)]
 pub use bernstein::{BernsteinBasis, BernsteinOf};
 pub use boxes::{BoxBasis, BoxPatch};
-pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
 #[cfg(feature = "alloc")]
-pub use curve::{Nearest, PiecewiseCurve};
+pub use curve::PiecewiseCurve;
+pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
+#[cfg(feature = "geometry")]
+pub use geometry::{CurvePiece, CurveScalar, ParametricCurve};
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
+#[cfg(feature = "alloc")]
+pub use nearest::Nearest;
 pub use point::Point;
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;
@@ -162,12 +201,12 @@ pub use simplex::{
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
     TriangularPatch,
 };
+#[cfg(feature = "alloc")]
+pub use surface::BoundedSurface;
 pub use surface::{
     BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface,
     ScalarOf, Surface, TensorSurface, edge_continuity,
 };
-#[cfg(feature = "alloc")]
-pub use surface::{BoundedSurface, Projection};
 pub use vector::Point3;
 
 #[cfg(all(doctest, feature = "macros"))]

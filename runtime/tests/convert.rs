@@ -15,7 +15,7 @@ fn kurbo_and_back() {
     assert!((cubic.arclen(1e-9) - curve.arclen(1e-9)).abs() < 2e-9);
     let back: Bezier<kurbo::Point, 4> = cubic.into();
     assert_eq!(back.end(), kurbo::Point::new(4.0, 0.0));
-    assert!((back.nearest(kurbo::Point::new(2.0, 9.0), 1e-9).t - 0.5).abs() < 1e-15);
+    assert!((back.nearest(kurbo::Point::new(2.0, 9.0), 1e-9).unwrap().at - 0.5).abs() < 1e-15);
     // A lower degree is elevated, a higher one refused.
     let line = Bezier::from_points([[0.0, 0.0], [3.0, 6.0]]);
     let quadratic = kurbo::QuadBez::try_from(&line).unwrap();
@@ -30,7 +30,8 @@ fn kurbo_and_back() {
 #[test]
 fn a_path_of_segments() {
     let curve = Bezier::from_points(POINTS);
-    let path = kurbo::BezPath::try_from(&PiecewiseCurve::new(vec![curve, curve.reverse()]).unwrap()).unwrap();
+    let path =
+        kurbo::BezPath::try_from(&PiecewiseCurve::new(vec![curve, curve.reversed()]).unwrap()).unwrap();
     assert_eq!(path.segments().count(), 2);
     assert!((path.perimeter(1e-9) - 2.0 * curve.arclen(1e-9)).abs() < 4e-9);
     let high = PiecewiseCurve::from(Bezier::from_points([
@@ -112,7 +113,7 @@ fn kurbo_fits_cubics() {
         assert!((ends[0] - curve.start()).hypot() < 1e-14 && (ends[1] - curve.end()).hypot() < 1e-14);
         for cubic in &cubics {
             for step in 0..=20 {
-                let there = curve.nearest(cubic.eval(f64::from(step) / 20.0), 1e-12);
+                let there = curve.nearest(cubic.eval(f64::from(step) / 20.0), 1e-12).unwrap();
                 assert!(there.distance <= 1.01 * tolerance, "{tolerance}: {cubic:?} {there:?}");
             }
         }

@@ -8,15 +8,15 @@ mod sources;
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, Continuity,
     Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint, JointMeasure, KnotError,
-    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Projection,
-    Seam, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
+    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam, Spacing,
+    Splice, SpliceError, SpliceOptions, SplineError, splice,
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
-    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError, Edge,
-    EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Mesh, MeshError, Nearest,
-    PiecewiseCurve, RationalSurface, RevolutionError, RevolutionPatch, Samples, ShapeError, SimplexIndex,
-    SimplexPatch, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, TriangleEdge,
+    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError,
+    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Mesh, MeshError,
+    Nearest, PiecewiseCurve, RationalSurface, RevolutionError, RevolutionPatch, Samples, ShapeError,
+    SimplexIndex, SimplexPatch, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, TriangleEdge,
     TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
@@ -88,7 +88,7 @@ fn bases_forms_and_curves() {
     refused(&curve(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
     refused(&EndpointForm::new([0.0, 4.0], [12.0, 1.0]), |json| json["inner"] = serde_json::json!([1.0]));
 
-    let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9);
+    let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);
     again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
     again(Contact::Curvature { f: 0.5, c: 2.0 });
@@ -199,8 +199,7 @@ fn joints_and_networks_of_splines() {
     again(Splice { surface: spline(), measure, spans, rounds: 1, change: 0.5 });
     again((PointConstraint::At([0.5, 0.25], [1.0, 0.0, 2.0]), PointConstraint::Nearest([1.0, 0.0, 2.0])));
     again(Constrained { surface: spline(), parameters: [[0.5, 0.25]].to_vec(), change: 0.5, miss: 0.0 });
-    let Projection { distance, .. } = spline().project([0.0; 3]).unwrap();
-    again(Projection { parameters: [0.5, 0.25], point: [1.0, 0.0, 2.0], distance, at_least: 0.0 });
+    again(spline().nearest([0.0; 3], 1e-9).unwrap());
 }
 
 /// A message names the type that was asked for, not one of ours behind it.
@@ -240,6 +239,7 @@ fn all_else_is_shared() {
     error::<SpliceError>();
     error::<NetworkError>();
     shared::<Samples<P, EndpointForm<P, 3>>>();
+    shared::<CurvePiece>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

@@ -2,7 +2,7 @@
 
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::rational::Rational;
-use basis_runtime::{BoxBasis, Scalar, ShapeError, SimplexBasis, basis};
+use basis_runtime::{BoxBasis, BoxPatch, Scalar, ShapeError, SimplexBasis, SimplexPatch, basis};
 
 use crate::exact::{Reference, fraction};
 use crate::random::Random;
@@ -50,6 +50,9 @@ pub trait ShippedPatch: Copy {
     /// The partial derivatives in the independent coordinates.
     fn partials(&self, at: &[Self::Scalar], orders: &[usize]) -> Vec<Self::Scalar>;
 
+    /// The partial derivative of these orders of the patch over control points that are numbers; the point for orders 0.
+    fn patch(&self, points: &[Self::Scalar], at: &[Self::Scalar], orders: &[usize]) -> Self::Scalar;
+
     /// As the method of the type.
     fn bernstein_coefficients(&self) -> Vec<Vec<Self::Scalar>>;
 
@@ -75,8 +78,8 @@ pub trait ShippedPatch: Copy {
             let part = match random.below(5) {
                 0 => 0,
                 1 => rest,
-                2 => random.bits() % 8,
-                _ => random.bits() % (rest + 1),
+                2 => random.below(8) as u64,
+                _ => random.below(rest as usize + 1) as u64,
             };
             let part = part.min(rest);
             rest -= part;
@@ -126,6 +129,11 @@ macro_rules! patches {
                 let at = at.try_into().expect("all coordinates");
                 $type::partials(self, at, orders.try_into().expect("all orders")).to_vec()
             }
+            fn patch(&self, points: &[S], at: &[S], orders: &[usize]) -> S {
+                let points = points.try_into().expect("all points");
+                let at = at.try_into().expect("all coordinates");
+                patches!(@patch $kind *self, points, at, orders)
+            }
             fn bernstein_coefficients(&self) -> Vec<Vec<S>> {
                 $type::bernstein_coefficients(self).iter().map(|row| row.to_vec()).collect()
             }
@@ -134,6 +142,16 @@ macro_rules! patches {
             }
         }
     )+};
+    (@patch simplex $basis:expr, $points:ident, $at:ident, $orders:ident) => {{
+        let patch = SimplexPatch::new($basis, $points);
+        match $orders.iter().all(|order| *order == 0) {
+            true => patch.eval_barycentric($at),
+            false => patch.partial($at, $orders.try_into().expect("all orders")),
+        }
+    }};
+    (@patch box $basis:expr, $points:ident, $at:ident, $orders:ident) => {
+        BoxPatch::new($basis, $points).partial($at, $orders.try_into().expect("all orders"))
+    };
     (@degree simplex $type:ty) => { <$type as SimplexBasis>::DEGREE };
     (@degree box $type:ty) => { <$type as BoxBasis>::DEGREES.iter().copied().max().unwrap_or(0) };
 }

@@ -1,34 +1,25 @@
-//! A small deterministic generator, so that every run tests the same numbers.
+//! Random numbers of the scalar types, from a deterministic generator: every run tests the same numbers.
 
 use basis_runtime::Scalar;
 
-/// SplitMix64.
+/// A generator of the numbers that the tests evaluate at.
 #[derive(Debug)]
-pub struct Random(u64);
+pub struct Random(basis_test_support::Random);
 
 impl Random {
     /// The generator with that seed.
     pub const fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
+        Self(basis_test_support::Random::new(seed))
     }
 
     /// A whole number below `end`.
     pub fn below(&mut self, end: usize) -> usize {
-        (self.bits() % end.max(1) as u64) as usize
+        self.0.below(end)
     }
 
     /// A number between `low` and `high`, rounded to the scalar type.
     pub fn between<S: Scalar>(&mut self, low: f64, high: f64) -> S {
-        let unit = (self.bits() >> 11) as f64 / 2_f64.powi(53);
+        let unit = (self.0.bits() >> 11) as f64 / 2_f64.powi(53);
         S::of(low + (high - low) * unit)
     }
 

@@ -28,6 +28,19 @@ basis! {
         prove Q(0) == P(1);
         prove D(Q)(0) == 1/4*D(P)(1);
     }
+
+    // The names of scalars and nets are those that locals of generated functions would have.
+    join Named {
+        curve given = HalfTangents;
+        curve Q = HalfTangents;
+        scalar 0 <= x1;
+        scalar 0 <= x0;
+        scalar 0 <= c0;
+        scalar 0 <= r0;
+        let Q[0] = given[3];
+        let Q[1] = (2 + x0)*(1 + c0)/((3 + x1)*(5 + r0 + x0))*given[2];
+        prove Q(0) == given(1);
+    }
 }
 
 type Net = [[[f64; 3]; 4]; 4];
@@ -44,6 +57,13 @@ fn net(random: &mut Random) -> Net {
             [2.0 * i as f64 + 0.4 * x, 2.0 * j as f64 + 0.4 * y, z]
         })
     })
+}
+
+#[test]
+fn no_name_of_a_spec_is_taken_for_a_local_of_the_function() {
+    let (x1, x0, c0, r0) = (1.0, 4.0, 9.0, 7.0); // nothing is rounded
+    let points = joins::named(&[0.0, 0.0, 7.0, 2.0], x1, x0, c0, r0).unwrap();
+    assert_eq!(points, [2.0, 7.0 * ((2.0 + x0) * (1.0 + c0) / ((3.0 + x1) * (5.0 + r0 + x0)))]);
 }
 
 #[test]

@@ -65,7 +65,7 @@ fn curves_of_several_segments() {
     let joint = curve.joints()[0];
     let text = serde_json::to_string(&joint).unwrap();
     assert_eq!(serde_json::from_str::<basis_runtime::Joint<f64>>(&text).unwrap(), joint);
-    let nearest = curve.nearest([1.0, 1.0], 1e-9);
+    let nearest = curve.nearest([1.0, 1.0], 1e-9).unwrap();
     let text = serde_json::to_string(&nearest).unwrap();
     assert_eq!(serde_json::from_str::<basis_runtime::Nearest<[f64; 2]>>(&text).unwrap(), nearest);
 }

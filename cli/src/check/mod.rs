@@ -9,8 +9,9 @@ mod report;
 mod rows;
 mod statements;
 mod text;
+mod watch;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use basis_engine::{Diagnostic, Sources};
@@ -18,9 +19,29 @@ use basis_engine::{Diagnostic, Sources};
 use crate::args::{CheckArguments, Format};
 use crate::certificates::{self, Manifest};
 use crate::output::{self, Status};
+use crate::spec::STDIN;
 
-/// Checks everything that the arguments name, and prints it.
+/// Checks everything that the arguments name, and prints it; with `--watch` again and again.
 pub(crate) fn run(arguments: &CheckArguments) -> Status {
+    let input = arguments.paths.iter().any(|path| path == Path::new(STDIN));
+    if input && (arguments.watch || arguments.certificates.is_some()) {
+        let (what, why) = if arguments.watch {
+            ("--watch", "it does not change")
+        } else {
+            ("--certificates", "`basis verify` could not read it again")
+        };
+        let error = output::error(format!("standard input cannot be checked with `{what}`: {why}"));
+        output::complain(&(error.help("name a file").render(&Sources::default(), true) + "\n"));
+        return Status::Unusable;
+    }
+    if arguments.watch {
+        return watch::run(arguments);
+    }
+    once(arguments, &mut Vec::new())
+}
+
+/// Checks everything that the arguments name, prints it, and notes the files that were read.
+fn once(arguments: &CheckArguments, read: &mut Vec<PathBuf>) -> Status {
     let entries = files::find(&arguments.paths);
     let mut certificates = arguments.certificates.as_deref().map(|folder| Certificates {
         folder,
@@ -28,7 +49,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Status {
         status: Status::Fine,
     });
     let status = match arguments.format {
-        Format::Text => as_text(entries, &mut certificates),
+        Format::Text => as_text(entries, arguments.quiet, &mut certificates, read),
         Format::Json => as_json(entries, &mut certificates),
     };
     status.max(certificates.map_or(Status::Fine, Certificates::finish))
@@ -71,7 +92,12 @@ impl Certificates<'_> {
 }
 
 /// Every file is printed when it is done.
-fn as_text(entries: Vec<files::Entry>, certificates: &mut Option<Certificates<'_>>) -> Status {
+fn as_text(
+    entries: Vec<files::Entry>,
+    quiet: bool,
+    certificates: &mut Option<Certificates<'_>>,
+    read: &mut Vec<PathBuf>,
+) -> Status {
     let start = Instant::now();
     let mut status = Status::Fine;
     let mut summary = text::Summary::default();
@@ -85,10 +111,14 @@ fn as_text(entries: Vec<files::Entry>, certificates: &mut Option<Certificates<'_
         }
         summary.add(&outcome);
         published::collect(&outcome, &mut statements);
-        if outcome.readable {
+        read.extend(outcome.sources.iter().filter_map(|(_, source)| source.path.clone()));
+        if outcome.readable && !quiet {
             status = status.max(output::print(&text::file(&outcome, output::width())));
         }
         output::complain(&messages.render(&outcome));
+    }
+    if quiet {
+        return status;
     }
     status = status.max(output::print(&published::text(&statements, output::width())));
     status.max(output::print(&summary.line(start.elapsed())))

@@ -35,12 +35,13 @@ pub(crate) struct Row {
 /// The rows of a family, whose orders are `items`.
 pub(crate) fn rows(items: &[Decided]) -> Vec<Row> {
     let mut rows = Vec::new();
-    for (Part { standing, text, .. }, part) in parts(items) {
+    for (Part { standing, text, range, .. }, part) in parts(items) {
         if items.len() == 1 && part.len() <= FEW {
             let each = |e: &Entry<'_>| row(standing, e.decided.claim.text.clone(), reason(e.decided), &[*e]);
             rows.extend(part.iter().map(each));
         } else {
-            let claim = describe(items, &text, &part);
+            let statement = if range.is_empty() { text } else { format!("{text} {range}") };
+            let claim = describe(items, &statement, &part);
             rows.push(row(standing, claim, reasons(items, &part), &part));
         }
     }
@@ -108,7 +109,7 @@ fn short_sum(formula: &str) -> String {
 
 /// The point of a counterexample; large nets are left to the JSON output.
 fn short_point(witness: &Witness) -> String {
-    let points = witness.points().0.len();
+    let points = witness.points().listed.len();
     if points <= MAX_POINTS {
         return witness.point();
     }

@@ -4,7 +4,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use basis_kernel::Quotient;
 
-use super::gcd::checked_gcd;
+use super::divisors::gcd::checked_gcd;
 use super::poly::{Poly, PolyExt, Var};
 use super::rational::Rational;
 use super::work::{Spent, Work};

@@ -1,8 +1,6 @@
 //! The kernel's numbers and polynomials, and quotients of polynomials.
 
 pub use basis_kernel::algebra::fibre;
-pub use basis_prover::algebra::{
-    algebraic, factor, gcd, number, poly, range, rational, simplest, univariate, work,
-};
+pub use basis_prover::algebra::{divisors, number, poly, range, rational, real, univariate, work};
 
 pub mod fraction;

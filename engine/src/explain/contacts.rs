@@ -5,9 +5,9 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::continuation::{Side, continuation};
-use crate::generate::{combination, zero, zeros};
 use crate::model::Family;
 use crate::theorem::Unit;
+use crate::weights::{combination, zero, zeros};
 
 /// A contact of two curves of a family and the control points that it determines.
 #[derive(Clone, Debug, PartialEq, Eq)]

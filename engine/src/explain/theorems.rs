@@ -1,8 +1,8 @@
 //! What a theorem or join determines, as formulas.
 
-use crate::generate::combination;
 use crate::model::label;
 use crate::theorem::{Origin, Theorem, Unit};
+use crate::weights::combination;
 
 /// The control points that `let` determines, such as `Q[0]` and `P[2]`, in terms of given points, or by their
 /// coordinates.

@@ -2,16 +2,19 @@
 //! documented methods that use them.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 
 use super::code::shell::Shell;
 use super::code::tokens::{doc, site};
-use super::weights::{combination, zero, zeros};
+use super::rust::Body;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 use crate::continuation::EndPoints;
 use crate::model::{Family, Parameter, label};
+use crate::plan::Input;
+use crate::plan::ends::end_points;
+use crate::weights::{combination, zero, zeros};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// Derivatives up to this order are solved for by formulas.
@@ -152,43 +155,27 @@ impl Solved {
     /// The determined points as combinations of the derivatives d0, d1, … and of the other points.
     fn arm(&self, shell: &Shell<'_>) -> TokenStream {
         let Shell { family, runtime, .. } = shell;
-        let mut code = shell.scalars();
-        let derivatives: Vec<Ident> =
-            (0..self.points.positions.len()).map(|k| Ident::new(&format!("d{k}"), site())).listed();
-        let mut assignments = TokenStream::new();
-        for row in self.rows() {
-            let of_derivatives = row.derivatives.iter().map(|(k, w)| {
-                let d = &derivatives[*k];
-                (quote_spanned!(site()=> #d), *w)
-            });
-            let of_others = row.others.iter().map(|(k, w)| {
-                let k = Literal::usize_unsuffixed(*k);
-                (quote_spanned!(site()=> points[#k]), w)
-            });
-            let terms: Vec<(TokenStream, &Fraction)> = of_derivatives.chain(of_others).listed();
-            let value = match terms.as_slice() {
-                [(term, weight)] if weight.as_constant().is_some_and(|w| w.is_one()) => term.clone(),
-                _ => {
-                    let weights: Vec<TokenStream> =
-                        terms.mapped(|(_, w)| code.quotient(w.numer(), w.denom()));
-                    let terms = terms.iter().map(|(term, _)| term);
-                    quote_spanned!(site()=> #runtime::__private::combine(&[#(#terms),*], [#(#weights),*]))
-                }
-            };
-            let position = Literal::usize_unsuffixed(row.position);
-            assignments.extend(quote_spanned!(site()=> points[#position] = #value;));
-        }
-        let (title, conditions) = (family.title(), Literal::usize_unsuffixed(derivatives.len()));
-        let checks: Vec<TokenStream> = self.zeros.mapped(|factor| {
-            let (at, divisor) = (zero(factor, &family.names), code.scalar(factor));
-            quote_spanned!(site()=> #runtime::__private::check_end(#title, #conditions, #at, #divisor)?;)
+        let (positions, divisors) = (&self.points.positions, &self.zeros);
+        let derivative = |k: usize| Ident::new(&format!("d{k}"), site());
+        let plan = end_points(family, &self.points, divisors);
+        let Body { lets, outputs } = shell.body(&plan, &|input| match input {
+            Input::Derivative(k) => derivative(k).to_token_stream(),
+            Input::Point(k) => {
+                let k = Literal::usize_unsuffixed(k);
+                quote_spanned!(site()=> points[#k])
+            }
+            _ => TokenStream::new(),
         });
-        let lets = code.lets();
+        let (points, values) = outputs.split_at(positions.len());
+        let derivatives = (0..positions.len()).map(derivative);
+        let positions = positions.iter().map(|k| Literal::usize_unsuffixed(*k));
+        let (title, conditions) = (family.title(), Literal::usize_unsuffixed(points.len()));
+        let at = divisors.iter().map(|factor| zero(factor, &family.names));
         quote_spanned! {site()=>
             [#(#derivatives),*] => {
                 #lets
-                #(#checks)*
-                #assignments
+                #(#runtime::__private::check_end(#title, #conditions, #at, #values)?;)*
+                #(points[#positions] = #points;)*
             }
         }
     }

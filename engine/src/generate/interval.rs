@@ -1,22 +1,20 @@
 //! Families on an interval: values, tables, and the binding to control points.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::{ToTokens, quote_spanned};
+use quote::quote_spanned;
 
 use super::code::docs;
-use super::code::powers::Powers;
-use super::code::scalar::{self, ScalarCode};
 use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::ends::Ends;
-use super::form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
 use super::formula::factored;
-use crate::algebra::poly::Poly;
-use crate::algebra::rational::Rational;
+use super::rust::Body;
 use crate::claim::Claim;
 use crate::model::Family;
+use crate::plan::form::IntervalForm;
+use crate::plan::{Input, Plan, interval};
 use crate::state::Verdict;
-use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::list::Listed;
 
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {
@@ -149,113 +147,54 @@ impl Emitter<'_> {
         }
     }
 
-    fn scalars(&self) -> ScalarCode {
-        self.shell.scalars()
-    }
-
-    /// x^a s^b g(s, x) for every function, powers shared; with g in Bernstein form no step is negative where
-    /// its coefficients are not.
-    fn values(&self) -> TokenStream {
-        let runtime = self.runtime;
-        let mut code = self.scalars();
-        let mut powers = Powers::default();
-        let values: Vec<TokenStream> =
-            self.form.functions.mapped(|f| self.value(&f.factored, &f.denom, &mut code, &mut powers));
-        let (lets, powers) = (code.lets(), powers.lets());
-        let unit = quote_spanned! {site()=>
-            let [s, x] = #runtime::__private::unit(<Self as #runtime::Basis>::domain(), t);
-        };
-        let unit = if self.form.degree == 0 { quote_spanned!(site()=> let _ = t;) } else { unit };
-        quote_spanned! {site()=>
-            #unit
-            #powers
-            #lets
-            [#(#values),*]
-        }
-    }
-
-    fn value(&self, f: &Factored, denom: &Poly, code: &mut ScalarCode, powers: &mut Powers) -> TokenStream {
-        let runtime = self.runtime;
-        let mut product: Vec<TokenStream> = Vec::new();
-        if !f.content.is_one() {
-            product.push(number(&f.content));
-        }
-        match f.inner.as_slice() {
-            [] => return number(&Rational::ZERO),
-            [one] if one.is_one() => {}
-            [one] => product.push(code.scalar(one)),
-            many => {
-                let entries = many.mapped(|p| code.scalar(p));
-                product.push(quote_spanned!(site()=> #runtime::__private::bernstein([#(#entries),*], s, x)));
+    /// The code of a plan in a method with the parameter `t` or the control points `points`.
+    fn body(&self, plan: &Plan) -> Body {
+        self.shell.body(plan, &|input| match input {
+            Input::Point(k) => {
+                let k = Literal::usize_unsuffixed(k);
+                quote_spanned!(site()=> points[#k])
             }
-        }
-        let (s, x) = (powers.get("s", f.s_power), powers.get("x", f.x_power));
-        match (s, x) {
-            (Some(s), Some(x)) => product.push(quote_spanned!(site()=> (#s * #x))),
-            (Some(one), None) | (None, Some(one)) => product.push(one.to_token_stream()),
-            (None, None) => {}
-        }
-        if let Some(reciprocal) = code.reciprocal(denom) {
-            product.push(reciprocal);
-        }
-        scalar::product(product)
+            _ => quote_spanned!(site()=> t),
+        })
+    }
+
+    fn values(&self) -> TokenStream {
+        let Body { lets, outputs } = self.body(&interval::values(self.family, self.form));
+        let constant = (self.form.degree == 0).then(|| quote_spanned!(site()=> let _ = t;));
+        quote_spanned!(site()=> #constant #lets [#(#outputs),*])
+    }
+
+    /// A table in rows of that length.
+    fn table(&self, plan: &Plan, row: usize) -> TokenStream {
+        let Body { lets, outputs } = self.body(plan);
+        let rows = outputs.chunks(row.max(1)).map(|row| quote_spanned!(site()=> [#(#row),*]));
+        quote_spanned!(site()=> #lets [#(#rows),*])
     }
 
     /// The monomial coefficients, one row for each function.
     fn coefficients(&self) -> TokenStream {
-        let functions = &self.form.functions;
-        self.table(functions.mapped(|f| f.monomial.mapped(|p| (p, &f.denom))))
+        self.table(&interval::coefficients(self.family, self.form), self.form.degree as usize + 1)
     }
 
     /// The Bernstein coefficients, one column for each function.
     fn weights(&self) -> TokenStream {
-        let functions = &self.form.functions;
-        let row = |j: usize| functions.mapped(|f| (&f.bernstein[j], &f.denom));
-        self.table((0..=self.form.degree as usize).map(row).listed())
-    }
-
-    /// A table of quotients in the shape values.
-    fn table(&self, rows: Vec<Vec<(&Poly, &Poly)>>) -> TokenStream {
-        let mut code = self.scalars();
-        let rows: Vec<TokenStream> = rows
-            .into_iter()
-            .map(|row| {
-                let entries: Vec<TokenStream> =
-                    row.into_iter().map(|(p, denom)| code.quotient(p, denom)).listed();
-                quote_spanned!(site()=> [#(#entries),*])
-            })
-            .listed();
-        let lets = code.lets();
-        quote_spanned!(site()=> #lets [#(#rows),*])
+        self.table(&interval::bernstein_weights(self.family, self.form), self.form.len())
     }
 
     /// The type of a bound curve and the code that makes one.
     fn bind(&self) -> (TokenStream, TokenStream) {
         let Self { runtime, form, .. } = self;
-        let mut code = self.scalars();
-        if form.degree > MAX_ENDPOINT_DEGREE {
+        let Some(plan) = interval::bind(self.family, form) else {
             let n = Literal::usize_unsuffixed(form.degree as usize + 1);
             let form_type = quote_spanned!(site()=> #runtime::BernsteinForm<P, #n>);
             let body = quote_spanned!(site()=> #runtime::BernsteinForm::new(self.to_bernstein(points)));
             return (form_type, body);
-        }
-        let inner_len = form.degree.saturating_sub(1);
-        let mut combination = |weights: Vec<(&Poly, &Poly)>| {
-            let unit = weights.iter().filter(|(p, _)| !p.is_zero()).count() == 1;
-            if let (true, Some(k)) = (unit, weights.iter().position(|(p, d)| p == d)) {
-                let k = Literal::usize_unsuffixed(k);
-                return quote_spanned!(site()=> points[#k]);
-            }
-            let weights = weights.into_iter().map(|(p, d)| code.quotient(p, d)).listed();
-            quote_spanned!(site()=> #runtime::__private::combine(points, [#(#weights),*]))
         };
-        let mut column = |k: usize| combination(form.functions.mapped(|f| (&f.endpoint[k], &f.denom)));
-        let (start, end) = (column(0), column(1));
-        let inner: Vec<TokenStream> = (0..inner_len as usize).map(|k| column(k + 2)).listed();
-        let lets = code.lets();
-        let n = Literal::usize_unsuffixed(inner_len as usize);
+        let Body { lets, outputs } = self.body(&plan);
+        let (ends, inner) = outputs.split_at(2);
+        let n = Literal::usize_unsuffixed(inner.len());
         let form_type = quote_spanned!(site()=> #runtime::EndpointForm<P, #n>);
-        let body = quote_spanned!(site()=> #lets #runtime::EndpointForm::new([#start, #end], [#(#inner),*]));
+        let body = quote_spanned!(site()=> #lets #runtime::EndpointForm::new([#(#ends),*], [#(#inner),*]));
         (form_type, body)
     }
 }

@@ -4,15 +4,17 @@ use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
-use super::code::scalar::{ScalarCode, Variable};
 use super::code::tokens::{doc, site};
 use super::code::{docs, floats, names, shell};
-use super::weights;
+use super::rust::{self, Body, Surroundings};
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Parameter, label};
+use crate::plan::Input;
+use crate::plan::join::determined as determined_points;
 use crate::state::Verdict;
 use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
+use crate::weights;
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -83,39 +85,42 @@ pub(crate) fn join(
             .ok_or_else(|| error(format!("`{}` cannot be the name of a Rust function", theorem.name)))?,
     };
     let core = quote_spanned!(site()=> #runtime::__private::core);
-    let mut variables = Vec::new();
-    let mut checks = TokenStream::new();
-    for scalar in scalars.iter().flat_map(|a| (0..a.scalars.len()).map(move |k| (a, k))) {
-        let (argument, k) = scalar;
-        let parameter = argument.scalars[k];
-        let local = Ident::new(&format!("x{}", variables.len()), site());
-        let (title, shown) = (&theorem.name, &parameter.name);
+    let values: Vec<(&Parameter, TokenStream)> =
+        scalars.iter().flat_map(|a| (0..a.scalars.len()).map(|k| (a.scalars[k], a.value(k)))).listed();
+    let title = &theorem.name;
+    let checks = values.iter().map(|(parameter, value)| {
+        let shown = &parameter.name;
         let range = parameter.range.display(shown).to_string();
         let (low, high) =
             (shell::bound(&parameter.range.low, &core), shell::bound(&parameter.range.high, &core));
-        let value = argument.value(k);
-        checks.extend(quote_spanned! {site()=>
-            let #local = #runtime::__private::check_shape(#title, #shown, #value, #low, #high, #range)?;
-        });
-        let value = quote_spanned!(site()=> #local);
-        variables.push(Variable { var: parameter.var, range: parameter.range.clone(), value });
-    }
+        quote_spanned! {site()=>
+            #runtime::__private::check_shape(#title, #shown, #value, #low, #high, #range)?;
+        }
+    });
+    let checks = checks.fold(TokenStream::new(), |all, check| quote_spanned!(site()=> #all #check));
     let given: Vec<TokenStream> = used.mapped(|k| given(&points, &theorem.points[*k]));
-    let mut code = ScalarCode::new(variables);
-    let results: Vec<(TokenStream, TokenStream)> = determined.mapped(|(_, points)| {
-        let mut value = |form: &Form| {
-            let point = combination(form, &used, runtime, &mut code);
-            quote_spanned!(site()=> #runtime::__private::check_point(#point)?)
-        };
-        arranged(points, &mut value)
+    let plan = determined_points(&values.mapped(|(parameter, _)| *parameter), &used, forms());
+    let input = |input: Input| match input {
+        Input::Shape(k) => values[k].1.clone(),
+        Input::Point(k) => given[k].clone(),
+        _ => TokenStream::new(),
+    };
+    let names = points.iter().map(|p| &p.name).chain(scalars.iter().map(|s| &s.name));
+    let names: Vec<String> = names.map(names::plain).listed();
+    let surroundings = Surroundings { runtime, input: &input, taken: &names, points: None };
+    let Body { lets, outputs } = rust::body(&plan, &surroundings);
+    let mut outputs = outputs.iter();
+    let results = determined.mapped(|(_, points)| {
+        let values = outputs.by_ref().take(points.len());
+        let values =
+            values.map(|point| quote_spanned!(site()=> #runtime::__private::check_point(#point)?)).listed();
+        arranged(points, &values)
     });
     let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.into_iter().unzip();
     let (result, value) = match (types.as_slice(), values.as_slice()) {
         ([one], [value]) => (one.clone(), value.clone()),
         _ => (quote_spanned!(site()=> (#(#types),*)), quote_spanned!(site()=> (#(#values),*))),
     };
-    let lets = code.lets();
-    let count = Literal::usize_unsuffixed(used.len());
     let arguments =
         points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
     let lines = documentation(theorem, verdicts, &points, &scalars, &determined);
@@ -130,7 +135,6 @@ pub(crate) fn join(
         pub fn #name<S: #runtime::Scalar, P: #runtime::Point<Scalar = S>>(
             #(#arguments),*
         ) -> #core::result::Result<#result, #runtime::CurveError> {
-            let given: [P; #count] = [#(#given),*];
             #checks
             #lets
             #core::result::Result::Ok(#value)
@@ -284,11 +288,7 @@ fn grid<'i>(indices: impl Iterator<Item = &'i [i64]>) -> Option<(usize, usize)> 
 }
 
 /// The determined points of a patch: rows where they form a grid, else one after the other.
-fn arranged(
-    points: &[(&[i64], &Form)],
-    value: &mut dyn FnMut(&Form) -> TokenStream,
-) -> (TokenStream, TokenStream) {
-    let values: Vec<TokenStream> = points.mapped(|(_, form)| value(form));
+fn arranged(points: &[(&[i64], &Form)], values: &[TokenStream]) -> (TokenStream, TokenStream) {
     let count = Literal::usize_unsuffixed(values.len());
     match grid(points.iter().map(|(index, _)| *index)) {
         Some((rows, columns)) => {
@@ -298,29 +298,6 @@ fn arranged(
         }
         None => (quote_spanned!(site()=> [P; #count]), quote_spanned!(site()=> [#(#values),*])),
     }
-}
-
-/// Σ weight · given point; the numbers in `used` are the places in the local array `given`.
-pub(super) fn combination(
-    form: &Form,
-    used: &[usize],
-    runtime: &TokenStream,
-    code: &mut ScalarCode,
-) -> TokenStream {
-    let mut points = Vec::new();
-    let mut weights = Vec::new();
-    for (unit, weight) in &form.terms {
-        let Unit::Point(p) = unit else { continue };
-        let at = Literal::usize_unsuffixed(used.iter().position(|u| u == p).unwrap_or(0));
-        points.push(quote_spanned!(site()=> given[#at]));
-        weights.push(code.quotient(weight.numer(), weight.denom()));
-    }
-    if let ([point], [weight]) = (points.as_slice(), form.terms.values().as_slice())
-        && weight.as_constant().is_some_and(|c| c.is_one())
-    {
-        return point.clone();
-    }
-    quote_spanned!(site()=> #runtime::__private::combine(&[#(#points),*], [#(#weights),*]))
 }
 
 fn documentation(

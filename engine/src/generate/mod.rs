@@ -1,20 +1,17 @@
 //! From a family and its verdicts to Rust code.
 //!
 //! The code is small: the shape values, the functions in factored form, the tables that bind control points.
-//! Everything that does not depend on the family is in the runtime. What kind of numbers stand in the code is
-//! decided here; what the formulas are is decided in [`form`] for families on an interval and in [`patch_form`] for
-//! those on simplices and boxes, which other targets can share.
+//! Everything that does not depend on the family is in the runtime. What is computed, and in which order, is decided in
+//! [`crate::plan`], which other targets share; `rust` prints it.
 
 mod code;
 mod ends;
-pub mod form;
 mod formula;
 mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
-pub mod patch_form;
-mod weights;
+mod rust;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -22,17 +19,15 @@ use quote::quote_spanned;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
+use crate::plan::form::IntervalForm;
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
 use code::shell::Shell;
 use code::tokens::{doc, site};
 use code::{floats, names};
-use form::IntervalForm;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use formula::{factored, factored_on_box};
-#[cfg(any(test, feature = "tools"))]
-pub(crate) use weights::{combination, zero, zeros};
 
 /// How to emit a family.
 #[derive(Clone, Debug)]

@@ -275,7 +275,8 @@ fn is_plain(p: &Poly, relation: Relation, vars: &[(Var, &Range)]) -> bool {
         range.is_some_and(|range| range.low.value().is_some_and(|x| !x.is_negative()))
     };
     let term = |m: &crate::algebra::poly::Monomial, c: &Rational| {
-        !c.is_negative() && p.variables().into_iter().all(|v| m.exponent(v) % 2 == 0 || nonnegative(v))
+        !c.is_negative()
+            && p.variables().into_iter().all(|v| m.exponent(v).is_multiple_of(2) || nonnegative(v))
     };
     relation == Relation::NonNegative && p.terms().all(|(m, c)| term(m, c))
 }

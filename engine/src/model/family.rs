@@ -196,10 +196,12 @@ impl Family {
     /// functions are: each function times a polynomial that vanishes nowhere, the same for all functions of a rational
     /// family, and [`Family::numerator_factor`] otherwise.
     pub fn numerators(&self) -> Vec<Poly> {
-        self.functions.mapped(|f| match self.is_rational() {
-            false => f.value.numer().clone(),
+        self.functions.mapped(|f| {
+            if !self.is_rational() {
+                return f.value.numer().clone();
+            }
             // `over` is a multiple of every denominator.
-            true => &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer(),
+            &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer()
         })
     }
 

@@ -12,8 +12,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::explain::{exceptional_set, formulas};
-use crate::generate::form::IntervalForm;
 use crate::model::{Family, Library, Selected};
+use crate::plan::form::IntervalForm;
 use crate::source::{Files, Source};
 use crate::state::{Prover, Run, Verdict};
 use crate::subject::Subject;
@@ -39,7 +39,10 @@ pub fn function_facts(family: &Family) -> Vec<FunctionFacts> {
     let form = IntervalForm::new(family);
     let facts = formulas(family).into_iter().enumerate().map(|(k, formula)| {
         let (mut bernstein, mut between) = (Vec::new(), None);
-        if let Some(f) = form.as_ref().and_then(|form| form.functions.get(k)) {
+        let own = |form: &IntervalForm| Some((form.var, form.functions.get(k)?.clone()));
+        if let Some((var, f)) = form.as_ref().and_then(own)
+            && !f.denom.depends_on(var)
+        {
             let over = |p: &Poly| Fraction::new(p.clone(), f.denom.clone());
             let coefficients: Vec<Fraction> = f.bernstein.iter().filter_map(over).collect();
             bernstein = coefficients.iter().map(|c| c.display(&family.names)).collect();

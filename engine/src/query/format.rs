@@ -2,7 +2,7 @@
 //!
 //! Words, signs and comments stay as they are, in their order; only the white space between them changes. Where a
 //! statement is broken into lines, at most one empty line between statements, and whether a product is written `a*b` or
-//! `a * b`, is left to the author.
+//! `a * b` and an index `b[i-1,0]` or `b[i - 1, 0]`, is left to the author.
 
 use core::fmt;
 
@@ -56,6 +56,8 @@ struct Open {
     broken: bool,
     /// Whether it is `{`, in which statements stand.
     block: bool,
+    /// Whether it holds the indices of the name before it.
+    index: bool,
     /// The indentation of the line on which it stands.
     indent: usize,
 }
@@ -132,7 +134,11 @@ impl<'t> Writer<'t> {
             let item = block && self.open.is_empty();
             let broken = !empty && (item || self.breaks(next) > 0);
             let indent = self.lines.last().map_or(0, |line| line.indent);
-            self.open.push(Open { broken, block, indent });
+            let index = word == "["
+                && k > 0
+                && matches!(self.tokens[k - 1].kind, TokenKind::Word | TokenKind::Close)
+                && self.gap(k).is_empty();
+            self.open.push(Open { broken, block, index, indent });
         }
     }
 
@@ -266,12 +272,17 @@ impl<'t> Writer<'t> {
         if matches!(b, "," | ";") || matches!(a, "(" | "[") {
             return false;
         }
+        let in_index = self.open.last().is_some_and(|open| open.index);
+        if a == "," && in_index {
+            return !self.gap(k).is_empty();
+        }
         if a == "{" || b == "{" || matches!(a, "," | ";" | "}") {
             return true;
         }
         if left == TokenKind::Sign {
             return match a {
                 "^" | ".." | "..=" | "." | "'" | "!" => false,
+                "+" | "-" if in_index => self.is_binary(before) && self.is_wide(before),
                 "+" | "-" => self.is_binary(before),
                 "*" | "/" => self.is_wide(before),
                 _ => !Self::is_other(a) || !self.gap(k).is_empty(),
@@ -281,6 +292,7 @@ impl<'t> Writer<'t> {
             return match b {
                 "^" | ".." | "..=" | "." | "'" => false,
                 "*" | "/" => self.is_wide(k),
+                "+" | "-" if in_index && self.is_binary(k) => self.is_wide(k),
                 "!" => !self.gap(k).is_empty(),
                 _ => !Self::is_other(b) || !self.gap(k).is_empty(),
             };

@@ -12,24 +12,36 @@ use crate::claim::Comparison;
 use crate::model::Family;
 use crate::model::chart::Piece;
 
-/// What a comparison of x with zero says of x, or if the second is true of −x; `None` for equations.
-pub(super) const fn relation(comparison: Comparison) -> Option<(Relation, bool)> {
-    match comparison {
-        Comparison::Equal | Comparison::NotEqual => None,
-        Comparison::Greater => Some((Relation::Positive, false)),
-        Comparison::GreaterEqual => Some((Relation::NonNegative, false)),
-        Comparison::Less => Some((Relation::Positive, true)),
-        Comparison::LessEqual => Some((Relation::NonNegative, true)),
-    }
+/// What a comparison of x with zero says: of x, or if it is `negated` of −x.
+pub(super) struct Said {
+    pub(super) relation: Relation,
+    pub(super) negated: bool,
+}
+
+/// What a comparison with zero says; `None` for equations.
+pub(super) const fn said(comparison: Comparison) -> Option<Said> {
+    let (relation, negated) = match comparison {
+        Comparison::Equal | Comparison::NotEqual => return None,
+        Comparison::Greater => (Relation::Positive, false),
+        Comparison::GreaterEqual => (Relation::NonNegative, false),
+        Comparison::Less => (Relation::Positive, true),
+        Comparison::LessEqual => (Relation::NonNegative, true),
+    };
+    Some(Said { relation, negated })
+}
+
+/// Whether a comparison says something of −x rather than of x.
+pub(super) fn is_negated(comparison: Comparison) -> bool {
+    said(comparison).is_some_and(|said| said.negated)
 }
 
 /// The statement that a value compares with zero as stated, at all points of a domain.
 pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Domain>) -> Statement {
     let domain = Rc::clone(domain);
-    match relation(comparison) {
+    match said(comparison) {
         None => Statement::Zero { value: value.quotient(), domain },
-        Some((relation, negate)) => {
-            let value = if negate { (-value).quotient() } else { value.quotient() };
+        Some(Said { relation, negated }) => {
+            let value = if negated { (-value).quotient() } else { value.quotient() };
             Statement::Sign { value, relation, domain }
         }
     }
@@ -45,11 +57,11 @@ pub(super) fn compared_on(
         return compared(value, comparison, domain);
     }
     let domain = Rc::clone(domain);
-    let negated = relation(comparison).is_some_and(|(_, negate)| negate);
-    let value = piece.pull_back_fraction(&if negated { -value } else { value.clone() });
-    match relation(comparison) {
+    let value = if is_negated(comparison) { -value } else { value.clone() };
+    let value = piece.pull_back_fraction(&value);
+    match said(comparison) {
         None => Statement::Zero { value, domain },
-        Some((relation, _)) => Statement::Sign { value, relation, domain },
+        Some(Said { relation, .. }) => Statement::Sign { value, relation, domain },
     }
 }
 

@@ -25,7 +25,7 @@ pub use judge::Prover;
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
 pub use run::Run;
-pub use verdict::{Evidence, Stated, Verdict, Witness, as_declared, point_text};
+pub use verdict::{Evidence, Stated, Verdict, Witness, WitnessPoints, as_declared, point_text};
 
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;

@@ -122,28 +122,37 @@ impl Witness {
         &self.refutation
     }
 
-    /// The control points that matter, and whether those at zero are left out because most of many are.
-    pub fn points(&self) -> (Vec<&(String, Vec<Rational>)>, bool) {
+    /// The control points that matter.
+    pub fn points(&self) -> WitnessPoints<'_> {
         let mut points: Vec<_> = self.net.iter().filter(|(name, _)| !self.idle.contains(name)).listed();
         let all = points.len();
         let zero = |place: &[Rational]| place.iter().all(Rational::is_zero);
         let zeros = points.iter().filter(|(_, place)| zero(place)).count();
-        let short = all > MAX_ALL && 2 * zeros > all;
-        points.retain(|(_, place)| !short || !zero(place));
-        (points, short)
+        let others_at_zero = all > MAX_ALL && 2 * zeros > all;
+        points.retain(|(_, place)| !others_at_zero || !zero(place));
+        WitnessPoints { listed: points, others_at_zero }
     }
 
     /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
         let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
         let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).listed();
-        let (points, short) = self.points();
-        parts.extend(points.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
-        if short {
+        let points = self.points();
+        parts.extend(points.listed.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
+        if points.others_at_zero {
             parts.push(String::from("all other points 0"));
         }
         parts.join(", ")
     }
+}
+
+/// The control points of a witness that matter.
+#[derive(Debug)]
+pub struct WitnessPoints<'w> {
+    /// Their names and coordinates.
+    pub listed: Vec<&'w (String, Vec<Rational>)>,
+    /// Whether those at zero are left out, because most of many are.
+    pub others_at_zero: bool,
 }
 
 /// The coordinates of a point as they are written in a spec, `(1, 1/2)`.

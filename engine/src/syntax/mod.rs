@@ -145,10 +145,19 @@ pub struct NameDef {
 pub struct RangeDecl {
     /// The name.
     pub name: Name,
-    /// The lower end and whether it is included.
-    pub low: Option<(Expr, bool)>,
-    /// The upper end and whether it is included.
-    pub high: Option<(Expr, bool)>,
+    /// The lower end.
+    pub low: Option<Limit>,
+    /// The upper end.
+    pub high: Option<Limit>,
+}
+
+/// An end of a range.
+#[derive(Debug)]
+pub struct Limit {
+    /// The number.
+    pub value: Expr,
+    /// Whether the range contains it.
+    pub included: bool,
 }
 
 /// A chain that declares shape parameters, such as `0 < q < p <= 1`.
@@ -244,10 +253,10 @@ pub enum PatchKind {
 pub struct Bounds {
     /// The name.
     pub target: Expr,
-    /// The lower end and whether it is included.
-    pub low: Option<(Expr, bool)>,
-    /// The upper end and whether it is included.
-    pub high: Option<(Expr, bool)>,
+    /// The lower end.
+    pub low: Option<Limit>,
+    /// The upper end.
+    pub high: Option<Limit>,
 }
 
 /// A claim of a theorem as it is written.

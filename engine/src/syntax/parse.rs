@@ -1,12 +1,12 @@
 //! From a text or from tokens to the syntax tree, with all mistakes on the way.
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::Token;
 use syn::parse::{ParseStream, Parser};
 
 use super::error::{SyntaxError, SyntaxErrors, SyntaxPlace, error};
 use super::statements::family;
-use super::words::{at_word, doc, take_word};
+use super::words::{Doc, at_word, doc, take_word};
 use super::{Family, Home, Item, Spec, StatementKind, Theorem, Use, glyphs};
 use crate::advice::did_you_mean;
 use crate::source::MAX_BYTES;
@@ -48,7 +48,10 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
     let Some(readable) = readable else { return alone(errors) };
     match readable.text.parse::<TokenStream>() {
         Ok(tokens) => {
-            let (mut spec, mut more) = parse(tokens, errors.is_empty());
+            let (mut spec, mut more) = parse(tokens);
+            if errors.is_empty() {
+                complain_if_empty(&spec, &mut more);
+            }
             leave_out(&mut spec, &readable);
             let at_end = text.trim_end().len();
             for e in more.shown_mut() {
@@ -91,13 +94,13 @@ fn alone(errors: Vec<SyntaxError>) -> (Spec, SyntaxErrors) {
 fn leave_out(spec: &mut Spec, readable: &glyphs::Readable<'_>) {
     let gaps = &readable.gaps;
     // The words of a statement, some of which may be names that it declares.
-    let words = |span: proc_macro2::Span, unread: &mut Vec<String>| {
+    let words = |span: Span, unread: &mut Vec<String>| {
         let text = readable.text.get(span.byte_range()).unwrap_or_default();
         let words = text.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty());
         unread.extend(words.map(String::from));
         sort_unique(unread);
     };
-    let start = |span: proc_macro2::Span| span.byte_range().start;
+    let start = |span: Span| span.byte_range().start;
     let mut end = usize::MAX;
     let mut whole = |from: usize| {
         let until = core::mem::replace(&mut end, from);
@@ -135,17 +138,22 @@ fn leave_out(spec: &mut Spec, readable: &glyphs::Readable<'_>) {
 
 /// Reads a spec from the tokens of a macro call.
 pub fn parse_tokens(tokens: TokenStream) -> (Spec, SyntaxErrors) {
-    parse(tokens, true)
+    let (spec, mut errors) = parse(tokens);
+    complain_if_empty(&spec, &mut errors);
+    (spec, errors)
 }
 
-fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, SyntaxErrors) {
+fn complain_if_empty(spec: &Spec, errors: &mut SyntaxErrors) {
+    if spec.items.is_empty() && errors.is_empty() {
+        errors.push(error(Span::call_site(), "the spec is empty", "write `family Name { … }`"));
+    }
+}
+
+fn parse(tokens: TokenStream) -> (Spec, SyntaxErrors) {
     let mut errors = SyntaxErrors::default();
     let mut spec = Spec::default();
     let read = |input: ParseStream<'_>| -> syn::Result<()> {
-        spec.doc = doc(input, true)?;
-        if input.is_empty() && complain_if_empty {
-            return Err(error(input.span(), "the spec is empty", "write `family Name { … }`"));
-        }
+        spec.doc = doc(input, Doc::Inner)?;
         while !input.is_empty() {
             let start = input.fork();
             match item(input, &mut errors) {
@@ -181,7 +189,7 @@ fn parse(tokens: TokenStream, complain_if_empty: bool) -> (Spec, SyntaxErrors) {
 }
 
 fn item(input: ParseStream<'_>, errors: &mut SyntaxErrors) -> syn::Result<Item> {
-    let doc = doc(input, false)?;
+    let doc = doc(input, Doc::Outer)?;
     if at_word(input, "family") {
         return Ok(Item::Family(family(input, doc, errors)?));
     }

@@ -1,12 +1,13 @@
 //! Ranges as papers write them: `0 <= t <= 1`, `0 < λ`, `λ >= -2`.
 
-use syn::Result;
+use proc_macro2::Span;
 use syn::parse::ParseStream;
+use syn::{Error, Result};
 
 use super::error::error;
-use super::expr::{comparison, expr, loops, unexpected};
+use super::expr::{comparison, expr, loops};
 use super::words::at_word;
-use super::{Bounds, Comparison, Expr, ExprKind, Name, RangeDecl, ShapeDecl};
+use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};
 
 /// What the range of a parameter may look like.
 pub(super) const SHAPE_HELP: &str =
@@ -14,8 +15,8 @@ pub(super) const SHAPE_HELP: &str =
 
 /// A range as papers write it: `0 <= t <= 1`, `0 < λ`, `λ >= -2`, or a name alone for all real numbers.
 pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
-    let Bounds { target, low, high } = bounds(input, false, help)?;
-    let ExprKind::Name(text) = target.kind else { return Err(unexpected(input, "a name")) };
+    let Bounds { target, low, high } = bounds(input, help)?;
+    let ExprKind::Name(text) = target.kind else { return Err(no_target(target.span, help)) };
     Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
 }
 
@@ -23,44 +24,42 @@ pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
 pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
     let help = SHAPE_HELP;
     let (parts, included) = chain(input, help)?;
-    if !parts.iter().any(|part| is_target(part, true)) {
+    if !parts.iter().any(is_target) {
         let part = parts.get(usize::from(parts.len() > 2)).unwrap_or(&parts[0]);
-        return Err(error(part.span, "expected the name whose range this is", help));
+        return Err(no_target(part.span, help));
     }
     Ok(ShapeDecl { parts, included, loops: loops(input)? })
 }
 
-/// Whether an expression is a name, or a name with an index if that is `indexed`.
-fn is_target(e: &Expr, indexed: bool) -> bool {
+/// Whether an expression is a name, or a name with an index.
+fn is_target(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Name(_) => true,
-        ExprKind::Index(base, _) => indexed && matches!(base.kind, ExprKind::Name(_)),
+        ExprKind::Index(base, _) => matches!(base.kind, ExprKind::Name(_)),
         _ => false,
     }
 }
 
-/// A range as papers write it, whose name may have an index, `-3 < γ[1]`, if that is `indexed`.
-pub(super) fn bounds(input: ParseStream<'_>, indexed: bool, help: &str) -> Result<Bounds> {
+/// A range as papers write it, whose name may have an index, `-3 < γ[1]`.
+pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
     let start = input.span();
     let (parts, included) = chain(input, help)?;
-    let is_target = |e: &Expr| self::is_target(e, indexed);
-    let target = |e: Expr| {
-        if is_target(&e) { Ok(e) } else { Err(error(e.span, "expected the name whose range this is", help)) }
-    };
+    let target = |e: Expr| if is_target(&e) { Ok(e) } else { Err(no_target(e.span, help)) };
+    let limit = |value, included: &bool| Some(Limit { value, included: *included });
     let mut parts = parts.into_iter();
     match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
         (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
         (Some(a), Some(b), None, [i]) => {
             if is_target(&b) {
-                Ok(Bounds { target: b, low: Some((a, *i)), high: None })
+                Ok(Bounds { target: b, low: limit(a, i), high: None })
             } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
-                target(b).map(|target| Bounds { target, low: Some((a, *i)), high: None })
+                target(b).map(|target| Bounds { target, low: limit(a, i), high: None })
             } else {
-                Ok(Bounds { target: target(a)?, low: None, high: Some((b, *i)) })
+                Ok(Bounds { target: target(a)?, low: None, high: limit(b, i) })
             }
         }
         (Some(a), Some(b), Some(c), [i, j]) => {
-            Ok(Bounds { target: target(b)?, low: Some((a, *i)), high: Some((c, *j)) })
+            Ok(Bounds { target: target(b)?, low: limit(a, i), high: limit(c, j) })
         }
         _ => Err(error(start, "a range has at most two ends", help)),
     }
@@ -98,4 +97,8 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
         });
     }
     Ok((parts, included))
+}
+
+fn no_target(span: Span, help: &str) -> Error {
+    error(span, "expected the name whose range this is", help)
 }

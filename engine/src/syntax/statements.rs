@@ -8,7 +8,7 @@ use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
 use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
 use super::ranges::{self, range};
-use super::words::{at_word, doc, equals, names_between, skip_statement, take_word};
+use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};
 use super::{Binding, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
 use crate::advice::did_you_mean;
 use basis_prover::collections::sort::sort_unique;
@@ -75,14 +75,14 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
 /// Whether a statement is a claim, perhaps with its first word misspelt: the functions do not depend on it.
 fn begins_claim(input: ParseStream<'_>) -> bool {
     let ahead = input.fork();
-    let _ = doc(&ahead, false);
+    let _ = doc(&ahead, Doc::Outer);
     let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
     ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<Statement> {
-    let doc = doc(input, false)?;
+    let doc = doc(input, Doc::Outer)?;
     let start = input.span();
     let Some((TokenTree::Ident(word), after)) = input.cursor().token_tree() else {
         return Err(unexpected(input, "a statement"));

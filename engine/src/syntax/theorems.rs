@@ -7,7 +7,7 @@ use syn::{Result, Token};
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::ranges::{SHAPE_HELP, bounds};
-use super::words::{at_word, doc, names_between, skip_statement, take_word, text_of};
+use super::words::{Doc, at_word, doc, names_between, skip_statement, take_word, text_of};
 use super::{
     Assertion, Comparison, Expected, Expr, ExprKind, PatchKind, SyntaxErrors, Theorem, TheoremKind,
     TheoremRelation, TheoremStatement, TheoremStatementKind,
@@ -77,12 +77,12 @@ pub(super) fn theorem(
 /// Whether a statement may declare names: anything but a claim, a dimension or a budget.
 fn declares(input: ParseStream<'_>) -> bool {
     let ahead = input.fork();
-    let _ = doc(&ahead, false);
+    let _ = doc(&ahead, Doc::Outer);
     !["prove", "refute", "dimension", "budget"].iter().any(|word| at_word(&ahead, word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
-    let doc = doc(input, false)?;
+    let doc = doc(input, Doc::Outer)?;
     let start = input.span();
     let Some((word, after)) = input.cursor().ident() else { return Err(unexpected(input, "a statement")) };
     let word = word.to_string();
@@ -105,7 +105,7 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     take_word(input)?;
     let kind = match word.as_str() {
         "scalar" | "assume" => {
-            let bounds = bounds(input, true, if word == "assume" { ASSUME_HELP } else { SHAPE_HELP })?;
+            let bounds = bounds(input, if word == "assume" { ASSUME_HELP } else { SHAPE_HELP })?;
             let loops = loops(input)?;
             match word.as_str() {
                 "scalar" => TheoremStatementKind::Scalar(bounds, loops),

@@ -99,12 +99,21 @@ pub(super) fn skip_statement(input: ParseStream<'_>) {
     }
 }
 
-/// The lines of the doc comment that stands here, if one does: `///` or, with `inner`, `//!`.
-pub(super) fn doc(input: ParseStream<'_>, inner: bool) -> Result<Vec<String>> {
+/// How a doc comment is written.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Doc {
+    /// `///`, before what it is about.
+    Outer,
+    /// `//!`, at the top of a spec.
+    Inner,
+}
+
+/// The lines of the doc comment of that kind that stands here, if one does.
+pub(super) fn doc(input: ParseStream<'_>, kind: Doc) -> Result<Vec<String>> {
     let mut lines = Vec::new();
-    while input.peek(Token![#]) && input.peek2(Token![!]) == inner {
+    while input.peek(Token![#]) && input.peek2(Token![!]) == (kind == Doc::Inner) {
         let hash = input.parse::<Token![#]>()?;
-        if inner {
+        if kind == Doc::Inner {
             input.parse::<Token![!]>()?;
         }
         let content;
@@ -133,7 +142,7 @@ pub(super) fn doc(input: ParseStream<'_>, inner: bool) -> Result<Vec<String>> {
 /// statement declares one.
 pub(super) fn names_between(start: ParseStream<'_>, end: ParseStream<'_>, names: &mut Vec<String>) {
     // What went wrong in a doc comment has no names.
-    let _ = doc(start, false);
+    let _ = doc(start, Doc::Outer);
     let before = names.len();
     let named = ["let", "curve", "surface"].iter().any(|word| at_word(start, word));
     let mut position = 0;

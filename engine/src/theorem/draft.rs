@@ -10,7 +10,7 @@ use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::model::budget::TooLarge;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
-use crate::syntax::{self, Expr, ExprKind, Loops};
+use crate::syntax::{self, Expr, ExprKind, Loops, PatchKind};
 
 /// The first variables stand for the parameters of every patch, until arguments take their places.
 pub(super) const OWN: usize = 3;
@@ -32,7 +32,7 @@ pub(super) struct Elaboration<'a> {
     pub(super) kind: TheoremKind,
     pub(super) scalars: Vec<Parameter>,
     /// Parameters of patches that are scalars only if something mentions them.
-    pub(super) implicit: Vec<(Var, bool)>,
+    pub(super) implicit: Vec<Implicit>,
     /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand
     /// for.
     pub(super) shape_values: Vec<Var>,
@@ -46,11 +46,17 @@ pub(super) struct Elaboration<'a> {
     pub(super) products: Vec<(Var, (usize, usize))>,
 }
 
+/// The parameter of a patch.
+pub(super) struct Implicit {
+    pub(super) var: Var,
+    pub(super) mentioned: bool,
+}
+
 /// A patch while the theorem is read.
 pub(super) struct PatchDef {
     pub(super) name: String,
     pub(super) written: String,
-    pub(super) curve: bool,
+    pub(super) kind: PatchKind,
     /// The names of the parameters; the variables `0..` stand for them.
     pub(super) parameters: Vec<String>,
     /// The last barycentric coordinate.
@@ -64,8 +70,8 @@ pub(super) struct PatchDef {
 
 impl PatchDef {
     pub(super) fn finish(self) -> Patch {
-        let Self { name, written, curve, parameters, points, .. } = self;
-        Patch { name, written, curve, parameters, points }
+        let Self { name, written, kind, parameters, points, .. } = self;
+        Patch { name, written, kind, parameters, points }
     }
 }
 

@@ -21,7 +21,7 @@ use crate::model::scope::{Scope, Subject};
 use crate::source::SourceId;
 use crate::subject::{Item, Subject as About};
 use crate::syntax::{
-    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, PatchKind, TheoremStatement, TheoremStatementKind,
+    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Limit, TheoremStatement, TheoremStatementKind,
 };
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -117,7 +117,7 @@ impl Elaboration<'_> {
         }
         let whole = Rc::new(Domain::of(region.clone()));
         self.scope.settle(&|_| vec![(Piece::default(), Rc::clone(&whole))], budget);
-        let silent: Vec<Var> = self.implicit.iter().filter(|(_, seen)| !seen).map(|(var, _)| *var).listed();
+        let silent: Vec<Var> = self.implicit.iter().filter(|p| !p.mentioned).map(|p| p.var).listed();
         self.scalars.retain(|p| !silent.contains(&p.var));
         let theorem = Theorem {
             kind: written.kind,
@@ -189,7 +189,7 @@ impl Elaboration<'_> {
     fn statement(&mut self, statement: &TheoremStatement, budget: &mut u32) -> Option<()> {
         match &statement.kind {
             TheoremStatementKind::Patch(kind, name, value) => {
-                let done = self.patch(*kind == PatchKind::Curve, name, value);
+                let done = self.patch(*kind, name, value);
                 self.incomplete |= done.is_none();
                 if done.is_none() && self.taken(&name.text).is_none() {
                     // Known without a value, so that nothing more is said about it.
@@ -220,7 +220,7 @@ impl Elaboration<'_> {
         let name = self.target_name(target)?;
         // The parameter of a patch may be declared, with a range of its own.
         if let Some(var) = self.scope.variable(&name)
-            && let Some(at) = self.implicit.iter().position(|(v, _)| *v == var)
+            && let Some(at) = self.implicit.iter().position(|p| p.var == var)
         {
             self.implicit.remove(at);
             let scalar = self.scalars.iter_mut().find(|p| p.var == var)?;
@@ -249,12 +249,12 @@ impl Elaboration<'_> {
         };
         // A parameter that was narrowed is known: it cannot be declared again.
         let var = self.scalars[at].var;
-        self.implicit.retain(|(implicit, _)| *implicit != var);
+        self.implicit.retain(|p| p.var != var);
         self.narrow(at, &range, bounds.target.span)
     }
 
     fn range(&mut self, bounds: &Bounds) -> Option<Range> {
-        for (end, _) in bounds.low.iter().chain(&bounds.high) {
+        for Limit { value: end, .. } in bounds.low.iter().chain(&bounds.high) {
             if self.scope.mentions_variable(end) {
                 let error = self.scope.error(end.span, "the end of a range must be a number");
                 self.scope.report(error.label("this contains a variable").help(ASSUME_HELP));

@@ -160,8 +160,8 @@ impl Elaboration<'_> {
 
     /// Notes that a parameter of a patch occurs in the theorem.
     pub(super) fn mention(&mut self, var: Var) {
-        if let Some(parameter) = self.implicit.iter_mut().find(|(v, _)| *v == var) {
-            parameter.1 = true;
+        if let Some(parameter) = self.implicit.iter_mut().find(|p| p.var == var) {
+            parameter.mentioned = true;
         }
     }
 

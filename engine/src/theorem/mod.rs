@@ -27,7 +27,7 @@ use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::model::Parameter;
 use crate::source::SourceId;
-pub use crate::syntax::{TheoremKind, TheoremRelation};
+pub use crate::syntax::{PatchKind, TheoremKind, TheoremRelation};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// A theorem or a join.
@@ -83,8 +83,8 @@ pub struct Patch {
     pub name: String,
     /// The families with their shape values, as they are written.
     pub written: String,
-    /// Whether it is a curve.
-    pub curve: bool,
+    /// Whether it is a curve or a surface.
+    pub kind: PatchKind,
     /// The names of its parameters.
     pub parameters: Vec<String>,
     /// The control points.

@@ -3,7 +3,8 @@
 use crate::Library;
 use crate::subject::Item;
 
-/// None: the library has an error for the first that is written.
-pub fn theorems(_: &Library<'_>) -> Vec<Item> {
+/// Nothing; the library has an error for the first theorem or join that would have been decided.
+pub fn theorems(library: &Library<'_>) -> Vec<Item> {
+    library.refuse_theorems();
     Vec::new()
 }

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
-use super::draft::{Elaboration, OWN, PatchDef};
+use super::draft::{Elaboration, Implicit, OWN, PatchDef};
 use super::form::{Form, Unit};
 use super::{ControlPoint, GivenPoint, Origin};
 use crate::algebra::fraction::Fraction;
@@ -15,7 +15,7 @@ use crate::model::formula::print::Printer;
 use crate::model::scope::Inside;
 use crate::model::{Family, Parameter, label};
 use crate::plural::{count, here};
-use crate::syntax::{Expr, ExprKind, Name, Role};
+use crate::syntax::{Expr, ExprKind, Name, PatchKind, Role};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// One factor of a surface: a family with its shape values as they are written, and the name of its parameter.
@@ -28,14 +28,14 @@ struct Factor<'e> {
 
 impl Elaboration<'_> {
     /// A statement that declares a curve or a surface.
-    pub(super) fn patch(&mut self, curve: bool, name: &Name, value: &Expr) -> Option<()> {
+    pub(super) fn patch(&mut self, kind: PatchKind, name: &Name, value: &Expr) -> Option<()> {
         self.check_free(&name.text, name.span)?;
         let (written, points) = split_points(value);
         let (parts, listed) = match &written {
             Some(parts) => (parts.clone(), points),
             None => (vec![value], points),
         };
-        if parts.len() > 2 || (curve && parts.len() > 1) {
+        if parts.len() > 2 || (kind == PatchKind::Curve && parts.len() > 1) {
             let error = self.scope.error(value.span, "this is not a curve or surface");
             self.scope.report(error.help(
                 "a curve is one family, `curve P = Bernstein(3);`, a surface a family on a triangle or a product of two, `surface S = Bernstein(3)(u) * Bernstein(2)(v);`",
@@ -52,7 +52,7 @@ impl Elaboration<'_> {
         let mut def = PatchDef {
             name: name.text.clone(),
             written: shown.join("*"),
-            curve,
+            kind,
             parameters: Vec::new(),
             dependent: None,
             functions: Vec::new(),
@@ -149,13 +149,13 @@ impl Elaboration<'_> {
     /// A family on an interval, a box or a simplex.
     fn single(&mut self, factor: &Factor<'_>, def: &mut PatchDef, name: &Name) -> Option<()> {
         let family = &factor.family;
-        if def.curve && family.interval().is_none() {
+        if def.kind == PatchKind::Curve && family.interval().is_none() {
             let error =
                 self.scope.error(factor.span, format!("`{}` is not a family on an interval", family.title()));
             self.scope.report(error.help(format!("write `surface {} = …;`", name.text)));
             return None;
         }
-        if !def.curve && family.domain.len() < 2 || family.domain.len() > OWN {
+        if def.kind == PatchKind::Surface && family.domain.len() < 2 || family.domain.len() > OWN {
             let error = self.scope.error(factor.span, "a surface has two parameters");
             self.scope.report(error.help(format!(
                 "write `curve {} = …;`, or a product such as `Bernstein(3)(u) * Bernstein(2)(v)`",
@@ -282,7 +282,7 @@ impl Elaboration<'_> {
                     continue;
                 }
                 let var = self.scope.variable(&name);
-                if var.is_some_and(|var| self.implicit.iter().any(|(implicit, _)| *implicit == var)) {
+                if var.is_some_and(|var| self.implicit.iter().any(|p| p.var == var)) {
                     let message =
                         format!("`{name}` is the parameter of a curve or surface, not a shape value");
                     self.scope.report(self.scope.error(expr.span, message).help(format!(
@@ -340,7 +340,7 @@ impl Elaboration<'_> {
     fn parameter(&mut self, name: &str, range: &Range, span: Span) {
         if self.taken(name).is_none() {
             let var = self.new_scalar(name, range.clone(), &[], span);
-            self.implicit.push((var, false));
+            self.implicit.push(Implicit { var, mentioned: false });
         }
     }
 

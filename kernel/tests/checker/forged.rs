@@ -11,6 +11,7 @@ use basis_kernel::{
     Cells, Certificate, Cuts, Domain, FactorSign, Proof, Quotient, Relation, Sample, Section, SignProof,
     Signed, Statement, text,
 };
+use basis_test_support::Random;
 
 use crate::signs::{CASES, Case, IRRATIONAL};
 use crate::text::sign;
@@ -19,13 +20,14 @@ use crate::text::sign;
 const TRIES: usize = 100_000;
 const SEED: u64 = 20_261_122;
 
-struct Random(u64);
+/// Exact numbers, polynomials and ranges from a generator.
+trait Exact {
+    fn number(&mut self) -> Rational;
+    fn poly(&mut self, variables: usize) -> Poly;
+    fn around(&mut self, x: &Rational) -> Range;
+}
 
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as usize % n
-    }
+impl Exact for Random {
     fn number(&mut self) -> Rational {
         Rational::new(self.below(13) as i64 - 6, 1 + self.below(3) as i64)
     }
@@ -274,7 +276,7 @@ fn accepted(statement: &Rc<Statement>, certificate: Certificate) -> bool {
 
 #[test]
 fn changed_certificates_do_not_prove_what_is_false() {
-    let random = &mut Random(SEED);
+    let random = &mut Random::new(SEED);
     let mut tries = 0;
     let own =
         |c: &Case| accepted(&sign(c.claim, c.on), text::certificate(c.certificate).expect("a certificate"));
@@ -324,7 +326,7 @@ fn renewed(mut proof: SignProof, value: &Quotient) -> SignProof {
 
 #[test]
 fn random_certificates_do_not_prove_what_is_false() {
-    let random = &mut Random(SEED + 1);
+    let random = &mut Random::new(SEED + 1);
     let mut tries = 0;
     while tries < TRIES / 2 {
         let variables = 1 + random.below(2);
@@ -366,7 +368,7 @@ fn random_certificates_do_not_prove_what_is_false() {
 /// The forger can do it: with a claim that is true it finds certificates that are accepted.
 #[test]
 fn true_claims_are_proved_by_chance() {
-    let random = &mut Random(SEED + 2);
+    let random = &mut Random::new(SEED + 2);
     let statement = sign("x0^2 - x0 + 1/3 > 0", "0 <= x0 <= 1");
     let polys = vec![crate::text::poly("x0")];
     let mut found = 0;

@@ -1,7 +1,7 @@
 //! Matrices of numbers and of polynomials: rank, determinants, combinations of rows that vanish.
 
-use super::gcd::{checked_product, gcd_all};
-use super::modular;
+use super::divisors::gcd::{checked_product, gcd_all};
+use super::divisors::modular;
 use super::poly::Poly;
 use super::rational::Rational;
 use super::work::{Spent, Work};

@@ -147,22 +147,23 @@ impl<'a, K, V> IntoIterator for &'a SortedMap<K, V> {
 mod tests {
     use std::collections::BTreeMap;
 
+    use basis_test_support::Random;
+
     use super::SortedMap;
 
     #[test]
     fn does_what_a_search_tree_does() {
         let (mut ours, mut theirs) = (SortedMap::new(), BTreeMap::new());
-        let mut state = 1_u64;
+        let mut random = Random::new(1);
         for step in 0..2000 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let key = state >> 58;
-            match state >> 40 & 3 {
+            let key = random.below(64);
+            match random.below(4) {
                 0 => assert_eq!(ours.remove(&key), theirs.remove(&key)),
                 1 => assert_eq!(ours.insert(key, step), theirs.insert(key, step)),
                 2 => assert_eq!(ours.get_or_insert_with(key, || step), theirs.entry(key).or_insert(step)),
                 3 if key == 7 => {
-                    ours.retain(|key, value| (key ^ *value) & 1 == 0);
-                    theirs.retain(|key, value| (key ^ *value) & 1 == 0);
+                    ours.retain(|key, value| (*key ^ *value) & 1 == 0);
+                    theirs.retain(|key, value| (*key ^ *value) & 1 == 0);
                 }
                 _ => assert_eq!(ours.contains_key(&key), theirs.contains_key(&key)),
             }

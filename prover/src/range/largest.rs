@@ -2,11 +2,11 @@
 
 use core::cmp::Ordering;
 
-use crate::algebra::gcd::square_free;
+use crate::algebra::divisors::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::roots::{Root, between_roots};
+use crate::algebra::real::roots::{Root, between_roots};
 use crate::budget::Budget;
 use crate::collections::list::{Listed, Mapped};
 use crate::coordinate::Coordinate;

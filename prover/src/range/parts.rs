@@ -3,11 +3,11 @@
 use crate::collections::list::Listed;
 use core::cmp::Ordering;
 
-use crate::algebra::gcd::square_free;
+use crate::algebra::divisors::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::roots::{Root, between_roots};
+use crate::algebra::real::roots::{Root, between_roots};
 use crate::budget::Budget;
 use crate::coordinate::Coordinate;
 use crate::sign::decomposition::projection::{all_roots, basis, levels, univariates};

@@ -2,10 +2,10 @@
 
 use super::cut::Cut;
 use super::table::Table;
-use crate::algebra::field::Element;
 use crate::algebra::matrix;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
+use crate::algebra::real::field::Element;
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::collections::list::Listed;
@@ -31,7 +31,7 @@ pub(crate) fn combination(exact: &mut Exact, table: Table<'_>, work: &mut Work) 
         Some(cut) => (&cut.rows, cut.blocks.iter().flat_map(|b| b.rows.iter().copied()).listed()),
         None => (table.rows, (0..table.rows.len()).listed()),
     };
-    let row = |field: &crate::algebra::field::Field, k: usize, work: &mut Work| {
+    let row = |field: &crate::algebra::real::field::Field, k: usize, work: &mut Work| {
         rows[order[k]].iter().map(|p| field.eval(p, at, work)).collect::<Option<Vec<Element>>>()
     };
     let found = field.vanishing_combination(rows.len(), &row, work)??;

@@ -11,7 +11,7 @@ use crate::algebra::matrix::{nonzero_minors, vanishing_combination};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::roots::isolate;
+use crate::algebra::real::roots::isolate;
 use crate::algebra::univariate::{ToPoly, Univariate};
 use crate::algebra::work::Work;
 use crate::budget::Budget;

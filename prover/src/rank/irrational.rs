@@ -1,10 +1,10 @@
 //! Ranks at points with irrational coordinates.
 
 use super::table::at;
-use crate::algebra::algebraic::Algebraic;
 use crate::algebra::matrix::minor;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::real::algebraic::Algebraic;
 use crate::algebra::work::Work;
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_unique;

@@ -6,7 +6,7 @@ use super::witness;
 use crate::algebra::poly::Var;
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
-use crate::algebra::simplest::simplest_between;
+use crate::algebra::real::simplest::simplest_between;
 use crate::budget::Budget;
 use crate::coordinate::Coordinate;
 use crate::method::Method;

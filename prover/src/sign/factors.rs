@@ -3,7 +3,7 @@
 use super::outcome::{Outcome, Prove};
 use super::problem::{Point, Problem, as_rational, rational, value};
 use super::{univariate, witness};
-use crate::algebra::gcd::square_free;
+use crate::algebra::divisors::gcd::square_free;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;

@@ -4,7 +4,7 @@ use crate::algebra::bernstein::Side;
 use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
-use crate::algebra::simplest::simplest_between;
+use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::collections::list::Listed;
 use crate::coordinate::Coordinate;

@@ -3,10 +3,10 @@
 use super::outcome::Outcome;
 use super::problem::{Problem, rational};
 use super::subdivision::{Attempt, search};
-use crate::algebra::algebraic::number;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::algebra::roots::{Root, between_roots, isolate};
+use crate::algebra::real::algebraic::number;
+use crate::algebra::real::roots::{Root, between_roots, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::coordinate::Coordinate;

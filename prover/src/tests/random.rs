@@ -1,26 +1,28 @@
 //! Random claims: every verdict must check out, and the steps of the cascade must agree with each other.
 
+use basis_test_support::Random;
+
 use super::*;
 use crate::algebra::poly::PolyExt;
 
-/// A small deterministic generator (Knuth's MMIX constants).
-struct Random(u64);
+/// Exact numbers, polynomials and ranges from a generator.
+trait Exact {
+    fn rational(&mut self) -> Rational;
+    fn poly(&mut self, variables: usize, degree: u16, terms: usize) -> Poly;
+    fn range(&mut self) -> Range;
+    fn region(&mut self, variables: usize) -> Region;
+    /// A number of a range.
+    fn number(&mut self, range: &Range) -> Rational;
+}
 
-impl Random {
-    fn next(&mut self, below: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % below
-    }
-    fn between(&mut self, low: i64, high: i64) -> i64 {
-        low + self.next((high - low + 1) as u64) as i64
-    }
+impl Exact for Random {
     fn rational(&mut self) -> Rational {
         Rational::new(self.between(-6, 6), self.between(1, 3))
     }
-    fn poly(&mut self, variables: usize, degree: u16, terms: u64) -> Poly {
+    fn poly(&mut self, variables: usize, degree: u16, terms: usize) -> Poly {
         let mut p = Poly::zero();
-        for _ in 0..=self.next(terms) {
-            let exponents = (0..variables).map(|_| self.next(u64::from(degree) + 1) as u16).collect();
+        for _ in 0..=self.below(terms) {
+            let exponents = (0..variables).map(|_| self.below(usize::from(degree) + 1) as u16).collect();
             p = &p + &Poly::term(crate::algebra::poly::Monomial::new(exponents), self.rational());
         }
         p
@@ -30,7 +32,7 @@ impl Random {
         ends.sort();
         let [a, b] = ends;
         let b = if a == b { &b + &Rational::ONE } else { b };
-        let mut end = |x: Rational| match self.next(8) {
+        let mut end = |x: Rational| match self.below(8) {
             0 => End::Infinite,
             1 | 2 => End::Excluded(x),
             _ => End::Included(x),
@@ -40,7 +42,6 @@ impl Random {
     fn region(&mut self, variables: usize) -> Region {
         Region { ranges: (0..variables).map(|k| (Var(k), self.range())).collect() }
     }
-    /// A number of a range.
     fn number(&mut self, range: &Range) -> Rational {
         let parts = 7;
         let k = self.between(1, parts - 1);
@@ -55,10 +56,10 @@ impl Random {
 
 /// A claim of one of several kinds, many of them nearly false or nearly true.
 fn claim(random: &mut Random) -> (Poly, Relation, Region) {
-    let variables = if random.next(6) == 0 { 3 } else { 1 + random.next(2) as usize };
+    let variables = if random.below(6) == 0 { 3 } else { 1 + random.below(2) };
     let degree = if variables == 3 { 1 } else { 2 };
     let region = random.region(variables);
-    let p = match random.next(7) {
+    let p = match random.below(7) {
         0 => random.poly(variables, degree, 6),
         1 => random.poly(variables, degree, 4).pow(2),
         2 => &random.poly(variables, degree, 3).pow(2) + &random.poly(variables, degree, 3).pow(2),
@@ -88,7 +89,7 @@ fn claim(random: &mut Random) -> (Poly, Relation, Region) {
             p
         }
     };
-    let relation = if random.next(2) == 0 { Relation::NonNegative } else { Relation::Positive };
+    let relation = if random.below(2) == 0 { Relation::NonNegative } else { Relation::Positive };
     (p, relation, region)
 }
 
@@ -115,7 +116,7 @@ fn steps_agree_and_verdicts_check_out_many_times() {
 
 /// Checks random claims; how many are proved, refuted and undecided.
 fn run(seed: u64, rounds: usize) -> [usize; 3] {
-    let mut random = Random(seed);
+    let mut random = Random::new(seed);
     let mut counts = [0; 3];
     for round in 0..rounds {
         let (p, relation, region) = claim(&mut random);
@@ -152,14 +153,14 @@ fn run(seed: u64, rounds: usize) -> [usize; 3] {
 
 /// Up to three rows of small polynomials; often they are dependent somewhere, sometimes everywhere.
 fn table(random: &mut Random, parameters: usize) -> Vec<Vec<Poly>> {
-    let height = 1 + random.next(3) as usize;
-    let width = height + random.next(2) as usize;
-    let entry = |random: &mut Random| match random.next(3) {
+    let height = 1 + random.below(3);
+    let width = height + random.below(2);
+    let entry = |random: &mut Random| match random.below(3) {
         0 => Poly::constant(random.rational()),
         _ => random.poly(parameters, 1, 2),
     };
     let mut rows: Vec<Vec<Poly>> = (0..height).map(|_| (0..width).map(|_| entry(random)).collect()).collect();
-    if random.next(2) == 0 && height > 1 {
+    if random.below(2) == 0 && height > 1 {
         // The last row is a multiple of the first wherever a polynomial vanishes.
         let (zero, factor) = (random.poly(parameters, 2, 2), random.rational());
         rows[height - 1] =
@@ -191,7 +192,7 @@ fn points(random: &mut Random, region: &Region) -> Vec<Vec<Rational>> {
     let mut all = Vec::new();
     for k in 0..20 {
         let number = |(_, r): &(Var, Range), random: &mut Random| {
-            let end = [&r.low, &r.high][random.next(2) as usize].value().filter(|x| r.contains(x));
+            let end = [&r.low, &r.high][random.below(2)].value().filter(|x| r.contains(x));
             end.filter(|_| k % 2 == 0).cloned().unwrap_or_else(|| random.number(r))
         };
         all.push(region.ranges.iter().map(|r| number(r, random)).collect());
@@ -202,10 +203,10 @@ fn points(random: &mut Random, region: &Region) -> Vec<Vec<Rational>> {
 
 #[test]
 fn independence_agrees_with_ranks_at_points() {
-    let mut random = Random(7);
+    let mut random = Random::new(7);
     let mut counts = [0; 3];
     for round in 0..150 {
-        let parameters = 1 + random.next(2) as usize;
+        let parameters = 1 + random.below(2);
         let region = random.region(parameters);
         let rows = table(&mut random, parameters);
         let at = |point: &[Rational]| -> Vec<Vec<Rational>> {
@@ -239,7 +240,7 @@ fn independence_agrees_with_ranks_at_points() {
 #[test]
 fn joint_exceptions_are_proved_by_certificates_that_are_accepted() {
     // Dependent at a joint value of the parameters, for which exceptions name both; the entries vanish in many ways.
-    let mut random = Random(11);
+    let mut random = Random::new(11);
     let mut proved = 0;
     for round in 0..150 {
         let (x, y) = (Poly::var(Var(0)), Poly::var(Var(1)));
@@ -250,7 +251,7 @@ fn joint_exceptions_are_proved_by_certificates_that_are_accepted() {
             vec![&p * &small(&mut random), &q * &small(&mut random), &p + &q],
             vec![small(&mut random), small(&mut random), Poly::zero()],
         ];
-        rows.swap(0, random.next(2) as usize);
+        rows.swap(0, random.below(2));
         let except = vec![vec![(Var(0), a), (Var(1), b)]];
         let ranges = vec![(Var(0), Range::all()), (Var(1), Range::all())];
         let statement = Statement::Independent { rows: rows.clone(), except, region: Region { ranges } };

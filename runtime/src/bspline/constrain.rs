@@ -8,10 +8,14 @@ use core::fmt::{self, Display, Formatter};
 use super::{BSplineSurface, Direction, KnotError, Net};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
+use crate::vector::largest_component;
 use crate::{Point, Scalar};
 
 /// A row that the earlier ones determine up to this part of its length says nothing new.
 const DEPENDENT: f64 = 1e-12;
+
+/// How much nearer a point may be than the nearest one that is found, as a part of the extent of the net.
+const NEAREST: f64 = 1e-10;
 
 /// Rounding errors, in ε of the scalar type, up to which constraints do not count as contradicting each other.
 const ROUNDING: f64 = 32.0;
@@ -155,6 +159,8 @@ impl<P: Point> BSplineSurface<P> {
         if !self.net().as_slice().iter().all(finite) {
             return Err(ConstraintError::Surface);
         }
+        let [low, high] = crate::vector::box_of(self.net().as_slice());
+        let accuracy = P::Scalar::of(NEAREST) * largest_component(high.minus(low));
         let mut parameters = Vec::with_capacity(constraints.len());
         for (constraint, wanted) in constraints.iter().enumerate() {
             let (PointConstraint::At(_, point) | PointConstraint::Nearest(point)) = wanted;
@@ -164,7 +170,7 @@ impl<P: Point> BSplineSurface<P> {
             let at = match wanted {
                 PointConstraint::At(at, _) => *at,
                 PointConstraint::Nearest(point) => {
-                    self.project(*point).ok_or(ConstraintError::NotFinite { constraint })?.parameters
+                    self.nearest(*point, accuracy).ok_or(ConstraintError::NotFinite { constraint })?.at
                 }
             };
             for (direction, t) in [(Direction::U, at[0]), (Direction::V, at[1])] {

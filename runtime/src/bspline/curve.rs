@@ -3,10 +3,14 @@
 use alloc::vec::Vec;
 
 use super::rows::{self, Rows};
+use core::ops::Range;
+
 use super::{KnotError, KnotVector, SplineError};
+use crate::curve::{divisible, inside, nonempty};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::{Point, Scalar};
+use crate::vector::largest_component;
+use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
 
 /// The curve `C(t) = Σ N[i,k](t) P[i]` over a knot vector.
 ///
@@ -141,12 +145,13 @@ impl<P: Point> BSplineCurve<P> {
         combine(&self.knots.values_on(span, t), points)
     }
 
-    /// The point `C(t)` for `t` in the domain.
+    /// The point `C(t)`, if `t` lies in the domain.
     ///
     /// # Errors
-    /// [`KnotError::Outside`], also if `t` is NaN.
-    pub fn eval_checked(&self, t: P::Scalar) -> Result<P, KnotError> {
-        self.knots.check(t).map(|t| self.eval(t))
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN.
+    pub fn eval_checked(&self, t: P::Scalar) -> Result<P, CurveError> {
+        inside(self.domain(), t)?;
+        Ok(self.eval(t))
     }
 
     /// The point at the parameter of the domain that is nearest to `t`.
@@ -154,13 +159,18 @@ impl<P: Point> BSplineCurve<P> {
         self.eval(self.knots.clamp(t))
     }
 
-    /// The points at many parameters.
+    /// The points `out[i] = C(ts[i])`.
     ///
-    /// As many as the shorter of the two lists has.
-    pub fn eval_into(&self, parameters: &[P::Scalar], points: &mut [P]) {
-        for (&t, point) in parameters.iter().zip(points) {
+    /// # Errors
+    /// [`CurveError::Length`] if the slices have different lengths.
+    pub fn eval_into(&self, ts: &[P::Scalar], out: &mut [P]) -> Result<(), CurveError> {
+        if ts.len() != out.len() {
+            return Err(CurveError::Length { expected: ts.len(), found: out.len() });
+        }
+        for (&t, point) in ts.iter().zip(out) {
             *point = self.eval(t);
         }
+        Ok(())
     }
 
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`; zero above the degree.
@@ -232,12 +242,31 @@ impl<P: Point> BSplineCurve<P> {
         Self::from_rows(rows::clamp(&self.to_rows()))
     }
 
-    /// The parts below and above `t`.
+    /// The parts before and after `t`, each over its part of the domain.
     ///
     /// # Errors
-    /// If `t` is outside of the domain or at its end.
-    pub fn split(&self, t: P::Scalar) -> Result<[Self; 2], KnotError> {
-        Ok(rows::split(&self.to_rows(), t)?.map(Self::from_rows))
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
+    /// part would be a point.
+    pub fn split(&self, t: P::Scalar) -> Result<[Self; 2], CurveError> {
+        divisible(self.domain(), t)?;
+        let at_end = |_| CurveError::AtEnd { parameter: t.to_f64() };
+        Ok(rows::split(&self.to_rows(), t).map_err(at_end)?.map(Self::from_rows))
+    }
+
+    /// The part over a range of parameters, which is its domain; if `range.start > range.end` it runs backwards, over
+    /// the same part of the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of the range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends are equal.
+    pub fn subsegment(&self, range: Range<P::Scalar>) -> Result<Self, CurveError> {
+        nonempty(self.domain(), &range)?;
+        if range.start > range.end {
+            return Ok(self.subsegment(range.end..range.start)?.reversed());
+        }
+        let [lo, hi] = self.domain();
+        let head = if range.end < hi { self.split(range.end)?[0].clone() } else { self.clone() };
+        if range.start > lo { Ok(head.split(range.start)?[1].clone()) } else { Ok(head) }
     }
 
     /// The polynomial pieces, one for each span, as Bézier curves.
@@ -265,13 +294,57 @@ impl<P: Point> BSplineCurve<P> {
         Ok([finer, other].map(Self::from_rows))
     }
 
-    /// The same curve with the opposite direction, over the same domain.
-    ///
-    /// # Errors
-    /// If knots that are next to each other coincide after rounding.
-    pub fn reversed(&self) -> Result<Self, KnotError> {
-        let points = self.points.iter().rev().copied().collect();
-        Ok(Self { knots: self.knots.reversed()?, points })
+    /// The same curve in the other direction, over the domain of [`KnotVector::reversed`].
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { knots: self.knots.reversed(), points: self.points.iter().rev().copied().collect() }
+    }
+}
+
+impl<P: Point> ParametricCurve for BSplineCurve<P> {
+    type Point = P;
+    type Part = Self;
+
+    #[inline]
+    fn domain(&self) -> [P::Scalar; 2] {
+        self.domain()
+    }
+
+    #[inline]
+    fn eval(&self, t: P::Scalar) -> P {
+        self.eval(t)
+    }
+
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+        let span = self.knots.span(t);
+        for (order, derivative) in derivatives.iter_mut().enumerate() {
+            *derivative = self.derivative_on(span, t, order);
+        }
+    }
+
+    #[inline]
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+        self.eval_with_derivs(t)
+    }
+
+    fn pieces(&self) -> Vec<CurvePiece> {
+        self.to_bezier().iter().map(|piece| CurvePiece::polynomial(piece.domain, &piece.points)).collect()
+    }
+
+    fn split(&self, t: P::Scalar) -> Result<[Self; 2], CurveError> {
+        self.split(t)
+    }
+
+    fn subsegment(&self, range: Range<P::Scalar>) -> Result<Self, CurveError> {
+        self.subsegment(range)
+    }
+
+    fn reversed(&self) -> Self {
+        self.reversed()
+    }
+
+    fn extent(&self) -> P::Scalar {
+        self.points.iter().fold(P::Scalar::ZERO, |largest, &p| largest.max(largest_component(p)))
     }
 }
 

@@ -230,11 +230,10 @@ impl<S: Scalar> KnotVector<S> {
         Self::new(self.degree, self.knots.iter().map(|&knot| map(knot)).collect::<Vec<_>>())
     }
 
-    /// The knots of the mirrored parameter `lo + hi - t`, where `[lo, hi]` is the domain, which stays the same.
-    ///
-    /// # Errors
-    /// If different knots coincide after rounding so often that their multiplicity becomes too large.
-    pub fn reversed(&self) -> Result<Self, KnotError> {
+    /// The knots of the mirrored parameter `lo + hi - t`, where `[lo, hi]` is the domain, which stays the same. If
+    /// rounding would make different knots equal it is `-t`, which is exact, over the domain `[-hi, -lo]`.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
         let [lo, hi] = self.domain();
         let mirror = |knot: S| {
             if knot == lo {
@@ -245,7 +244,12 @@ impl<S: Scalar> KnotVector<S> {
                 lo + (hi - knot)
             }
         };
-        Self::new(self.degree, self.knots.iter().rev().map(|&knot| mirror(knot)).collect::<Vec<_>>())
+        let mirrored = self.knots.iter().rev().map(|&knot| mirror(knot)).collect::<Vec<_>>();
+        match Self::new(self.degree, mirrored) {
+            Ok(mirrored) if mirrored.spans().count() == self.spans().count() => mirrored,
+            // Exact, and valid because this vector is.
+            _ => Self { knots: self.knots.iter().rev().map(|&knot| -knot).collect(), ..self.clone() },
+        }
     }
 
     /// The number, if it is inside of the domain.

@@ -12,7 +12,7 @@
 //! | other knots and degrees, the same shape | `insert_knots`, `refined`, `remove_knot`, `elevate`, `split`, `to_bezier`, `merged` of all four |
 //! | points in, a curve or a surface out | [`BSplineCurve::interpolate`], [`BSplineCurve::fit`], [`BSplineSurface::interpolate`], [`BSplineSurface::fit`] |
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
-//! | the nearest point | [`BSplineSurface::project`] |
+//! | the nearest point | [`BSplineSurface::nearest`], [`ParametricCurve::nearest`](crate::ParametricCurve::nearest) |
 //! | a surface through given points | [`BSplineSurface::pass_through`] |
 //! | a joint of two surfaces, whatever their knots and degrees | [`splice`], [`measure_joint`] |
 //! | neighbours that follow a deformed patch | [`Network`] |
@@ -33,12 +33,12 @@ mod fit;
 mod functions;
 mod homogeneous;
 mod knots;
+mod nearest;
 mod net;
 mod network;
 mod nurbs_curve;
 mod nurbs_revolved;
 mod nurbs_surface;
-mod project;
 mod rows;
 mod splice;
 mod surface;
@@ -58,4 +58,4 @@ pub use splice::{
 };
 pub use surface::{BSplineSurface, BezierPatch};
 
-pub use crate::{Direction, Edge, Projection};
+pub use crate::{Direction, Edge};

@@ -1,14 +1,15 @@
 //! Rational B-spline curves.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::homogeneous::check_weights;
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
 use crate::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::vector::length;
-use crate::{Point, Scalar};
+use crate::vector::{largest_component, length};
+use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
 
 /// The rational curve `C(t) = Σ w[i] N[i](t) P[i] / Σ w[i] N[i](t)` with positive weights.
 ///
@@ -108,14 +109,6 @@ impl<P: Point> NurbsCurve<P> {
         self.homogeneous.eval(t).project()
     }
 
-    /// The point `C(t)` for `t` in the domain.
-    ///
-    /// # Errors
-    /// [`KnotError::Outside`], also if `t` is NaN.
-    pub fn eval_checked(&self, t: P::Scalar) -> Result<P, KnotError> {
-        self.homogeneous.eval_checked(t).map(|point| point.project())
-    }
-
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`.
     ///
     /// With the numerator `A` and the denominator `w`, from Leibniz' rule for `A = w C`:
@@ -123,14 +116,7 @@ impl<P: Point> NurbsCurve<P> {
     pub fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
         let parts = self.homogeneous.eval_with_derivs::<K>(t);
         let mut derivatives = [P::zero(); K];
-        for order in 0..K {
-            let mut numerator = parts[order].scaled;
-            for i in 1..=order {
-                let factor = binomial::<P::Scalar>(order, i) * parts[i].weight;
-                numerator = numerator.add_scaled(derivatives[order - i], -factor);
-            }
-            derivatives[order] = Homogeneous { scaled: numerator, weight: parts[0].weight }.project();
-        }
+        quotients(&parts, &mut derivatives);
         derivatives
     }
 
@@ -148,14 +134,6 @@ impl<P: Point> NurbsCurve<P> {
     /// As [`BSplineCurve::elevate`].
     pub fn elevate(&self) -> Result<Self, KnotError> {
         Ok(Self { homogeneous: self.homogeneous.elevate()? })
-    }
-
-    /// The parts below and above `t`.
-    ///
-    /// # Errors
-    /// As [`BSplineCurve::split`].
-    pub fn split(&self, t: P::Scalar) -> Result<[Self; 2], KnotError> {
-        Ok(self.homogeneous.split(t)?.map(|homogeneous| Self { homogeneous }))
     }
 
     /// Removes an inner knot up to `times` times while no point of the curve moves by more than `tolerance`; returns
@@ -193,17 +171,73 @@ impl<P: Point> NurbsCurve<P> {
         Ok(self.homogeneous.merged(&other.homogeneous)?.map(|homogeneous| Self { homogeneous }))
     }
 
-    /// The same curve with the opposite direction, over the same domain.
-    ///
-    /// # Errors
-    /// As [`BSplineCurve::reversed`].
-    pub fn reversed(&self) -> Result<Self, KnotError> {
-        Ok(Self { homogeneous: self.homogeneous.reversed()? })
-    }
-
     /// The polynomial pieces, one for each span, as rational Bézier curves.
     pub fn to_bezier(&self) -> Vec<BezierPiece<Homogeneous<P>>> {
         self.homogeneous.to_bezier()
+    }
+}
+
+/// The derivatives of the quotient from those of numerator and denominator, as many as there are places.
+fn quotients<P: Point>(parts: &[Homogeneous<P>], derivatives: &mut [P]) {
+    for order in 0..derivatives.len() {
+        let mut numerator = parts[order].scaled;
+        for i in 1..=order {
+            let factor = binomial::<P::Scalar>(order, i) * parts[i].weight;
+            numerator = numerator.add_scaled(derivatives[order - i], -factor);
+        }
+        derivatives[order] = Homogeneous { scaled: numerator, weight: parts[0].weight }.project();
+    }
+}
+
+impl<P: Point> ParametricCurve for NurbsCurve<P> {
+    type Point = P;
+    type Part = Self;
+
+    #[inline]
+    fn domain(&self) -> [P::Scalar; 2] {
+        self.domain()
+    }
+
+    #[inline]
+    fn eval(&self, t: P::Scalar) -> P {
+        self.eval(t)
+    }
+
+    fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
+        let mut parts = alloc::vec![Homogeneous::zero(); derivatives.len()];
+        self.homogeneous.derivatives_into(t, &mut parts);
+        quotients(&parts, derivatives);
+    }
+
+    #[inline]
+    fn eval_with_derivs<const K: usize>(&self, t: P::Scalar) -> [P; K] {
+        self.eval_with_derivs(t)
+    }
+
+    fn pieces(&self) -> Vec<CurvePiece> {
+        let piece = |piece: &BezierPiece<Homogeneous<P>>| {
+            let of = |d: usize| piece.points.iter().map(move |p| p.component(d).to_f64());
+            let numerators = (0..P::DIM).flat_map(of).collect();
+            CurvePiece::of_numerators(piece.domain, P::DIM, numerators, of(P::DIM))
+        };
+        self.to_bezier().iter().map(piece).collect()
+    }
+
+    fn split(&self, t: P::Scalar) -> Result<[Self; 2], CurveError> {
+        Ok(self.homogeneous.split(t)?.map(|homogeneous| Self { homogeneous }))
+    }
+
+    fn subsegment(&self, range: Range<P::Scalar>) -> Result<Self, CurveError> {
+        Ok(Self { homogeneous: self.homogeneous.subsegment(range)? })
+    }
+
+    fn reversed(&self) -> Self {
+        Self { homogeneous: self.homogeneous.reversed() }
+    }
+
+    fn extent(&self) -> P::Scalar {
+        let points = self.homogeneous.control_points().iter();
+        points.fold(P::Scalar::ZERO, |largest, p| largest.max(largest_component(p.project())))
     }
 }
 

@@ -184,11 +184,9 @@ impl<P: Point> NurbsSurface<P> {
     }
 
     /// The same surface with one parameter running the other way; its normals turn to the other side.
-    ///
-    /// # Errors
-    /// As [`BSplineSurface::reversed`].
-    pub fn reversed(&self, direction: Direction) -> Result<Self, KnotError> {
-        Ok(Self { homogeneous: self.homogeneous.reversed(direction)? })
+    #[must_use]
+    pub fn reversed(&self, direction: Direction) -> Self {
+        Self { homogeneous: self.homogeneous.reversed(direction) }
     }
 }
 

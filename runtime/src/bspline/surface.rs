@@ -341,10 +341,8 @@ impl<P: Point> BSplineSurface<P> {
     }
 
     /// The same surface with one parameter running the other way; its normals turn to the other side.
-    ///
-    /// # Errors
-    /// If knots that are next to each other coincide after rounding.
-    pub fn reversed(&self, direction: Direction) -> Result<Self, KnotError> {
+    #[must_use]
+    pub fn reversed(&self, direction: Direction) -> Self {
         let (rows, columns) = (self.net.rows(), self.net.columns());
         let point = |i: usize, j: usize| match direction {
             Direction::U => self.net[[rows - 1 - i, j]],
@@ -352,10 +350,10 @@ impl<P: Point> BSplineSurface<P> {
         };
         let points = (0..rows).flat_map(|i| (0..columns).map(move |j| point(i, j))).collect();
         let net = Net::trusted(points, columns);
-        Ok(match direction {
-            Direction::U => Self { u: self.u.reversed()?, v: self.v.clone(), net },
-            Direction::V => Self { u: self.u.clone(), v: self.v.reversed()?, net },
-        })
+        match direction {
+            Direction::U => Self { u: self.u.reversed(), v: self.v.clone(), net },
+            Direction::V => Self { u: self.u.clone(), v: self.v.reversed(), net },
+        }
     }
 }
 

@@ -129,7 +129,7 @@ impl<B: Basis<Scalar = f64>> kurbo::ParamCurveFit for Curve<B, kurbo::Point> {
         // At a cusp the direction of arriving is that of leaving on the way back.
         let leaving = |tangent: Option<kurbo::Point>| tangent.unwrap_or_default().to_vec2();
         let tangent = if sign < 0.0 {
-            -leaving(self.reverse().tangent(1.0 - t))
+            -leaving(self.reversed().tangent(1.0 - t))
         } else {
             leaving(self.tangent(from_unit(B::domain(), t)))
         };

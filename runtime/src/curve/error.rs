@@ -16,6 +16,23 @@ pub enum CurveError {
         /// The two ends of the domain.
         domain: [f64; 2],
     },
+    /// A curve is to be divided at an end of its domain, where nothing would remain on one side.
+    AtEnd {
+        /// The parameter.
+        parameter: f64,
+    },
+    /// Both ends of a range of parameters are equal.
+    EmptyRange {
+        /// Their value.
+        at: f64,
+    },
+    /// A weight is not a positive, finite number.
+    Weight {
+        /// The index of the weight.
+        index: usize,
+        /// The weight.
+        value: f64,
+    },
     /// A tolerance is not a positive, finite number.
     Tolerance {
         /// The tolerance.
@@ -92,6 +109,15 @@ impl Display for CurveError {
         match *self {
             Self::Parameter { value, domain: [lo, hi] } => {
                 write!(f, "the parameter {value} is outside of the domain {lo} <= t <= {hi}")
+            }
+            Self::AtEnd { parameter } => {
+                write!(f, "a split at {parameter}, an end of the domain, leaves nothing on one side")
+            }
+            Self::EmptyRange { at } => {
+                write!(f, "the range from {at} to {at} is empty: its two ends must be different parameters")
+            }
+            Self::Weight { index, value } => {
+                write!(f, "weight {index} is {value}; weights are positive finite numbers")
             }
             Self::Tolerance { value } => {
                 write!(f, "the tolerance {value} is not a positive, finite number")

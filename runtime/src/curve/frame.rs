@@ -72,7 +72,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     ///
     /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
     /// assert_eq!(parabola.curvature(0.5), 2.0);
-    /// assert_eq!(parabola.reverse().curvature(0.5), -2.0);
+    /// assert_eq!(parabola.reversed().curvature(0.5), -2.0);
     /// ```
     pub fn curvature(&self, t: B::Scalar) -> B::Scalar {
         let [_, velocity, acceleration] = self.eval_with_derivs(t);
@@ -87,10 +87,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     where
         P: Point3,
     {
-        let [_, first, second, third] = self.eval_with_derivs(t);
-        let binormal = cross(first, second);
-        let size = length(binormal);
-        dot(P::from_components(|d| binormal.component(d) / size), third) / size
+        torsion(self.eval_with_derivs(t))
     }
 
     /// The Frenet frame at `t`: tangent, principal normal and binormal. The normal points to the centre of curvature.
@@ -102,22 +99,13 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     where
         P: Point3,
     {
-        let [point, velocity, acceleration] = self.eval_with_derivs(t);
         let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
-        let no_normal = CurveError::NoNormal { parameter: t.to_f64() };
-        let bend = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
-        // What is left of the second differences of the control points, and of the part along the tangent, by rounding.
         let largest =
             self.to_bernstein().as_ref().iter().fold(B::Scalar::ZERO, |a, &p| a.max(largest_component(p)));
         let inverse_width = inverse_width(B::domain());
         let factor =
             B::Scalar::from_usize(B::DEGREE * B::DEGREE.saturating_sub(1)) * inverse_width * inverse_width;
-        let noise = B::Scalar::of(16.0) * B::Scalar::EPSILON * (length(acceleration) + factor * largest);
-        if !(length(bend) > noise && length(velocity) > B::Scalar::ZERO) {
-            return Err(no_normal);
-        }
-        let normal = perpendicular(tangent, bend).ok_or(no_normal)?;
-        Ok(Frame::new(point, tangent, normal))
+        frenet(self.eval_with_derivs(t), tangent, factor * largest, t)
     }
 
     /// `count` frames that do not turn around the curve, at equal distances of the parameter, both ends included. The
@@ -168,20 +156,56 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         P: Point3,
     {
         let steps = B::Scalar::from_usize(frames.len().saturating_sub(1).max(1));
-        let mut last: Option<Frame<P>> = None;
-        for (i, frame) in frames.iter_mut().enumerate() {
+        rotation_minimizing(normal, frames, &|i| {
             let x = B::Scalar::from_usize(i) / steps;
-            let tangent = self.tangent(from_unit(B::domain(), x)).ok_or(CurveError::NoTangent)?;
-            let point = self.form.eval(x);
-            let normal = match last {
-                None => normal.and_then(|normal| perpendicular(tangent, normal)),
-                Some(last) => perpendicular(tangent, reflect_twice(&last, point, tangent)),
-            };
-            *frame = Frame::new(point, tangent, normal.unwrap_or_else(|| any_perpendicular(tangent)));
-            last = Some(*frame);
-        }
-        Ok(())
+            Some((self.form.eval(x), self.tangent(from_unit(B::domain(), x))?))
+        })
     }
+}
+
+/// The torsion from the point and three derivatives.
+pub(crate) fn torsion<P: Point3>([_, first, second, third]: [P; 4]) -> P::Scalar {
+    let binormal = cross(first, second);
+    let size = length(binormal);
+    dot(P::from_components(|d| binormal.component(d) / size), third) / size
+}
+
+/// The Frenet frame from the point, two derivatives and the tangent. `bend` is the size of second derivatives of which
+/// rounding leaves some `ε`: `n (n-1)` times the largest control point over the square of the width of the domain.
+pub(crate) fn frenet<P: Point3>(
+    [point, velocity, acceleration]: [P; 3],
+    tangent: P,
+    bend: P::Scalar,
+    t: P::Scalar,
+) -> Result<Frame<P>, CurveError> {
+    let no_normal = CurveError::NoNormal { parameter: t.to_f64() };
+    let across = acceleration.add_scaled(tangent, -dot(acceleration, tangent));
+    // What is left of the second differences of the control points, and of the part along the tangent, by rounding.
+    let noise = P::Scalar::of(16.0) * P::Scalar::EPSILON * (length(acceleration) + bend);
+    if !(length(across) > noise && length(velocity) > P::Scalar::ZERO) {
+        return Err(no_normal);
+    }
+    let normal = perpendicular(tangent, across).ok_or(no_normal)?;
+    Ok(Frame::new(point, tangent, normal))
+}
+
+/// Frames by double reflection at the points and tangents of `at`, of which there is one for each place of the slice.
+pub(crate) fn rotation_minimizing<P: Point3>(
+    normal: Option<P>,
+    frames: &mut [Frame<P>],
+    at: &dyn Fn(usize) -> Option<(P, P)>,
+) -> Result<(), CurveError> {
+    let mut last: Option<Frame<P>> = None;
+    for (i, frame) in frames.iter_mut().enumerate() {
+        let (point, tangent) = at(i).ok_or(CurveError::NoTangent)?;
+        let normal = match last {
+            None => normal.and_then(|normal| perpendicular(tangent, normal)),
+            Some(last) => perpendicular(tangent, reflect_twice(&last, point, tangent)),
+        };
+        *frame = Frame::new(point, tangent, normal.unwrap_or_else(|| any_perpendicular(tangent)));
+        last = Some(*frame);
+    }
+    Ok(())
 }
 
 /// `|v ∧ a| / |v|³`, in the plane with its sign.

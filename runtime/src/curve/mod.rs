@@ -27,10 +27,15 @@ pub use contact::Contact;
 pub(crate) use contact::{End, eliminate, touching};
 pub use error::CurveError;
 pub use frame::Frame;
+#[cfg(feature = "geometry")]
+pub(crate) use frame::{curvature, frenet, rotation_minimizing, torsion};
 pub use joint::Joint;
-#[cfg(feature = "alloc")]
-pub use nearest::Nearest;
+#[cfg(feature = "geometry")]
+pub(crate) use length::{ELLIPSES, RULES, Rule};
+pub(crate) use parts::inside;
 pub use parts::{Bezier, BezierOf};
+#[cfg(feature = "alloc")]
+pub(crate) use parts::{divisible, nonempty};
 #[cfg(feature = "alloc")]
 pub use piecewise::PiecewiseCurve;
 pub use slices::Samples;
@@ -84,12 +89,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN.
     #[inline]
     pub fn eval_checked(&self, t: B::Scalar) -> Result<P, CurveError> {
-        let [lo, hi] = B::domain();
-        if t >= lo && t <= hi {
-            Ok(self.eval(t))
-        } else {
-            Err(CurveError::Parameter { value: t.to_f64(), domain: [lo.to_f64(), hi.to_f64()] })
-        }
+        inside(B::domain(), t)?;
+        Ok(self.eval(t))
     }
 
     /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain. If `t` is NaN so is the point.

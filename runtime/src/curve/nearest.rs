@@ -13,52 +13,36 @@ use crate::bernstein::{self, bracketed_root, changes_of_sign};
 use crate::binomial::row;
 use crate::domain::from_unit;
 use crate::vector::{distance, dot, is_finite, length};
-use crate::{Array, Basis, Curve, Point, Scalar};
+use crate::{Array, Basis, Curve, Nearest, Point, Scalar};
 
 /// Below this depth a piece is narrower than the distance of two floats.
 const DEPTH: u32 = 56;
 
-/// The point of a curve nearest to a given one; see [`Curve::nearest`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Nearest<P: Point> {
-    /// The parameter.
-    pub t: P::Scalar,
-    /// The point `C(t)`.
-    pub point: P,
-    /// The distance of `C(t)` from the given point.
-    pub distance: P::Scalar,
-}
-
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// The point of the curve nearest to `point`, among those with a parameter in the domain.
     ///
-    /// It is a global minimum: its distance is at most `accuracy` larger than that of any other point of the curve.
-    /// This bound is proved up to rounding: an `accuracy` below some `ε` times the size of the curve as seen from the
-    /// point, also zero or NaN, asks for what the scalar type can give. Of several nearest points one is returned. If
-    /// `point` or a control point is infinite or NaN, or so large that a point of the curve is, everything in the
-    /// result is NaN.
+    /// It is a global minimum: its distance exceeds [`at_least`](Nearest::at_least), which no point of the curve is
+    /// nearer than, by no more than `accuracy`. This bound is proved up to rounding: an `accuracy` below some `ε` times
+    /// the size of the curve as seen from the point, also zero or NaN, asks for what the scalar type can give. Of
+    /// several nearest points one is returned. `None` if `point` or a control point is infinite or NaN, or so large
+    /// that a point of the curve is.
     ///
     /// ```
     /// use basis_runtime::Bezier;
     ///
     /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
-    /// let nearest = parabola.nearest([0.0, -2.0], 1e-9);
-    /// assert_eq!((nearest.t, nearest.point, nearest.distance), (0.5, [0.0, 0.0], 2.0));
+    /// let nearest = parabola.nearest([0.0, -2.0], 1e-9).unwrap();
+    /// assert_eq!((nearest.at, nearest.point, nearest.distance), (0.5, [0.0, 0.0], 2.0));
+    /// assert!(nearest.at_least >= 2.0 - 1e-9);
     /// ```
-    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Nearest<P> {
-        let nan = Nearest {
-            t: B::Scalar::NAN,
-            point: P::from_components(|_| B::Scalar::NAN),
-            distance: B::Scalar::NAN,
-        };
+    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<Nearest<P>> {
         let mut seen = self.to_bernstein();
         for p in seen.as_mut() {
             *p = p.minus(point);
         }
         let size = seen.as_ref().iter().fold(B::Scalar::ZERO, |size, &p| size.max(length(p)));
         if !seen.as_ref().iter().all(|&p| is_finite(p)) || !size.is_finite() {
-            return nan;
+            return None;
         }
         let best = self.candidate(point, B::Scalar::ZERO);
         let mut search =
@@ -75,14 +59,19 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
             search.accuracy = (accuracy / size).max(rounding);
             search.run(seen);
         }
-        if search.overflow { nan } else { search.best }
+        if search.overflow {
+            return None;
+        }
+        let proved = search.best.distance - search.accuracy * size;
+        Some(Nearest { at_least: proved.max(B::Scalar::ZERO), ..search.best })
     }
 
     /// The point at `x` in the unit interval.
     fn candidate(&self, point: P, x: B::Scalar) -> Nearest<P> {
         let t = from_unit(B::domain(), x);
         let on_curve = self.eval(t);
-        Nearest { t, point: on_curve, distance: distance(on_curve, point) }
+        let distance = distance(on_curve, point);
+        Nearest { at: t, point: on_curve, distance, at_least: B::Scalar::ZERO }
     }
 }
 

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::bernstein;
 use crate::domain::unit;
-use crate::{Array, Basis, BernsteinBasis, BernsteinOf, Curve, Point};
+use crate::{Array, Basis, BernsteinBasis, BernsteinOf, Curve, CurveError, Point, Scalar};
 
 /// A Bézier curve with `N` control points, of degree `N - 1`, on `0 <= t <= 1`.
 ///
@@ -69,41 +69,49 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
 
     /// The two parts of the curve before and after `t`, each on `0 <= x <= 1`.
     ///
-    /// The end of the first is the start of the second, and both are `C(t)` up to rounding. Outside of the domain the
-    /// polynomial is continued.
+    /// The end of the first is the start of the second, and both are `C(t)` up to rounding.
     ///
     /// ```
     /// use basis_runtime::Bezier;
     ///
-    /// let [left, right] = Bezier::from_points([0.0, 8.0, 4.0]).split(0.5);
+    /// let [left, right] = Bezier::from_points([0.0, 8.0, 4.0]).split(0.5)?;
     /// assert_eq!(left.control_points(), [0.0, 4.0, 5.0]);
     /// assert_eq!(right.control_points(), [5.0, 6.0, 4.0]);
+    /// # Ok::<(), basis_runtime::CurveError>(())
     /// ```
-    #[must_use]
-    pub fn split(&self, t: B::Scalar) -> [BezierOf<B, P>; 2] {
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
+    /// part would be a point.
+    pub fn split(&self, t: B::Scalar) -> Result<[BezierOf<B, P>; 2], CurveError> {
+        divisible(B::domain(), t)?;
         let [_, x] = unit(B::domain(), t);
         let mut left = self.to_bernstein();
         let mut right = left;
         bernstein::split(left.as_mut(), x, right.as_mut());
-        [bezier::<B, P>(left.as_ref()), bezier::<B, P>(right.as_ref())]
+        Ok([bezier::<B, P>(left.as_ref()), bezier::<B, P>(right.as_ref())])
     }
 
     /// The part of the curve over a range of parameters, on `0 <= x <= 1`: `C(start + (end - start) x)`.
     ///
     /// If `range.start > range.end` it runs backwards. Where the range ends at an end of the domain, so does the part,
     /// exactly.
-    #[must_use]
-    pub fn subsegment(&self, range: Range<B::Scalar>) -> BezierOf<B, P> {
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of the range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends are equal.
+    pub fn subsegment(&self, range: Range<B::Scalar>) -> Result<BezierOf<B, P>, CurveError> {
+        nonempty(B::domain(), &range)?;
         let [_, from] = unit(B::domain(), range.start);
         let [_, to] = unit(B::domain(), range.end);
         let mut points = self.to_bernstein();
         bernstein::restrict(points.as_mut(), from, to);
-        bezier::<B, P>(points.as_ref())
+        Ok(bezier::<B, P>(points.as_ref()))
     }
 
     /// The same curve in the other direction, on `0 <= x <= 1`: `C(hi - (hi - lo) x)`.
     #[must_use]
-    pub fn reverse(&self) -> BezierOf<B, P> {
+    pub fn reversed(&self) -> BezierOf<B, P> {
         let mut points = self.to_bernstein();
         points.as_mut().reverse();
         bezier::<B, P>(points.as_ref())
@@ -122,6 +130,28 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
         }
         bezier::<B, P>(points.as_ref())
     }
+}
+
+/// The error of a parameter outside of a domain, or NaN.
+pub(crate) fn inside<S: Scalar>([lo, hi]: [S; 2], t: S) -> Result<(), CurveError> {
+    if t >= lo && t <= hi {
+        Ok(())
+    } else {
+        Err(CurveError::Parameter { value: t.to_f64(), domain: [lo.to_f64(), hi.to_f64()] })
+    }
+}
+
+/// The error of a parameter at which a curve over a domain has not two parts.
+pub(crate) fn divisible<S: Scalar>(domain: [S; 2], t: S) -> Result<(), CurveError> {
+    inside(domain, t)?;
+    if domain.contains(&t) { Err(CurveError::AtEnd { parameter: t.to_f64() }) } else { Ok(()) }
+}
+
+/// The error of a range of parameters over which there is no part of a curve.
+pub(crate) fn nonempty<S: Scalar>(domain: [S; 2], range: &Range<S>) -> Result<(), CurveError> {
+    inside(domain, range.start)?;
+    inside(domain, range.end)?;
+    if range.start == range.end { Err(CurveError::EmptyRange { at: range.start.to_f64() }) } else { Ok(()) }
 }
 
 /// The Bézier curve over as many control points as the degree of the family asks for.

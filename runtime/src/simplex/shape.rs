@@ -41,13 +41,13 @@ impl<B: TriangularBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
     /// let plane = TriangularBezier::<[f64; 3], 2, 3>::from_points([[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
     /// let found = plane.nearest([0.25, 0.5, 2.0], 1e-9).unwrap();
     /// assert!((found.distance - 2.0).abs() < 1e-15);
-    /// assert!((found.parameters[0] - 0.25).abs() < 1e-8 && (found.parameters[1] - 0.5).abs() < 1e-8);
+    /// assert!((found.at[0] - 0.25).abs() < 1e-8 && (found.at[1] - 0.5).abs() < 1e-8);
     /// ```
     #[cfg(feature = "alloc")]
-    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::Projection<P>> {
+    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<crate::Nearest<P, [P::Scalar; 2]>> {
         let found = self.to_tensor_surface().nearest(point, accuracy)?;
-        let [s, r] = found.parameters;
-        let parameters = [B::Scalar::ONE - s, s * (B::Scalar::ONE - r)];
-        Some(crate::Projection { parameters, ..found })
+        let [s, r] = found.at;
+        let at = [B::Scalar::ONE - s, s * (B::Scalar::ONE - r)];
+        Some(crate::Nearest { at, ..found })
     }
 }

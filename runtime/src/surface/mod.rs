@@ -19,8 +19,6 @@ mod triangle;
 pub use curvature::Curvature;
 pub use edge::{Direction, Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
-#[cfg(feature = "alloc")]
-pub use nearest::Projection;
 pub use parts::BezierPatchOf;
 pub use rational::{RationalPatchOf, RationalSurface};
 #[cfg(feature = "alloc")]

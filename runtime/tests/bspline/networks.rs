@@ -99,8 +99,8 @@ fn turned_and_mirrored_patches() {
     let turned = vec![
         plain[0].clone(),
         plain[1].transposed(),
-        plain[2].reversed(Direction::V).unwrap(),
-        plain[3].reversed(Direction::U).unwrap().transposed(),
+        plain[2].reversed(Direction::V),
+        plain[3].reversed(Direction::U).transposed(),
     ];
     let seams = vec![
         Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::UStart], reversed: false },

@@ -23,12 +23,12 @@ fn dome() -> BSplineSurface<P3> {
 #[test]
 fn projections_on_a_plane_are_feet() {
     let plane = plane();
-    let found = plane.project([0.3, 0.6, -2.0]).unwrap();
-    assert!((found.parameters[0] - 0.3).abs() < 1e-8 && (found.parameters[1] - 0.6).abs() < 1e-8);
+    let found = plane.nearest([0.3, 0.6, -2.0], 1e-10).unwrap();
+    assert!((found.at[0] - 0.3).abs() < 1e-8 && (found.at[1] - 0.6).abs() < 1e-8);
     assert!((found.distance - 2.0).abs() < 1e-14);
-    let beyond = plane.project([1.5, -0.5, 0.0]).unwrap();
-    assert_eq!(beyond.parameters, [1.0, 0.0]);
-    assert_eq!(plane.project([f64::NAN; 3]), None);
+    let beyond = plane.nearest([1.5, -0.5, 0.0], 1e-10).unwrap();
+    assert_eq!(beyond.at, [1.0, 0.0]);
+    assert_eq!(plane.nearest([f64::NAN; 3], 1e-10), None);
 }
 
 #[test]
@@ -40,8 +40,8 @@ fn a_narrow_dip_is_found() {
         Net::from_fn(9, 9, |i, j| [greville[i], greville[j], if (i, j) == (4, 4) { -2.0 } else { 0.0 }])
             .unwrap();
     let surface = BSplineSurface::new(knots.clone(), knots, net).unwrap();
-    let found = surface.project([0.4, 0.4, -1.0]).unwrap();
-    assert!((0.41..0.427).contains(&found.parameters[0]) && found.distance < 0.2, "{found:?}");
+    let found = surface.nearest([0.4, 0.4, -1.0], 1e-10).unwrap();
+    assert!((0.41..0.427).contains(&found.at[0]) && found.distance < 0.2, "{found:?}");
     assert!(found.distance - found.at_least < 1e-9);
 }
 
@@ -52,45 +52,45 @@ fn jumps_creases_and_constant_directions() {
     let net = Net::from_fn(2, 4, |i, j| [i as f64, j as f64, i as f64]).unwrap();
     let [u, v] = knots;
     let bands = BSplineSurface::new(u, v, net).unwrap();
-    let found = bands.project([1.0, 1.75, 2.0]).unwrap();
-    assert!((found.distance - 1.0).abs() < 1e-12 && (found.parameters[1] - 1.75 / 3.0).abs() < 1e-9);
-    let below = bands.project([0.0, 3.0, -1.0]).unwrap();
+    let found = bands.nearest([1.0, 1.75, 2.0], 1e-10).unwrap();
+    assert!((found.distance - 1.0).abs() < 1e-12 && (found.at[1] - 1.75 / 3.0).abs() < 1e-9);
+    let below = bands.nearest([0.0, 3.0, -1.0], 1e-10).unwrap();
     assert_eq!((below.distance, below.point), (1.0, [0.0, 3.0, 0.0]));
 
     // A tent: its ridge is nearest to what is above it.
     let knots = KnotVector::uniform(1, 2).unwrap();
     let net = Net::from_fn(3, 2, |i, j| [i as f64, j as f64, if i == 1 { 1.0 } else { 0.0 }]).unwrap();
     let tent = BSplineSurface::new(knots, KnotVector::uniform(1, 1).unwrap(), net).unwrap();
-    let found = tent.project([1.0, 0.25, 3.0]).unwrap();
-    assert_eq!((found.parameters, found.distance), ([0.5, 0.25], 2.0));
+    let found = tent.nearest([1.0, 0.25, 3.0], 1e-10).unwrap();
+    assert_eq!((found.at, found.distance), ([0.5, 0.25], 2.0));
 }
 
 #[test]
 fn equally_near_points_cost_bounded_work_and_the_bound_says_what_is_proved() {
     for height in [0.0, 1e-3, 0.1] {
-        let found = dome().project([0.0, 0.0, height]).unwrap();
+        let found = dome().nearest([0.0, 0.0, height], 1e-10).unwrap();
         assert!(found.at_least <= found.distance && found.at_least > 0.999 * found.distance, "{found:?}");
     }
     let collapsed = dome().map_points(|_| [1.0, 2.0, 2.0]);
-    let found = collapsed.project([0.0; 3]).unwrap();
+    let found = collapsed.nearest([0.0; 3], 1e-10).unwrap();
     assert!(found.distance == 3.0 && found.at_least > 3.0 - 1e-12);
 }
 
 #[test]
 fn any_scale_and_what_is_not_finite() {
     let at = [0.3, 0.4, 2.0];
-    let here = dome().project(at).unwrap();
+    let here = dome().nearest(at, 1e-10).unwrap();
     for scale in [1e-200, 1e-9, 1e9, 1e200] {
         let scaled = |p: P3| p.map(|x| x * scale);
-        let found = dome().map_points(scaled).project(scaled(at)).unwrap();
+        let found = dome().map_points(scaled).nearest(scaled(at), 1e-10).unwrap();
         assert!((found.distance / scale - here.distance).abs() < 1e-12, "{scale}: {found:?}");
     }
     // Only the pieces that the point belongs to are left out.
     let mut broken = plane();
     broken.control_points_mut()[0] = [f64::NAN; 3];
-    assert!((broken.project([0.9, 0.9, 1.0]).unwrap().distance - 1.0).abs() < 1e-14);
+    assert!((broken.nearest([0.9, 0.9, 1.0], 1e-10).unwrap().distance - 1.0).abs() < 1e-14);
     broken.control_points_mut().fill([f64::INFINITY; 3]);
-    assert_eq!(broken.project([0.0; 3]), None);
+    assert_eq!(broken.nearest([0.0; 3], 1e-10), None);
 }
 
 proptest! {
@@ -98,7 +98,7 @@ proptest! {
 
     #[test]
     fn no_sample_is_nearer(surface in surface(), point in point()) {
-        let found = surface.project(point).unwrap();
+        let found = surface.nearest(point, 1e-10).unwrap();
         prop_assert!(found.at_least <= found.distance && found.distance - found.at_least < 1e-7);
         let parameters: Vec<f64> = (0..=60).map(|i| f64::from(i) / 60.0).collect();
         let samples = surface.eval_grid(&parameters, &parameters).unwrap();
@@ -110,7 +110,7 @@ proptest! {
 
     #[test]
     fn points_of_the_surface_are_found(surface in surface(), u in 0.0..=1.0, v in 0.0..=1.0) {
-        let found = surface.project(surface.eval(u, v)).unwrap();
+        let found = surface.nearest(surface.eval(u, v), 1e-10).unwrap();
         prop_assert!(found.distance < 1e-8, "{:?}", found);
     }
 
@@ -121,8 +121,8 @@ proptest! {
             t < 1.0 && surface.knots(d).multiplicity(t) > surface.knots(d).degree()
         });
         prop_assume!(!jumps(Direction::U) && !jumps(Direction::V));
-        let found = surface.project(point).unwrap();
-        let [u, v] = found.parameters;
+        let found = surface.nearest(point, 1e-10).unwrap();
+        let [u, v] = found.at;
         prop_assert_eq!(found.point, surface.eval(u, v));
         prop_assert!((distance(found.point, point) - found.distance).abs() < 1e-12);
         for [du, dv] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.7, 0.7], [-0.7, 0.7]] {
@@ -140,7 +140,7 @@ proptest! {
         for (point, height) in surface.control_points_mut().iter_mut().zip(heights) {
             point[2] = height;
         }
-        let found = surface.project(point).unwrap();
+        let found = surface.nearest(point, 1e-10).unwrap();
         for i in 0..=40 {
             for j in 0..=40 {
                 let sample = surface.eval(f64::from(i) / 40.0, f64::from(j) / 40.0);

@@ -63,10 +63,10 @@ fn turned(surface: &BSplineSurface<P3>, from: Edge, to: Edge, flipped: bool) -> 
     let mut surface = surface.clone();
     if flipped {
         let along = if from.across() == Direction::U { Direction::V } else { Direction::U };
-        surface = surface.reversed(along).unwrap();
+        surface = surface.reversed(along);
     }
     if from.is_end() != to.is_end() {
-        surface = surface.reversed(from.across()).unwrap();
+        surface = surface.reversed(from.across());
     }
     if from.across() == to.across() { surface } else { surface.transposed() }
 }

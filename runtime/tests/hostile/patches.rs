@@ -63,7 +63,7 @@ const TRIANGLE: &[Case<Triangle>] = &[
     ("nearest", |s, a, b| {
         let few = [0.375, 1e300, f64::NAN].into_iter().any(|x| x.to_bits() == a.to_bits());
         !few || s.nearest([a, 0.25, a], b).is_none_or(|found| {
-            found.parameters.iter().all(|x| (0.0..=1.0).contains(x))
+            found.at.iter().all(|x| (0.0..=1.0).contains(x))
                 && found.at_least <= found.distance
                 && is_length(found.distance)
         })

@@ -7,6 +7,8 @@ use basis_runtime::bspline::{
     parameters, splice,
 };
 
+use basis_runtime::ParametricCurve;
+
 use crate::{Case, P, check, is_finite, is_length, is_nan};
 
 type C = BSplineCurve<P>;
@@ -64,7 +66,7 @@ const KNOTS: &[Case<KnotVector<f64>>] = &[
     ("KnotVector::mapped", |k, a, b| {
         k.mapped([a, b]).map_or(true, |mapped| a < b && mapped.domain() == [a, b])
     }),
-    ("KnotVector::reversed", |k, _, _| k.reversed().is_ok()),
+    ("KnotVector::reversed", |k, _, _| k.reversed().domain() == k.domain()),
     ("KnotVector::check", |k, a, _| k.check(a).is_ok() == (0.0..=1.0).contains(&a)),
     ("KnotVector::clamp", |k, a, _| a.is_nan() || (0.0..=1.0).contains(&k.clamp(a))),
     ("KnotVector::values", |k, a, _| {
@@ -92,9 +94,9 @@ const CURVE: &[Case<C>] = &[
     ("BSplineCurve::eval_clamped", |c, a, _| !a.is_nan() || is_nan(c.eval_clamped(a))),
     ("BSplineCurve::eval_into", |c, a, b| {
         let mut points = [[0.0; 3]; 3];
-        c.eval_into(&[a, b], &mut points);
-        c.eval_into(&[a, b], &mut []);
-        points[2] == [0.0; 3]
+        c.eval_into(&[a, b], &mut points).is_err()
+            && c.eval_into(&[a, b], &mut points[..2]).is_ok()
+            && points[2] == [0.0; 3]
     }),
     ("BSplineCurve::eval_with_derivs", |c, a, _| {
         c.eval_with_derivs::<5>(a)[3..].iter().all(|&p| p == [0.0; 3] || is_nan(p) || !is_finite(p))
@@ -115,9 +117,13 @@ const CURVE: &[Case<C>] = &[
     ("BSplineCurve::elevate", |c, _, _| c.elevate().is_ok_and(|c| c.degree() == 3)),
     ("BSplineCurve::clamped", |c, _, _| c.clamped().knots().is_clamped()),
     ("BSplineCurve::split", |c, a, _| c.split(a).is_ok() == (a > 0.0 && a < 1.0)),
+    ("BSplineCurve::subsegment", |c, a, b| {
+        let inside = |t: f64| (0.0..=1.0).contains(&t);
+        c.subsegment(a..b).is_ok() == (inside(a) && inside(b) && a != b)
+    }),
     ("BSplineCurve::to_bezier", |c, _, _| c.to_bezier().len() == 2),
     ("BSplineCurve::merged", |c, _, _| c.merged(c).is_ok()),
-    ("BSplineCurve::reversed", |c, _, _| c.reversed().is_ok()),
+    ("BSplineCurve::reversed", |c, _, _| c.reversed().domain() == c.domain()),
     ("BSplineCurve::interpolate", |c, _, _| {
         [0, 1, 3, 9, usize::MAX].into_iter().all(|degree| {
             [Spacing::Uniform, Spacing::Chord, Spacing::Centripetal].into_iter().all(|spacing| {
@@ -175,7 +181,7 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
     ("NurbsCurve::refined", |c, _, _| c.refined().weights().len() > 5),
     ("NurbsCurve::clamped", |c, _, _| c.clamped().knots().is_clamped()),
     ("NurbsCurve::merged", |c, _, _| c.merged(c).is_ok()),
-    ("NurbsCurve::reversed", |c, _, _| c.reversed().is_ok()),
+    ("NurbsCurve::reversed", |c, _, _| c.reversed().domain() == c.domain()),
     ("NurbsCurve::to_bezier", |c, _, _| c.to_bezier().len() == 2),
     ("NurbsSurface::revolved", |c, a, b| {
         let turned = NurbsSurface::revolved(c, [a, 0.0, 0.0], [0.0, b, 1.0], a);
@@ -225,11 +231,11 @@ const SURFACE: &[Case<S>] = &[
     ("BSplineSurface::to_bezier", |s, _, _| s.to_bezier().len() == 4),
     ("BSplineSurface::merged", |s, _, _| s.merged(s).is_ok()),
     ("BSplineSurface::transposed", |s, _, _| s.transposed().degrees() == [3, 2]),
-    ("BSplineSurface::reversed", |s, _, _| BOTH.iter().all(|&d| s.reversed(d).is_ok())),
-    ("BSplineSurface::project", |s, a, b| {
+    ("BSplineSurface::reversed", |s, _, _| BOTH.iter().all(|&d| s.reversed(d).domain() == s.domain())),
+    ("BSplineSurface::nearest", |s, a, b| {
         !few(a, b)
-            || s.project([a, 0.25, b]).is_none_or(|found| {
-                let inside = found.parameters.iter().all(|x| (0.0..=1.0).contains(x));
+            || s.nearest([a, 0.25, b], b).is_none_or(|found| {
+                let inside = found.at.iter().all(|x| (0.0..=1.0).contains(x));
                 inside && found.at_least <= found.distance && is_length(found.distance)
             })
     }),
@@ -339,7 +345,7 @@ const NURBS_SURFACE: &[Case<RationalSurface>] = &[
     ("NurbsSurface::clamped", |s, _, _| s.clamped().knots(Direction::V).is_clamped()),
     ("NurbsSurface::merged", |s, _, _| s.merged(s).is_ok()),
     ("NurbsSurface::transposed", |s, _, _| s.transposed().degrees() == [3, 2]),
-    ("NurbsSurface::reversed", |s, _, _| BOTH.iter().all(|&d| s.reversed(d).is_ok())),
+    ("NurbsSurface::reversed", |s, _, _| BOTH.iter().all(|&d| s.reversed(d).domain() == s.domain())),
 ];
 
 /// The names of all tables.

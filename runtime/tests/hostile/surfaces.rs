@@ -71,7 +71,7 @@ const TENSOR: &[Case<Tensor>] = &[
         // The point matters, and accuracies of every size.
         let few = [0.375, 1e300, f64::NAN].into_iter().any(|x| x.to_bits() == a.to_bits());
         !few || s.nearest([a, 0.25, a], b).is_none_or(|found| {
-            let inside = found.parameters.iter().all(|x| (0.0..=1.0).contains(x));
+            let inside = found.at.iter().all(|x| (0.0..=1.0).contains(x));
             inside && found.at_least <= found.distance && is_length(found.distance)
         })
     }),

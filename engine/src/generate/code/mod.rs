@@ -1,10 +1,8 @@
 //! Pieces of Rust code that the generators for intervals, for simplices and boxes, and for joins share: names, numbers,
-//! powers, expressions in scalars, documentation, and the type itself.
+//! documentation, and the type itself.
 
 pub(super) mod docs;
 pub(super) mod floats;
 pub(super) mod names;
-pub(super) mod powers;
-pub(super) mod scalar;
 pub(super) mod shell;
 pub(super) mod tokens;

@@ -96,9 +96,7 @@ pub(in crate::generate) fn function(name: &str) -> Option<Ident> {
 #[cfg(feature = "joins")]
 pub(in crate::generate) fn argument(name: &str) -> Option<Ident> {
     let parts: Vec<&str> = name.split(['[', ']', ',']).filter(|part| !part.is_empty()).collect();
-    let name = snake(&parts.join("_"));
-    // Locals of the function's own.
-    ident(&name).filter(|name| name != "given")
+    ident(&snake(&parts.join("_")))
 }
 
 /// The last part of a path as the name of a module: `specs/quadratic.basis` becomes `quadratic`.

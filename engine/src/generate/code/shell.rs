@@ -3,11 +3,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 
-use super::scalar::ScalarCode;
 use super::tokens::{doc, float, site};
 use crate::algebra::range::{DisplayRange as _, End};
 use crate::algebra::rational::Rational;
+use crate::generate::rust::{self, Body, Surroundings};
 use crate::model::Family;
+use crate::plan::{Input, Plan};
 use basis_prover::collections::list::Mapped;
 
 /// A family as a type.
@@ -26,9 +27,18 @@ impl Shell<'_> {
         quote_spanned!(site()=> #runtime::__private::core)
     }
 
-    /// Code for expressions in the shape values.
-    pub(in crate::generate) fn scalars(&self) -> ScalarCode {
-        ScalarCode::of_fields(self.family, &self.fields)
+    /// The code of a plan in a method of the type; all inputs but shape values have the code that `input` gives.
+    pub(in crate::generate) fn body(&self, plan: &Plan, input: &dyn Fn(Input) -> TokenStream) -> Body {
+        let input = |which: Input| match which {
+            Input::Shape(k) => {
+                let field = &self.fields[k];
+                quote_spanned!(site()=> self.#field)
+            }
+            _ => input(which),
+        };
+        let points = Some(self.family.functions.len());
+        let surroundings = Surroundings { runtime: self.runtime, input: &input, taken: &[], points };
+        rust::body(plan, &surroundings)
     }
 
     /// The definition of the type with its documentation, methods, and the implementations of traits.

@@ -332,10 +332,11 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             // at α = β, β = γ: the value of β is known.
             let end = value.display(&scope.names);
             let (user, own) = (&scope.names[user.0], user == var);
-            scope.report(match own {
-                true => error.help("write a value in which it does not occur"),
-                false => error.help(format!("write `{user} = …` with the value of `{name}`, which is {end}")),
-            });
+            scope.report(error.help(if own {
+                String::from("write a value in which it does not occur")
+            } else {
+                format!("write `{user} = …` with the value of `{name}`, which is {end}")
+            }));
             return None;
         }
     }
@@ -551,6 +552,10 @@ fn differences(
             (zeros, r, true)
         }
         (Value::List(list), _) | (_, Value::List(list)) => {
+            let mistaken = |side: &syntax::Expr| matches!(&side.kind, syntax::ExprKind::Name(name) if scope.is_mistaken(name));
+            if mistaken(written_left) || mistaken(written_right) {
+                return None;
+            }
             let error = scope
                 .error(span, format!("a list of {} functions is compared with a single one", list.len()));
             scope.report(error.help(format!(

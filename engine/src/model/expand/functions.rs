@@ -4,9 +4,9 @@ use std::rc::Rc;
 
 use proc_macro2::Span;
 
+use super::function::{numbered_corners, permuted};
 use super::indices::{MAX_FUNCTIONS, check_indices, sizes};
 use super::names;
-use crate::algebra::fraction::Fraction;
 use crate::model::scope::{Definition, Needed, PlannedFunction, Scope};
 use crate::model::tuples::{grid, multi_indices};
 use crate::model::{Family, Function, label};
@@ -14,7 +14,7 @@ use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
-use basis_prover::collections::sort::{sort_by, sort_unique};
+use basis_prover::collections::sort::sort_by;
 
 /// Defines what the statements define. Names and functions may stand in any order, unless the functions are raised from
 /// those of a lowest order: then a statement sees what those before it define.
@@ -125,10 +125,13 @@ fn name_functions(scope: &mut Scope<'_>, written: &syntax::Family) {
     }
     let most = counts.values().max().copied().unwrap_or(0);
     let usual = |def: &&FunctionDef| counts.get(&def.name.text.as_str()) == Some(&most);
-    if let Some(def) = definitions(written).find(usual)
-        && scope.check_free(&def.name)
-    {
-        scope.function_name.clone_from(&def.name.text);
+    if let Some(def) = definitions(written).find(usual) {
+        if scope.check_free(&def.name) {
+            scope.function_name.clone_from(&def.name.text);
+        } else {
+            // What else has the name has no index: that is not another mistake.
+            scope.undeclared.borrow_mut().push(def.name.text.clone());
+        }
     }
     for def in definitions(written) {
         if scope.function_name.is_empty() {
@@ -196,39 +199,6 @@ fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
     }
 }
 
-/// Evaluates a function; `false` when it went wrong or waits for another one.
-pub(super) fn evaluate(scope: &mut Scope<'_>, index: &[i64]) -> bool {
-    let Some(PlannedFunction { def, index: own, constants }) = scope.planned_functions.get(&index.to_vec())
-    else {
-        return false;
-    };
-    let (def, own) = (*def, own.clone());
-    let depth = scope.constants.len();
-    scope.constants.extend(constants.iter().cloned());
-    let value = scope.scalar(&def.value);
-    scope.constants.truncate(depth);
-    let Some(value) = value else { return false };
-    if def.permute {
-        return permutations(scope, def, &own, &value);
-    }
-    scope.planned_functions.remove(&own);
-    scope.functions.insert(own, Some(value));
-    true
-}
-
-/// Leaves a function without a value, and those that the same loop or permutation defines.
-pub(super) fn give_up(scope: &mut Scope<'_>, index: &[i64]) {
-    let Some(PlannedFunction { def, .. }) = scope.planned_functions.get(&index.to_vec()) else { return };
-    let def = *def;
-    if def.permute || !def.loops.generators.is_empty() {
-        scope.cut_short = true;
-        scope.planned_functions.retain(|_, planned| !core::ptr::eq(planned.def, def));
-        return;
-    }
-    scope.planned_functions.remove(&index.to_vec());
-    scope.functions.insert(index.to_vec(), None);
-}
-
 /// Adds a function that is to be evaluated; reports one that is there already.
 fn insert<'a>(scope: &mut Scope<'a>, function: &PlannedFunction<'a>, index: Vec<i64>) -> bool {
     let def = function.def;
@@ -284,74 +254,6 @@ fn index(scope: &mut Scope<'_>, def: &FunctionDef) -> Option<Vec<i64>> {
         return None;
     }
     Some(index)
-}
-
-/// Defines all functions that follow by permuting indices and barycentric coordinates together.
-fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: &Fraction) -> bool {
-    let corners = scope.domain.len() + 1;
-    if !numbered_corners(scope, def) {
-        let error = scope
-            .error(def.name.span, "`permute` needs a simplex and one index for each barycentric coordinate");
-        scope.report(error.help("declare `domain triangle (u, v, w);` and write `permute b[2,1,0] = …;`"));
-        return false;
-    }
-    let mut new: SortedMap<Vec<i64>, Fraction> = SortedMap::new();
-    for order in orders(corners) {
-        let mut moved = vec![0; corners];
-        for (from, to) in order.iter().enumerate() {
-            moved[*to] = index[from];
-        }
-        let vars = scope.domain.clone();
-        let by: Vec<Fraction> = order[..corners - 1].mapped(|to| scope.barycentric(*to));
-        let Some(value) = scope.put(value, &vars, &by, def.value.span) else { return false };
-        match new.get(&moved) {
-            Some(other) if *other != value => {
-                let name = label(&def.name.text, &moved);
-                let error = scope
-                    .error(def.value.span, format!("two permutations give different formulas for `{name}`"));
-                scope.report(
-                    error.help(
-                        "where two indices are equal, the formula must be symmetric in their variables",
-                    ),
-                );
-                return false;
-            }
-            _ => {
-                new.insert(moved, value);
-            }
-        }
-    }
-    for (index, value) in new {
-        scope.planned_functions.remove(&index);
-        scope.functions.insert(index, Some(value));
-    }
-    true
-}
-
-/// Whether a definition is one of functions that have an index for each corner of a simplex, and for all permutations.
-fn numbered_corners(scope: &Scope<'_>, def: &FunctionDef) -> bool {
-    def.permute && scope.dependent.is_some() && def.indices.len() == scope.domain.len() + 1
-}
-
-/// All permutations of an index, each once.
-fn permuted(index: &[i64]) -> Vec<Vec<i64>> {
-    let mut all = orders(index.len()).mapped(|order| order.mapped(|k| index[*k]));
-    sort_unique(&mut all);
-    all
-}
-
-/// All orders of 0, 1, …, len − 1.
-fn orders(len: usize) -> Vec<Vec<usize>> {
-    let mut all = vec![Vec::new()];
-    for _ in 0..len {
-        all = all
-            .into_iter()
-            .flat_map(|start: Vec<usize>| {
-                (0..len).filter(|k| !start.contains(k)).map(|k| [start.as_slice(), &[k]].concat()).listed()
-            })
-            .listed();
-    }
-    all
 }
 
 /// The functions of the lowest order; its index parameter and value.

@@ -1,8 +1,10 @@
-//! From a family as it is written to the family itself: its domain (`build`), its shape parameters (`shapes`), its functions one by one, by loops and by
-//! recursion (`functions`), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
+//! From a family as it is written to the family itself: its domain (`build`), its shape parameters (`shapes`), its functions
+//! (`functions`, by loops and by recursion, `function` a single one), all of them in any order (`names`), whether their
+//! indices leave a gap (`indices`), and what is claimed (`claims`).
 
 pub(crate) mod build;
 pub(crate) mod claims;
+mod function;
 mod functions;
 mod indices;
 mod names;

@@ -19,6 +19,7 @@ use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
 use crate::syntax::{self, Comparison, Expr, ExprKind, Name, Relation as Written, ShapeDecl, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::map::SortedMap;
 
 /// The shape parameters of a family, and what is assumed of them.
 pub(super) struct Shapes {
@@ -264,6 +265,7 @@ fn base(name: &str) -> &str {
 
 /// The name that an expression is, indices as numbers; `None` when one of them is no number, `Some(None)` for anything
 /// but a name.
+#[allow(clippy::option_option)] // what went wrong is reported, and what is no name is a value
 fn name_of(scope: &mut Scope<'_>, expr: &Expr) -> Option<Option<Name>> {
     match &expr.kind {
         ExprKind::Name(text) => Some(Some(Name { text: text.clone(), span: expr.span })),
@@ -459,7 +461,7 @@ fn determine(
     }
     scope.names.remove(var.0);
     // What has been evaluated already may mention the variables as they were.
-    scope.lets = Default::default();
+    scope.lets = SortedMap::new();
     scope.determined.push((parameter.name.clone(), Fraction::from(value.clone())));
     for (end, above) in [(&parameter.range.low, false), (&parameter.range.high, true)] {
         let Some(bound) = end.value() else { continue };

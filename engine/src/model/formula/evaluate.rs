@@ -384,7 +384,9 @@ impl Scope<'_> {
             _ => self.value(base)?,
         };
         if let Value::Scalar(_) = value {
-            self.report(self.error(base.span, "this has no index: it is a single function"));
+            if !matches!(&base.kind, ExprKind::Name(name) if self.is_mistaken(name)) {
+                self.report(self.error(base.span, "this has no index: it is a single function"));
+            }
             return None;
         }
         self.entry(&value, &index, span)

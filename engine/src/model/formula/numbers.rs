@@ -6,7 +6,7 @@ use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::model::scope::Scope;
 use crate::model::words::BUILTINS;
-use crate::syntax::{Expr, ExprKind, IndexRange};
+use crate::syntax::{Expr, ExprKind, IndexRange, Limit};
 
 impl Scope<'_> {
     /// The number that an expression is; reports anything else.
@@ -80,13 +80,13 @@ pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
 pub(crate) fn range_of(
     scope: &mut Scope<'_>,
     span: Span,
-    low: Option<&(Expr, bool)>,
-    high: Option<&(Expr, bool)>,
+    low: Option<&Limit>,
+    high: Option<&Limit>,
     name: &dyn Fn() -> String,
 ) -> Option<Range> {
-    let end = |scope: &mut Scope<'_>, end: Option<&(Expr, bool)>| match end {
+    let end = |scope: &mut Scope<'_>, end: Option<&Limit>| match end {
         None => Some(End::Infinite),
-        Some((value, included)) => {
+        Some(Limit { value, included }) => {
             let value = scope.number(value, "the end of a range")?;
             Some(if *included { End::Included(value) } else { End::Excluded(value) })
         }

@@ -234,6 +234,19 @@ impl Library<'_> {
         }
     }
 
+    /// What is not decided must not look as if it were: the first theorem or join of the spec that was asked for is an
+    /// error.
+    #[cfg(not(feature = "joins"))]
+    pub(crate) fn refuse_theorems(&self) {
+        let Some(first) = self.theorems_of(MAIN).next() else { return };
+        let place = self.place(self.units[MAIN].source, first.name.span);
+        let message = "theorems and joins need the feature `joins` of basis-runtime, which is off";
+        let error = Diagnostic::error(place, message);
+        self.report(
+            error.help("switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"joins\"] }`"),
+        );
+    }
+
     /// Counts a family of one order, or a theorem; `None` when there are too many.
     fn counts_as_family(&self, unit: usize, span: Span) -> Option<()> {
         match self.run.family() {

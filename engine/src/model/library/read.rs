@@ -60,22 +60,7 @@ impl<'f> Library<'f> {
     fn finish(mut self) -> Self {
         let prelude = Source::text("prelude.basis", include_str!("../../prelude.basis"));
         self.add_text(prelude, &mut Vec::new());
-        #[cfg(not(feature = "joins"))]
-        self.refuse_theorems();
         self
-    }
-
-    /// What is not read must not look as if it were checked: the first theorem or join of all specs is an error.
-    #[cfg(not(feature = "joins"))]
-    fn refuse_theorems(&self) {
-        for unit in 0..self.units.len() {
-            let Some(first) = self.theorems_of(unit).next() else { continue };
-            let message = "theorems and joins need the feature `joins` of basis-runtime, which is off";
-            let help = "switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"joins\"] }`";
-            let place = self.place(self.units[unit].source, first.name.span);
-            self.report(Diagnostic::error(place, message).help(help));
-            return;
-        }
     }
 
     fn add_text(&mut self, source: Source, stack: &mut Vec<SourceId>) -> usize {

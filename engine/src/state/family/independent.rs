@@ -8,7 +8,7 @@ use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
 use super::Said;
 use super::point::{domain_names, named_point};
-use crate::algebra::factor::checked_factor;
+use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::model::bernstein::{bernstein_table, graded_table};

@@ -162,7 +162,7 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     // Of the statements of a chain several may be about one expression.
     let comparison =
         stated_comparison(kind, &of, found.refutation.statement(), piece).unwrap_or(Comparison::Equal);
-    let negated = inequality::relation(comparison).is_some_and(|(_, negate)| negate);
+    let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());

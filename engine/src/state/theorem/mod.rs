@@ -12,7 +12,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{Coordinate, Failure, Shown, Symmetries, decide as decide_statement, typical};
 
-use super::inequality::{self, compared};
+use super::inequality::{self, Said, compared};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict};
 use crate::algebra::fraction::Fraction;
@@ -65,13 +65,13 @@ fn coefficient_of(theorem: &Theorem, text: &str, unit: Unit) -> String {
 /// What a comparison of a scalar says: as a sum of dot products if it is one, and of its denominator then.
 fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) -> Vec<Stated> {
     let Difference { text, value, .. } = difference;
-    if let Some((relation, negate)) = inequality::relation(comparison) {
+    if let Some(Said { relation, negated }) = inequality::said(comparison) {
         let mut at = vec![Rational::ONE; theorem.names.len()];
         for scalar in &theorem.scalars {
             at[scalar.var.0] = typical(&scalar.range);
         }
         let below = value.denom().eval(&at).is_negative();
-        let above = if below == negate { value.numer().clone() } else { -value.numer() };
+        let above = if below == negated { value.numer().clone() } else { -value.numer() };
         let plain = value.denom().variables().iter().all(|v| theorem.scalars.iter().any(|p| p.var == *v));
         if let (true, Some(statement)) = (plain, products::statement(theorem, &above, relation)) {
             let mut all = vec![Stated::new(text.clone(), statement)];
@@ -189,7 +189,7 @@ fn inequality(
     failure: Failure,
 ) -> Verdict {
     let ClaimKind::Scalar { comparison, .. } = &claim.kind else { return Verdict::Undecided(of) };
-    let negate = inequality::relation(*comparison).is_some_and(|(_, negate)| negate);
+    let negate = inequality::is_negated(*comparison);
     let domain = Rc::new(Domain::of(theorem.scalar_region()));
     let kind = settled(theorem, &claim.kind);
     let on_net = |net: &Net, at: Option<&[(Var, Coordinate)]>| -> Option<Verdict> {

@@ -3,7 +3,7 @@
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::theorem::{Form, Theorem, Unit};
+use crate::theorem::{Form, PatchKind, Theorem, Unit};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::sort::sort_unique;
 
@@ -80,7 +80,8 @@ pub(super) fn nets(theorem: &Theorem) -> impl Iterator<Item = Net> {
 
 /// The number of coordinates of a net.
 fn dimension(theorem: &Theorem) -> usize {
-    theorem.dimension.unwrap_or_else(|| if theorem.patches.iter().all(|p| p.curve) { 2 } else { 3 })
+    let curves = theorem.patches.iter().all(|p| p.kind == PatchKind::Curve);
+    theorem.dimension.unwrap_or(if curves { 2 } else { 3 })
 }
 
 /// Nets of which two points are (1, 0, …) and (0, 1, …), the others zero.

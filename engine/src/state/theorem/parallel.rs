@@ -13,9 +13,9 @@ use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide as decide
 use super::net::{Net, nets, parts_of_both};
 use super::products;
 use super::witness::{explained, witness, witness_nets};
-use crate::algebra::factor::factor;
+use crate::algebra::divisors::factor::factor;
+use crate::algebra::divisors::gcd::checked_gcd;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::gcd::checked_gcd;
 use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;

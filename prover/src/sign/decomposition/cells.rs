@@ -8,7 +8,7 @@ use core::slice;
 use super::projection::{Levels, all_roots, levels, univariates};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::algebra::roots::{Root, between_roots};
+use crate::algebra::real::roots::{Root, between_roots};
 use crate::algebra::work::Work;
 use crate::budget::Budget;
 use crate::collections::list::{Listed, Mapped};

@@ -1,11 +1,11 @@
 //! Projections of sets of polynomials, for cylindrical decompositions.
 
-use crate::algebra::gcd::{checked_gcd, content, leading_coefficient, square_free};
+use crate::algebra::divisors::gcd::{checked_gcd, content, leading_coefficient, square_free};
+use crate::algebra::divisors::resultant::{discriminant, resultant};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::algebra::resultant::{discriminant, resultant};
-use crate::algebra::roots::{Root, isolate};
+use crate::algebra::real::roots::{Root, isolate};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::collections::list::Listed;

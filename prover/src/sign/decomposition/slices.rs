@@ -8,11 +8,11 @@ use core::slice;
 
 use super::projection::{all_roots, levels, univariates};
 use super::zeros::{Near, near};
-use crate::algebra::algebraic::Algebraic;
 use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
-use crate::algebra::roots::{Root, between_roots};
+use crate::algebra::real::algebraic::Algebraic;
+use crate::algebra::real::roots::{Root, between_roots};
 use crate::budget::Budget;
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;

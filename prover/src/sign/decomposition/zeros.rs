@@ -1,11 +1,11 @@
 //! Whether a polynomial vanishes at a point with algebraic coordinates.
 
-use crate::algebra::algebraic::Algebraic;
 use crate::algebra::bernstein::{Form, Side};
+use crate::algebra::divisors::resultant::resultant;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::algebra::resultant::resultant;
-use crate::algebra::roots::bound;
+use crate::algebra::real::algebraic::Algebraic;
+use crate::algebra::real::roots::bound;
 use crate::algebra::univariate::{ToPoly, Univariate};
 use crate::algebra::work::Work;
 use crate::collections::list::{Listed, Mapped};

@@ -19,7 +19,11 @@ mod series;
 
 use self::hodograph::Hodograph;
 use self::powers::SquaredSpeed;
-use self::quadrature::Rule;
+#[cfg(feature = "geometry")]
+pub(crate) use self::quadrature::RULES;
+pub(crate) use self::quadrature::Rule;
+#[cfg(feature = "geometry")]
+pub(crate) use self::series::ELLIPSES;
 use self::series::Rules;
 use crate::domain::from_unit;
 use crate::vector::{distance, is_finite, safe_unit};
@@ -56,7 +60,7 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     ///
     /// let parabola = Bezier::from_points([[0.0, 0.0], [0.5, 0.0], [1.0, 1.0]]);
     /// let half = parabola.inv_arclen(0.5 * parabola.arclen(1e-12), 1e-12);
-    /// let [left, right] = parabola.split(half);
+    /// let [left, right] = parabola.split(half).unwrap();
     /// let difference: f64 = left.arclen(1e-12) - right.arclen(1e-12);
     /// assert!(difference.abs() < 4e-12);
     /// ```

@@ -4,7 +4,7 @@ use super::quadrature::{RULES, Rule};
 use crate::{Array, Basis, Scalar};
 
 /// The `ρ` of the ellipses that are tried.
-const ELLIPSES: [f64; 8] = [1.4, 1.55, 1.75, 2.0, 2.5, 3.5, 6.0, 24.0];
+pub(crate) const ELLIPSES: [f64; 8] = [1.4, 1.55, 1.75, 2.0, 2.5, 3.5, 6.0, 24.0];
 
 /// For all ellipses `ρ` and `(1 + ρ⁻²)/2`, so that `(ρʲ + ρ⁻ʲ)/2 <= (1 + ρ⁻²)/2 ρʲ`; then the same for `ρ²` and for
 /// `ρ⁴`.

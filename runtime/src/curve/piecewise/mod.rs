@@ -4,6 +4,9 @@ mod queries;
 
 use alloc::vec::Vec;
 
+use core::ops::Range;
+
+use super::{divisible, inside, nonempty};
 use crate::{Basis, BernsteinOf, Contact, Curve, CurveError, Joint, Point, Scalar};
 
 /// A curve of one or more segments of the family `B`, each with its own shape values.
@@ -109,12 +112,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
     /// # Errors
     /// [`CurveError::Parameter`] if `u` is outside of the domain or NaN.
     pub fn eval_checked(&self, u: B::Scalar) -> Result<P, CurveError> {
-        let [lo, hi] = self.domain();
-        if u >= lo && u <= hi {
-            Ok(self.eval(u))
-        } else {
-            Err(CurveError::Parameter { value: u.to_f64(), domain: [lo.to_f64(), hi.to_f64()] })
-        }
+        inside(self.domain(), u)?;
+        Ok(self.eval(u))
     }
 
     /// The point at `u`, or the nearer end of the curve if `u` is outside of the domain. If `u` is NaN so is the point.
@@ -179,20 +178,67 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
 
     /// The curve in the other direction.
     #[must_use]
-    pub fn reverse(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {
-        PiecewiseCurve { segments: self.segments.iter().rev().map(Curve::reverse).collect() }
+    pub fn reversed(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {
+        PiecewiseCurve { segments: self.segments.iter().rev().map(Curve::reversed).collect() }
     }
 
-    /// The two parts before and after `u`; the segment of `u` becomes two.
+    /// The two parts before and after `u`, each over `0 <= u <= n` with its own number of segments. At a joint nothing
+    /// is cut; elsewhere the segment of `u` becomes two.
     ///
-    /// At a joint, and outside of the domain, one part of a segment is a point, or runs backwards.
-    #[must_use]
-    pub fn split(&self, u: B::Scalar) -> [PiecewiseCurve<BernsteinOf<B>, P>; 2] {
+    /// # Errors
+    /// [`CurveError::Parameter`] if `u` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it.
+    pub fn split(&self, u: B::Scalar) -> Result<[PiecewiseCurve<BernsteinOf<B>, P>; 2], CurveError> {
+        divisible(self.domain(), u)?;
         let (index, t) = self.locate(u);
-        let [left, right] = self.segments[index].split(t);
-        let before = self.segments[..index].iter().map(Curve::to_bezier).chain([left]).collect();
-        let after =
-            [right].into_iter().chain(self.segments[index + 1..].iter().map(Curve::to_bezier)).collect();
-        [PiecewiseCurve { segments: before }, PiecewiseCurve { segments: after }]
+        let bezier = |segments: &[Curve<B, P>]| segments.iter().map(Curve::to_bezier).collect::<Vec<_>>();
+        let (mut before, mut after) = (bezier(&self.segments[..index]), bezier(&self.segments[index..]));
+        // So near to a joint that it rounds to the end of a segment is at the joint.
+        if let Ok([left, right]) = self.segments[index].split(t) {
+            before.push(left);
+            after[0] = right;
+        } else if t >= B::domain()[1] || before.is_empty() {
+            before.push(after.remove(0));
+        }
+        if after.is_empty() {
+            return Err(CurveError::AtEnd { parameter: u.to_f64() });
+        }
+        Ok([PiecewiseCurve { segments: before }, PiecewiseCurve { segments: after }])
+    }
+
+    /// The part over a range of parameters, over `0 <= u <= n` with its own number of segments; if `range.start >
+    /// range.end` it runs backwards.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of the range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends are equal.
+    pub fn subsegment(
+        &self,
+        range: Range<B::Scalar>,
+    ) -> Result<PiecewiseCurve<BernsteinOf<B>, P>, CurveError> {
+        nonempty(self.domain(), &range)?;
+        let backwards = range.start > range.end;
+        let range = if backwards { range.end..range.start } else { range };
+        let [lo, hi] = B::domain();
+        let mut segments = Vec::new();
+        for (index, segment) in self.segments.iter().enumerate() {
+            let [first, last] = [index, index + 1].map(B::Scalar::from_usize);
+            if range.end <= first || range.start >= last {
+                continue;
+            }
+            let at = |u: B::Scalar| lo * (B::Scalar::ONE - (u - first)) + hi * (u - first);
+            let from = if range.start > first { at(range.start) } else { lo };
+            let to = if range.end < last { at(range.end) } else { hi };
+            // A part that rounds to a point is left out.
+            if let Ok(part) = segment.subsegment(if backwards { to..from } else { from..to }) {
+                segments.push(part);
+            }
+        }
+        if backwards {
+            segments.reverse();
+        }
+        if segments.is_empty() {
+            return Err(CurveError::EmptyRange { at: range.start.to_f64() });
+        }
+        Ok(PiecewiseCurve { segments })
     }
 }

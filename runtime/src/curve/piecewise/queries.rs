@@ -58,25 +58,25 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         (0..count).map(move |i| self.eval(lerp(B::Scalar::ZERO, end, B::Scalar::from_usize(i) / steps)))
     }
 
-    /// The point of the curve nearest to `point`; its `t` is the parameter of this curve. See
+    /// The point of the curve nearest to `point`, with the parameter of this curve. See
     /// [`Curve::nearest`](crate::Curve::nearest).
-    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Nearest<P> {
+    pub fn nearest(&self, point: P, accuracy: B::Scalar) -> Option<Nearest<P>> {
         let mut best: Option<Nearest<P>> = None;
+        // No segment is nearer than this.
+        let mut at_least = B::Scalar::INFINITY;
         for (index, segment) in self.segments.iter().enumerate() {
             // A segment whose box is farther away than the best point needs no search.
             let far = best.is_some_and(|best| distance_to_box(point, segment.control_box()) > best.distance);
             if far {
                 continue;
             }
-            let found = segment.nearest(point, accuracy);
-            let found = Nearest { t: Self::global(index, found.t), ..found };
-            // NaN, once met, stays.
-            if best.is_none_or(|best| found.distance < best.distance || found.distance.is_nan()) {
-                best = Some(found);
+            let found = segment.nearest(point, accuracy)?;
+            at_least = at_least.min(found.at_least);
+            if best.is_none_or(|best| found.distance < best.distance) {
+                best = Some(Nearest { at: Self::global(index, found.at), ..found });
             }
         }
-        let nan = B::Scalar::NAN;
-        best.unwrap_or(Nearest { t: nan, point: P::from_components(|_| nan), distance: nan })
+        best.map(|best| Nearest { at_least: at_least.min(best.distance), ..best })
     }
 
     /// The smallest axis-parallel box around the curve, as its two extreme corners `[min, max]`. See

@@ -8,27 +8,12 @@ mod search;
 pub(crate) use piece::Piece;
 pub(crate) use search::{length_unit, search};
 
+use alloc::vec::Vec;
+
 use super::TensorSurface;
 use crate::domain::from_unit;
-#[cfg(feature = "serde")]
-use crate::serialize::{Read, Written};
 use crate::vector::{distance, length};
-use crate::{Basis, Point, Scalar, Surface};
-
-/// A point of a surface with its parameters.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
-pub struct Projection<P: Point> {
-    /// The parameters `[u, v]`.
-    pub parameters: [P::Scalar; 2],
-    /// The point of the surface.
-    pub point: P,
-    /// Its distance from the given point.
-    pub distance: P::Scalar,
-    /// No point of the surface is nearer than this.
-    pub at_least: P::Scalar,
-}
+use crate::{Basis, Nearest, Point, Scalar, Surface};
 
 impl<U, V, P> TensorSurface<U, V, P>
 where
@@ -38,7 +23,7 @@ where
 {
     /// The point of the surface that is nearest to `point`, among those with parameters in the domain.
     ///
-    /// It is a global minimum: its distance exceeds [`at_least`](Projection::at_least), which no point of the surface
+    /// It is a global minimum: its distance exceeds [`at_least`](Nearest::at_least), which no point of the surface
     /// is nearer than, by no more than `accuracy`. An `accuracy` below some 64 `ε` times the greatest distance of a
     /// Bézier control point, also zero or NaN, asks for what the scalar type can give. Where very many points are
     /// almost equally near, such as around the centre of a sphere, the work ends earlier: the point is still a minimum,
@@ -58,7 +43,7 @@ where
     /// let found = saddle.nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     /// assert!((found.distance - 1.0).abs() < 1e-9 && found.at_least > 1.0 - 1e-9);
     /// ```
-    pub fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Projection<P>> {
+    pub fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {
         let net = self.bezier_net();
         let turned = (0..=V::DEGREE).flat_map(|j| net.as_ref().iter().map(move |row| row.as_ref()[j]));
         let (at, at_least) = nearest_of_patch([U::DEGREE, V::DEGREE], turned, point, accuracy)?;
@@ -69,8 +54,50 @@ where
             return None;
         }
         let at_least = if at_least < distance { at_least } else { distance };
-        Some(Projection { parameters: [u, v], point: found, distance, at_least })
+        Some(Nearest { at: [u, v], point: found, distance, at_least })
     }
+}
+
+/// The patch and the parameters in it, from 0 to 1, at which rational Bézier patches are nearest to `point`, up to that
+/// accuracy, and a lower bound of their distance. Each patch has its degrees, and a row of homogeneous control points,
+/// `[w x, w y, …, w]`, for each function of `v`; the weights must be positive.
+#[inline]
+pub(crate) fn nearest_of_rational(
+    patches: &[([usize; 2], Vec<f64>)],
+    point: &[f64],
+    accuracy: f64,
+    epsilon: f64,
+) -> Option<(usize, [f64; 2], f64)> {
+    let dim = point.len();
+    let mut farthest = 0.0_f64;
+    for (_, net) in patches {
+        for p in net.chunks_exact(dim + 1) {
+            if !(p[dim] > 0.0 && p.iter().all(|c| c.is_finite())) {
+                return None;
+            }
+            for (c, &x) in point.iter().enumerate() {
+                farthest = farthest.max((p[c] / p[dim] - x).abs());
+            }
+        }
+    }
+    if !farthest.is_finite() || !point.iter().all(|c| c.is_finite()) {
+        return None;
+    }
+    let unit = if farthest > 0.0 { farthest } else { 1.0 };
+    let seen: Vec<Piece> = patches
+        .iter()
+        .map(|(degrees, net)| {
+            let mut net = net.clone();
+            for p in net.chunks_exact_mut(dim + 1) {
+                for (c, &x) in point.iter().enumerate() {
+                    p[c] = (p[c] - x * p[dim]) / unit;
+                }
+            }
+            Piece::new(*degrees, dim, net)
+        })
+        .collect();
+    let (place, bound) = search(&seen, (0.5 * accuracy / unit).max(64.0 * epsilon))?;
+    Some((place.piece, place.at, (bound * unit * (1.0 - epsilon)).max(0.0)))
 }
 
 /// The parameters, from 0 to 1, at which a Bézier patch of those degrees is nearest to `point`, up to that accuracy,

@@ -11,18 +11,27 @@ const STEPS: usize = 60;
 /// The highest degree whose squared distance is expanded; its binomial coefficients are exact.
 const SHARP: usize = 15;
 
-/// A Bézier net of `(kv + 1)` rows of `(ku + 1)` points with `dim` components each.
+/// A Bézier net of `(kv + 1)` rows of `(ku + 1)` points with `dim` components each; of a rational patch the components
+/// are multiplied by the weight, which is one component more. Weights are positive.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     degrees: [usize; 2],
     dim: usize,
+    /// The numbers of a point: `dim`, or one more if it has a weight.
+    stride: usize,
     net: Vec<f64>,
 }
 
 impl Piece {
     #[inline]
     pub(crate) fn new(degrees: [usize; 2], dim: usize, net: Vec<f64>) -> Self {
-        Self { degrees, dim, net }
+        let stride = net.len() / ((degrees[0] + 1) * (degrees[1] + 1));
+        Self { degrees, dim, stride, net }
+    }
+
+    #[inline]
+    fn is_rational(&self) -> bool {
+        self.stride > self.dim
     }
 
     #[inline]
@@ -37,7 +46,19 @@ impl Piece {
 
     #[inline]
     fn point(&self, i: usize, j: usize) -> &[f64] {
-        &self.net[(j * (self.degrees[0] + 1) + i) * self.dim..][..self.dim]
+        &self.net[(j * (self.degrees[0] + 1) + i) * self.stride..][..self.dim]
+    }
+
+    /// The weight of a point.
+    #[inline]
+    fn weight(&self, n: usize) -> f64 {
+        if self.is_rational() { self.net[n * self.stride + self.dim] } else { 1.0 }
+    }
+
+    /// The component `c` of all points, divided by their weights.
+    #[inline]
+    fn component(&self, c: usize) -> impl Iterator<Item = f64> {
+        (0..self.size()).map(move |n| self.net[n * self.stride + c] / self.weight(n))
     }
 
     /// The corners, each with its distance.
@@ -47,8 +68,8 @@ impl Piece {
         [[0, 0], [0, kv], [ku, 0], [ku, kv]].map(|[i, j]| {
             let at = [(i, ku), (j, kv)]
                 .map(|(index, degree)| if degree > 0 && index == degree { 1.0 } else { 0.0 });
-            let point = self.point(i, j);
-            (at, crate::Scalar::sqrt(product(point, point)))
+            let (point, weight) = (self.point(i, j), self.weight(j * (ku + 1) + i));
+            (at, crate::Scalar::sqrt(product(point, point)) / weight)
         })
     }
 
@@ -56,9 +77,9 @@ impl Piece {
     #[inline]
     pub(super) fn box_bound(&self) -> f64 {
         let square = (0..self.dim).fold(0.0, |sum, c| {
-            let all = self.net[c..].iter().step_by(self.dim);
-            let (lo, hi) =
-                all.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), &x| (lo.min(x), hi.max(x)));
+            let (lo, hi) = self
+                .component(c)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
             let away = lo.max(-hi).max(0.0);
             sum + away * away
         });
@@ -72,6 +93,8 @@ impl Piece {
     /// |S|² = Σ B[a,2ku] B[b,2kv] c[a,b],
     /// c[a,b] = Σ_(i+i'=a, j+j'=b) C(ku,i) C(ku,i') C(kv,j) C(kv,j') P[i,j]·P[i',j'] / (C(2ku,a) C(2kv,b))
     /// ```
+    ///
+    /// Of a rational patch the smallest quotient of the coefficients of numerator and squared weight.
     #[inline]
     pub(super) fn sharp_bound(&self) -> f64 {
         let [ku, kv] = self.degrees;
@@ -81,21 +104,34 @@ impl Piece {
         let binomials = |degree| row(degree).collect::<Vec<f64>>();
         let (single, double) = ([binomials(ku), binomials(kv)], [binomials(2 * ku), binomials(2 * kv)]);
         let factor = |n: usize| single[0][n % (ku + 1)] * single[1][n / (ku + 1)];
-        let scaled: Vec<f64> = self.net.iter().enumerate().map(|(n, x)| x * factor(n / self.dim)).collect();
-        let point = |n: usize| &scaled[n * self.dim..][..self.dim];
+        let scaled: Vec<f64> =
+            self.net.iter().enumerate().map(|(n, x)| x * factor(n / self.stride)).collect();
+        let point = |n: usize| &scaled[n * self.stride..][..self.dim];
+        let weight = |n: usize| if self.is_rational() { scaled[n * self.stride + self.dim] } else { 0.0 };
         let columns = 2 * ku + 1;
         let mut sums = vec![0.0; columns * (2 * kv + 1)];
+        let mut weights = sums.clone();
         for n in 0..self.size() {
             let (i, j) = (n % (ku + 1), n / (ku + 1));
             sums[2 * j * columns + 2 * i] += product(point(n), point(n));
+            weights[2 * j * columns + 2 * i] += weight(n) * weight(n);
             for other in n + 1..self.size() {
                 let (a, b) = (i + other % (ku + 1), j + other / (ku + 1));
                 sums[b * columns + a] += 2.0 * product(point(n), point(other));
+                weights[b * columns + a] += 2.0 * weight(n) * weight(other);
             }
         }
-        let coefficient = |(n, sum): (usize, &f64)| sum / (double[0][n % columns] * double[1][n / columns]);
+        let coefficient = |(n, sum): (usize, &f64)| {
+            let of =
+                if self.is_rational() { weights[n] } else { double[0][n % columns] * double[1][n / columns] };
+            sum / of
+        };
         let smallest = sums.iter().enumerate().map(coefficient).fold(f64::INFINITY, f64::min);
-        let largest = self.net.iter().fold(0.0_f64, |largest, x| largest.max(x * x)) * self.dim as f64;
+        let mut largest = self.net.iter().fold(0.0_f64, |largest, x| largest.max(x * x)) * self.dim as f64;
+        if self.is_rational() {
+            let least = (0..self.size()).map(|n| self.weight(n)).fold(f64::INFINITY, f64::min);
+            largest /= least * least;
+        }
         // The terms of a coefficient have weights that sum to 1; each has a few rounding errors.
         let error = 4.0 * f64::EPSILON * (self.size() + self.dim) as f64 * largest;
         crate::Scalar::sqrt((smallest - error).max(0.0))
@@ -103,12 +139,12 @@ impl Piece {
 
     #[inline]
     pub(super) fn sharp_work(&self) -> usize {
-        if self.degrees[0].max(self.degrees[1]) > SHARP { 1 } else { self.size() * self.size() * self.dim }
+        if self.degrees[0].max(self.degrees[1]) > SHARP { 1 } else { self.size() * self.size() * self.stride }
     }
 
     #[inline]
     pub(super) fn halving_work(&self) -> usize {
-        self.size() * (self.degrees[0].max(self.degrees[1]) + 1) * self.dim
+        self.size() * (self.degrees[0].max(self.degrees[1]) + 1) * self.stride
     }
 
     /// What rounding errors of all halvings amount to at most.
@@ -142,10 +178,10 @@ impl Piece {
     pub(super) fn halved(&self, along: usize) -> [Self; 2] {
         let degree = self.degrees[along];
         // `count` lists of `degree + 1` entries that are `stride` numbers apart, from `start(n)` on.
-        let row = (self.degrees[0] + 1) * self.dim;
+        let row = (self.degrees[0] + 1) * self.stride;
         let (stride, count) =
-            if along == 0 { (self.dim, (self.degrees[1] + 1) * self.dim) } else { (row, row) };
-        let start = |n: usize| if along == 0 { n / self.dim * row + n % self.dim } else { n };
+            if along == 0 { (self.stride, (self.degrees[1] + 1) * self.stride) } else { (row, row) };
+        let start = |n: usize| if along == 0 { n / self.stride * row + n % self.stride } else { n };
         let (mut lower, mut upper) = (self.net.clone(), self.net.clone());
         for n in 0..count {
             let first = start(n);
@@ -157,22 +193,47 @@ impl Piece {
                 lower[first + step * stride] = upper[first];
             }
         }
-        [lower, upper].map(|net| Self { degrees: self.degrees, dim: self.dim, net })
+        [lower, upper].map(|net| Self { net, ..*self })
     }
 
     /// `[S, S_u, S_v, S_uu, S_uv, S_vv]` at a place, one after the other.
     #[inline]
     fn derivatives(&self, at: [f64; 2]) -> Vec<f64> {
         let [u, v] = [0, 1].map(|i| [0, 1, 2].map(|order| bernstein(self.degrees[i], at[i], order)));
-        let mut all = vec![0.0; 6 * self.dim];
-        for (n, point) in self.net.chunks_exact(self.dim).enumerate() {
+        let mut all = vec![0.0; 6 * self.stride];
+        for (n, point) in self.net.chunks_exact(self.stride).enumerate() {
             let (i, j) = (n % (self.degrees[0] + 1), n / (self.degrees[0] + 1));
             let orders = [[0, 0], [1, 0], [0, 1], [2, 0], [1, 1], [0, 2]];
-            for (sum, [a, b]) in all.chunks_exact_mut(self.dim).zip(orders) {
+            for (sum, [a, b]) in all.chunks_exact_mut(self.stride).zip(orders) {
                 let factor = u[a][i] * v[b][j];
                 for (sum, x) in sum.iter_mut().zip(point) {
                     *sum += factor * x;
                 }
+            }
+        }
+        if self.is_rational() { self.quotients(&all) } else { all }
+    }
+
+    /// The derivatives of the quotient `S = A / w`, by Leibniz' rule for `A = w S`.
+    #[inline]
+    fn quotients(&self, parts: &[f64]) -> Vec<f64> {
+        let (dim, stride) = (self.dim, self.stride);
+        let w = [0, 1, 2, 3, 4, 5].map(|n| parts[n * stride + dim]);
+        let mut all = vec![0.0; 6 * dim];
+        for c in 0..dim {
+            let a = [0, 1, 2, 3, 4, 5].map(|n| parts[n * stride + c]);
+            let s = a[0] / w[0];
+            let [s_u, s_v] = [(a[1] - w[1] * s) / w[0], (a[2] - w[2] * s) / w[0]];
+            let values = [
+                s,
+                s_u,
+                s_v,
+                (a[3] - 2.0 * w[1] * s_u - w[3] * s) / w[0],
+                (a[4] - w[1] * s_v - w[2] * s_u - w[4] * s) / w[0],
+                (a[5] - 2.0 * w[2] * s_v - w[5] * s) / w[0],
+            ];
+            for (n, value) in values.into_iter().enumerate() {
+                all[n * dim + c] = value;
             }
         }
         all
@@ -182,11 +243,17 @@ impl Piece {
     fn square(&self, at: [f64; 2]) -> f64 {
         let (u, v) = (bernstein(self.degrees[0], at[0], 0), bernstein(self.degrees[1], at[1], 0));
         let columns = u.len();
-        (0..self.dim).fold(0.0, |square, c| {
-            let all = self.net[c..].iter().step_by(self.dim).enumerate();
-            let x: f64 = all.map(|(n, x)| u[n % columns] * v[n / columns] * x).sum();
-            square + x * x
-        })
+        let value = |c: usize| -> f64 {
+            let all = self.net[c..].iter().step_by(self.stride).enumerate();
+            all.map(|(n, x)| u[n % columns] * v[n / columns] * x).sum()
+        };
+        let square = (0..self.dim).fold(0.0, |square, c| square + value(c) * value(c));
+        if self.is_rational() {
+            let weight = value(self.dim);
+            square / (weight * weight)
+        } else {
+            square
+        }
     }
 
     /// Newton's method for `S·S_u = S·S_v = 0` on the unit square, with steps halved until the distance falls; where it

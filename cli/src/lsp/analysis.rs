@@ -1,0 +1,129 @@
+//! The verdicts of one version of a text, decided piece by piece.
+
+use core::ops::Range;
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+use basis_engine::diagnostic::Place;
+use basis_engine::source::SourceId;
+use basis_engine::state::{self, Run};
+use basis_engine::theorem::theorems;
+use basis_engine::{
+    Claim, Diagnostic, Diagnostics, Family, Files, Library, Prover, Selected, Source, Sources, Subject,
+    Verdict, generate,
+};
+
+/// What is known about one version of a text.
+pub(super) struct Analysis {
+    /// The families in every order, then the theorems and joins.
+    pub(super) items: Vec<Checked>,
+    /// What is wrong apart from claims.
+    pub(super) diagnostics: Vec<Diagnostic>,
+    /// The text and those it uses.
+    pub(super) sources: Sources,
+    /// The item and the claim that come next.
+    next: (usize, usize),
+    run: Run,
+}
+
+/// An item with the claims that are decided.
+pub(super) struct Checked {
+    pub(super) subject: Subject,
+    pub(super) claims: Vec<(Claim, Option<Verdict>)>,
+}
+
+/// A statement that makes claims, one for each order and value of its index variables.
+pub(super) struct Statement<'a> {
+    /// Its bytes.
+    pub(super) place: Range<usize>,
+    /// Its claims that are decided.
+    pub(super) decided: Vec<(&'a Subject, &'a Claim, &'a Verdict)>,
+    /// Whether all are.
+    pub(super) complete: bool,
+}
+
+impl Analysis {
+    /// Reads and expands a text.
+    pub(super) fn new(files: &dyn Files, source: Source) -> Self {
+        let library = Library::from_source(files, &Prover, source);
+        let families = library.items(Selected::EveryOrder);
+        let warnings = generate::no_floats(&families);
+        let items = families.into_iter().chain(theorems(&library)).map(|item| Checked {
+            subject: item.subject,
+            claims: item.claims.into_iter().map(|claim| (claim, None)).collect(),
+        });
+        let items = items.collect();
+        let diagnostics = library.diagnostics().into_iter().chain(warnings).collect();
+        Self { items, diagnostics, sources: library.sources().clone(), next: (0, 0), run: Run::default() }
+    }
+
+    /// Whether every claim is decided.
+    pub(super) fn is_done(&self) -> bool {
+        self.next.0 >= self.items.len()
+    }
+
+    /// Decides claims for about so long, at least one.
+    pub(super) fn step(&mut self, time: Duration) {
+        let start = Instant::now();
+        while let Some(item) = self.items.get_mut(self.next.0) {
+            match item.claims.get_mut(self.next.1) {
+                Some((claim, verdict)) => {
+                    *verdict = Some(self.run.decide(&item.subject, claim));
+                    self.next.1 += 1;
+                }
+                None => self.next = (self.next.0 + 1, 0),
+            }
+            if start.elapsed() >= time {
+                return;
+            }
+        }
+    }
+
+    /// The messages about the text so far, those about claims included.
+    pub(super) fn messages(&self) -> Vec<Diagnostic> {
+        let mut all: Diagnostics = self.diagnostics.iter().cloned().collect();
+        for item in &self.items {
+            let verdicts = item.claims.iter().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
+            all.extend(
+                verdicts.filter_map(|(claim, verdict)| state::diagnose(&item.subject, claim, verdict)),
+            );
+        }
+        all.into_list()
+    }
+
+    /// The text itself, among those that were read.
+    pub(super) fn main(&self) -> Option<SourceId> {
+        self.sources.iter().next().map(|(id, _)| id)
+    }
+
+    /// The statements that make claims, in the order of the text.
+    pub(super) fn statements(&self) -> Vec<Statement<'_>> {
+        let mut all: BTreeMap<(usize, usize), Statement<'_>> = BTreeMap::new();
+        for item in &self.items {
+            for (claim, verdict) in &item.claims {
+                let Place::Text(id, place) = &claim.place else { continue };
+                if Some(*id) != self.main() {
+                    continue;
+                }
+                let statement = all.entry((place.start, place.end)).or_insert_with(|| Statement {
+                    place: place.clone(),
+                    decided: Vec::new(),
+                    complete: true,
+                });
+                match verdict {
+                    Some(verdict) => statement.decided.push((&item.subject, claim, verdict)),
+                    None => statement.complete = false,
+                }
+            }
+        }
+        all.into_values().collect()
+    }
+
+    /// A family in its lowest order.
+    pub(super) fn family(&self, name: &str) -> Option<&Family> {
+        self.items.iter().find_map(|item| match &item.subject {
+            Subject::Family(family) if family.name == name => Some(family.as_ref()),
+            _ => None,
+        })
+    }
+}

@@ -1,0 +1,475 @@
+//! The loop: messages of the editor first, and in between the claims of the texts.
+
+use std::error::Error;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use basis_engine::query::{self, Document};
+use basis_engine::{Files, Source};
+use core::ops::Range;
+use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
+use lsp_types::{
+    CodeActionKind, CodeActionOptions, CodeActionParams, CodeActionProviderCapability, CompletionOptions,
+    CompletionParams, DocumentHighlight, FoldingRangeProviderCapability, GotoDefinitionParams,
+    HoverProviderCapability, InitializeParams, InlayHintParams, OneOf, Position, PublishDiagnosticsParams,
+    ReferenceParams, RenameOptions, RenameParams, SemanticTokens, SemanticTokensFullOptions,
+    SemanticTokensOptions, ServerCapabilities, TextDocumentIdentifier, TextDocumentPositionParams,
+    TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions,
+};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Value, json};
+
+use super::analysis::Analysis;
+use super::files::{self, Other, Overlay};
+use super::position::Lines;
+use super::{actions, complete, hover, marks, names, outline, words};
+
+/// How long claims are decided before messages are looked at again.
+const SLICE: Duration = Duration::from_millis(5);
+
+/// After this time a request is answered with what is known.
+const PATIENCE: Duration = Duration::from_millis(1500);
+
+/// After this time errors are shown although not all claims are decided.
+const INTERIM: Duration = Duration::from_millis(500);
+
+/// A text that is open in the editor.
+pub(super) struct Text {
+    pub(super) uri: Uri,
+    /// Its file; nothing for a text that has none yet.
+    pub(super) path: Option<PathBuf>,
+    pub(super) document: Document,
+    version: Option<i32>,
+    lines: Lines,
+    /// The verdicts, perhaps not all; nothing before they are asked for.
+    analysis: Option<Analysis>,
+    /// Since when this version is there.
+    since: Instant,
+    /// Whether its errors are with the editor: none, those so far, or all.
+    shown: Shown,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    No,
+    Interim,
+    All,
+}
+
+impl Text {
+    fn new(uri: Uri, text: &str, version: Option<i32>) -> Self {
+        // As the engine reads it: lines end with `\n`.
+        let text = Source::text("", text).text.unwrap_or_default();
+        let lines = Lines::new(&text);
+        let (path, document) = (files::path(&uri), Document::new(text));
+        Self { uri, path, document, version, lines, analysis: None, since: Instant::now(), shown: Shown::No }
+    }
+
+    pub(super) fn position(&self, offset: usize) -> Position {
+        self.lines.position(&self.document.text, offset)
+    }
+
+    pub(super) fn span(&self, range: &Range<usize>) -> lsp_types::Range {
+        self.lines.span(&self.document.text, range)
+    }
+
+    pub(super) fn offset(&self, position: Position) -> usize {
+        self.lines.offset(&self.document.text, position)
+    }
+
+    pub(super) fn bytes(&self, range: lsp_types::Range) -> Range<usize> {
+        self.lines.bytes(&self.document.text, range)
+    }
+
+    /// The text for the engine.
+    pub(super) fn source(&self) -> Source {
+        let name = self.path.as_ref().and_then(|p| p.file_name()).map(|n| n.to_string_lossy().into_owned());
+        let source = Source::text(name.unwrap_or_else(|| String::from("spec.basis")), &self.document.text);
+        match &self.path {
+            Some(path) => source.at(path.clone()),
+            None => source,
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.analysis.as_ref().is_some_and(Analysis::is_done)
+    }
+}
+
+/// The state of the server.
+pub(super) struct Server {
+    /// The open texts, the one that was edited last at the end.
+    texts: Vec<Text>,
+    pub(super) files: Overlay,
+    roots: Vec<PathBuf>,
+    /// Requests that wait for verdicts, with the time of their arrival.
+    waiting: Vec<(Request, Instant)>,
+    /// Whether the editor asks for the edit of an action that is chosen.
+    pub(super) resolves: bool,
+    snippets: bool,
+    refreshes: bool,
+    /// The number of the last request to the editor.
+    asked: i32,
+}
+
+type Failure = Box<dyn Error + Send + Sync>;
+
+/// Serves an editor until it says goodbye.
+pub(super) fn serve(connection: &Connection) -> Result<(), Failure> {
+    let parameters = connection.initialize(serde_json::to_value(capabilities())?)?;
+    let parameters: InitializeParams = serde_json::from_value(parameters)?;
+    let mut server = Server::new(&parameters);
+    loop {
+        let message = if server.has_work() {
+            match connection.receiver.try_recv() {
+                Ok(message) => Some(message),
+                Err(e) if e.is_empty() => None,
+                Err(_) => return Ok(()),
+            }
+        } else {
+            match connection.receiver.recv() {
+                Ok(message) => Some(message),
+                Err(_) => return Ok(()),
+            }
+        };
+        let replies = match message {
+            Some(Message::Request(request)) => {
+                if connection.handle_shutdown(&request)? {
+                    return Ok(());
+                }
+                server.request(request)
+            }
+            Some(Message::Notification(note)) => server.note(&note),
+            Some(Message::Response(_)) => Vec::new(),
+            None => server.work(),
+        };
+        for reply in replies {
+            connection.sender.send(reply)?;
+        }
+    }
+}
+
+fn capabilities() -> ServerCapabilities {
+    ServerCapabilities {
+        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::FULL)),
+        hover_provider: Some(HoverProviderCapability::Simple(true)),
+        completion_provider: Some(CompletionOptions {
+            trigger_characters: Some(vec![String::from("\\")]),
+            ..CompletionOptions::default()
+        }),
+        definition_provider: Some(OneOf::Left(true)),
+        references_provider: Some(OneOf::Left(true)),
+        document_highlight_provider: Some(OneOf::Left(true)),
+        rename_provider: Some(OneOf::Right(RenameOptions {
+            prepare_provider: Some(true),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        })),
+        document_symbol_provider: Some(OneOf::Left(true)),
+        folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
+        document_formatting_provider: Some(OneOf::Left(true)),
+        semantic_tokens_provider: Some(
+            SemanticTokensOptions {
+                legend: words::legend(),
+                full: Some(SemanticTokensFullOptions::Bool(true)),
+                ..SemanticTokensOptions::default()
+            }
+            .into(),
+        ),
+        inlay_hint_provider: Some(OneOf::Left(true)),
+        code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
+            code_action_kinds: Some(vec![CodeActionKind::QUICKFIX, CodeActionKind::SOURCE]),
+            resolve_provider: Some(true),
+            ..CodeActionOptions::default()
+        })),
+        ..ServerCapabilities::default()
+    }
+}
+
+/// A request about a range of a text, or the whole.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct OfText {
+    text_document: TextDocumentIdentifier,
+}
+
+impl Server {
+    fn new(parameters: &InitializeParams) -> Self {
+        let client = serde_json::to_value(&parameters.capabilities).unwrap_or_default();
+        let has = |path: &str| client.pointer(path).is_some_and(|v| *v != Value::Bool(false) && !v.is_null());
+        let folders = parameters.workspace_folders.iter().flatten().filter_map(|f| files::path(&f.uri));
+        #[allow(deprecated)] // older editors name one folder only
+        let root = parameters.root_uri.as_ref().and_then(files::path);
+        let mut roots: Vec<PathBuf> = folders.chain(root).collect();
+        roots.dedup();
+        Self {
+            texts: Vec::new(),
+            files: Overlay::default(),
+            roots,
+            waiting: Vec::new(),
+            resolves: has("/textDocument/codeAction/resolveSupport"),
+            snippets: has("/textDocument/completion/completionItem/snippetSupport"),
+            refreshes: has("/workspace/inlayHint/refreshSupport"),
+            asked: 0,
+        }
+    }
+
+    /// The text at an address.
+    pub(super) fn text(&self, uri: &str) -> Option<&Text> {
+        self.texts.iter().find(|t| t.uri.as_str() == uri)
+    }
+
+    /// The specs whose families a text can name.
+    pub(super) fn others(&self, text: &Text) -> Vec<Other> {
+        files::visible(&self.files, text.path.as_deref(), &text.document.imports)
+    }
+
+    /// The specs of the workspace, and those that are open.
+    pub(super) fn specs(&self) -> Vec<PathBuf> {
+        let mut all = files::specs(&self.roots);
+        all.extend(self.texts.iter().filter_map(|t| t.path.clone()));
+        all.sort();
+        all.dedup();
+        all
+    }
+
+    /// The names of a spec of the workspace.
+    pub(super) fn document(&self, path: &std::path::Path) -> Option<Document> {
+        if let Some(text) = self.texts.iter().find(|t| t.path.as_deref() == Some(path)) {
+            return Some(text.document.clone());
+        }
+        let text = String::from_utf8(self.files.read(path).ok()?).ok()?;
+        Some(Document::new(Source::text("", &text).text.unwrap_or_default()))
+    }
+
+    fn has_work(&self) -> bool {
+        self.texts.iter().any(|t| t.shown != Shown::All) || !self.waiting.is_empty()
+    }
+
+    /// Decides some claims, and says what is known then.
+    fn work(&mut self) -> Vec<Message> {
+        let mut replies = Vec::new();
+        if let Some(k) = self.texts.iter().rposition(|t| t.shown != Shown::All) {
+            if self.texts[k].analysis.is_none() {
+                let source = self.texts[k].source();
+                self.texts[k].analysis = Some(Analysis::new(&self.files, source));
+            }
+            let text = &mut self.texts[k];
+            if let Some(analysis) = &mut text.analysis {
+                analysis.step(SLICE);
+            }
+            let done = text.is_done();
+            if done || text.shown == Shown::No && text.since.elapsed() > INTERIM {
+                text.shown = if done { Shown::All } else { Shown::Interim };
+                replies.extend(publish(text));
+                if done && self.refreshes {
+                    self.asked += 1;
+                    let id = RequestId::from(self.asked);
+                    let method = String::from("workspace/inlayHint/refresh");
+                    replies.push(Message::Request(Request::new(id, method, Value::Null)));
+                }
+            }
+        }
+        // What waits for verdicts that are there now, or has waited long enough.
+        let waiting = core::mem::take(&mut self.waiting);
+        for (request, since) in waiting {
+            if self.is_ready(&request) || since.elapsed() > PATIENCE {
+                replies.push(self.answer(request));
+            } else {
+                self.waiting.push((request, since));
+            }
+        }
+        replies
+    }
+
+    /// Whether the verdicts that a request needs are there.
+    fn is_ready(&self, request: &Request) -> bool {
+        let uri = request.params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
+        self.text(uri).is_none_or(Text::is_done)
+    }
+
+    fn note(&mut self, note: &Notification) -> Vec<Message> {
+        let word = |path: &str| note.params.pointer(path).and_then(Value::as_str);
+        let uri = word("/textDocument/uri");
+        let version = note.params.pointer("/textDocument/version").and_then(Value::as_i64).map(|v| v as i32);
+        match (note.method.as_str(), uri) {
+            ("textDocument/didOpen", Some(uri)) => {
+                if let Some(text) = word("/textDocument/text") {
+                    self.open(uri, text, version);
+                }
+            }
+            ("textDocument/didChange", Some(uri)) => {
+                let changes = note.params.get("contentChanges").and_then(Value::as_array);
+                let last = changes.and_then(|c| c.last()).and_then(|c| c.get("text")).and_then(Value::as_str);
+                if let Some(text) = last {
+                    self.open(uri, text, version);
+                }
+            }
+            ("textDocument/didClose", Some(uri)) => {
+                let Some(k) = self.texts.iter().position(|t| t.uri.as_str() == uri) else {
+                    return Vec::new();
+                };
+                let text = self.texts.remove(k);
+                if let Some(path) = &text.path {
+                    self.files.open.remove(path);
+                }
+                let none = PublishDiagnosticsParams::new(text.uri, Vec::new(), None);
+                let method = String::from("textDocument/publishDiagnostics");
+                return vec![Message::Notification(Notification::new(method, none))];
+            }
+            ("workspace/didChangeWatchedFiles" | "textDocument/didSave", _) => {
+                // A file that others use may have changed.
+                for text in &mut self.texts {
+                    if !text.document.imports.is_empty() {
+                        (text.analysis, text.shown, text.since) = (None, Shown::No, Instant::now());
+                    }
+                }
+            }
+            ("$/cancelRequest", _) => {
+                let id =
+                    note.params.get("id").and_then(|id| serde_json::from_value::<RequestId>(id.clone()).ok());
+                let found = self.waiting.iter().position(|(request, _)| Some(&request.id) == id.as_ref());
+                if let Some(k) = found {
+                    let (request, _) = self.waiting.remove(k);
+                    let code = ErrorCode::RequestCanceled as i32;
+                    let response = Response::new_err(request.id, code, String::from("canceled"));
+                    return vec![Message::Response(response)];
+                }
+            }
+            _ => {}
+        }
+        Vec::new()
+    }
+
+    /// A text is opened or changed.
+    fn open(&mut self, uri: &str, content: &str, version: Option<i32>) {
+        let Ok(parsed) = uri.parse::<Uri>() else { return };
+        self.texts.retain(|t| t.uri.as_str() != uri);
+        let text = Text::new(parsed, content, version);
+        if let Some(path) = &text.path {
+            self.files.open.insert(path.clone(), text.document.text.clone());
+        }
+        // Texts that use this one have to be checked again.
+        for other in &mut self.texts {
+            let folder = other.path.as_deref().and_then(std::path::Path::parent);
+            let uses = other.document.imports.iter().any(|i| {
+                let path = folder.map(|f| f.join(&i.path));
+                !i.library && path.is_some_and(|p| Some(self.files.canonical(&p)) == text.path)
+            });
+            if uses {
+                (other.analysis, other.shown, other.since) = (None, Shown::No, Instant::now());
+            }
+        }
+        self.texts.push(text);
+    }
+
+    fn request(&mut self, request: Request) -> Vec<Message> {
+        let verdicts = matches!(
+            request.method.as_str(),
+            "textDocument/hover" | "textDocument/inlayHint" | "textDocument/codeAction"
+        );
+        if verdicts && !self.is_ready(&request) {
+            self.waiting.push((request, Instant::now()));
+            return Vec::new();
+        }
+        vec![self.answer(request)]
+    }
+
+    fn answer(&self, request: Request) -> Message {
+        let id = request.id.clone();
+        Message::Response(match self.result(request) {
+            Ok(result) => Response::new_ok(id, result),
+            Err((code, message)) => Response::new_err(id, code as i32, message),
+        })
+    }
+
+    fn result(&self, request: Request) -> Result<Value, (ErrorCode, String)> {
+        let method = request.method.clone();
+        if method == "codeAction/resolve" {
+            return value(actions::resolve(self, read(request)?));
+        }
+        let Ok(of) = serde_json::from_value::<OfText>(request.params.clone()) else {
+            return Err((ErrorCode::MethodNotFound, format!("`{method}` is not known")));
+        };
+        let uri = of.text_document.uri.as_str();
+        let Some(text) = self.text(uri) else {
+            return Err((ErrorCode::InvalidParams, format!("{uri} is not open")));
+        };
+        let analysis = text.analysis.as_ref();
+        match method.as_str() {
+            "textDocument/hover" => {
+                let at: TextDocumentPositionParams = read(request)?;
+                let others = self.others(text);
+                value(analysis.and_then(|a| hover::hover(text, a, &others, at.position)))
+            }
+            "textDocument/inlayHint" => {
+                let at: InlayHintParams = read(request)?;
+                value(analysis.map(|a| marks::hints(text, a, at.range)))
+            }
+            "textDocument/codeAction" => {
+                let at: CodeActionParams = read(request)?;
+                value(analysis.map(|a| actions::actions(self, text, a, at.range)))
+            }
+            "textDocument/completion" => {
+                let at: CompletionParams = read(request)?;
+                let position = at.text_document_position.position;
+                value(complete::complete(text, &self.others(text), self.snippets, position))
+            }
+            "textDocument/definition" => {
+                let at: GotoDefinitionParams = read(request)?;
+                value(names::definition(self, text, at.text_document_position_params.position))
+            }
+            "textDocument/references" => {
+                let at: ReferenceParams = read(request)?;
+                let position = at.text_document_position.position;
+                value(names::references(self, text, position, at.context.include_declaration))
+            }
+            "textDocument/documentHighlight" => {
+                let at: TextDocumentPositionParams = read(request)?;
+                let all = names::references(self, text, at.position, true).unwrap_or_default().into_iter();
+                let own = all.filter(|l| l.uri == text.uri);
+                value(own.map(|l| DocumentHighlight { range: l.range, kind: None }).collect::<Vec<_>>())
+            }
+            "textDocument/prepareRename" => {
+                let at: TextDocumentPositionParams = read(request)?;
+                value(names::prepare(self, text, at.position).map_err(|e| (ErrorCode::RequestFailed, e))?)
+            }
+            "textDocument/rename" => {
+                let at: RenameParams = read(request)?;
+                let edit = names::rename(self, text, at.text_document_position.position, &at.new_name);
+                value(edit.map_err(|e| (ErrorCode::RequestFailed, e))?)
+            }
+            "textDocument/documentSymbol" => value(outline::outline(text)),
+            "textDocument/foldingRange" => value(outline::folds(text)),
+            "textDocument/formatting" => value(formatting(text)),
+            "textDocument/semanticTokens/full" => {
+                value(SemanticTokens { result_id: None, data: words::tokens(text) })
+            }
+            _ => Err((ErrorCode::MethodNotFound, format!("`{method}` is not known"))),
+        }
+    }
+}
+
+fn read<T: DeserializeOwned>(request: Request) -> Result<T, (ErrorCode, String)> {
+    serde_json::from_value(request.params).map_err(|e| (ErrorCode::InvalidParams, e.to_string()))
+}
+
+fn value(result: impl serde::Serialize) -> Result<Value, (ErrorCode, String)> {
+    serde_json::to_value(result).map_err(|e| (ErrorCode::InternalError, e.to_string()))
+}
+
+/// The edit that gives a text its standard layout; none where it has it, or a bracket has no partner.
+fn formatting(text: &Text) -> Option<Vec<TextEdit>> {
+    let new_text = query::format(&text.document.text).ok()?;
+    if new_text == text.document.text {
+        return Some(Vec::new());
+    }
+    Some(vec![TextEdit { range: text.span(&(0..text.document.text.len())), new_text }])
+}
+
+fn publish(text: &Text) -> Option<Message> {
+    let diagnostics = marks::diagnostics(text, text.analysis.as_ref()?);
+    let params = json!(PublishDiagnosticsParams::new(text.uri.clone(), diagnostics, text.version));
+    let method = String::from("textDocument/publishDiagnostics");
+    Some(Message::Notification(Notification::new(method, params)))
+}

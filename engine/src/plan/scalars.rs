@@ -1,0 +1,176 @@
+//! Expressions in shape values and other scalars: each distinct one is computed once.
+
+use super::{Builder, Input, Let, Node, Ref};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
+use crate::algebra::rational::Rational;
+use crate::model::Parameter;
+
+/// A variable of the expressions.
+pub(super) struct Variable {
+    var: Var,
+    range: Range,
+    value: Ref,
+}
+
+/// A sum or product without its sign.
+struct Piece {
+    negative: bool,
+    value: Ref,
+}
+
+impl Builder {
+    /// A further variable, the shape value at a position.
+    pub(super) fn variable(&mut self, position: usize, parameter: &Parameter) {
+        let value = self.input(Input::Shape(position));
+        self.variables.push(Variable { var: parameter.var, range: parameter.range.clone(), value });
+    }
+
+    /// The value of a polynomial in the shape parameters.
+    pub(super) fn scalar(&mut self, poly: &Poly) -> Ref {
+        if let Some(value) = poly.as_constant() {
+            return self.number(value);
+        }
+        if let Some(value) = self.known(poly) {
+            return value;
+        }
+        if let Some(value) = self.known(&-poly) {
+            return self.neg(value);
+        }
+        let value = self.factored(poly);
+        let name = format!("c{}", self.named.len());
+        self.scalar_lets.push(Let { names: vec![name], value });
+        self.named.push((poly.clone(), value));
+        value
+    }
+
+    /// The node of a variable, or of a polynomial that has a name.
+    fn known(&self, poly: &Poly) -> Option<Ref> {
+        if let (1, Some((monomial, c))) = (poly.len(), poly.leading_term())
+            && c.is_one()
+            && poly.total_degree() == 1
+        {
+            return self.variables.iter().find(|v| monomial.exponent(v.var) == 1).map(|v| v.value);
+        }
+        self.named.iter().find(|(p, _)| p == poly).map(|(_, value)| *value)
+    }
+
+    /// 1 divided by a denominator; `None` for 1.
+    pub(super) fn reciprocal(&mut self, denom: &Poly) -> Option<Ref> {
+        if denom.is_one() {
+            return None;
+        }
+        if let Some((_, value)) = self.reciprocals.iter().find(|(p, _)| p == denom) {
+            return Some(*value);
+        }
+        let value = self.scalar(denom);
+        let value = self.push(Node::Reciprocal(value));
+        let name = format!("r{}", self.reciprocals.len());
+        self.scalar_lets.push(Let { names: vec![name], value });
+        self.reciprocals.push((denom.clone(), value));
+        Some(value)
+    }
+
+    /// A quotient of polynomials, in lowest terms.
+    pub(super) fn quotient(&mut self, poly: &Poly, denom: &Poly) -> Ref {
+        if denom.is_one() || poly.is_zero() {
+            return self.scalar(poly);
+        }
+        // One entry of a row may have a simpler denominator than the row.
+        let Some(value) = Fraction::new(poly.clone(), denom.clone()) else { return self.scalar(poly) };
+        let Some(reciprocal) = self.reciprocal(value.denom()) else { return self.scalar(value.numer()) };
+        if value.numer().is_one() {
+            return reciprocal;
+        }
+        if (-value.numer()).is_one() {
+            return self.neg(reciprocal);
+        }
+        let numer = self.scalar(value.numer());
+        self.push(Node::Product(numer, reciprocal))
+    }
+
+    /// Factors λ − low and high − λ are taken out, so that a coefficient that vanishes at the end of a range
+    /// has a small relative error near it, and the sign of the exact value.
+    fn factored(&mut self, poly: &Poly) -> Ref {
+        // With whole numbers for coefficients a difference such as 7 - λ is exact near its zero; 7/10 - λ/10 is not.
+        let content = if poly.len() > 1 { poly.numeric_content() } else { Rational::ONE };
+        let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
+        let mut factors: Vec<Ref> = Vec::new();
+        for k in 0..self.variables.len() {
+            let Variable { var, range, value } = &self.variables[k];
+            let (var, value) = (*var, *value);
+            let ends = [(range.low.value().cloned(), true), (range.high.value().cloned(), false)];
+            for (end, from_low) in ends {
+                let Some(end) = end else { continue };
+                let at_end = Poly::constant(end.clone());
+                let factor = if from_low { &Poly::var(var) - &at_end } else { &at_end - &Poly::var(var) };
+                while let Some(quotient) = rest.div_exact(&factor).filter(|_| rest.total_degree() > 1) {
+                    rest = quotient;
+                    factors.push(self.distance(value, &end, from_low));
+                }
+            }
+        }
+        let piece = self.sum(&rest);
+        if factors.is_empty() && content.is_one() {
+            return self.signed(&piece);
+        }
+        if !rest.is_one() {
+            factors.push(self.signed(&piece));
+        }
+        if !content.is_one() {
+            factors.push(self.number(content));
+        }
+        self.product(&factors)
+    }
+
+    /// λ − end, or end − λ.
+    fn distance(&mut self, value: Ref, end: &Rational, from_low: bool) -> Ref {
+        if end.is_zero() {
+            return if from_low { value } else { self.neg(value) };
+        }
+        if !from_low {
+            let end = self.number(end.clone());
+            return self.push(Node::Difference(end, value));
+        }
+        let magnitude = self.number(end.abs());
+        self.push(if end.is_negative() {
+            Node::Sum(value, magnitude)
+        } else {
+            Node::Difference(value, magnitude)
+        })
+    }
+
+    /// A polynomial by Horner's scheme in its first variable, the coefficients likewise.
+    fn sum(&mut self, poly: &Poly) -> Piece {
+        let Some(var) = poly.variables().first().copied() else {
+            let value = poly.as_constant().unwrap_or(Rational::ZERO);
+            return Piece { negative: value.is_negative(), value: self.number(value.abs()) };
+        };
+        let variable = self.variables.iter().find(|v| v.var == var);
+        let value = variable.expect("coefficients have no other variables").value;
+        let coefficients = poly.coefficients_in(var);
+        let mut sum = Piece { negative: false, value };
+        for (k, coefficient) in coefficients.iter().enumerate().rev() {
+            if k + 1 == coefficients.len() {
+                sum = self.sum(coefficient);
+                continue;
+            }
+            let one = matches!(self.node(sum.value), Node::Number(c) if c.is_one());
+            let product = if one { value } else { self.push(Node::Product(sum.value, value)) };
+            sum.value = product;
+            if !coefficient.is_zero() {
+                let first = self.sum(coefficient);
+                let first = self.signed(&first);
+                let node =
+                    if sum.negative { Node::Difference(first, product) } else { Node::Sum(first, product) };
+                sum = Piece { negative: false, value: self.push(node) };
+            }
+        }
+        sum
+    }
+
+    fn signed(&mut self, piece: &Piece) -> Ref {
+        if piece.negative { self.neg(piece.value) } else { piece.value }
+    }
+}

@@ -1,0 +1,105 @@
+//! Interprets steps with floats, exactly, or as rational functions.
+
+use super::{Step, Steps};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::plan::Input;
+
+/// What steps can be evaluated with.
+pub trait Number: Clone {
+    /// A constant, as generated code has it: for floats the nearest `f64`, rounded to the type.
+    fn constant(value: &Rational) -> Self;
+    /// −self
+    fn neg(&self) -> Self;
+    /// self + other
+    fn add(&self, other: &Self) -> Self;
+    /// self − other
+    fn sub(&self, other: &Self) -> Self;
+    /// self·other
+    fn mul(&self, other: &Self) -> Self;
+    /// self/other; `None` where an exact quotient does not exist.
+    fn div(&self, other: &Self) -> Option<Self>;
+}
+
+impl Steps {
+    /// The results for given inputs; `None` where an exact division is by zero.
+    pub fn evaluate<N: Number>(&self, input: impl FnMut(Input) -> N) -> Option<Vec<N>> {
+        let values = self.trace(input)?;
+        Some(self.outputs.iter().map(|output| values[*output].clone()).collect())
+    }
+
+    /// The values of all steps for given inputs; `None` where an exact division is by zero.
+    pub fn trace<N: Number>(&self, mut input: impl FnMut(Input) -> N) -> Option<Vec<N>> {
+        let mut values: Vec<N> = Vec::new();
+        for step in &self.steps {
+            let at = |k: usize| &values[k];
+            let value = match step {
+                Step::Input(which) => input(*which),
+                Step::Constant(value) => N::constant(value),
+                Step::Neg(a) => at(*a).neg(),
+                Step::Add(a, b) => at(*a).add(at(*b)),
+                Step::Sub(a, b) => at(*a).sub(at(*b)),
+                Step::Mul(a, b) => at(*a).mul(at(*b)),
+                Step::Div(a, b) => at(*a).div(at(*b))?,
+            };
+            values.push(value);
+        }
+        Some(values)
+    }
+}
+
+macro_rules! floats {
+    ($($float:ident)+) => {$(
+        impl Number for $float {
+            fn constant(value: &Rational) -> Self {
+                value.to_f64() as $float
+            }
+            fn neg(&self) -> Self {
+                -self
+            }
+            fn add(&self, other: &Self) -> Self {
+                self + other
+            }
+            fn sub(&self, other: &Self) -> Self {
+                self - other
+            }
+            fn mul(&self, other: &Self) -> Self {
+                self * other
+            }
+            fn div(&self, other: &Self) -> Option<Self> {
+                Some(self / other)
+            }
+        }
+    )+};
+}
+floats!(f32 f64);
+
+macro_rules! exact {
+    ($($exact:ident: $constant:expr;)+) => {$(
+        impl Number for $exact {
+            fn constant(value: &Rational) -> Self {
+                $constant(value)
+            }
+            fn neg(&self) -> Self {
+                -self
+            }
+            fn add(&self, other: &Self) -> Self {
+                self + other
+            }
+            fn sub(&self, other: &Self) -> Self {
+                self - other
+            }
+            fn mul(&self, other: &Self) -> Self {
+                self * other
+            }
+            fn div(&self, other: &Self) -> Option<Self> {
+                self.checked_div(other)
+            }
+        }
+    )+};
+}
+exact! {
+    Rational: Rational::clone;
+    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone()));
+}

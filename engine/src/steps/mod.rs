@@ -1,0 +1,86 @@
+//! Plans written out as single operations: constants, neg, add, sub, mul and div.
+//!
+//! [`Steps`] do what the compiled Rust of a family does, operation by operation, with the functions of the runtime
+//! written out. Each step has an exact meaning, a rational function of the inputs, and a rounded one in each kind of
+//! float; [`Steps::evaluate`] has both. So one list gives the code of a language without our runtime, the exact value to
+//! test it with, and the rounding errors to bound. [`FamilySteps`] are the steps of all that can be evaluated of a
+//! family.
+//!
+//! Left out are operations that change no number: a product with 1 or 0, a sum with 0, and those on constants that are
+//! exact in every float. What is left gives the floats of the compiled code bit for bit, but for the sign of a zero, as
+//! long as the inputs are finite. There is no step for a fused multiplication and addition; where a compiler fuses an
+//! addition with a product it adds, a rounding is left out. The loops of the runtime over slices use other associations.
+
+mod build;
+mod evaluate;
+mod family;
+mod lower;
+mod runtime;
+
+use crate::algebra::rational::Rational;
+use crate::plan::Input;
+
+pub use build::Builder;
+pub use evaluate::Number;
+pub use family::{EndSteps, FamilySteps};
+pub use lower::lower;
+
+/// A computation in single operations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    /// The operations; each refers to steps before it only, no two are the same, and every one is needed.
+    pub steps: Vec<Step>,
+    /// The names that some steps have in the plan, such as `s2` or `c0`, in the order of the steps; no two are the same.
+    pub names: Vec<(usize, String)>,
+    /// The steps that are the results.
+    pub outputs: Vec<usize>,
+}
+
+/// An operation on the results of steps before it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Step {
+    /// A number from outside.
+    Input(Input),
+    /// A constant: the `f64` nearest to this number, as a float of the kind in use.
+    Constant(Rational),
+    /// −a
+    Neg(usize),
+    /// a + b
+    Add(usize, usize),
+    /// a − b
+    Sub(usize, usize),
+    /// a·b
+    Mul(usize, usize),
+    /// a/b
+    Div(usize, usize),
+}
+
+impl Step {
+    /// The steps it refers to.
+    pub fn operands(&self) -> Vec<usize> {
+        match *self {
+            Self::Input(_) | Self::Constant(_) => Vec::new(),
+            Self::Neg(a) => vec![a],
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+        }
+    }
+}
+
+impl Steps {
+    /// The name of a step, if it has one.
+    pub fn name(&self, step: usize) -> Option<&str> {
+        let place = self.names.binary_search_by_key(&step, |(step, _)| *step).ok()?;
+        Some(&self.names[place].1)
+    }
+
+    /// The different inputs, ascending.
+    pub fn inputs(&self) -> Vec<Input> {
+        let inputs = self.steps.iter().filter_map(|step| match step {
+            Step::Input(input) => Some(*input),
+            _ => None,
+        });
+        let mut inputs: Vec<Input> = inputs.collect();
+        inputs.sort_unstable();
+        inputs
+    }
+}

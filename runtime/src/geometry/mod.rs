@@ -1,0 +1,17 @@
+//! What can be asked of every curve, whatever its type: the trait, and the answers from its Bézier pieces.
+//!
+//! A curve of any type is a list of rational Bézier pieces ([`CurvePiece`]). The functions in here work on these pieces
+//! in double precision. They are not generic: a second type of curve costs no second compilation of them. They are
+//! marked `#[inline]` so that they are compiled where a question is asked, and not with this crate for everybody.
+
+mod bounds;
+mod curves;
+mod flatten;
+mod length;
+mod local;
+mod nearest;
+mod parametric;
+mod piece;
+
+pub use parametric::{CurveScalar, ParametricCurve};
+pub use piece::CurvePiece;

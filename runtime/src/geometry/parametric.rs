@@ -1,0 +1,369 @@
+//! The trait of all curves.
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use super::{CurvePiece, bounds, flatten, length, local, nearest};
+use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
+use crate::vector::{direction, distance, largest_component};
+use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
+
+/// The scalar type of a curve: of its parameter and of the components of its points.
+pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
+
+/// A curve `C(t)`, `lo <= t <= hi`, of any type: [`Curve`](crate::Curve) over a family, Bézier curve,
+/// [`PiecewiseCurve`](crate::PiecewiseCurve), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
+///
+/// Every question has one name and one signature for all of them. What a type answers faster by itself it has as a
+/// method of its own, with the same name, arguments and meaning, so that the trait need not be imported there.
+///
+/// A type of your own provides five functions, among them its Bézier pieces, and gets all others. All that is not
+/// marked `Self: Sized` can be asked of a `&dyn ParametricCurve<Point = P>` too:
+///
+/// ```
+/// use basis_runtime::{Bezier, ParametricCurve};
+///
+/// let line = Bezier::from_points([[0.0, 0.0], [3.0, 4.0]]);
+/// let arch = Bezier::from_points([[3.0, 4.0], [4.0, 6.0], [5.0, 4.0]]);
+/// let path: [Box<dyn ParametricCurve<Point = [f64; 2]>>; 2] = [Box::new(line), Box::new(arch)];
+/// let length: f64 = path.iter().map(|curve| curve.arclen(1e-9)).sum();
+/// assert!((length - 7.957_885_715_089_195).abs() < 1e-9);
+/// ```
+///
+/// Parameters outside of the domain continue the formula of the curve at that end; questions that say so refuse them.
+/// A NaN parameter gives NaN.
+pub trait ParametricCurve {
+    /// The type of the points.
+    type Point: Point;
+
+    /// The type of a part of the curve.
+    type Part: ParametricCurve<Point = Self::Point>
+    where
+        Self: Sized;
+
+    /// The two ends `[lo, hi]` of the domain.
+    fn domain(&self) -> [CurveScalar<Self>; 2];
+
+    /// The point `C(t)`.
+    fn eval(&self, t: CurveScalar<Self>) -> Self::Point;
+
+    /// The point and its derivatives with respect to `t`, as many as the slice has places. Where a derivative jumps, it
+    /// is that of the later piece; at the end of the domain that of the last one.
+    fn derivatives_into(&self, t: CurveScalar<Self>, derivatives: &mut [Self::Point]);
+
+    /// The rational Bézier pieces of which the curve consists, in the order of their domains, which meet.
+    fn pieces(&self) -> Vec<CurvePiece>;
+
+    /// The parts before and after `t`, over domains of their own.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
+    /// part would be a point.
+    fn split(&self, t: CurveScalar<Self>) -> Result<[Self::Part; 2], CurveError>
+    where
+        Self: Sized;
+
+    /// The part over a range of parameters, over a domain of its own; if `range.start > range.end` it runs backwards.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of the range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends are equal.
+    fn subsegment(&self, range: Range<CurveScalar<Self>>) -> Result<Self::Part, CurveError>
+    where
+        Self: Sized;
+
+    /// The same curve in the other direction.
+    fn reversed(&self) -> Self::Part
+    where
+        Self: Sized;
+
+    /// The point at the lower end of the domain.
+    fn start(&self) -> Self::Point {
+        self.eval(self.domain()[0])
+    }
+
+    /// The point at the upper end of the domain.
+    fn end(&self) -> Self::Point {
+        self.eval(self.domain()[1])
+    }
+
+    /// The point `C(t)`, if `t` lies in the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN.
+    fn eval_checked(&self, t: CurveScalar<Self>) -> Result<Self::Point, CurveError> {
+        inside(self.domain(), t)?;
+        Ok(self.eval(t))
+    }
+
+    /// The point `C(t)`, or the nearer end of the curve if `t` is outside of the domain.
+    fn eval_clamped(&self, t: CurveScalar<Self>) -> Self::Point {
+        self.eval(clamped(self.domain(), t))
+    }
+
+    /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`.
+    fn eval_with_derivs<const K: usize>(&self, t: CurveScalar<Self>) -> [Self::Point; K]
+    where
+        Self: Sized,
+    {
+        let mut derivatives = [Self::Point::zero(); K];
+        self.derivatives_into(t, &mut derivatives);
+        derivatives
+    }
+
+    /// The derivative of that order with respect to `t`; the point for order 0.
+    fn derivative(&self, t: CurveScalar<Self>, order: usize) -> Self::Point {
+        let mut derivatives = alloc::vec![Self::Point::zero(); order + 1];
+        self.derivatives_into(t, &mut derivatives);
+        derivatives[order]
+    }
+
+    /// `count` points at equal distances of the parameter, both ends included, exactly; for a count of 1, the start.
+    fn samples(&self, count: usize) -> impl ExactSizeIterator<Item = Self::Point> + DoubleEndedIterator
+    where
+        Self: Sized,
+    {
+        (0..count).map(move |i| self.eval(sample(self.domain(), i, count)))
+    }
+
+    /// [`samples`](Self::samples) that fill a slice.
+    fn samples_into(&self, out: &mut [Self::Point]) {
+        let count = out.len();
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = self.eval(sample(self.domain(), i, count));
+        }
+    }
+
+    /// The unit vector in which the curve goes on at `t`.
+    ///
+    /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that of
+    /// arriving. `None` if the curve is a point there, and if anything is not finite.
+    fn tangent(&self, t: CurveScalar<Self>) -> Option<Self::Point> {
+        let mut first = [Self::Point::zero(); 2];
+        self.derivatives_into(t, &mut first);
+        let [lo, hi] = self.domain();
+        let [size, speed] = [first[0], first[1].scale(hi - lo)].map(largest_component);
+        // Far above the rounding errors the velocity has the direction.
+        if speed > CurveScalar::<Self>::EPSILON.sqrt() * (size + self.extent()) {
+            return direction(first[1]);
+        }
+        let heading = local::heading(&self.pieces(), t.to_f64())?;
+        direction(Self::Point::from_components(|d| CurveScalar::<Self>::of(heading[d])))
+    }
+
+    /// The largest absolute value of a component of a Bézier control point: the size that rounding errors have.
+    #[doc(hidden)]
+    fn extent(&self) -> CurveScalar<Self> {
+        let pieces = self.pieces();
+        CurveScalar::<Self>::of(pieces.iter().map(CurvePiece::largest).fold(0.0, f64::max))
+    }
+
+    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the left.
+    ///
+    /// Infinite or NaN where the velocity vanishes.
+    fn curvature(&self, t: CurveScalar<Self>) -> CurveScalar<Self> {
+        let mut derivatives = [Self::Point::zero(); 3];
+        self.derivatives_into(t, &mut derivatives);
+        curvature(derivatives[1], derivatives[2])
+    }
+
+    /// The torsion at `t` of a curve in space: `det(C', C'', C''') / |C' × C''|²`, positive for a right-handed screw.
+    ///
+    /// Where the curvature vanishes, as everywhere on a straight line, the quotient has no meaning: NaN, infinite, or
+    /// rounding errors alone.
+    fn torsion(&self, t: CurveScalar<Self>) -> CurveScalar<Self>
+    where
+        Self::Point: Point3,
+    {
+        let mut derivatives = [Self::Point::zero(); 4];
+        self.derivatives_into(t, &mut derivatives);
+        torsion(derivatives)
+    }
+
+    /// The Frenet frame at `t`: tangent, principal normal and binormal. The normal points to the centre of curvature.
+    ///
+    /// # Errors
+    /// [`CurveError::NoTangent`] where [`tangent`](Self::tangent) is `None`, [`CurveError::NoNormal`] where the
+    /// curvature vanishes up to rounding.
+    fn frenet_frame(&self, t: CurveScalar<Self>) -> Result<Frame<Self::Point>, CurveError>
+    where
+        Self::Point: Point3,
+    {
+        let mut derivatives = [Self::Point::zero(); 3];
+        self.derivatives_into(t, &mut derivatives);
+        let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
+        let pieces = self.pieces();
+        let bend = local::piece_at(&pieces, t.to_f64()).map_or(f64::NAN, |piece| {
+            let [lo, hi] = piece.domain();
+            let degree = piece.degree() as f64;
+            degree * (degree - 1.0).max(0.0) / (hi - lo) / (hi - lo) * piece.largest()
+        });
+        frenet(derivatives, tangent, CurveScalar::<Self>::of(bend), t)
+    }
+
+    /// `count` frames that do not turn around the curve, at equal distances of the parameter, both ends included. The
+    /// first has the given normal, made perpendicular to the tangent, or without one an arbitrary normal. By double
+    /// reflection; see [`Curve::rotation_minimizing_frames`](crate::Curve::rotation_minimizing_frames).
+    ///
+    /// # Errors
+    /// [`CurveError::NoTangent`] if the curve is a point, or not finite.
+    fn rotation_minimizing_frames(
+        &self,
+        count: usize,
+        normal: Option<Self::Point>,
+    ) -> Result<Vec<Frame<Self::Point>>, CurveError>
+    where
+        Self::Point: Point3,
+    {
+        let zero = Self::Point::zero();
+        let mut frames =
+            alloc::vec![Frame { point: zero, tangent: zero, normal: zero, binormal: zero }; count];
+        rotation_minimizing(normal, &mut frames, &|i| {
+            let t = sample(self.domain(), i, count);
+            Some((self.eval(t), self.tangent(t)?))
+        })?;
+        Ok(frames)
+    }
+
+    /// The arc length `∫ |C'(t)| dt` over the domain; the error is at most `accuracy`.
+    ///
+    /// The bound of the error is proved, up to rounding: an `accuracy` below about `ε` times the length, also zero or
+    /// NaN, asks for what the scalar type can give. Infinite or NaN control points have the length NaN.
+    fn arclen(&self, accuracy: CurveScalar<Self>) -> CurveScalar<Self> {
+        CurveScalar::<Self>::of(length::length(&self.pieces(), floor(accuracy)))
+    }
+
+    /// The parameter `t` for which the curve from its start to `C(t)` has that length; the length up to there differs
+    /// from `length` by at most `accuracy`, as in [`arclen`](Self::arclen).
+    ///
+    /// A `length` below zero gives the start of the domain, one above the length of the curve its end, and NaN gives
+    /// NaN.
+    fn inv_arclen(&self, length: CurveScalar<Self>, accuracy: CurveScalar<Self>) -> CurveScalar<Self> {
+        let found = length::parameters(&self.pieces(), &[length.to_f64()], floor(accuracy));
+        back(self.domain(), found[0])
+    }
+
+    /// The parameters of `count` points at equal distances along the curve, both ends included; each as in
+    /// [`inv_arclen`](Self::inv_arclen).
+    fn arclen_parameters(&self, count: usize, accuracy: CurveScalar<Self>) -> Vec<CurveScalar<Self>> {
+        let pieces = self.pieces();
+        let total = length::length(&pieces, floor(accuracy));
+        let steps = count.saturating_sub(1).max(1) as f64;
+        let lengths: Vec<f64> = (0..count).map(|i| total * (i as f64 / steps)).collect();
+        let mut found: Vec<CurveScalar<Self>> = length::parameters(&pieces, &lengths, floor(accuracy))
+            .into_iter()
+            .map(|t| back(self.domain(), t))
+            .collect();
+        if let [first, rest @ ..] = &mut found[..]
+            && !total.is_nan()
+        {
+            *first = self.domain()[0];
+            if let Some(last) = rest.last_mut() {
+                *last = self.domain()[1];
+            }
+        }
+        found
+    }
+
+    /// `count` points at equal distances along the curve, both ends included, exactly: the points at the
+    /// [`arclen_parameters`](Self::arclen_parameters).
+    fn samples_by_arclen(&self, count: usize, accuracy: CurveScalar<Self>) -> Vec<Self::Point> {
+        self.arclen_parameters(count, accuracy).into_iter().map(|t| self.eval(t)).collect()
+    }
+
+    /// The corners of a polygon that follows the curve: no point of the one is farther than `tolerance` from the other,
+    /// if the curve does not jump. Both ends of the curve are corners, exactly.
+    ///
+    /// # Errors
+    /// [`CurveError::Tolerance`] if the tolerance is not positive and finite, [`CurveError::NotFinite`] if a control
+    /// point is infinite or NaN, [`CurveError::TooManyPoints`] if more than 2²⁴ corners would be needed.
+    fn flatten(&self, tolerance: CurveScalar<Self>) -> Result<Vec<Self::Point>, CurveError> {
+        let corners = flatten::corners(&self.pieces(), tolerance.to_f64())?;
+        Ok(corners.into_iter().map(|t| self.eval(back(self.domain(), t))).collect())
+    }
+
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap,
+    /// and never too small but for rounding errors. NaN in a component in which a control point is NaN.
+    fn control_box(&self) -> [Self::Point; 2] {
+        corners_of(&bounds::control_box(&self.pieces()))
+    }
+
+    /// The smallest axis-parallel box around the curve, as its two extreme corners `[min, max]`, up to rounding errors.
+    ///
+    /// NaN in a component in which a control point is infinite or NaN.
+    fn bounding_box(&self) -> [Self::Point; 2] {
+        corners_of(&bounds::tight_box(&self.pieces()))
+    }
+
+    /// The parameters inside of the domain at which a component has a maximum or minimum, in increasing order.
+    ///
+    /// A component that is constant up to rounding errors has none. None if a control point is infinite or NaN.
+    fn extrema(&self) -> Vec<CurveScalar<Self>> {
+        bounds::extrema(&self.pieces()).into_iter().map(|t| back(self.domain(), t)).collect()
+    }
+
+    /// The parameters inside of the domain at which a curve in the plane changes from turning left to turning right or
+    /// the other way round, in increasing order.
+    ///
+    /// None on a straight line, and none if a control point is infinite or NaN.
+    ///
+    /// # Errors
+    /// [`CurveError::Dimension`] if the points have not two components.
+    fn inflections(&self) -> Result<Vec<CurveScalar<Self>>, CurveError> {
+        if Self::Point::DIM != 2 {
+            return Err(CurveError::Dimension { expected: 2, found: Self::Point::DIM });
+        }
+        Ok(bounds::inflections(&self.pieces()).into_iter().map(|t| back(self.domain(), t)).collect())
+    }
+
+    /// The point of the curve nearest to `point`, among those with a parameter in the domain.
+    ///
+    /// It is a global minimum: its distance exceeds [`at_least`](Nearest::at_least), which no point of the curve is
+    /// nearer than, by no more than `accuracy`. This bound is proved up to rounding: an `accuracy` below some 64 `ε`
+    /// times the greatest distance of a Bézier control point, also zero or NaN, asks for what the scalar type can give.
+    /// Where very many points are almost equally near, such as around the centre of a circle, the work ends earlier:
+    /// `at_least` says how much is proved. `None` if the point, the curve or the distance is not finite.
+    fn nearest(&self, point: Self::Point, accuracy: CurveScalar<Self>) -> Option<Nearest<Self::Point>> {
+        let components: Vec<f64> = (0..Self::Point::DIM).map(|d| point.component(d).to_f64()).collect();
+        let epsilon = CurveScalar::<Self>::EPSILON.to_f64();
+        let (t, bound) = nearest::nearest(&self.pieces(), &components, accuracy.to_f64(), epsilon)?;
+        let at = back(self.domain(), t);
+        let found = self.eval(at);
+        let distance = distance(found, point);
+        let at_least = CurveScalar::<Self>::of(bound).min(distance);
+        distance.is_finite().then_some(Nearest { at, point: found, distance, at_least })
+    }
+}
+
+/// The parameter of a sample: exact at both ends.
+fn sample<S: Scalar>(domain: [S; 2], index: usize, count: usize) -> S {
+    let steps = S::from_usize(count.saturating_sub(1).max(1));
+    crate::domain::from_unit(domain, S::from_usize(index) / steps)
+}
+
+/// An accuracy for the search in double precision: what is not positive asks for the best.
+fn floor<S: Scalar>(accuracy: S) -> f64 {
+    accuracy.to_f64().max(0.0)
+}
+
+/// A parameter that was found in double precision.
+fn back<S: Scalar>(domain: [S; 2], t: f64) -> S {
+    clamped(domain, S::of(t))
+}
+
+/// The parameter of the domain nearest to `t`; NaN stays.
+pub(crate) fn clamped<S: Scalar>([lo, hi]: [S; 2], t: S) -> S {
+    if t < lo {
+        lo
+    } else if t > hi {
+        hi
+    } else {
+        t
+    }
+}
+
+fn corners_of<P: Point>(sides: &[[f64; 2]]) -> [P; 2] {
+    let corner =
+        |k: usize| P::from_components(|d| P::Scalar::of(sides.get(d).map_or(f64::NAN, |side| side[k])));
+    [corner(0), corner(1)]
+}

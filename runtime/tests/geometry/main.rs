@@ -1,0 +1,10 @@
+//! What can be asked of every type of curve, under one name.
+#![cfg(all(feature = "std", feature = "bspline"))]
+#![allow(unreachable_pub)]
+
+mod hostile;
+mod queries;
+#[allow(dead_code)] // shared with other tests
+#[path = "../../../tests/src/random.rs"]
+mod random;
+mod vocabulary;
