@@ -33,6 +33,7 @@ pub(in crate::generate) fn family(
         ranges.extend(family.domain.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
     }
     ranges.extend(family.shapes.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
+    ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
     if !verdicts.is_empty() {
         lines.extend(claims(verdicts));
