@@ -15,7 +15,8 @@ const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric",
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
-    let expected = if at_word(input, "refute") { Expected::False } else { Expected::True };
+    let word = input.cursor().ident().map(|(word, _)| word.to_string());
+    let expected = word.and_then(|word| Expected::of(&word)).unwrap_or(Expected::True);
     let keyword = take_word(input)?;
     let start = input.cursor();
     let mut only = Loops::default();

@@ -92,7 +92,7 @@ fn flat<T>(mut parts: Vec<(T, Expr)>, kind: fn(Vec<(T, Expr)>) -> ExprKind) -> E
 
 /// Whether a word begins a claim or another statement, and is nobody's name.
 fn is_statement(word: &str) -> bool {
-    ["prove", "refute", "curve", "surface", "scalar", "assume", "let"].contains(&word)
+    ["prove", "refute", "conjecture", "curve", "surface", "scalar", "assume", "let"].contains(&word)
 }
 
 /// Whether `b[1] = …` follows: a definition, not a factor.

@@ -421,14 +421,22 @@ pub enum Expected {
     True,
     /// `refute`: the claim is false.
     False,
+    /// `conjecture`: the claim is believed to be true, and may be undecided.
+    Open,
 }
 
 impl Expected {
+    /// What a keyword declares.
+    pub fn of(keyword: &str) -> Option<Self> {
+        [Self::True, Self::False, Self::Open].into_iter().find(|expected| expected.keyword() == keyword)
+    }
+
     /// The keyword.
     pub const fn keyword(self) -> &'static str {
         match self {
             Self::True => "prove",
             Self::False => "refute",
+            Self::Open => "conjecture",
         }
     }
 }

@@ -14,8 +14,19 @@ use crate::advice::did_you_mean;
 use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
-pub(super) const STATEMENTS: [&str; 10] =
-    ["domain", "shape", "assume", "let", "permute", "base", "raise", "prove", "refute", "budget"];
+pub(super) const STATEMENTS: [&str; 11] = [
+    "domain",
+    "shape",
+    "assume",
+    "let",
+    "permute",
+    "base",
+    "raise",
+    "prove",
+    "refute",
+    "conjecture",
+    "budget",
+];
 
 const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <= 1;`";
 
@@ -78,7 +89,8 @@ fn begins_claim(input: ParseStream<'_>) -> bool {
     let _ = doc(&ahead, Doc::Outer);
     let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
-    ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
+    ["prove", "refute", "conjecture", "budget"]
+        .contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<Statement> {
@@ -119,7 +131,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
             take_word(input)?;
             StatementKind::Let(definition(input)?)
         }
-        "prove" | "refute" => {
+        "prove" | "refute" | "conjecture" => {
             let claim = claim(input)?;
             StatementKind::Claim(claim)
         }
@@ -160,7 +172,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
     let help = did_you_mean(text, &STATEMENTS, &|| {
         String::from(
-            "statements are `domain`, `shape`, `assume`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute` and `budget`",
+            "statements are `domain`, `shape`, `assume`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute`, `conjecture` and `budget`",
         )
     });
     error(word.span(), format!("`{text}` does not begin a statement"), help)

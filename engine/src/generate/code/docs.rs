@@ -76,7 +76,7 @@ fn reasons(alike: &[&Verdict]) -> String {
                 let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
                 format!("refuted: `{}` is {}{place}", witness.of, witness.value)
             }
-            Verdict::Undecided(left) => format!("undecided: {left}"),
+            Verdict::Undecided(left) => format!("open: {left}"), // of a conjecture; others stop the build
         };
         if !all.contains(&reason) {
             all.push(reason);
