@@ -6,6 +6,7 @@ use std::rc::Rc;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::diagnostic::Place;
+use crate::model::Parameter;
 use crate::model::budget::{Run, TooLarge};
 pub use crate::syntax::{Comparison, Expected};
 use crate::theorem::Form;
@@ -52,8 +53,10 @@ pub enum ClaimKind {
     Symmetric,
     /// The functions are linearly independent for all shape values in their ranges except the listed ones.
     Independent(Vec<Values>),
-    /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
-    Continuity(u32),
+    /// Neighbouring segments, control points shifted by one, join with some continuous derivatives.
+    Continuity(Joint),
+    /// All minors of the functions at ascending points are ≥ 0.
+    TotallyPositive,
     /// Every difference compares with zero as stated, on the declared ranges.
     Relation {
         /// Left side minus right side and how it compares with zero, for each component of two neighbouring sides.
@@ -84,6 +87,17 @@ pub enum ClaimKind {
         /// The right side.
         right: Side,
     },
+}
+
+/// How a segment joins its neighbour.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// How many derivatives are continuous.
+    pub order: u32,
+    /// The shape values of the next segment; none where they are those of this one.
+    pub next: Vec<Fraction>,
+    /// The parameters among them that are free, with the numbers of variables of no family.
+    pub free: Vec<Parameter>,
 }
 
 /// Left side minus right side.

@@ -308,3 +308,93 @@ fn shape_parameters_with_an_index() {
     assert_eq!(found.iter().filter(|v| *v == "=").count(), 15, "{found:?}");
     assert!(found[7].starts_with("0 at λ[1] = "), "{found:?}");
 }
+
+#[test]
+fn total_positivity() {
+    let found = verdicts(
+        "family Powers { domain 0 <= t <= 1; b[i] = t^i for i in 0..=5; prove totally_positive; }
+        family Quadratic {
+            domain 0 <= t <= 1;
+            shape -2 <= λ <= 1;
+            b[0] = (1 - λ*t) * (1 - t)^2;
+            b[1] = (2 + λ) * (1 - t) * t;
+            b[2] = (1 - λ + λ*t) * t^2;
+            prove totally_positive;
+        }
+        family Conic {
+            domain 0 <= t <= 1;
+            shape 0 < ω;
+            let w = (1 - t)^2 + 2*ω*t*(1 - t) + t^2;
+            b[0] = (1 - t)^2/w; b[1] = 2*ω*t*(1 - t)/w; b[2] = t^2/w;
+            prove totally_positive;
+        }
+        family Raised {
+            domain 0 <= t <= 2;
+            b[0] = (2 - t)^2 + t^2/4; b[1] = t^2;
+            prove totally_positive;
+        }
+        family Below { domain -1 <= t <= 1; b[i] = t^i for i in 0..=2; refute totally_positive; }
+        family Nodes {
+            domain 0 <= t <= 1;
+            b[0] = 2*(t - 1/2)*(t - 1); b[1] = 4*t*(1 - t); b[2] = 2*t*(t - 1/2);
+            refute totally_positive;
+        }
+        family Swapped { domain 0 <= t <= 1; b[0] = t; b[1] = 1 - t; refute totally_positive; }
+        family Third {
+            domain 0 <= t <= 1;
+            b[0] = 1; b[1] = 1 + t; b[2] = 1 + 3*t - t^2;
+            refute totally_positive;
+        }
+        family Depends {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= 1, 0 <= q <= 1;
+            b[0] = 1 + p*t; b[1] = 1 + q*t;
+            refute totally_positive;
+        }
+        family Ordered {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= q <= 1;
+            b[0] = 1 + p*t; b[1] = 1 + q*t;
+            prove totally_positive;
+        }",
+    );
+    assert_eq!(found[..4], ["="; 4], "{found:?}");
+    assert_eq!(found[4], "-1 at ");
+    assert_eq!(found[5..7], ["-1/8 at ", "-1/3 at "]);
+    // 1, 1 + t, 1 + 3t − t² have the determinant −(t₁ − t₀)(t₂ − t₀)(t₂ − t₁).
+    assert!(found[7].starts_with('-'), "{}", found[7]);
+    assert!(found[8].starts_with('-') && found[8].contains("p = "), "{}", found[8]);
+    assert_eq!(found[9], "=");
+}
+
+#[test]
+fn neighbours_have_other_shape_values() {
+    // A segment of a spline with one number for each interval: b[0] ends where its part in the next one begins.
+    let found = verdicts(
+        "family Segment {
+            domain 0 <= t <= 1;
+            shape 0 < a <= 1, 0 < c <= 1;
+            b[0] = (1 - t)*a; b[1] = t*c;
+            prove continuity(0) with a = c;
+            refute continuity(0);
+            refute continuity(1) with a = c;
+            refute continuity(0) with c = a;
+            refute continuity(0) with a = c/2;
+        }
+        family Knots {
+            domain 0 <= t <= 1;
+            shape 0 < d0, 0 < d1, 0 < d2;
+            let s = d1*t;
+            b[0] = (d1 - s)^2/(d1*(d0 + d1));
+            b[2] = s^2/(d1*(d1 + d2));
+            b[1] = 1 - b[0] - b[2];
+            prove continuity(0) with d0 = d1, d1 = d2;
+            refute continuity(0);
+        }",
+    );
+    assert_eq!(found[0], "=");
+    assert!(found[1..5].iter().all(|v| v.contains(" at a = 1/2, c = ")), "{found:?}");
+    assert!(found[3].contains("a' = "), "{}", found[3]);
+    assert_eq!(found[5], "=");
+    assert_ne!(found[6], "=");
+}

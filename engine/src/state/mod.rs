@@ -50,6 +50,9 @@ pub fn instances(
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
+        Subject::Family(family) if matches!(claim.kind, crate::claim::ClaimKind::TotallyPositive) => {
+            family::minors(family, given)
+        }
         Subject::Family(family) if given.is_empty() => {
             family::refutable(family, claim).ok_or("the budget is spent on a common denominator")
         }

@@ -11,7 +11,8 @@ use super::{Binding, Claim, ClaimKind, Comparison, Expected, Loops, Relation};
 use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
-const PROPERTIES: [&str; 5] = ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity"];
+const PROPERTIES: [&str; 6] =
+    ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity", "totally_positive"];
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
@@ -28,6 +29,7 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
                 "nonnegative" => ClaimKind::Nonnegative,
                 "symmetric" => ClaimKind::Symmetric,
                 "continuity" => continuity(input, span)?,
+                "totally_positive" => ClaimKind::TotallyPositive,
                 _ => ClaimKind::Independent(exceptions(input, span)?),
             };
             only = loops(input)?;
@@ -96,7 +98,12 @@ fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKi
     if !content.is_empty() {
         return Err(unexpected(&content, "`)`"));
     }
-    Ok(ClaimKind::Continuity(order))
+    let mut next = Vec::new();
+    if at_word(input, "with") {
+        take_word(input)?;
+        next = bindings(input)?;
+    }
+    Ok(ClaimKind::Continuity(order, next))
 }
 
 /// `except λ = -3, λ = 1` or `except (α = 0, β = 1)`: a list of exceptions, each one or several values.

@@ -453,7 +453,10 @@ pub enum ClaimKind {
     /// The functions are linearly independent, except at the listed shape values.
     Independent(Vec<Vec<Binding>>),
     /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
-    Continuity(Expr),
+    /// With bindings, the shape values of the next segment.
+    Continuity(Expr, Vec<Binding>),
+    /// All minors of the functions at ascending points are ≥ 0.
+    TotallyPositive,
     /// An equation or inequality.
     Relation(Relation),
     /// Equations and inequalities at fixed values: `at t = 0 { … }`.

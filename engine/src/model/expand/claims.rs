@@ -7,13 +7,13 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::DisplayRange as _;
 use crate::algebra::rational::Rational;
-use crate::claim::{Claim, ClaimKind, Difference, Statement};
+use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Family, Library, chart, label};
+use crate::model::{Family, Library, Parameter, chart, label};
 use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -97,12 +97,7 @@ fn one(
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };
             let printer = Printer { constants: &scope.constants, component: None };
-            let part = |b: &Binding| {
-                let indices = b.indices.mapped(|i| printer.print(i)).join(",");
-                let name = &b.name.text;
-                let name = if indices.is_empty() { name.clone() } else { format!("{name}[{indices}]") };
-                format!("{name} = {}", printer.print(&b.value))
-            };
+            let part = |b: &Binding| format!("{} = {}", bound_text(&printer, b), printer.print(&b.value));
             let parts: Vec<String> = bindings.mapped(part);
             let at = parts.join(", ");
             for (equation, relation) in relations.iter().enumerate() {
@@ -142,7 +137,7 @@ fn property(
             (String::from("partition_of_unity"), ClaimKind::PartitionOfUnity)
         }
         syntax::ClaimKind::Nonnegative => (String::from("nonnegative"), ClaimKind::Nonnegative),
-        syntax::ClaimKind::Symmetric | syntax::ClaimKind::Continuity(_) if family.leaves_an_end_out() => {
+        syntax::ClaimKind::Symmetric | syntax::ClaimKind::Continuity(..) if family.leaves_an_end_out() => {
             let name =
                 if matches!(written, syntax::ClaimKind::Symmetric) { "symmetric" } else { "continuity" };
             let error = scope.error(span, format!("`{name}` is about a domain with both ends"));
@@ -161,7 +156,15 @@ fn property(
             };
             (text, ClaimKind::Independent(except))
         }
-        syntax::ClaimKind::Continuity(order) => {
+        syntax::ClaimKind::TotallyPositive => {
+            if family.interval().is_none() {
+                let error = scope.error(span, "`totally_positive` is about functions on one interval");
+                scope.report(error.help("claim it of the factors of functions on a box"));
+                return None;
+            }
+            (String::from("totally_positive"), ClaimKind::TotallyPositive)
+        }
+        syntax::ClaimKind::Continuity(order, next) => {
             let value = scope.whole(order, "the number of continuous derivatives")?;
             let Some(order) = u32::try_from(value).ok().filter(|k| *k <= crate::model::budget::MAX_DEGREE)
             else {
@@ -177,10 +180,84 @@ fn property(
                 scope.report(error.help("claim in a `theorem` how two patches join"));
                 return None;
             }
-            (format!("continuity({order})"), ClaimKind::Continuity(order))
+            let mut text = format!("continuity({order})");
+            let mut joint = Joint { order, next: Vec::new(), free: Vec::new() };
+            if !next.is_empty() {
+                let printer = Printer { constants: &scope.constants, component: None };
+                let part = |b: &Binding| format!("{} = {}", bound_text(&printer, b), printer.print(&b.value));
+                text += &format!(" with {}", next.mapped(part).join(", "));
+                joint = neighbour(scope, family, next, order, span)?;
+            }
+            (text, ClaimKind::Continuity(joint))
         }
         syntax::ClaimKind::Relation(_) | syntax::ClaimKind::At(..) => return None,
     })
+}
+
+/// A name that gets a value, as text.
+fn bound_text(printer: &Printer<'_>, binding: &Binding) -> String {
+    let indices = binding.indices.mapped(|i| printer.print(i)).join(",");
+    let name = &binding.name.text;
+    if indices.is_empty() { name.clone() } else { format!("{name}[{indices}]") }
+}
+
+/// The shape values of the next segment: those that are given, and free ones.
+fn neighbour(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    next: &[Binding],
+    order: u32,
+    span: Span,
+) -> Option<Joint> {
+    if !family.constraints.is_empty() {
+        let error =
+            scope.error(span, "a neighbour with other shape values is not among those that are assumed");
+        scope.report(error.help("state the joint in a `theorem`, or for equal shape values"));
+        return None;
+    }
+    let mut given: Vec<(Var, Fraction)> = Vec::new();
+    for binding in next {
+        let name = bound_name(scope, binding)?;
+        let Some(shape) = family.shapes.iter().find(|s| s.name == name) else {
+            let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
+            let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
+            scope.report(error.help(format!("the next segment has {}", crate::plural::list(&known))));
+            return None;
+        };
+        if given.iter().any(|(v, _)| *v == shape.var) {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is given twice")));
+            return None;
+        }
+        let value = scope.scalar(&binding.value)?;
+        if let Some(var) = scope.domain.iter().find(|v| value.depends_on(**v)) {
+            let message = format!("the value contains the domain variable `{}`", scope.names[var.0]);
+            let error = scope.error(binding.value.span, message);
+            scope.report(error.help("shape values of the next segment are made of those of this one"));
+            return None;
+        }
+        let inside =
+            Inside { value: value.clone(), name, range: shape.range.clone(), family: None, assumable: false };
+        let place = scope.place(binding.value.span);
+        match value.as_constant() {
+            Some(c) if !shape.range.contains(&c) => {
+                scope.report(inside.outside(&c, place));
+                return None;
+            }
+            Some(_) => {}
+            None => scope.must_stay_inside(inside, place),
+        }
+        given.push((shape.var, value));
+    }
+    let mut joint = Joint { order, next: Vec::new(), free: Vec::new() };
+    for shape in &family.shapes {
+        let own = given.iter().find(|(v, _)| *v == shape.var).map(|(_, value)| value.clone());
+        joint.next.push(own.unwrap_or_else(|| {
+            let var = Var(family.names.len() + joint.free.len());
+            joint.free.push(Parameter { name: format!("{}'", shape.name), var, ..shape.clone() });
+            Fraction::var(var)
+        }));
+    }
+    Some(joint)
 }
 
 fn describe_values(values: &[(Var, Rational)], names: &[String]) -> String {

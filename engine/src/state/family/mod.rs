@@ -3,6 +3,7 @@
 mod identity;
 mod independent;
 mod point;
+mod total;
 
 use std::rc::Rc;
 
@@ -15,7 +16,7 @@ use super::verdict::{Evidence, Stated, Verdict, Witness};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::claim::{Claim, ClaimKind, Comparison, Difference};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
 use crate::model::Family;
 use crate::model::chart::Piece;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -30,7 +31,7 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
     Some(match kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
-        ClaimKind::Continuity(order) => identity::continuity(family, *order),
+        ClaimKind::Continuity(joint) => identity::continuity(family, joint),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
             functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
@@ -70,7 +71,15 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     if let ClaimKind::Independent(except) = kind {
         return independent::said(family, except);
     }
-    let parts = inequality::parts(family, kind.fixed());
+    if let ClaimKind::TotallyPositive = kind {
+        return basis_prover::working(family.budget, &mut |work| total::said(family, work));
+    }
+    let mut parts = inequality::parts(family, kind.fixed());
+    if let ClaimKind::Continuity(Joint { free, .. }) = kind {
+        for (_, domain) in &mut parts {
+            Rc::make_mut(domain).region.ranges.extend(free.iter().map(|p| (p.var, p.range.clone())));
+        }
+    }
     let comparison = |k: usize| match kind {
         ClaimKind::Nonnegative => Comparison::GreaterEqual,
         ClaimKind::Relation { differences, .. } => differences[k].0,
@@ -98,16 +107,17 @@ const TOO_LONG: &str = "the budget is spent on a common denominator of the funct
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let Some(said) = said(family, claim) else {
-        return Verdict::Undecided(String::from(if matches!(claim.kind, ClaimKind::Independent(_)) {
-            independent::NOT_IN_PARTS
-        } else {
-            TOO_LONG
-        }));
+        return match claim.kind {
+            ClaimKind::TotallyPositive => not_total(family),
+            ClaimKind::Independent(_) => Verdict::Undecided(String::from(independent::NOT_IN_PARTS)),
+            _ => Verdict::Undecided(String::from(TOO_LONG)),
+        };
     };
     let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
     let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
     match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
+        Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
         Err((label, Failure::Refuted(found))) => {
             let Some((_, of, piece)) = find(&label) else { return Verdict::Undecided(label) };
             if matches!(claim.kind, ClaimKind::Independent(_)) && !piece.is_exact() {
@@ -125,6 +135,28 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     }
 }
 
+/// What is known of functions whose total positivity is not proved.
+fn not_total(family: &Family) -> Verdict {
+    match total::refutation(family) {
+        Some(witness) => Verdict::Refuted(Box::new(witness)),
+        None if family.functions.len() > total::MAX_FUNCTIONS => {
+            Verdict::Undecided(String::from(total::TOO_MANY))
+        }
+        None => Verdict::Undecided(String::from(total::OPEN)),
+    }
+}
+
+/// The minors of a family that `given` names, each of which has to be ≥ 0.
+///
+/// # Errors
+/// When it names none.
+pub(in crate::state) fn minors(
+    family: &Family,
+    given: &[Vec<Rational>],
+) -> Result<Vec<Stated>, &'static str> {
+    total::instances(family, given)
+}
+
 /// How a claim was proved, in a few words.
 fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
     let equation = matches!(kind, ClaimKind::Relation { differences, .. }
@@ -134,6 +166,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::Symmetric => "expansion of the moved functions",
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
         ClaimKind::Independent(_) => "minors",
+        ClaimKind::TotallyPositive => "totally nonnegative conversion to a Bernstein basis",
         _ if equation => "expansion of both sides",
         _ => {
             let hardest = shown.iter().map(|(_, shown)| shown.method).max();
@@ -166,8 +199,12 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
-    if matches!(kind, ClaimKind::Continuity(_)) {
+    if let ClaimKind::Continuity(joint) = kind {
         witness.idle = domain_names(family);
+        for p in &joint.free {
+            let known = found.point.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
+            witness.at.extend(known.map(|c| (p.name.clone(), c)));
+        }
     }
     witness.notes = identity::notes(family, kind, &witness);
     witness
