@@ -15,6 +15,7 @@ mod library;
 pub mod obligation;
 pub(crate) mod scope;
 mod tuples;
+mod unused;
 pub(crate) mod words;
 
 pub(crate) use family::label;

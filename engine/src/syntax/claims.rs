@@ -162,7 +162,15 @@ fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
 /// `at t = 0, λ = 1 { b = [1, 0]; D(b) = [-1, 1]; }`
 fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     take_word(input)?;
+    let start = input.fork();
     let fixed = bindings(input).map_err(|e| {
+        // at 0 <= t <= 1/2: a part of the domain.
+        let inequality =
+            expr(&start).is_ok() && comparison(&start).is_ok_and(|sign| sign.is_some_and(|s| s != Comparison::Equal));
+        if inequality {
+            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument: `b[0](t/2)` for `0 <= t <= 1/2`";
+            return error(start.span(), "`at` fixes values, this is a range", help);
+        }
         if !is_missing_semicolon(&e) {
             return e;
         }
@@ -200,6 +208,18 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
         ));
     }
     Ok(ClaimKind::At(fixed, relations))
+}
+
+/// What is assumed of shape values: a relation.
+pub(super) fn assumption(input: ParseStream<'_>) -> Result<Relation> {
+    let ahead = input.fork();
+    let left = expr(&ahead)?;
+    if comparison(&ahead)?.is_none() {
+        let found = unexpected(&ahead, "`<=`, `>=`, `<`, `>` or `=`").to_string();
+        let help = "write what is assumed as an inequality, `assume α + β <= 1;`, or a linear equation";
+        return Err(error(if ahead.is_empty() { left.span } else { ahead.span() }, found, help));
+    }
+    relation(input)
 }
 
 /// The most signs of a chain after the first one.

@@ -248,6 +248,10 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             input.parse::<Literal>()?;
             Ok(Expr { span, kind: ExprKind::Number(number(&literal)?) })
         }
+        Some((TokenTree::Ident(word), _)) if word == "if" => {
+            let help = "conditions choose among the values of index variables, `for i in 0..=n if i != 1`; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2;`";
+            Err(error(span, "a formula has no cases", help))
+        }
         Some((TokenTree::Ident(_), _)) => Ok(Expr { span, kind: ExprKind::Name(name(input)?.text) }),
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
             let content;
@@ -431,6 +435,9 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
 fn separator(content: ParseStream<'_>) -> Result<()> {
     if content.peek(Token![,]) {
         content.parse::<Token![,]>()?;
+    } else if content.peek(Token![;]) {
+        let found = unexpected(content, "`,` or an operator").to_string();
+        return Err(error(content.span(), found, "write `,` between arguments, as in `D(b[0], t)`"));
     } else if !content.is_empty() {
         return Err(unexpected(content, "`,` or an operator"));
     }
