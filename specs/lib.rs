@@ -43,6 +43,8 @@ pub const SPECS: &[(&str, &str)] = specs![
     "rational/tension"
     "smoothstep"
     "triangular"
+    "trigonometric/end_angle"
+    "trigonometric/han"
 ];
 
 /// The text of the spec with this name; `None` where the library has no such spec.

@@ -41,6 +41,12 @@ pub(crate) enum Command {
     /// every order. A refuted claim comes with a point and the exact value there.
     #[command(after_help = CHECK_HELP)]
     Check(CheckArguments),
+    /// Write proved families and joins as a source file, to be read and checked in
+    ///
+    /// Every claim of what is written is decided first. Without names all families without index parameters and all
+    /// joins of the spec are written.
+    #[command(after_help = EMIT_HELP)]
+    Emit(EmitArguments),
     /// Evaluate basis functions and their derivatives in exact fractions
     ///
     /// Shape values and points are whole numbers, fractions or decimals (2, -1/3, 0.62); decimals are exact.
@@ -76,6 +82,14 @@ pub(crate) enum Command {
     /// are proved; replace its formulas by your own.
     #[command(after_help = NEW_HELP)]
     New(NewArguments),
+    /// Draw the functions of a family, a curve over it, and where a claim fails
+    ///
+    /// Functions on an interval are lines, those on a triangle or a box of two variables maps with one scale of colours,
+    /// red below zero. A range of shape values gives five lines for each function. With control points the curve is drawn
+    /// beside the functions. A point at which a claim fails is marked. The page has sliders for the shape values and control
+    /// points to drag, and is one file.
+    #[command(after_help = PLOT_HELP)]
+    Plot(PlotArguments),
     /// Print the families of spec files with what is proved of them, as a table in Markdown
     ///
     /// One row for each family: ✓ what is proved, ✗ what is refuted, for which orders and with which exceptions.
@@ -103,11 +117,15 @@ pub(crate) struct CheckArguments {
     /// Write a certificate for every family and order into this folder
     #[arg(long, value_name = "DIR")]
     pub(crate) certificates: Option<PathBuf>,
+    /// Write the theorems with proofs for Coq into this folder, a file for every family and order; `make` there has Coq
+    /// check them
+    #[arg(long, value_name = "DIR")]
+    pub(crate) coq: Option<PathBuf>,
     /// Print errors only
     #[arg(short, long, conflicts_with = "format")]
     pub(crate) quiet: bool,
     /// Check again whenever one of the files, or a file that one of them uses, changes
-    #[arg(short, long, conflicts_with_all = ["format", "certificates"])]
+    #[arg(short, long, conflicts_with_all = ["format", "certificates", "coq"])]
     pub(crate) watch: bool,
     /// Spec files, and folders in which every file *.basis is checked; - is standard input, library:NAME is a spec of
     /// the library, library: all
@@ -118,7 +136,7 @@ pub(crate) struct CheckArguments {
 const CHECK_HELP: &str = "\
 Exit status:
   0  every claim is as declared: `prove` is proved, `refute` is refuted
-  1  a claim is not as declared, or a spec has errors
+  1  a claim is not as declared, or a spec has errors; with --coq also if a claim has no counterpart in Coq
   2  a file cannot be read, or the command is used wrongly
 
 Examples:
@@ -126,6 +144,53 @@ Examples:
   basis check library:quartic
   basis check --watch quartic.basis
   basis check specs --format json | jq '.files[].items[].claims[] | select(.verdict != \"proved\")'";
+
+/// What can be typed after `basis emit`.
+#[derive(Debug, Args)]
+pub(crate) struct EmitArguments {
+    /// The spec file, or library:NAME for a spec of the library
+    pub(crate) file: PathBuf,
+    /// Families, with their orders if they have index parameters, and joins: 'Bernstein(3)', 'Bernstein(n=5) as
+    /// Quintic', G1
+    #[arg(value_name = "NAME")]
+    pub(crate) names: Vec<String>,
+    /// The language of the file
+    #[arg(long, value_enum)]
+    pub(crate) to: EmitTarget,
+    /// The file to write, from whose folder an edited spec is noticed; without it the text is printed
+    #[arg(short, long, value_name = "PATH")]
+    pub(crate) output: Option<PathBuf>,
+    /// Write nothing, and fail if this file is not what `-o` with the same path would write
+    #[arg(long, value_name = "PATH", conflicts_with = "output")]
+    pub(crate) check: Option<PathBuf>,
+}
+
+/// The languages of `basis emit`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EmitTarget {
+    /// Types on basis-runtime, which can do without its feature `macros`; an edited spec stops the build
+    Rust,
+}
+
+impl EmitTarget {
+    /// The name on the command line.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::Rust => "rust",
+        }
+    }
+}
+
+const EMIT_HELP: &str = "\
+Exit status:
+  0  the file is written; with --check, it is what the spec gives now
+  1  a claim is not as declared, the spec has errors, there is no code for a family, or the file is another one
+  2  a file cannot be read or written, or the command is used wrongly
+
+Examples:
+  basis emit specs/quartic.basis --to rust -o src/families.rs
+  basis emit specs/quartic.basis --to rust --check src/families.rs
+  basis emit library:bernstein 'Bernstein(3) as Cubic' --to rust";
 
 /// What can be typed after `basis fmt`.
 #[derive(Debug, Args)]
@@ -292,6 +357,9 @@ Examples:
 /// What can be typed after `basis explain`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArguments {
+    /// How to print the explanation
+    #[arg(long, value_enum, default_value_t = ExplainFormat::Text)]
+    pub(crate) format: ExplainFormat,
     /// The spec file, - for standard input, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
@@ -309,7 +377,93 @@ Examples:
   basis explain library:papers/quartic
   basis explain bernstein.basis 'Bernstein(n=3)'
   basis explain quadratic.basis G1
+  basis explain quartic.basis --format latex > quartic.tex && pdflatex quartic.tex
   basis explain papers/quartic.basis | less";
+
+/// What can be typed after `basis plot`.
+#[derive(Debug, Args)]
+pub(crate) struct PlotArguments {
+    /// The spec file, - for standard input, or library:NAME for a spec of the library
+    pub(crate) file: PathBuf,
+    /// The family, with its order if it has index parameters: 'Bernstein(3)'; not needed where the spec has only one
+    pub(crate) family: Option<String>,
+    /// The value of a shape parameter, or a range of values: λ=1/2 or λ=-3..1
+    #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = shape)]
+    pub(crate) shapes: Vec<ShapeArgument>,
+    /// The control points of a curve in the plane, such as "0,0 1,2 3,2 4,0"
+    #[arg(long, value_name = "POINTS", value_parser = point, value_delimiter = ' ', allow_hyphen_values = true)]
+    pub(crate) points: Vec<[f64; 2]>,
+    /// The picture to write; its name ends with .svg, .png or .html, and - is an SVG on standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+const PLOT_HELP: &str = "\
+Exit status:
+  0  the picture is written
+  2  the spec has errors or cannot be read, or the command is used wrongly
+
+Examples:
+  basis plot quartic.basis --shape λ=1/2 -o quartic.svg
+  basis plot library:quartic --shape λ=-3..1 --points '0,0 1,2 3,2 4,0' -o curves.png
+  basis plot library:triangular 'TriangularII(4)' -o maps.svg
+  basis plot quartic.basis -o quartic.html";
+
+/// A shape parameter with what it is drawn for.
+#[derive(Clone, Debug)]
+pub(crate) struct ShapeArgument {
+    /// The name as it is typed.
+    pub(crate) name: String,
+    /// One value, or several.
+    pub(crate) values: ShapeValues,
+}
+
+/// The values of a shape parameter.
+#[derive(Clone, Debug)]
+pub(crate) enum ShapeValues {
+    /// One.
+    One(Rational),
+    /// Several, from one to another.
+    Between(Rational, Rational),
+}
+
+fn shape(text: &str) -> Result<ShapeArgument, String> {
+    let Some((left, right)) = text.split_once("..") else {
+        let Assignment { name, value } = assignment(text)?;
+        return Ok(ShapeArgument { name, values: ShapeValues::One(value) });
+    };
+    let Assignment { name, value: low } = assignment(left)?;
+    let right = right.strip_prefix('=').unwrap_or(right).trim();
+    let high = rational::parse(right).ok_or_else(|| {
+        format!("`{right}` is not an exact number; a range of values is written {name}=-3..1")
+    })?;
+    if low >= high {
+        return Err(format!("the range {low}..{high} is empty; write the smaller value first"));
+    }
+    Ok(ShapeArgument { name, values: ShapeValues::Between(low, high) })
+}
+
+fn point(text: &str) -> Result<[f64; 2], String> {
+    let wrong = || {
+        format!(
+            "`{text}` is not a point; write two numbers with a comma, and spaces between points: \"0,0 1,2\""
+        )
+    };
+    let (x, y) = text.split_once(',').ok_or_else(wrong)?;
+    let number = |text: &str| rational::parse(text.trim()).map(|x| x.to_f64()).filter(|x| x.abs() < 1e12);
+    Ok([number(x).ok_or_else(wrong)?, number(y).ok_or_else(wrong)?])
+}
+
+/// How to print an explanation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ExplainFormat {
+    /// Lines of text
+    Text,
+    /// One JSON object, with every formula in LaTeX as well, and the claims with their verdicts
+    Json,
+    /// A document for LaTeX: definition, theorem, counterexamples, control points of joins
+    Latex,
+}
 
 /// How to print results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,6 +1,5 @@
 //! `basis table`: the families of spec files with what is known of them, as a table in Markdown.
 
-use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeMap;
 
 use basis_engine::{ClaimKind, Family, Subject, Verdict};
@@ -22,7 +21,7 @@ pub(crate) fn run(arguments: &TableArguments) -> Status {
     let mut status = Status::Fine;
     let mut text = String::from(HEADER);
     for entry in files::find(&arguments.paths) {
-        let outcome = prove::file(entry);
+        let outcome = prove::file(entry, prove::Formal::Left);
         status = status.max(outcome.status());
         for problem in outcome.all_diagnostics() {
             output::complain(&(problem.render(&outcome.sources, true) + "\n\n"));
@@ -50,7 +49,7 @@ fn row(path: &str, items: &[Decided]) -> Option<String> {
     let orders = if orders.is_empty() { orders } else { format!(", {orders}") };
     let mut domain = format!("`{}`", domain::describe(family));
     for shape in &family.shapes {
-        domain += &format!(", `{}`", shape.range.display(&shape.name));
+        domain += &format!(", `{}`", family.declared(shape));
     }
     let cells = [
         format!("[{}]({path}){orders}", family.name),
@@ -93,7 +92,7 @@ fn independent(item: &Decided) -> Option<String> {
     except.or_else(|| known(item, |kind| matches!(kind, ClaimKind::Independent(e) if e.is_empty())))
 }
 
-/// What is known in all orders, or what is known in which.
+/// A cell of the table: one verdict for all orders, or each verdict with its orders.
 fn cell(items: &[Decided], known: impl Fn(&Decided) -> Option<String>) -> String {
     let mut groups: Vec<(Option<String>, Vec<&Decided>)> = Vec::new();
     for item in items {

@@ -11,7 +11,7 @@ pub(crate) fn describe(family: &Family) -> String {
         let shape = if names.len() == 3 { "triangle" } else { "tetrahedron" };
         return format!("{shape} ({})", names.join(", "));
     }
-    let ranges: Vec<String> = family.domain.iter().map(|p| p.range.display(&p.name).to_string()).collect();
+    let ranges: Vec<String> = family.domain.iter().map(|p| family.declared(p)).collect();
     ranges.join(", ")
 }
 

@@ -160,7 +160,7 @@ fn certificates_are_verified_and_those_of_other_claims_are_not() {
     let verified = folder.run(&["verify", "proofs", "s.basis"]);
     assert_eq!(verified.code, 0, "{}{}", verified.stdout, verified.stderr);
     // The same certificates for a family with a wrong weight.
-    let folder = folder.and("s.basis", &spec.replace("b[1] = 2*w*t*(1 - t)/d", "b[1] = 2*t*(1 - t)/d"));
+    let folder = folder.and("s.basis", spec.replace("b[1] = 2*w*t*(1 - t)/d", "b[1] = 2*t*(1 - t)/d"));
     let refused = folder.run(&["verify", "proofs", "s.basis"]);
     assert_ne!(refused.code, 0, "{}", refused.stdout);
 }

@@ -28,7 +28,7 @@ pub enum Side {
 pub struct Continuation {
     /// Which end is continued.
     pub side: Side,
-    /// How many derivatives are concerned, 1 or 2.
+    /// The number of derivatives that are concerned, 1 or 2.
     pub order: u32,
     /// The names of all variables: the shape parameters of P, those of Q, f, and c.
     pub names: Vec<String>,
@@ -108,11 +108,11 @@ fn derivatives(
     let mut rows = vec![Vec::new(); order as usize + 1];
     for function in &family.functions {
         let (numer, denom) = (function.value.numer(), function.value.denom());
-        if denom.depends_on(var) {
+        if denom.depends_on(var) || !family.analytic.is_empty() {
             let mut derivative = function.value.clone();
             for (k, row) in rows.iter_mut().enumerate() {
                 if k > 0 {
-                    derivative = derivative.derivative_within(var, work)?;
+                    derivative = family.derivative_within(&derivative, var, work)?;
                 }
                 let value = derivative.substitute_within(var, &Fraction::constant(at.clone()), work);
                 row.push(value.ok().flatten()?); // the denominator does not vanish on the domain

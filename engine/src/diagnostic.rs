@@ -1,8 +1,9 @@
 //! Errors and warnings about a spec: where, what is wrong, what to write instead.
 
+mod render;
+
 use core::ops::Range;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use proc_macro2::Span;
 
 use crate::source::{SourceId, Sources};
@@ -210,57 +211,6 @@ impl Diagnostic {
 
     /// The message as rustc would print it, with the lines concerned; `styled` adds colours.
     pub fn render(&self, sources: &Sources, styled: bool) -> String {
-        let level = match self.severity {
-            Severity::Error => Level::ERROR,
-            Severity::Warning => Level::WARNING,
-        };
-        let mut group = Group::with_title(level.primary_title(self.message.as_str()));
-        let mut seen: Vec<SourceId> = Vec::new();
-        for (place, _) in &self.labels {
-            let Place::Text(id, _) = place else { continue };
-            let source = sources.get(*id);
-            let (false, Some(text)) = (seen.contains(id), source.text.as_deref()) else { continue };
-            seen.push(*id);
-            // The renderer looks at all that it is given: only the lines from the first place to the last.
-            let own = || {
-                self.labels.iter().enumerate().filter_map(|(k, (place, label))| match place {
-                    Place::Text(other, range) if other == id => Some((k, visible(text, range), label)),
-                    _ => None,
-                })
-            };
-            let first = own().map(|(_, range, _)| source.line(range.start)).min().unwrap_or(1);
-            let last = own().map(|(_, range, _)| source.line(range.end)).max().unwrap_or(first);
-            let (start, end) = (source.line_range(first).start, source.line_range(last).end);
-            let annotations = own().map(|(k, range, label)| {
-                let kind = if k == 0 { AnnotationKind::Primary } else { AnnotationKind::Context };
-                kind.span(range.start - start..range.end - start).label(label.as_str())
-            });
-            let snippet = Snippet::source(&text[start..end]).line_start(first);
-            group = group.element(snippet.path(source.name.as_str()).annotations(annotations));
-        }
-        for note in &self.notes {
-            group = group.element(Level::NOTE.message(note.as_str()));
-        }
-        if let Some(help) = &self.help {
-            group = group.element(Level::HELP.message(help.as_str()));
-        }
-        let renderer = if styled { Renderer::styled() } else { Renderer::plain() };
-        renderer.render(&[group])
+        render::render(self, sources, styled)
     }
-}
-
-/// The range cut to the text and widened to whole characters; at the end of the text at least an empty range on its
-/// last line.
-///
-/// A token that stands in for a character of several bytes ends inside of it.
-fn visible(text: &str, range: &Range<usize>) -> Range<usize> {
-    let end = text.trim_end().len();
-    let (mut start, mut stop) = (range.start.min(end), range.end.min(text.len()));
-    while !text.is_char_boundary(start) {
-        start -= 1;
-    }
-    while !text.is_char_boundary(stop) {
-        stop += 1;
-    }
-    start..stop.max(start)
 }

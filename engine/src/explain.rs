@@ -1,6 +1,7 @@
 //! What follows from the formulas of a family, apart from its claims: factored and expanded forms, and what its curves
 //! do at their ends.
 
+mod angles;
 mod contacts;
 mod theorems;
 
@@ -44,6 +45,16 @@ pub struct Formula {
 
 /// The formulas of a family.
 pub fn formulas(family: &Family) -> Vec<Formula> {
+    if !family.analytic.angles.is_empty() {
+        let functions = family.functions.iter().enumerate();
+        return functions
+            .map(|(k, f)| Formula {
+                label: family.function_label(k),
+                factored: angles::text(family, &f.value),
+                expanded: f.value.display(&family.names),
+            })
+            .collect();
+    }
     let form = IntervalForm::new(family);
     let patch = if form.is_none() { PatchForm::new(family) } else { None };
     family
@@ -68,14 +79,18 @@ pub fn formulas(family: &Family) -> Vec<Formula> {
 pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let Some((var, low, high)) = family.interval() else { return Vec::new() };
     let mut lines = Vec::new();
-    let inside = |end: &&Rational| family.domain.iter().all(|p| p.range.contains(end));
-    for end in [low, high].into_iter().filter(inside) {
+    let inside = |end: &Rational| family.domain.iter().all(|p| p.range.contains(end));
+    let Some(texts) = family.end_texts() else { return lines };
+    for (end, end_text) in [low, high].into_iter().zip(texts).filter(|(end, _)| inside(end)) {
         for order in 0..=order {
             let weights: Vec<Fraction> = family
                 .functions
                 .iter()
                 .map(|f| {
-                    let derivative = (0..order).fold(f.value.clone(), |f, _| f.derivative(var));
+                    let work = &mut Work::unlimited();
+                    let derivative = (0..order).fold(f.value.clone(), |f, _| {
+                        family.derivative_within(&f, var, work).unwrap_or_else(Fraction::zero)
+                    });
                     // A denominator vanishes nowhere on the domain.
                     derivative
                         .substitute(var, &Fraction::constant(end.clone()))
@@ -83,8 +98,8 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
                 })
                 .collect();
             let name = match order {
-                0..=3 => format!("C{}({end})", "'".repeat(order as usize)),
-                _ => format!("C^({order})({end})"),
+                0..=3 => format!("C{}({end_text})", "'".repeat(order as usize)),
+                _ => format!("C^({order})({end_text})"),
             };
             lines.push((name, combination(family, &weights)));
         }

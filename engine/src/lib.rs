@@ -27,7 +27,11 @@ pub mod claim;
 pub mod continuation;
 pub mod diagnostic;
 #[cfg(any(test, feature = "tools"))]
+pub mod emit;
+#[cfg(any(test, feature = "tools"))]
 pub mod explain;
+#[cfg(any(test, feature = "tools"))]
+pub mod formulas;
 pub mod generate;
 pub mod model;
 pub mod plan;
@@ -49,6 +53,8 @@ use basis_prover::collections::list::Listed;
 use proc_macro2::{Ident, Span, TokenStream};
 
 pub use advice::closest;
+#[cfg(any(test, feature = "tools"))]
+pub use basis_prover::Coordinate;
 pub use claim::{Claim, ClaimKind};
 pub use diagnostic::{Diagnostic, Diagnostics, Severity};
 pub use model::{Family, Library, Selected};
@@ -214,7 +220,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
         let checked = decide_within(item, run);
         diagnostics.extend(contradictions(&checked));
         let Subject::Family(family) = &checked.subject else { continue };
-        let options = generate::Options { runtime: request.runtime.clone(), name };
+        let options = generate::Options::for_macro(request.runtime.clone(), name);
         match generate::family(family, &checked.claims, &options) {
             Ok(tokens) => code.extend(tokens),
             Err(errors) => diagnostics.extend(errors),
@@ -260,7 +266,8 @@ fn joins(
             continue;
         }
         names.push((name, theorem.name.clone()));
-        match generate::join::join(theorem, &checked.claims, &request.runtime, rename) {
+        let options = generate::Options::for_macro(request.runtime.clone(), rename.cloned());
+        match generate::join::join(theorem, &checked.claims, &options) {
             Ok(function) => functions.extend(function),
             Err(error) => diagnostics.push(error),
         }

@@ -34,7 +34,7 @@ pub struct Correction {
     pub fate: Fate,
 }
 
-/// What is known about a statement; of several claims the last in this order counts.
+/// The verdict on a published statement: of those on its claims the last in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Fate {
     /// All its claims are proved.

@@ -65,7 +65,7 @@ impl Subject {
         }
     }
 
-    /// How many times the usual work may be spent on a claim.
+    /// The factor of the usual work that may be spent on a claim.
     pub fn budget(&self) -> u32 {
         match self {
             Self::Family(family) => family.budget,

@@ -64,7 +64,7 @@ impl Facts {
     }
 }
 
-/// A value as people write it: numbers with few digits, lists in brackets.
+/// A value as it is written by hand: numbers with few digits, lists in brackets.
 pub(crate) fn shown(value: &Value) -> String {
     match value {
         Value::Number(n) if n.is_f64() => number(n.as_f64().unwrap_or(f64::NAN)),

@@ -39,7 +39,7 @@ impl Point {
         found.map(|(_, x)| x).ok_or(Refusal::Unfit("a point lacks a coordinate"))
     }
 
-    /// Checks that θ is there, and that coordinates are polynomials of lower degree than that of θ.
+    /// Checks that θ exists, and that coordinates are polynomials of lower degree than that of θ.
     pub(crate) fn check(&self, work: &mut Work) -> Result<(), Refusal> {
         let degree = match &self.root {
             None => 1,

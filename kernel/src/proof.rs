@@ -28,7 +28,7 @@ use crate::statement::{Domain, Quotient, Statement};
 /// assert!(matches!(proof.statement(), Statement::Zero { .. }));
 /// ```
 ///
-/// There is no other way to one:
+/// There is no other way to make one:
 ///
 /// ```compile_fail,E0451
 /// # use std::rc::Rc;

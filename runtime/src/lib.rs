@@ -144,6 +144,7 @@ mod curve;
 mod domain;
 mod error;
 mod form;
+pub mod generated;
 #[cfg(feature = "geometry")]
 mod geometry;
 #[cfg(feature = "laws")]

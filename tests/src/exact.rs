@@ -7,7 +7,6 @@ use basis_engine::algebra::poly::{Poly, PolyExt};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::{Disk, Family, Library, Prover, Subject, source};
 use basis_runtime::Scalar;
-use num_rational::BigRational;
 
 use crate::random::Random;
 
@@ -16,8 +15,15 @@ use crate::random::Random;
 /// # Panics
 /// When it is infinite or NaN.
 pub fn fraction(value: impl Scalar) -> Rational {
-    let exact = BigRational::from_float(value.to_f64());
-    exact.map_or_else(|| panic!("{value} is not a number"), Rational::from_big)
+    let value = value.to_f64();
+    assert!(value.is_finite(), "{value} is not a number");
+    // The mantissa is a whole number below 2⁵³ times 2^−1074 for the smallest exponents, 0 and 1.
+    let (bits, exponent) = (value.to_bits() & ((1 << 52) - 1), value.to_bits() >> 52 & 0x7ff);
+    let mantissa = if exponent == 0 { bits } else { bits | 1 << 52 };
+    let power = Rational::from(2).pow(exponent.abs_diff(1075).min(1074) as u32);
+    let size = Rational::from(mantissa as i64);
+    let size = if exponent < 1075 { &size / &power } else { &size * &power };
+    if value < 0.0 { -size } else { size }
 }
 
 /// The fractions that floats are.

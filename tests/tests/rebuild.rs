@@ -1,9 +1,13 @@
 //! An edit of a spec file, of a file that it uses, or of an environment variable in its path makes Cargo rebuild the
-//! crate, also after an error.
+//! crate, also after an error; a file that `basis emit` wrote stops the build when its spec was edited.
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+
+use basis_engine::emit::rust::{Digest, digest};
+use basis_engine::emit::{self, Job, Wanted};
+use basis_engine::{Disk, Library, Prover, Source, decide};
 
 const MAIN: &str = r#"
 basis_runtime::basis!("specs/line.basis");
@@ -25,13 +29,17 @@ struct Crate(tempfile::TempDir);
 
 impl Crate {
     fn new(name: &str, main: &str) -> Self {
+        Self::with(name, main, &["macros", "std"])
+    }
+
+    fn with(name: &str, main: &str, features: &[&str]) -> Self {
         let root =
             Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the workspace is there");
         let folder = Self(tempfile::tempdir().expect("a temporary folder can be made"));
         let runtime = root.join("runtime").display().to_string();
         let manifest = format!(
             "[package]\nname = {name:?}\nversion = \"0.0.0\"\nedition = \"2024\"\n[workspace]\n[dependencies]\n\
-             basis-runtime = {{ path = {runtime:?}, default-features = false, features = [\"macros\", \"std\"] }}\n"
+             basis-runtime = {{ path = {runtime:?}, default-features = false, features = {features:?} }}\n"
         );
         folder.write("Cargo.toml", &manifest);
         fs::copy(root.join("Cargo.lock"), folder.0.path().join("Cargo.lock"))
@@ -108,4 +116,41 @@ fn follows_an_environment_variable() {
     let message = moved.refusal(&[("BASIS_TEST_FOLDER", "three")]);
     assert!(message.contains("there is no spec file `three/line.basis`"), "{message}");
     assert_eq!(moved.output(&[("BASIS_TEST_FOLDER", "one")]), "[0.0, 1.0]");
+}
+
+/// The items of a file that `basis emit` writes beside a spec with this text.
+fn emitted(spec: &str) -> String {
+    let library = Library::from_source(&Disk, &Prover, Source::text("line.basis", spec));
+    let checked = decide(library.item("Line", &[]).expect("a family"));
+    let items = [Wanted { checked, name: None }];
+    let job = Job { items: &items, spec: "line.basis", command: "basis emit line.basis" };
+    let digest = Digest { path: String::from("specs/line.basis"), digest: digest(spec.as_bytes()) };
+    let items = emit::rust::items(&job, &[digest]).expect("a small family");
+    prettyplease::unparse(&syn::parse2(items).expect("Rust"))
+}
+
+/// A crate with a file that was written ahead builds without the macro, until the spec is edited.
+#[test]
+fn an_edited_spec_stops_the_build_of_a_file() {
+    let main = "mod families;\nfn main() { println!(\"{:?}\", families::Line::<f64>::new().values(1.0)); }";
+    let ahead = Crate::with("ahead", main, &["std"]);
+    let line = |second: &str| {
+        format!("family Line {{ domain 0 <= t <= 1; b[0] = 1 - t;\nb[1] = {second}; prove independent; }}\n")
+    };
+    ahead.write("src/families.rs", &emitted(&line("t")));
+    ahead.write("src/specs/line.basis", &line("t"));
+    assert_eq!(ahead.output(&[]), "[0.0, 1.0]");
+    ahead.write("src/specs/line.basis", &line("2*t"));
+    let message = ahead.refusal(&[]);
+    assert!(
+        message.contains("the spec `specs/line.basis` was edited after this file was written"),
+        "{message}"
+    );
+    assert!(message.contains("run `basis emit line.basis`"), "{message}");
+    // A checkout with other line ends has the same spec.
+    ahead.write("src/specs/line.basis", &line("t").replace('\n', "\r\n"));
+    assert_eq!(ahead.output(&[]), "[0.0, 1.0]");
+    ahead.write("src/families.rs", &emitted(&line("2*t")));
+    ahead.write("src/specs/line.basis", &line("2*t"));
+    assert_eq!(ahead.output(&[]), "[0.0, 2.0]");
 }

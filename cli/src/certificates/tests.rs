@@ -157,7 +157,7 @@ fn certificates(spec: &str) -> (tempfile::TempDir, String, Vec<Value>, Vec<State
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("spec.basis");
     std::fs::write(&path, spec).expect("a file can be written");
-    let outcome = prove::file(Entry { path: path.clone(), problem: None });
+    let outcome = prove::file(Entry { path: path.clone(), problem: None }, prove::Formal::Left);
     let messages: Vec<String> =
         outcome.all_diagnostics().iter().map(basis_engine::Diagnostic::text).collect();
     assert_eq!(messages, [""; 0], "everything is as declared");
@@ -245,7 +245,7 @@ fn kind(place: &str) -> String {
     place.split('/').filter(|part| part.parse::<usize>().is_err()).collect::<Vec<_>>().join("/")
 }
 
-/// How many places of one kind are corrupted in each claim.
+/// The number of places of one kind that are corrupted in each claim.
 const ALIKE: usize = 2;
 
 #[test]

@@ -18,6 +18,7 @@ use basis_engine::{Diagnostic, Sources};
 
 use crate::args::{CheckArguments, Format};
 use crate::certificates::{self, Manifest};
+use crate::coq;
 use crate::output::{self, Status};
 use crate::spec::STDIN;
 
@@ -43,44 +44,76 @@ pub(crate) fn run(arguments: &CheckArguments) -> Status {
 /// Checks everything that the arguments name, prints it, and notes the files that were read.
 fn once(arguments: &CheckArguments, read: &mut Vec<PathBuf>) -> Status {
     let entries = files::find(&arguments.paths);
-    let mut certificates = arguments.certificates.as_deref().map(|folder| Certificates {
-        folder,
-        manifest: Manifest::new(&arguments.paths),
+    let mut exports = Exports {
+        certificates: arguments.certificates.as_deref().map(|dir| (dir, Manifest::new(&arguments.paths))),
+        coq: arguments.coq.as_deref().map(|dir| (dir, coq::Export::default())),
+        format: arguments.format,
+        quiet: arguments.quiet,
         status: Status::Fine,
-    });
-    let status = match arguments.format {
-        Format::Text => as_text(entries, arguments.quiet, &mut certificates, read),
-        Format::Json => as_json(entries, &mut certificates),
     };
-    status.max(certificates.map_or(Status::Fine, Certificates::finish))
+    let status = match arguments.format {
+        Format::Text => as_text(entries, arguments.quiet, &mut exports, read),
+        Format::Json => as_json(entries, &mut exports),
+    };
+    status.max(exports.finish())
 }
 
-/// Where certificates are written.
-struct Certificates<'a> {
-    folder: &'a Path,
-    manifest: Manifest,
+/// What is written into folders.
+struct Exports<'a> {
+    certificates: Option<(&'a Path, Manifest)>,
+    coq: Option<(&'a Path, coq::Export)>,
+    format: Format,
+    /// Whether only errors are printed, and what is not exported.
+    quiet: bool,
     status: Status,
 }
 
-impl Certificates<'_> {
-    /// Writes the certificates of a file.
+impl Exports<'_> {
+    /// What the files need that are written.
+    const fn formulas(&self) -> prove::Formal {
+        if self.coq.is_some() { prove::Formal::Kept } else { prove::Formal::Left }
+    }
+
+    /// Writes what belongs to one file.
     fn add(&mut self, outcome: &prove::Outcome) {
-        for problem in certificates::write(self.folder, outcome) {
-            self.complain(&problem);
+        let mut problems = Vec::new();
+        if let Some((folder, manifest)) = &mut self.certificates {
+            problems = certificates::write(folder, outcome);
+            if outcome.readable {
+                manifest.add(outcome);
+            }
         }
-        if outcome.readable {
-            self.manifest.add(outcome);
+        if let Some((folder, export)) = &mut self.coq {
+            problems.extend(export.add(folder, outcome).err().map(output::error));
+        }
+        for problem in problems {
+            self.complain(&problem);
         }
     }
 
-    /// Writes the list of what was added.
+    /// Writes what belongs to all of them.
     fn finish(mut self) -> Status {
-        let manifest = std::mem::take(&mut self.manifest);
         // Without a single certificate there is no folder.
-        if self.folder.is_dir()
-            && let Err(e) = manifest.write(self.folder)
+        if let Some((folder, manifest)) = self.certificates.take()
+            && folder.is_dir()
+            && let Err(e) = manifest.write(folder)
         {
             self.complain(&output::error(e));
+        }
+        if let Some((folder, export)) = self.coq.take() {
+            match export.finish(folder) {
+                Ok(said) => {
+                    match self.format {
+                        Format::Text if self.quiet && export.is_complete() => {}
+                        Format::Text => self.status = self.status.max(output::print(&said)),
+                        Format::Json => output::complain(&said), // standard output has one value of JSON
+                    }
+                    if !export.is_complete() {
+                        self.status = self.status.max(Status::Wrong);
+                    }
+                }
+                Err(e) => self.complain(&output::error(e)),
+            }
         }
         self.status
     }
@@ -95,7 +128,7 @@ impl Certificates<'_> {
 fn as_text(
     entries: Vec<files::Entry>,
     quiet: bool,
-    certificates: &mut Option<Certificates<'_>>,
+    exports: &mut Exports<'_>,
     read: &mut Vec<PathBuf>,
 ) -> Status {
     let start = Instant::now();
@@ -104,11 +137,9 @@ fn as_text(
     let mut messages = messages::Printer::default();
     let mut statements = Vec::new();
     for entry in entries {
-        let outcome = prove::file(entry);
+        let outcome = prove::file(entry, exports.formulas());
         status = status.max(outcome.status());
-        if let Some(certificates) = certificates {
-            certificates.add(&outcome);
-        }
+        exports.add(&outcome);
         summary.add(&outcome);
         published::collect(&outcome, &mut statements);
         read.extend(outcome.sources.iter().filter_map(|(_, source)| source.path.clone()));
@@ -124,16 +155,14 @@ fn as_text(
     status.max(output::print(&summary.line(start.elapsed())))
 }
 
-fn as_json(entries: Vec<files::Entry>, certificates: &mut Option<Certificates<'_>>) -> Status {
+fn as_json(entries: Vec<files::Entry>, exports: &mut Exports<'_>) -> Status {
     let mut status = Status::Fine;
     let mut files = Vec::new();
     let mut statements = Vec::new();
     for entry in entries {
-        let outcome = prove::file(entry);
+        let outcome = prove::file(entry, exports.formulas());
         status = status.max(outcome.status());
-        if let Some(certificates) = certificates {
-            certificates.add(&outcome);
-        }
+        exports.add(&outcome);
         published::collect(&outcome, &mut statements);
         files.push(report::File::new(&outcome));
     }

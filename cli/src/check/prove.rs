@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use basis_engine::diagnostic::Place;
+use basis_engine::formulas::Formulas;
 use basis_engine::model::obligation::Obligation;
 use basis_engine::state;
 use basis_engine::theorem::theorems;
@@ -14,6 +15,15 @@ use basis_engine::{
 use super::files::Entry;
 use crate::output::Status;
 use crate::spec;
+
+/// Whether formulas are read a second time, as they are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Formal {
+    /// Nobody asks for them.
+    Left,
+    /// They are exported.
+    Kept,
+}
 
 /// What checking a file gives.
 #[derive(Debug)]
@@ -41,6 +51,8 @@ pub(crate) struct Decided {
     pub(crate) obligations: Vec<Obligation>,
     /// The claims in the order in which they are written.
     pub(crate) claims: Vec<DecidedClaim>,
+    /// If they are asked for, the formulas as they are written; nothing for a theorem, or if one has no counterpart.
+    pub(crate) formulas: Option<Formulas>,
 }
 
 /// A claim with its verdict.
@@ -102,8 +114,8 @@ impl Outcome {
     }
 }
 
-/// Checks one file.
-pub(crate) fn file(entry: Entry) -> Outcome {
+/// Checks one file; `formulas` are kept for [`crate::coq`].
+pub(crate) fn file(entry: Entry, formulas: Formal) -> Outcome {
     let path = entry.path.display().to_string();
     let source = match entry.problem.map_or_else(|| spec::read(&entry.path), Err) {
         Ok(source) => source,
@@ -117,7 +129,15 @@ pub(crate) fn file(entry: Entry) -> Outcome {
     let families = library.items(Selected::EveryOrder);
     let warnings = generate::no_floats(&families);
     let items = families.into_iter().chain(theorems(&library));
-    let items: Vec<Decided> = items.map(|i| item(i, run)).collect();
+    let mut items: Vec<Decided> = items.map(|i| item(i, run)).collect();
+    if formulas == Formal::Kept {
+        for item in &mut items {
+            if let Subject::Family(family) = &item.subject {
+                let claims: Vec<Claim> = item.claims.iter().map(|c| c.claim.clone()).collect();
+                item.formulas = basis_engine::formulas::of(&library, family, &claims);
+            }
+        }
+    }
     Outcome {
         path,
         items,
@@ -138,5 +158,5 @@ fn item(item: Item, run: &mut state::Run) -> Decided {
         DecidedClaim { claim, verdict, error, time }
     };
     let claims = claims.into_iter().map(decide).collect();
-    Decided { subject, obligations, claims }
+    Decided { subject, obligations, claims, formulas: None }
 }

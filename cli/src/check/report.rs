@@ -127,7 +127,7 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
 fn counterexample(witness: &Witness) -> Counterexample {
     let at = witness.at.iter().map(|(name, coordinate)| (name.clone(), Value::from(coordinate.value(name))));
     let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(point_text(place))));
-    Counterexample { at: at.chain(net).collect(), value: witness.value.to_string(), of: witness.of.clone() }
+    Counterexample { at: at.chain(net).collect(), value: witness.value_text(), of: witness.of.clone() }
 }
 
 fn message(outcome: &Outcome, diagnostic: &Diagnostic) -> Message {

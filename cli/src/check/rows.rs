@@ -22,7 +22,7 @@ const MAX_TERMS: usize = 6;
 pub(crate) struct Row {
     /// The claim, with the orders and the number of claims that the row stands for.
     pub(crate) claim: String,
-    /// What is known about it.
+    /// The verdict, beside what is declared.
     pub(crate) standing: Standing,
     /// The method of the proof, the counterexample, or what is left to decide.
     pub(crate) reason: String,
@@ -79,7 +79,7 @@ fn reason(decided: &DecidedClaim) -> String {
         Verdict::Refuted(witness) => {
             let point = short_point(witness);
             let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
-            format!("{} = {}{place}", short_sum(&witness.of), witness.value)
+            format!("{} = {}{place}", short_sum(&witness.of), witness.value_text())
         }
         Verdict::Undecided(left) => left.clone(),
     }

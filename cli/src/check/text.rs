@@ -1,6 +1,5 @@
 //! The verdicts as tables.
 
-use basis_engine::algebra::range::DisplayRange as _;
 use std::fmt::Write as _;
 use std::time::Duration;
 
@@ -115,7 +114,7 @@ fn range<T: Ord + ToString>(families: &[&Family], measure: impl Fn(&Family) -> T
 
 /// The declared ranges of the shape parameters.
 fn shapes(family: &Family) -> String {
-    let ranges: Vec<String> = family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect();
+    let ranges: Vec<String> = family.shapes.iter().map(|p| family.declared(p)).collect();
     ranges.join(", ")
 }
 

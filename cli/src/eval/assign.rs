@@ -91,7 +91,7 @@ impl Role {
     }
 }
 
-/// What is known about the point so far.
+/// The point as far as it is given.
 struct Table<'f> {
     family: &'f Family,
     /// By variable.
@@ -208,7 +208,7 @@ impl Table<'_> {
 }
 
 /// A simple number inside a range.
-fn inside(parameter: &Parameter) -> Rational {
+pub(crate) fn inside(parameter: &Parameter) -> Rational {
     let range = &parameter.range;
     let middle = range.finite().map(|(low, high)| &(low + high) * &Rational::new(1, 2));
     let near = |end: Option<&Rational>, step: i64| end.map(|e| e + &Rational::from(step));

@@ -1,6 +1,7 @@
 //! All partial derivatives up to an order.
 
 use basis_engine::algebra::fraction::Fraction;
+use basis_engine::algebra::work::Work;
 use basis_engine::{Diagnostic, Family};
 
 use crate::output::error;
@@ -47,7 +48,8 @@ pub(super) fn up_to(
                 let mut orders = all[from].orders.clone();
                 orders[k] += 1;
                 let var = family.domain[k].var;
-                let functions = all[from].functions.iter().map(|f| f.derivative(var)).collect();
+                let derivative = |f| family.derivative_within(f, var, &mut Work::unlimited());
+                let functions = all[from].functions.iter().filter_map(derivative).collect();
                 all.push(Derivative { orders, functions });
             }
         }
@@ -55,7 +57,7 @@ pub(super) fn up_to(
     Ok(all)
 }
 
-/// How many values there are up to an order: functions · binomial(order + variables, variables).
+/// The number of values up to an order: functions · binomial(order + variables, variables).
 fn number(functions: usize, variables: usize, order: u32) -> usize {
     let steps =
         (1..=variables).try_fold(1_usize, |product, k| Some(product.checked_mul(order as usize + k)? / k));

@@ -15,6 +15,8 @@ use crate::output::{self, Status, complain};
 use crate::spec;
 use report::Values;
 
+pub(crate) use assign::inside;
+
 /// Evaluates the family that the arguments name, and prints the values.
 pub(crate) fn run(arguments: &EvalArguments) -> Status {
     let library = match spec::read(&arguments.file) {

@@ -13,7 +13,7 @@ use basis_engine::{
     Verdict, generate,
 };
 
-/// What is known about one version of a text.
+/// The items of one version of a text, with the verdicts that are decided.
 pub(super) struct Analysis {
     /// The families in every order, then the theorems and joins.
     pub(super) items: Vec<Checked>,

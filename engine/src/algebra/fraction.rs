@@ -1,5 +1,6 @@
 //! Rational functions: quotients of polynomials in lowest terms.
 
+use core::cell::RefCell;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use basis_kernel::Quotient;
@@ -52,6 +53,7 @@ impl Fraction {
         if let Some(quotient) = numer.div_exact(&denom) {
             return Some(Self::from(quotient));
         }
+        let Split { numer, denom, apart } = Split::new(numer, denom, work)?;
         let common = checked_gcd(&numer, &denom, work)?;
         let (numer, denom) = if common.is_one() {
             (numer, denom)
@@ -59,6 +61,7 @@ impl Fraction {
             // The greatest common divisor divides both.
             (numer.div_exact(&common)?, denom.div_exact(&common)?)
         };
+        let denom = apart.iter().fold(denom, |denom, factor| &denom * factor);
         let whole = denom.normalized();
         // `denom` is a number times `whole`.
         let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
@@ -248,6 +251,52 @@ impl Fraction {
             }
             None => format!("{}/{}", part(&self.numer), part(&self.denom)),
         }
+    }
+}
+
+thread_local! {
+    static KNOWN: RefCell<Vec<Poly>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Names irreducible polynomials that will often stand below a fraction line, such as 1 + tan². They change how a
+/// quotient is brought into lowest terms, not what it is.
+pub(crate) fn set_known_factors(factors: Vec<Poly>) {
+    KNOWN.with_borrow_mut(|known| *known = factors);
+}
+
+/// A quotient from whose parts the known factors are taken: those that both parts share are gone, and what the
+/// denominator has more of them stands apart.
+struct Split {
+    numer: Poly,
+    denom: Poly,
+    apart: Vec<Poly>,
+}
+
+impl Split {
+    fn new(mut numer: Poly, mut denom: Poly, work: &mut Work) -> Option<Self> {
+        let mut apart = Vec::new();
+        let known = KNOWN.with_borrow(Vec::clone);
+        for factor in &known {
+            let mut divides = factor.variables().iter().all(|v| denom.depends_on(*v));
+            if !divides {
+                continue;
+            }
+            loop {
+                work.spend_product(&denom, factor)?;
+                let Some(rest) = denom.div_exact(factor) else { break };
+                denom = rest;
+                if divides {
+                    work.spend_product(&numer, factor)?;
+                    if let Some(rest) = numer.div_exact(factor) {
+                        numer = rest;
+                        continue;
+                    }
+                    divides = false;
+                }
+                apart.push(factor.clone());
+            }
+        }
+        Some(Self { numer, denom, apart })
     }
 }
 

@@ -19,12 +19,7 @@ use basis_prover::collections::list::Listed;
 /// The type of a family on an interval.
 pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {
     let Shell { family, name, runtime, .. } = shell;
-    let formulas: Vec<String> = form
-        .functions
-        .iter()
-        .enumerate()
-        .map(|(k, f)| format!("{} = {}", family.function_label(k), factored(family, form, f)))
-        .listed();
+    let formulas = formulas(family, form);
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
     let basis = emitter.basis(&shell.core());
     let traits = quote_spanned! {site()=>
@@ -33,7 +28,15 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
             #basis
         }
     };
-    shell.definition(&docs::family(family, &formulas, verdicts), &emitter.methods(), &traits)
+    let docs = docs::family(family, &formulas, verdicts, shell.decided);
+    shell.definition(&docs, &emitter.methods(), &traits)
+}
+
+/// The functions as products, for reading.
+pub(super) fn formulas(family: &Family, form: &IntervalForm) -> Vec<String> {
+    let formula =
+        |k: usize| format!("{} = {}", family.function_label(k), factored(family, form, &form.functions[k]));
+    (0..form.len()).map(formula).listed()
 }
 
 struct Emitter<'a> {

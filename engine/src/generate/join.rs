@@ -4,6 +4,7 @@ use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
 
+use super::Options;
 use super::code::tokens::{doc, site};
 use super::code::{docs, floats, names, shell};
 use super::rust::{self, Body, Surroundings};
@@ -11,7 +12,7 @@ use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::{Parameter, label};
 use crate::plan::Input;
-use crate::plan::join::determined as determined_points;
+use crate::plan::join::{self as plan, Determined};
 use crate::state::Verdict;
 use crate::theorem::{Form, GivenPoint, Origin, Patch, Theorem, Unit};
 use crate::weights;
@@ -32,9 +33,6 @@ struct PointArgument<'a> {
     single: Option<&'a GivenPoint>,
 }
 
-/// A patch with the points that are determined, by their indices.
-type Determined<'a> = (&'a Patch, Vec<(&'a [i64], &'a Form)>);
-
 /// The name of the function of a join; empty where it cannot be one.
 pub(crate) fn name(theorem: &Theorem) -> String {
     names::function(&theorem.name).map_or_else(String::new, |name| name.to_string())
@@ -47,28 +45,17 @@ pub(crate) fn name(theorem: &Theorem) -> String {
 pub(crate) fn join(
     theorem: &Theorem,
     verdicts: &[(Claim, Verdict)],
-    runtime: &TokenStream,
-    rename: Option<&Ident>,
+    options: &Options,
 ) -> Result<TokenStream, Diagnostic> {
+    let Options { runtime, name: rename, decided } = options;
     let error = |message: String| Diagnostic::error(theorem.place.clone(), message);
-    let determined: Vec<Determined<'_>> = theorem
-        .patches
-        .iter()
-        .map(|patch| {
-            let points = patch.points.iter().filter(|p| p.origin == Origin::Determined);
-            (patch, points.map(|p| (p.index.as_slice(), &p.value)).listed())
-        })
-        .filter(|(_, points)| !points.is_empty())
-        .listed();
+    let determined = plan::determined(theorem);
     let forms = || determined.iter().flat_map(|(_, points)| points.iter().map(|(_, form)| *form));
     let coefficients = || forms().flat_map(|form| form.terms.values());
     if theorem.products.iter().any(|(var, _)| coefficients().any(|f| f.depends_on(*var))) {
-        return Err(error(format!("the points of `{}` depend on dot products", theorem.name))
-            .help("a function is emitted for points that are linear in the given ones; write a `theorem`"));
+        return Err(products(theorem));
     }
-    let used: Vec<usize> = (0..theorem.points.len())
-        .filter(|k| forms().any(|form| form.terms.contains_key(&Unit::Point(*k))))
-        .listed();
+    let used = plan::used(theorem, &determined);
     let points = point_arguments(theorem, &used)?;
     let scalars = scalar_arguments(theorem, &|p: &Parameter| coefficients().any(|f| f.depends_on(p.var)))?;
     let mut taken: Vec<&Ident> = Vec::new();
@@ -99,7 +86,7 @@ pub(crate) fn join(
     });
     let checks = checks.fold(TokenStream::new(), |all, check| quote_spanned!(site()=> #all #check));
     let given: Vec<TokenStream> = used.mapped(|k| given(&points, &theorem.points[*k]));
-    let plan = determined_points(&values.mapped(|(parameter, _)| *parameter), &used, forms());
+    let points_plan = plan::points(&values.mapped(|(parameter, _)| *parameter), &used, forms());
     let input = |input: Input| match input {
         Input::Shape(k) => values[k].1.clone(),
         Input::Point(k) => given[k].clone(),
@@ -108,7 +95,7 @@ pub(crate) fn join(
     let names = points.iter().map(|p| &p.name).chain(scalars.iter().map(|s| &s.name));
     let names: Vec<String> = names.map(names::plain).listed();
     let surroundings = Surroundings { runtime, input: &input, taken: &names, points: None };
-    let Body { lets, outputs } = rust::body(&plan, &surroundings);
+    let Body { lets, outputs } = rust::body(&points_plan, &surroundings);
     let mut outputs = outputs.iter();
     let results = determined.mapped(|(_, points)| {
         let values = outputs.by_ref().take(points.len());
@@ -123,7 +110,7 @@ pub(crate) fn join(
     };
     let arguments =
         points.iter().map(PointArgument::declaration).chain(scalars.iter().map(ScalarArgument::declaration));
-    let lines = documentation(theorem, verdicts, &points, &scalars, &determined);
+    let lines = documentation(theorem, verdicts, &points, &scalars, &determined, decided);
     let lines = lines.iter().map(|line| doc(line));
     if floats::misses_a_number(&checks) || floats::misses_a_number(&lets) || floats::misses_a_number(&value) {
         let message = format!("{} `{}` has numbers beyond f64", floats::ERROR, theorem.title());
@@ -140,6 +127,13 @@ pub(crate) fn join(
             #core::result::Result::Ok(#value)
         }
     })
+}
+
+/// The error for a join whose points depend on dot products.
+pub(crate) fn products(theorem: &Theorem) -> Diagnostic {
+    let message = format!("the points of `{}` depend on dot products", theorem.name);
+    let error = Diagnostic::error(theorem.place.clone(), message);
+    error.help("a function is emitted for points that are linear in the given ones; write a `theorem`")
 }
 
 impl ScalarArgument<'_> {
@@ -306,11 +300,9 @@ fn documentation(
     points: &[PointArgument<'_>],
     scalars: &[ScalarArgument<'_>],
     determined: &[Determined<'_>],
+    decided: &str,
 ) -> Vec<String> {
-    let mut lines = theorem.doc.clone();
-    if lines.is_empty() {
-        lines.push(format!("The control points that the join `{}` determines.", theorem.name));
-    }
+    let mut lines = first_lines(theorem);
     lines.extend(["", "# Arguments", ""].map(String::from));
     for argument in points {
         let (name, patch) = (&argument.name, argument.patch);
@@ -330,7 +322,17 @@ fn documentation(
         let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
         lines.push(format!("- `{}`: {}{about}", argument.name, ranges.join(", ")));
     }
-    lines.extend(["", "# Result", "", "```text"].map(String::from));
+    lines.extend(result(theorem, determined));
+    let errors =
+        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
+    lines.extend(["", "# Errors", "", errors].map(String::from));
+    lines.extend(docs::claims(verdicts, decided));
+    lines
+}
+
+/// The determined points as formulas, with a heading.
+fn result(theorem: &Theorem, determined: &[Determined<'_>]) -> Vec<String> {
+    let mut lines = ["", "# Result", "", "```text"].map(String::from).to_vec();
     for (patch, points) in determined {
         for (index, form) in points {
             let terms = form.terms.iter().filter_map(|(unit, weight)| match unit {
@@ -344,9 +346,21 @@ fn documentation(
     let written: Vec<String> = determined.mapped(|(p, _)| format!("`{} = {}`", p.name, p.written));
     lines.push(String::from("```"));
     lines.extend([String::new(), format!("of {}.", written.join(", "))]);
-    let errors =
-        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
-    lines.extend(["", "# Errors", "", errors].map(String::from));
-    lines.extend(docs::claims(verdicts));
     lines
+}
+
+/// What the join says, for code that has arguments of its own: what it determines, by which formulas, and its claims.
+#[cfg(any(test, feature = "tools"))]
+pub(crate) fn about(theorem: &Theorem, verdicts: &[(Claim, Verdict)], decided: &str) -> Vec<String> {
+    let mut lines = first_lines(theorem);
+    lines.extend(result(theorem, &plan::determined(theorem)));
+    lines.extend(docs::claims(verdicts, decided));
+    lines
+}
+
+fn first_lines(theorem: &Theorem) -> Vec<String> {
+    if theorem.doc.is_empty() {
+        return vec![format!("The control points that the join `{}` determines.", theorem.name)];
+    }
+    theorem.doc.clone()
 }

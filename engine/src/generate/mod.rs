@@ -29,16 +29,25 @@ use code::{floats, names};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use formula::{factored, factored_on_box};
 
-/// How to emit a family.
+/// How to emit a family or a join.
 #[derive(Clone, Debug)]
 pub struct Options {
     /// The path of the runtime crate, such as `::basis_runtime`.
     pub runtime: TokenStream,
-    /// The name of the type; `None` for the family's own name.
+    /// The name of the type or function; `None` for the family's own name.
     pub name: Option<Ident>,
+    /// When the claims were decided, for the documentation.
+    pub decided: &'static str,
 }
 
-/// The type of a family, with its documentation and evaluators.
+impl Options {
+    /// For the macro.
+    pub fn for_macro(runtime: TokenStream, name: Option<Ident>) -> Self {
+        Self { runtime, name, decided: "while this crate was compiled" }
+    }
+}
+
+/// The type of a family, with its documentation and evaluators, in a module of its own.
 ///
 /// # Errors
 /// When names of the spec cannot become names of Rust, or the family is too large.
@@ -47,19 +56,77 @@ pub fn family(
     verdicts: &[(Claim, Verdict)],
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    if family.is_rational() || family.leaves_an_end_out() {
-        let message = if family.is_rational() {
-            "no code is generated for families with denominators in the domain variable yet"
-        } else {
-            "no code is generated for families on a domain without its ends yet"
-        };
-        let error = Diagnostic::error(family.place.clone(), message);
-        let help = "its claims are proved, `basis explain` and `basis eval` know it; for code, take the numerators as a family on the closed domain";
-        return Err(vec![error.help(help)]);
-    }
     let name = type_name(family, options.name.as_ref()).map_err(|error| vec![error])?;
+    Ok(in_module(&name, &definition(family, verdicts, name.clone(), options)?))
+}
+
+/// Why no code is generated for a family of any size; `None` where it is.
+pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
+    let message = if family.analytic.is_transcendental() {
+        "no code is generated for families with sin, cos, exp or pi yet"
+    } else if !family.analytic.is_empty() {
+        "no code is generated for families with shape parameters at the ends of the domain yet"
+    } else if family.is_rational() {
+        "no code is generated for families with denominators in the domain variable yet"
+    } else if family.leaves_an_end_out() {
+        "no code is generated for families on a domain without its ends yet"
+    } else {
+        return None;
+    };
+    let error = Diagnostic::error(family.place.clone(), message);
+    let help = "its claims are proved, `basis explain` and `basis eval` know it; for code, take the numerators as a family on the closed domain";
+    Some(error.help(help))
+}
+
+/// The error for a family with too many coefficients.
+pub(crate) fn too_large(family: &Family) -> Diagnostic {
+    let message = format!("`{}` has too many coefficients to be generated", family.title());
+    let error = Diagnostic::error(family.place.clone(), message);
+    error.help("choose a lower order, or functions of lower degree")
+}
+
+/// The error for a family with numbers for which there is no float, in its formulas or in what is evaluated.
+#[cfg(any(test, feature = "tools"))]
+pub(crate) fn beyond_floats(family: &Family, steps: &crate::steps::FamilySteps<'_>) -> Option<Diagnostic> {
+    if !floats::of_family(family) {
+        return None;
+    }
+    let evaluators = [steps.values(), steps.bernstein_weights(), steps.bind()];
+    let missing = evaluators.iter().flat_map(|steps| &steps.steps).any(|step| match step {
+        crate::steps::Step::Constant(value) => floats::nearest(&value.abs()).is_none(),
+        _ => false,
+    });
+    let direct = floats::direct(family);
+    if missing && direct.is_none() { Some(floats::indirect(family)) } else { direct }
+}
+
+/// What the documentation of a generated type says: the formulas, the ranges, the claims with their verdicts; Markdown,
+/// one string a line. `decided` says when the claims were decided. `None` when the family is too large.
+#[cfg(any(test, feature = "tools"))]
+pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &str) -> Option<Vec<String>> {
+    let formulas = match IntervalForm::new(family) {
+        Some(form) => interval::formulas(family, &form),
+        None => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
+    };
+    Some(code::docs::family(family, &formulas, verdicts, decided))
+}
+
+/// The type of a family, with its documentation and evaluators.
+///
+/// # Errors
+/// As [`family`].
+pub(crate) fn definition(
+    family: &Family,
+    verdicts: &[(Claim, Verdict)],
+    name: Ident,
+    options: &Options,
+) -> Result<TokenStream, Vec<Diagnostic>> {
+    if let Some(error) = no_code(family) {
+        return Err(vec![error]);
+    }
     let fields = names::fields(family)?;
-    let shell = Shell { family, name: name.clone(), fields, runtime: &options.runtime };
+    let Options { runtime, decided, .. } = options;
+    let shell = Shell { family, name, fields, runtime, decided };
     let code = match IntervalForm::new(family) {
         Some(form) => interval::emit(&shell, &form, verdicts),
         None => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
@@ -67,7 +134,7 @@ pub fn family(
     if floats::of_family(family) && floats::misses_a_number(&code) {
         return Err(vec![floats::direct(family).unwrap_or_else(|| floats::indirect(family))]);
     }
-    Ok(in_module(&name, &code))
+    Ok(code)
 }
 
 /// The name of the type of a family, for which a macro call may ask another one.
@@ -93,7 +160,11 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last || family.is_rational() || !floats::of_family(family) {
+        if family.name == last
+            || family.is_rational()
+            || !family.analytic.is_empty()
+            || !floats::of_family(family)
+        {
             continue;
         }
         let mut error = floats::direct(family);
@@ -101,7 +172,7 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
         if error.is_none() && terms <= left {
             left -= terms;
             let name = Some(Ident::new("Family", site()));
-            let options = Options { runtime: quote_spanned!(site()=> ::basis_runtime), name };
+            let options = Options::for_macro(quote_spanned!(site()=> ::basis_runtime), name);
             let errors = self::family(family, &[], &options).err().unwrap_or_default();
             error = errors.into_iter().find(|error| error.message.starts_with(floats::ERROR));
         }

@@ -24,13 +24,44 @@ use basis_prover::collections::list::{Listed, Mapped};
 pub(super) fn emit(shell: &Shell<'_>, verdicts: &[(Claim, Verdict)]) -> Result<TokenStream, Diagnostic> {
     let family = shell.family;
     let Some(plans) = PatchPlans::new(family) else {
-        let message = format!("`{}` has too many coefficients to be generated", family.title());
-        return Err(Diagnostic::error(family.place.clone(), message)
-            .help("choose a lower order, or functions of lower degree"));
+        return Err(super::too_large(family));
     };
     let emitter = Emitter { shell, plans };
-    let formulas = emitter.formulas();
-    Ok(shell.definition(&docs::family(family, &formulas, verdicts), &emitter.methods(), &emitter.traits()))
+    let docs = docs::family(family, &formulas(&emitter.plans), verdicts, shell.decided);
+    Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits()))
+}
+
+/// The functions as products, for reading, and how they are raised.
+pub(super) fn formulas(plans: &PatchPlans<'_>) -> Vec<String> {
+    let PatchPlans { family, form: all, steps } = plans;
+    let mut lines: Vec<String> = plans
+        .functions()
+        .iter()
+        .zip(&all.functions)
+        .map(|(f, form)| {
+            let formula = if family.is_simplex() {
+                factored_text(family, form, all)
+            } else {
+                factored_on_box(family, all, form)
+            };
+            format!("{} = {formula}", label(&family.function_name, &f.index))
+        })
+        .listed();
+    if *steps > 0 {
+        let letters: Vec<String> = ["i", "j", "k", "l"][..plans.corners()].mapped(ToString::to_string);
+        let term = |(j, x): (usize, &str)| {
+            let mut index = letters.clone();
+            index[j] += "-1";
+            format!("{x}*{}[{}]", family.function_name, index.join(","))
+        };
+        let names = family.domain_variables().map(|p| p.name.as_str());
+        let terms: Vec<String> = names.enumerate().map(term).listed();
+        let steps = if *steps == 1 { String::from("once") } else { format!("{steps} times") };
+        lines.push(String::new());
+        let left = format!("{}[{}]", family.function_name, letters.join(","));
+        lines.push(format!("{left} = {} of the order before, {steps}", terms.join(" + ")));
+    }
+    lines
 }
 
 struct Emitter<'a> {
@@ -39,40 +70,6 @@ struct Emitter<'a> {
 }
 
 impl Emitter<'_> {
-    /// The formulas for the documentation.
-    fn formulas(&self) -> Vec<String> {
-        let PatchPlans { family, form: all, steps } = &self.plans;
-        let mut lines: Vec<String> = self
-            .plans
-            .functions()
-            .iter()
-            .zip(&all.functions)
-            .map(|(f, form)| {
-                let formula = if family.is_simplex() {
-                    factored_text(family, form, all)
-                } else {
-                    factored_on_box(family, all, form)
-                };
-                format!("{} = {formula}", label(&family.function_name, &f.index))
-            })
-            .listed();
-        if *steps > 0 {
-            let letters: Vec<String> = ["i", "j", "k", "l"][..self.corners()].mapped(ToString::to_string);
-            let term = |(j, x): (usize, &str)| {
-                let mut index = letters.clone();
-                index[j] += "-1";
-                format!("{x}*{}[{}]", family.function_name, index.join(","))
-            };
-            let names = family.domain_variables().map(|p| p.name.as_str());
-            let terms: Vec<String> = names.enumerate().map(term).listed();
-            let steps = if *steps == 1 { String::from("once") } else { format!("{steps} times") };
-            lines.push(String::new());
-            let left = format!("{}[{}]", family.function_name, letters.join(","));
-            lines.push(format!("{left} = {} of the order before, {steps}", terms.join(" + ")));
-        }
-        lines
-    }
-
     /// How many coordinates a point of the domain has.
     fn corners(&self) -> usize {
         self.plans.corners()

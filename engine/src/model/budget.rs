@@ -9,6 +9,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::{Spent, Work};
 use crate::diagnostic::grouped;
+use crate::model::angle::Analytic;
 
 /// The highest total degree of a polynomial.
 pub(crate) const MAX_DEGREE: u32 = 100;
@@ -310,9 +311,14 @@ impl Budget {
     }
 
     /// The partial derivative in a variable.
-    pub(crate) fn derivative(&self, value: &Fraction, var: Var) -> Result<Fraction, TooLarge> {
+    pub(crate) fn derivative(
+        &self,
+        value: &Fraction,
+        var: Var,
+        analytic: &Analytic,
+    ) -> Result<Fraction, TooLarge> {
         self.spend((value.numer().len() + value.denom().len()) as u64)?;
-        self.reduce(|work| value.derivative_within(var, work).ok_or(Spent)).and_then(Self::checked)
+        self.reduce(|work| analytic.derivative_within(value, var, work).ok_or(Spent)).and_then(Self::checked)
     }
 
     /// The function with another put in place of a variable; `None` when its denominator becomes zero.

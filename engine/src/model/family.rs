@@ -4,12 +4,14 @@ use std::rc::Rc;
 
 use basis_kernel::{Domain, Simplex};
 
+use super::angle::Analytic;
 use super::chart::{self, Constraint, Piece};
 use super::obligation::Obligation;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{DisplayRange as _, Range, Region};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::diagnostic::Place;
 use crate::source::SourceId;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -40,6 +42,8 @@ pub struct Family {
     pub domain: Vec<Parameter>,
     /// The last barycentric coordinate of a simplex, 1 minus the others; it does not occur in the functions.
     pub dependent: Option<Parameter>,
+    /// What goes beyond quotients of polynomials: which variables are angles, and π.
+    pub analytic: Analytic,
     /// The name that the functions share.
     pub function_name: String,
     /// The functions in the order of their indices.
@@ -51,7 +55,7 @@ pub struct Family {
     pub base: Vec<Function>,
     /// What holds on the declared ranges, so that the formulas mean something.
     pub obligations: Vec<Obligation>,
-    /// How many times the usual work the provers may spend on a claim.
+    /// The factor of the usual work that the provers may spend on a claim.
     pub budget: u32,
 }
 
@@ -108,12 +112,34 @@ impl Family {
 
     /// The declared ranges of all independent variables; of a simplex the surrounding box.
     pub fn region(&self) -> Region {
-        Region { ranges: self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone())).listed() }
+        let declared = self.shapes.iter().chain(&self.domain).map(|p| (p.var, p.range.clone()));
+        Region { ranges: declared.chain(self.analytic.ranges.iter().cloned()).listed() }
     }
 
     /// The declared ranges of the shape parameters.
     pub fn shape_region(&self) -> Region {
-        Region { ranges: self.shapes.mapped(|p| (p.var, p.range.clone())) }
+        let declared = self.shapes.iter().map(|p| (p.var, p.range.clone()));
+        Region { ranges: declared.chain(self.analytic.ranges.iter().cloned()).listed() }
+    }
+
+    /// The range of a shape parameter or domain variable as it is written, such as `0 <= θ <= pi/2`.
+    pub fn declared(&self, parameter: &Parameter) -> String {
+        match self.analytic.angle(parameter.var) {
+            Some(angle) => angle.declared.clone(),
+            None => parameter.range.display(&parameter.name).to_string(),
+        }
+    }
+
+    /// The derivative of a function in a variable; `None` when the work is spent.
+    pub fn derivative_within(&self, f: &Fraction, var: Var, work: &mut Work) -> Option<Fraction> {
+        self.analytic.derivative_within(f, var, work)
+    }
+
+    /// The two ends of the domain of a family on an interval, for reading.
+    pub fn end_texts(&self) -> Option<[String; 2]> {
+        let (var, low, high) = self.interval()?;
+        let angle = self.analytic.angle(var);
+        Some(angle.map_or_else(|| [low.to_string(), high.to_string()], |a| a.ends.clone()))
     }
 
     /// The only domain variable and the two ends of its range; `None` when there are several.
@@ -158,6 +184,7 @@ impl Family {
         for p in early.into_iter().chain(late).filter(|p| free(&p.var)) {
             ranges.push((p.var, p.range.clone()));
         }
+        ranges.extend(self.analytic.ranges.iter().filter(|(v, _)| free(v)).cloned());
         let put = |p: &Poly| {
             let value = fixed.iter().try_fold(Fraction::from(p.clone()), |f, (v, x)| f.substitute(*v, x));
             // The sign of a quotient is that of the product.
@@ -196,12 +223,14 @@ impl Family {
     /// functions are: each function times a polynomial that vanishes nowhere, the same for all functions of a rational
     /// family, and [`Family::numerator_factor`] otherwise.
     pub fn numerators(&self) -> Vec<Poly> {
+        let rational = self.is_rational();
         self.functions.mapped(|f| {
-            if !self.is_rational() {
-                return f.value.numer().clone();
+            if rational {
+                // `over` is a multiple of every denominator.
+                &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer()
+            } else {
+                f.value.numer().clone()
             }
-            // `over` is a multiple of every denominator.
-            &self.over.div_exact(f.value.denom()).unwrap_or_else(Poly::one) * f.value.numer()
         })
     }
 

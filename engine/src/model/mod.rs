@@ -5,6 +5,7 @@
 //! meanwhile; `formula` goes from expressions to exact functions; `expand` from the statements of a family to the
 //! family and its claims. [`Family`] is what comes out.
 
+pub mod angle;
 pub(crate) mod bernstein;
 pub(crate) mod budget;
 pub mod chart;
@@ -14,7 +15,7 @@ pub(crate) mod formula;
 mod library;
 pub mod obligation;
 pub(crate) mod scope;
-mod tuples;
+pub(crate) mod tuples;
 mod unused;
 pub(crate) mod words;
 

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::expand::angles::PI;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::syntax::{
     self, Binding, ClaimKind, Condition, Expr, ExprKind, Generator, Loops, Relation, StatementKind,
@@ -18,11 +19,15 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
                 for decl in decls {
                     in_loops(&decl.loops, &mut used);
                     for part in &decl.parts {
-                        match name(part) {
+                        // Beside another name π is the number.
+                        let pi = |n: &str| PI.contains(&n) && decl.names().len() > 1;
+                        match name(part).filter(|n| !pi(n)) {
                             Some(known) if declared.iter().all(|(other, _)| *other != known) => {
                                 declared.push((known, part.span));
                                 if let ExprKind::Index(_, indices) = &part.kind {
-                                    indices.iter().for_each(|index| names(index, &mut used));
+                                    for index in indices {
+                                        names(index, &mut used);
+                                    }
                                 }
                             }
                             _ => names(part, &mut used),
@@ -42,7 +47,9 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
                 in_loops(&def.loops, &mut used);
             }
             StatementKind::Base(_, functions) => {
-                functions.iter().for_each(|def| names(&def.value, &mut used))
+                for def in functions {
+                    names(&def.value, &mut used);
+                }
             }
             StatementKind::Claim(claim) => in_claim(&claim.kind, &mut used),
             StatementKind::Budget(_) | StatementKind::Simplex(_) => {}
@@ -95,17 +102,31 @@ fn names<'e>(expr: &'e Expr, used: &mut Vec<&'e str>) {
             }
         }
         ExprKind::Neg(inner) => names(inner, used),
-        ExprKind::Sum(parts) => parts.iter().for_each(|(_, part)| names(part, used)),
-        ExprKind::Product(parts) => parts.iter().for_each(|(_, part)| names(part, used)),
+        ExprKind::Sum(parts) => {
+            for (_, part) in parts {
+                names(part, used);
+            }
+        }
+        ExprKind::Product(parts) => {
+            for (_, part) in parts {
+                names(part, used);
+            }
+        }
         ExprKind::Power(base, exponent) => {
             names(base, used);
             names(exponent, used);
         }
         ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
             names(base, used);
-            rest.iter().for_each(|part| names(part, used));
+            for part in rest {
+                names(part, used);
+            }
         }
-        ExprKind::List(parts) | ExprKind::Tuple(parts) => parts.iter().for_each(|part| names(part, used)),
+        ExprKind::List(parts) | ExprKind::Tuple(parts) => {
+            for part in parts {
+                names(part, used);
+            }
+        }
         ExprKind::Each(body, loops) => {
             names(body, used);
             in_loops(loops, used);
@@ -135,7 +156,9 @@ fn in_condition<'e>(condition: &'e Condition, used: &mut Vec<&'e str>) {
             names(b, used);
         }
         Condition::All(parts) | Condition::Any(parts) => {
-            parts.iter().for_each(|part| in_condition(part, used))
+            for part in parts {
+                in_condition(part, used);
+            }
         }
         Condition::Not(inner) => in_condition(inner, used),
     }
@@ -144,7 +167,9 @@ fn in_condition<'e>(condition: &'e Condition, used: &mut Vec<&'e str>) {
 fn in_relation<'e>(relation: &'e Relation, used: &mut Vec<&'e str>) {
     names(&relation.left, used);
     names(&relation.right, used);
-    relation.chain.iter().for_each(|(_, side)| names(side, used));
+    for (_, side) in &relation.chain {
+        names(side, used);
+    }
     in_loops(&relation.loops, used);
 }
 
@@ -157,12 +182,18 @@ fn in_bindings<'e>(bindings: &'e [Binding], used: &mut Vec<&'e str>) {
 
 fn in_claim<'e>(claim: &'e ClaimKind, used: &mut Vec<&'e str>) {
     match claim {
-        ClaimKind::Independent(exceptions) => exceptions.iter().for_each(|e| in_bindings(e, used)),
+        ClaimKind::Independent(exceptions) => {
+            for e in exceptions {
+                in_bindings(e, used);
+            }
+        }
         ClaimKind::Continuity(_, next) => in_bindings(next, used),
         ClaimKind::Relation(relation) => in_relation(relation, used),
         ClaimKind::At(bindings, relations) => {
             in_bindings(bindings, used);
-            relations.iter().for_each(|relation| in_relation(relation, used));
+            for relation in relations {
+                in_relation(relation, used);
+            }
         }
         _ => {}
     }

@@ -4,9 +4,15 @@
 pub(crate) const BUILTINS: [&str; 10] =
     ["D", "integral", "binomial", "factorial", "floor", "ceil", "min", "max", "sum", "product"];
 
-/// Functions that are not polynomials.
+/// Functions of angles.
+pub(crate) const CIRCULAR: [&str; 3] = ["sin", "cos", "tan"];
+
+/// Functions of exponentials.
+pub(crate) const HYPERBOLIC: [&str; 4] = ["sinh", "cosh", "tanh", "exp"];
+
+/// Functions that the language does not have.
 pub(crate) const ELSEWHERE: [&str; 10] =
-    ["sin", "cos", "tan", "exp", "log", "ln", "sqrt", "abs", "sinh", "cosh"];
+    ["log", "ln", "sqrt", "abs", "arcsin", "arccos", "arctan", "atan", "cot", "sec"];
 
 /// Names that papers have for binomial coefficients.
 pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];

@@ -67,7 +67,7 @@ impl IntervalForm {
         Some(Self { var, low: low.clone(), high: high.clone(), degree, functions })
     }
 
-    /// How many functions there are.
+    /// The number of functions.
     pub fn len(&self) -> usize {
         self.functions.len()
     }

@@ -49,7 +49,7 @@ impl<'a> PatchPlans<'a> {
         if self.steps > 0 { &self.family.base } else { &self.family.functions }
     }
 
-    /// How many coordinates a point of the domain has.
+    /// The number of coordinates of a point of the domain.
     pub fn corners(&self) -> usize {
         self.family.domain.len() + usize::from(self.family.is_simplex())
     }

@@ -88,7 +88,7 @@ impl PatchForm {
         Some(Self { groups, degrees, functions })
     }
 
-    /// How many Bernstein coefficients a function has.
+    /// The number of Bernstein coefficients of a function.
     pub fn coefficients(&self) -> usize {
         lattice_size(&self.groups, &self.degrees).unwrap_or(usize::MAX)
     }
@@ -234,7 +234,7 @@ pub fn exponents(groups: &[Group], degrees: &[u32]) -> Vec<Vec<u32>> {
     })
 }
 
-/// How many of them there are; `None` for too many.
+/// Their number; `None` for too many.
 fn lattice_size(groups: &[Group], degrees: &[u32]) -> Option<usize> {
     groups.iter().zip(degrees).try_fold(1_usize, |size, (group, degree)| {
         let len = group.vars.len() as u32;

@@ -36,7 +36,8 @@ pub struct FunctionFacts {
 
 /// The functions of a family in all their forms.
 pub fn function_facts(family: &Family) -> Vec<FunctionFacts> {
-    let form = IntervalForm::new(family);
+    let polynomial = !family.is_rational() && family.analytic.is_empty();
+    let form = IntervalForm::new(family).filter(|_| polynomial);
     let facts = formulas(family).into_iter().enumerate().map(|(k, formula)| {
         let (mut bernstein, mut between) = (Vec::new(), None);
         let own = |form: &IntervalForm| Some((form.var, form.functions.get(k)?.clone()));
@@ -229,6 +230,10 @@ pub fn independent_claim(family: &Family, set: &ExceptionalSet) -> Option<String
 /// The values and the first two derivatives at both ends of an interval, as blocks.
 fn ends(family: &Family) -> Vec<Candidate> {
     let Some((var, low, high)) = family.interval() else { return Vec::new() };
+    // Values in tangents of angles would not be written so.
+    if !family.analytic.is_empty() || family.leaves_an_end_out() {
+        return Vec::new();
+    }
     let (name, b) = (&family.names[var.0], &family.function_name);
     let mut blocks = Vec::new();
     for end in [low, high] {
@@ -259,7 +264,7 @@ fn ends(family: &Family) -> Vec<Candidate> {
 /// The shape values at which a family on [0, 1] is the Bernstein basis of as many functions.
 fn bernstein_values(family: &Family) -> Option<Candidate> {
     let (var, low, high) = family.interval()?;
-    if !low.is_zero() || !high.is_one() || family.shapes.is_empty() {
+    if !low.is_zero() || !high.is_one() || family.shapes.is_empty() || !family.analytic.is_empty() {
         return None;
     }
     let degree = family.functions.len().checked_sub(1)? as u32;

@@ -319,7 +319,13 @@ impl<'t> Reader<'t> {
                 }
             } else {
                 let (left, right) = (product.within(Binds::Product), next.within(Binds::Product));
-                let dot = if next.digit { " \\cdot " } else { "\\," };
+                // Brackets keep their distance by themselves.
+                let apart = left.ends_with("\\right)") || right.starts_with("\\left(");
+                let dot = match (next.digit, apart) {
+                    (true, _) => " \\cdot ",
+                    (false, true) => " ",
+                    (false, false) => "\\,",
+                };
                 Piece { latex: format!("{left}{dot}{right}"), binds: Binds::Product, digit: product.digit }
             };
         }
@@ -522,7 +528,7 @@ mod tests {
     #[test]
     fn formulas_look_as_in_papers() {
         let cases = [
-            ("(1 - λ*t)*(1 - t)^3", "\\left(1 - \\lambda\\,t\\right)\\,\\left(1 - t\\right)^{3}"),
+            ("(1 - λ*t)*(1 - t)^3", "\\left(1 - \\lambda\\,t\\right) \\left(1 - t\\right)^{3}"),
             ("1/2*t^2", "\\frac{1}{2}\\,t^{2}"),
             ("-16/625", "-\\frac{16}{625}"),
             ("2*3^n", "2 \\cdot 3^{n}"),
@@ -533,7 +539,7 @@ mod tests {
             ("(λ + 1)/(2*δ)*P[0]", "\\frac{\\lambda + 1}{2\\,\\delta}\\,P_{0}"),
             ("b[2,0,1] >= 0", "b_{2,0,1} \\ge 0"),
             ("D(b[1], λ) >= 0", "\\partial_{\\lambda} b_{1} \\ge 0"),
-            ("D(b, 2) = [6*(1 + λ), 0]", "{b}'' = \\left[6\\,\\left(1 + \\lambda\\right),\\ 0\\right]"),
+            ("D(b, 2) = [6*(1 + λ), 0]", "{b}'' = \\left[6 \\left(1 + \\lambda\\right),\\ 0\\right]"),
             ("C''(0)", "C''\\left(0\\right)"),
             ("λ_P = -2, t = 1/2", "\\lambda_{P} = -2,\\ t = \\frac{1}{2}"),
             ("sum(i/n*b[i] for i in 0..=n) = t", "\\sum_{0 \\le i \\le n} \\frac{i}{n}\\,b_{i} = t"),

@@ -18,9 +18,9 @@ mod theorem;
 mod theorem;
 mod verdict;
 
-#[cfg(any(test, feature = "tools"))]
-pub(crate) use family::combination_text;
 pub use family::{Table, coefficient_table, statements as family_statements};
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use family::{combination_text, moves};
 pub use judge::Prover;
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
@@ -54,7 +54,8 @@ pub fn instances(
             family::minors(family, given)
         }
         Subject::Family(family) if given.is_empty() => {
-            family::refutable(family, claim).ok_or("the budget is spent on a common denominator")
+            let stated = family::refutable(family, claim);
+            stated.ok_or("the budget is spent on a common denominator")
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

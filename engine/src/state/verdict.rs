@@ -25,7 +25,7 @@ impl Stated {
     }
 }
 
-/// What is known about a claim.
+/// The verdict on a claim.
 #[derive(Clone, Debug)]
 pub enum Verdict {
     /// The claim is true.
@@ -84,6 +84,8 @@ pub struct Witness {
     pub given: Vec<Vec<Rational>>,
     /// The exact value of the expression there.
     pub value: Rational,
+    /// The value as text where it contains π, exp(1) or the like, which the number above does not.
+    pub shown: Option<String>,
     /// What it means, in one line each.
     pub notes: Vec<String>,
     /// What the refuted statement is about, as [`Stated::of`] has it.
@@ -103,7 +105,12 @@ impl Witness {
         refutation: Refutation,
     ) -> Self {
         let (idle, net, given, notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { stated: of.clone(), of, at, idle, net, given, value, notes, refutation }
+        Self { stated: of.clone(), of, at, idle, net, given, value, shown: None, notes, refutation }
+    }
+
+    /// The value of the expression for reading.
+    pub fn value_text(&self) -> String {
+        self.shown.clone().unwrap_or_else(|| self.value.to_string())
     }
 
     /// The same witness, of a statement with another name.

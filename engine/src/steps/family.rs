@@ -3,6 +3,7 @@
 use super::{Builder, Steps, lower};
 use crate::algebra::rational::Rational;
 use crate::continuation::EndPoints;
+use crate::generate::no_code;
 use crate::model::Family;
 use crate::plan::ends::end_points;
 use crate::plan::form::IntervalForm;
@@ -38,8 +39,11 @@ pub struct EndSteps {
 }
 
 impl<'a> FamilySteps<'a> {
-    /// The steps of a family; `None` when it is too large to be generated.
+    /// The steps of a family; `None` when it is too large to be generated, or of a kind for which no code is generated.
     pub fn new(family: &'a Family) -> Option<Self> {
+        if no_code(family).is_some() {
+            return None;
+        }
         let form = match IntervalForm::new(family) {
             Some(form) => Form::Interval(form),
             None => Form::Patch(PatchPlans::new(family)?),
@@ -47,7 +51,7 @@ impl<'a> FamilySteps<'a> {
         Some(Self { family, form })
     }
 
-    /// How many coordinates a point of the domain has.
+    /// The number of coordinates of a point of the domain.
     pub fn coordinates(&self) -> usize {
         match &self.form {
             Form::Interval(_) => 1,

@@ -14,6 +14,7 @@
 mod build;
 mod evaluate;
 mod family;
+mod join;
 mod lower;
 mod runtime;
 
@@ -23,6 +24,7 @@ use crate::plan::Input;
 pub use build::Builder;
 pub use evaluate::Number;
 pub use family::{EndSteps, FamilySteps};
+pub use join::JoinSteps;
 pub use lower::lower;
 
 /// A computation in single operations.

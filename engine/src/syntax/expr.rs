@@ -19,6 +19,9 @@ const MAX_DIGITS: usize = 1000;
 /// The most index variables of one `for`, and the most indices of a function.
 pub(super) const MAX_INDICES: usize = 16;
 
+/// Functions that papers write without parentheses.
+const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "exp"];
+
 /// Names with more letters than this are refused.
 const MAX_LETTERS: usize = 200;
 
@@ -129,6 +132,21 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
     let next_line = input.span().start().line > before.span.end().line;
     if is_statement(&found) || next_line && begins_statement(input) {
         return Err(missing_semicolon(before.span));
+    }
+    let function = match &before.kind {
+        ExprKind::Name(name) if FUNCTIONS.contains(&name.as_str()) => Some((name.clone(), String::new())),
+        ExprKind::Power(base, exponent) => match (&base.kind, &exponent.kind) {
+            (ExprKind::Name(name), ExprKind::Number(n)) if FUNCTIONS.contains(&name.as_str()) => {
+                Some((name.clone(), format!("^{n}")))
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    if let Some((name, power)) = function {
+        let argument = if found == "(" { "…" } else { &found };
+        let message = format!("the argument of `{name}` stands in parentheses");
+        return Err(error(input.span(), message, format!("write `{name}({argument}){power}`")));
     }
     let help = match found.as_str() {
         "and" | "or" => {

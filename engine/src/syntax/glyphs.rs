@@ -53,7 +53,14 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
                 repaired.replace(at, c.len_utf8(), "");
             }
             _ => {
-                if let Some((message, help, instead)) = wrong_glyph(c, &text[..at]) {
+                if let Some((message, help, mut instead)) = wrong_glyph(c, &text[..at]) {
+                    // A digit would make one word with a letter that follows.
+                    let next = text[at + c.len_utf8()..].chars().next();
+                    let joined =
+                        |next: char| next.is_alphabetic() || next == '(' && ends_with_function(&text[..at]);
+                    if instead.ends_with(|c: char| c.is_ascii_digit()) && next.is_some_and(joined) {
+                        instead.clear();
+                    }
                     errors.push(new(text, at, &message, &help));
                     if instead.is_empty() {
                         gaps.push(at);
@@ -225,6 +232,14 @@ const PRIMES: &str = "'′″‴’";
 const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const SUBSCRIPTS: &str = "₀₁₂₃₄₅₆₇₈₉";
 
+/// Functions whose powers papers write as `sin²t`.
+const FUNCTIONS: [&str; 6] = ["sinh", "cosh", "tanh", "sin", "cos", "tan"];
+
+/// Whether the name of a function stands before something.
+fn ends_with_function(before: &str) -> bool {
+    FUNCTIONS.iter().any(|f| before.ends_with(f))
+}
+
 /// What is wrong with a character outside of comments and strings, what to write instead, and Rust tokens
 /// that stand for it while the rest of the text is read (no longer than the character in bytes).
 fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
@@ -235,7 +250,11 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     let digit = |set: &str| set.chars().position(|d| d == c);
     if let Some(d) = digit(SUPERSCRIPTS) {
         let message = format!("the superscript `{c}` cannot stand in a spec");
-        return Some((message, format!("write `^{d}` for a power, such as `t^{d}`"), format!("^{d}")));
+        let help = match FUNCTIONS.iter().find(|f| before.ends_with(**f)) {
+            Some(function) => format!("write `{function}(t)^{d}`"),
+            None => format!("write `^{d}` for a power, such as `t^{d}`"),
+        };
+        return Some((message, help, format!("^{d}")));
     }
     if let Some(d) = digit(SUBSCRIPTS) {
         let base = before.chars().next_back().filter(|c| c.is_alphanumeric()).unwrap_or('λ');

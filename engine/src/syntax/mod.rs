@@ -160,6 +160,23 @@ pub struct Limit {
     pub included: bool,
 }
 
+impl ShapeDecl {
+    /// The names in the chain, those with an index without it.
+    pub fn names(&self) -> Vec<&str> {
+        let mut names = Vec::new();
+        for part in &self.parts {
+            let named = match &part.kind {
+                ExprKind::Index(base, _) => base,
+                _ => part,
+            };
+            if let ExprKind::Name(name) = &named.kind {
+                names.push(name.as_str());
+            }
+        }
+        names
+    }
+}
+
 /// A chain that declares shape parameters, such as `0 < q < p <= 1`.
 #[derive(Debug)]
 pub struct ShapeDecl {
@@ -314,7 +331,7 @@ pub struct FunctionDef {
 }
 
 /// `for i in 0..=n, j in 0..=n if i != j`.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Loops {
     /// What the names run over, the first slowest.
     pub generators: Vec<Generator>,
@@ -323,7 +340,7 @@ pub struct Loops {
 }
 
 /// What must hold of index variables, such as `i != j && !(i == 0 || j == 0)`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Condition {
     /// Two numbers compare in this way.
     Compare(Expr, Comparison, Expr),
@@ -347,7 +364,7 @@ impl Condition {
 }
 
 /// What one or several index variables run over.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Generator {
     /// `i in low..=high`.
     Range(IndexRange),
@@ -356,7 +373,7 @@ pub enum Generator {
 }
 
 /// `i in low..=high`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct IndexRange {
     /// The name.
     pub name: Name,
@@ -498,7 +515,7 @@ pub struct Relation {
 }
 
 /// An expression and where it stands.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Expr {
     /// Where it stands.
     pub span: Span,
@@ -525,7 +542,7 @@ pub enum Role {
 }
 
 /// The kinds of expressions. Sums and products are flat, so that long formulas do not nest deeply.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ExprKind {
     /// An exact number.
     Number(Rational),

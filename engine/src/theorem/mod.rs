@@ -56,7 +56,7 @@ pub struct Theorem {
     /// The given points, by the number that stands in [`Unit::Point`]; with coordinates a variable for each
     /// coordinate of each of them.
     pub points: Vec<GivenPoint>,
-    /// How many times the usual work the provers may spend on a claim.
+    /// The factor of the usual work that the provers may spend on a claim.
     pub budget: u32,
     /// Without the feature `joins` no theorem can be made, so that nothing has to be known of one.
     #[cfg(not(feature = "joins"))]

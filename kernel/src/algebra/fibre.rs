@@ -5,7 +5,6 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer as _;
-use num_rational::BigRational;
 use num_traits::One as _;
 
 use super::rational::{Rational, Words};
@@ -161,14 +160,17 @@ fn apply_whole(steps: &[Step], c: &mut [Rational]) -> bool {
     let mut denom = BigInt::from(1);
     let longest = c.iter().map(Rational::bits).max().unwrap_or(0);
     for c in &*c {
-        if let Some(other) = c.big_denom() {
-            denom = denom.lcm(&other);
+        if !c.is_integer() {
+            denom = denom.lcm(&c.parts().1);
             if denom.bits() > 2 * longest {
                 return false;
             }
         }
     }
-    let mut whole = c.mapped(|c| c.times_whole(&denom));
+    let mut whole = c.mapped(|c| {
+        let (n, d) = c.parts();
+        &denom / d * n
+    });
     for (step, factor) in steps.iter().zip(&factors) {
         match step {
             Shift(h) if h.is_zero() => {}
@@ -196,11 +198,7 @@ fn apply_whole(steps: &[Step], c: &mut [Rational]) -> bool {
         }
     }
     for (c, whole) in c.iter_mut().zip(whole) {
-        *c = if denom.is_one() {
-            Rational::from(whole)
-        } else {
-            Rational::from_big(BigRational::new(whole, denom.clone()))
-        };
+        *c = if denom.is_one() { Rational::from(whole) } else { Rational::ratio(whole, denom.clone()) };
     }
     true
 }

@@ -25,7 +25,7 @@ enum Repr {
     Wide(Vec<u16>),
 }
 
-/// How many variables fit in a packed monomial.
+/// The number of variables that fit in a packed monomial.
 const PACKED: usize = 16;
 
 /// The highest bit of every byte: without it two exponents add up without a carry.

@@ -140,7 +140,7 @@ impl Poly {
         self.terms.iter().map(|(m, c)| (m, c))
     }
 
-    /// How many terms there are.
+    /// The number of terms.
     pub fn len(&self) -> usize {
         self.terms.len()
     }

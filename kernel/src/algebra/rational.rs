@@ -1,7 +1,7 @@
 //! Exact rational numbers of unbounded size.
 //!
 //! Nearly all numbers of a spec fit in two machine words, and the engine runs unoptimised inside a
-//! `cargo build`; so a number is kept as two `i64` while it fits and as a [`BigRational`] when it does not.
+//! `cargo build`; so a number is kept as two `i64` while it fits and as two [`BigInt`] when it does not.
 //! The representation is canonical: equal numbers are equal as data.
 
 use core::cmp::Ordering;
@@ -9,8 +9,8 @@ use core::fmt;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_bigint::{BigInt, Sign};
-use num_rational::BigRational;
-use num_traits::{One, Signed, ToPrimitive};
+use num_integer::Integer as _;
+use num_traits::{One as _, Signed as _, ToPrimitive as _};
 
 /// An exact fraction in lowest terms with a positive denominator.
 #[derive(PartialEq, Eq, Hash)]
@@ -20,8 +20,8 @@ pub struct Rational(Repr);
 enum Repr {
     /// Numerator and denominator, lowest terms, denominator positive, neither is `i64::MIN`.
     Small(i64, i64),
-    /// Only for numbers that do not fit in `Small`.
-    Big(Box<BigRational>),
+    /// The same for numbers that do not fit in `Small`.
+    Big(Box<(BigInt, BigInt)>),
 }
 use Repr::{Big, Small};
 
@@ -50,24 +50,58 @@ impl Rational {
         Self::from_i128(i128::from(numer), i128::from(denom))
     }
 
-    /// The nearest float.
-    pub fn to_f64(&self) -> f64 {
-        self.to_big().to_f64().unwrap_or(f64::NAN)
+    /// The fraction of two whole numbers.
+    ///
+    /// # Panics
+    /// When `denom` is zero.
+    pub fn ratio(numer: BigInt, denom: BigInt) -> Self {
+        assert!(denom.sign() != Sign::NoSign, "division of {numer} by zero");
+        let common = if denom.is_negative() { -numer.gcd(&denom) } else { numer.gcd(&denom) };
+        Self::lowest(numer / &common, denom / common)
     }
 
-    /// The number as a ratio of big integers.
-    pub fn to_big(&self) -> BigRational {
-        match &self.0 {
-            Small(n, d) => BigRational::new_raw(BigInt::from(*n), BigInt::from(*d)),
-            Big(b) => (**b).clone(),
+    /// A fraction in lowest terms with a positive denominator.
+    fn lowest(numer: BigInt, denom: BigInt) -> Self {
+        match (small(&numer), small(&denom)) {
+            (Some(n), Some(d)) => Self(Small(n, d)),
+            _ => Self(Big(Box::new((numer, denom)))),
         }
     }
 
-    /// The number that a ratio of big integers is.
-    pub fn from_big(value: BigRational) -> Self {
-        match (small(value.numer()), small(value.denom())) {
-            (Some(n), Some(d)) => Self(Small(n, d)),
-            _ => Self(Big(Box::new(value))),
+    /// The number that a text such as `12` or `-3/4` denotes.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (numer, denom) = text.split_once('/').unwrap_or((text, "1"));
+        let denom = denom.parse::<BigInt>().ok().filter(|denom| denom.sign() != Sign::NoSign)?;
+        Some(Self::ratio(numer.parse().ok()?, denom))
+    }
+
+    /// The nearest float, of two that are as near the one with an even last digit.
+    pub fn to_f64(&self) -> f64 {
+        let (n, d) = self.parts();
+        let size = n.bits() as i64 - d.bits() as i64; // 2^(size − 1) < |n/d| < 2^(size + 1)
+        if size > 1024 {
+            return if n.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
+        }
+        // The quotient in units of 2^unit: at least two bits more than a float has, of which the last also stands for all
+        // below it. No float has bits below 2^−1074.
+        let unit = (size - 56).max(-1076);
+        let scaled = |x: BigInt, by: i64| x << by.max(0) as u64;
+        let (quotient, rest) = scaled(n.abs(), -unit).div_rem(&scaled(d, unit));
+        let bits = quotient.to_u64().unwrap_or(0) | u64::from(rest.sign() != Sign::NoSign);
+        let extra = (11 - i64::from(bits.leading_zeros())).max(-1074 - unit).max(2);
+        let (kept, half) = (bits >> extra, 1 << (extra - 1));
+        let round_up = bits & (2 * half - 1) > half - (kept & 1);
+        let exponent = unit + extra;
+        let power = if exponent < -1022 { 1 << (exponent + 1074) } else { ((exponent + 1023) as u64) << 52 };
+        let size = (kept + u64::from(round_up)) as f64 * f64::from_bits(power);
+        if n.is_negative() { -size } else { size }
+    }
+
+    /// Numerator and denominator.
+    pub(super) fn parts(&self) -> (BigInt, BigInt) {
+        match &self.0 {
+            Small(n, d) => (BigInt::from(*n), BigInt::from(*d)),
+            Big(b) => (**b).clone(),
         }
     }
 
@@ -84,7 +118,7 @@ impl Rational {
         }
         match (i64::try_from(numer), i64::try_from(denom)) {
             (Ok(n), Ok(d)) if n != i64::MIN => Self(Small(n, d)),
-            _ => Self(Big(Box::new(BigRational::new_raw(BigInt::from(numer), BigInt::from(denom))))),
+            _ => Self(Big(Box::new((BigInt::from(numer), BigInt::from(denom))))),
         }
     }
 
@@ -102,7 +136,7 @@ impl Rational {
     pub fn signum(&self) -> i32 {
         match &self.0 {
             Small(n, _) => n.signum() as i32,
-            Big(b) => match b.numer().sign() {
+            Big(b) => match b.0.sign() {
                 Sign::Minus => -1,
                 Sign::NoSign => 0,
                 Sign::Plus => 1,
@@ -124,7 +158,7 @@ impl Rational {
     pub fn is_integer(&self) -> bool {
         match &self.0 {
             Small(_, d) => *d == 1,
-            Big(b) => b.denom().is_one(),
+            Big(b) => b.1.is_one(),
         }
     }
 
@@ -168,14 +202,15 @@ impl Rational {
 
     /// The largest whole number not above this one.
     pub fn floor(&self) -> Self {
-        Self::from_big(self.to_big().floor())
+        let (n, d) = self.parts();
+        Self::from(n.div_floor(&d))
     }
 
-    /// How many bits numerator and denominator take together: the work that arithmetic on the number costs.
+    /// The size of numerator and denominator together, in bits: the work that arithmetic on the number costs.
     pub fn bits(&self) -> u64 {
         match &self.0 {
             Small(n, d) => u64::from(128 - n.unsigned_abs().leading_zeros() - d.leading_zeros()),
-            Big(b) => b.numer().bits() + b.denom().bits(),
+            Big(b) => b.0.bits() + b.1.bits(),
         }
     }
 
@@ -183,7 +218,7 @@ impl Rational {
     pub fn numer(&self) -> Self {
         match &self.0 {
             Small(n, _) => Self(Small(*n, 1)),
-            Big(b) => Self::from(b.numer().clone()),
+            Big(b) => Self::from(b.0.clone()),
         }
     }
 
@@ -191,42 +226,22 @@ impl Rational {
     pub fn denom(&self) -> Self {
         match &self.0 {
             Small(_, d) => Self(Small(*d, 1)),
-            Big(b) => Self::from(b.denom().clone()),
-        }
-    }
-
-    /// The denominator, unless it is 1.
-    pub(super) fn big_denom(&self) -> Option<BigInt> {
-        match &self.0 {
-            Small(_, 1) => None,
-            Small(_, d) => Some(BigInt::from(*d)),
-            Big(b) => (!b.denom().is_one()).then(|| b.denom().clone()),
-        }
-    }
-
-    /// The whole number that the number is times a multiple of its denominator.
-    pub(super) fn times_whole(&self, multiple: &BigInt) -> BigInt {
-        match &self.0 {
-            Small(n, 1) => multiple * *n,
-            Small(n, d) => multiple / *d * *n,
-            Big(b) if b.denom().is_one() => multiple * b.numer(),
-            Big(b) => multiple / b.denom() * b.numer(),
+            Big(b) => Self::from(b.1.clone()),
         }
     }
 
     /// The big integer that the number is, if it is whole.
-    pub(super) fn to_whole(&self) -> Option<BigInt> {
+    pub fn to_whole(&self) -> Option<BigInt> {
         match &self.0 {
             Small(n, 1) => Some(BigInt::from(*n)),
             Small(..) => None,
-            Big(b) => b.denom().is_one().then(|| b.numer().clone()),
+            Big(b) => b.1.is_one().then(|| b.0.clone()),
         }
     }
 
     /// The greatest common divisor of two fractions: the largest positive g such that both are whole
     /// multiples of it, gcd(a/b, c/d) = gcd(a·d, c·b)/(b·d).
     pub fn gcd(&self, other: &Self) -> Self {
-        use num_integer::Integer;
         if let (Small(a, b), Small(c, d)) = (&self.0, &other.0) {
             // gcd(a/b, c/d) = gcd(a, c) / lcm(b, d) for fractions in lowest terms
             let n = gcd(u128::from(a.unsigned_abs()), u128::from(c.unsigned_abs()));
@@ -236,11 +251,8 @@ impl Rational {
                 return Self::from_i128(n as i128, l as i128);
             }
         }
-        if let (Some(x), Some(y)) = (self.to_whole(), other.to_whole()) {
-            return Self::from(euclid(x, y));
-        }
-        let (x, y) = (self.to_big(), other.to_big());
-        Self::from_big(BigRational::new(x.numer().gcd(y.numer()), x.denom().lcm(y.denom())))
+        let ((a, b), (c, d)) = (self.parts(), other.parts());
+        Self::lowest(euclid(a, c), b.lcm(&d)) // no prime divides both, because none divides a and b, or c and d
     }
 }
 
@@ -251,7 +263,6 @@ fn small(value: &BigInt) -> Option<i64> {
 
 /// The greatest common divisor; one division first, because mostly one of the two is small.
 fn euclid(a: BigInt, b: BigInt) -> BigInt {
-    use num_integer::Integer;
     let (a, b) = if a.bits() < b.bits() { (b, a) } else { (a, b) };
     if b.sign() == Sign::NoSign { a.abs() } else { (a % &b).gcd(&b) }
 }
@@ -281,7 +292,7 @@ impl From<BigInt> for Rational {
     fn from(value: BigInt) -> Self {
         match small(&value) {
             Some(n) => Self(Small(n, 1)),
-            None => Self(Big(Box::new(BigRational::from_integer(value)))),
+            None => Self(Big(Box::new((value, BigInt::from(1))))),
         }
     }
 }
@@ -298,7 +309,10 @@ impl Ord for Rational {
             (Small(a, b), Small(c, d)) => {
                 (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
             }
-            _ => self.to_big().cmp(&other.to_big()),
+            _ => {
+                let ((a, b), (c, d)) = (self.parts(), other.parts());
+                (a * d).cmp(&(c * b))
+            }
         }
     }
 }
@@ -308,7 +322,8 @@ impl fmt::Display for Rational {
         match &self.0 {
             Small(n, 1) => write!(f, "{n}"),
             Small(n, d) => write!(f, "{n}/{d}"),
-            Big(b) => write!(f, "{b}"),
+            Big(b) if b.1.is_one() => write!(f, "{}", b.0),
+            Big(b) => write!(f, "{}/{}", b.0, b.1),
         }
     }
 }
@@ -324,7 +339,7 @@ impl Neg for &Rational {
     fn neg(self) -> Rational {
         match &self.0 {
             Small(n, d) => Rational(Small(-n, *d)),
-            Big(b) => Rational(Big(Box::new(-(**b).clone()))),
+            Big(b) => Rational(Big(Box::new((-&b.0, b.1.clone())))),
         }
     }
 }
@@ -336,9 +351,24 @@ impl Neg for Rational {
     }
 }
 
-/// Implements one operator for references and values: in 128 bits on small numbers, in big integers else.
+/// a/b + c/d: numerator and denominator b·d / gcd(b, d) have no other common factors than those of gcd(b, d).
+fn sum((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt)) -> Rational {
+    let common = b.gcd(&d);
+    let b = b / &common;
+    let numer = a * (&d / &common) + c * &b;
+    let rest = numer.gcd(&common);
+    Rational::lowest(numer / &rest, b * (d / rest))
+}
+
+/// a/b · c/d: common are only factors of a and d, and of b and c.
+fn product((a, b): (BigInt, BigInt), (c, d): (BigInt, BigInt)) -> Rational {
+    let (first, second) = (a.gcd(&d), b.gcd(&c));
+    Rational::lowest((a / &first) * (c / &second), (b / second) * (d / first))
+}
+
+/// Implements one operator for references and values: in 128 bits on small numbers, in big integers otherwise.
 macro_rules! operator {
-    ($trait:ident $method:ident $assign_trait:ident $assign:ident $checked:ident, |$a:ident, $b:ident, $c:ident, $d:ident| $small:expr) => {
+    ($trait:ident $method:ident $assign_trait:ident $assign:ident $checked:ident $big:expr, |$a:ident, $b:ident, $c:ident, $d:ident| $small:expr) => {
         impl $trait<&Rational> for &Rational {
             type Output = Rational;
             fn $method(self, other: &Rational) -> Rational {
@@ -358,7 +388,7 @@ macro_rules! operator {
                 if let (Some(a), Some(b)) = (self.to_whole(), other.to_whole()) {
                     return Rational::from($trait::$method(a, b)); // no common factors to look for
                 }
-                Rational::from_big($trait::$method(self.to_big(), other.to_big()))
+                $big(self.parts(), other.parts())
             }
         }
         impl $trait for Rational {
@@ -374,9 +404,9 @@ macro_rules! operator {
         }
     };
 }
-operator!(Add add AddAssign add_assign checked_add, |a, b, c, d| if b == d { (a + c, b) } else { (a * d + c * b, b * d) });
-operator!(Sub sub SubAssign sub_assign checked_sub, |a, b, c, d| if b == d { (a - c, b) } else { (a * d - c * b, b * d) });
-operator!(Mul mul MulAssign mul_assign checked_mul, |a, b, c, d| (a * c, b * d));
+operator!(Add add AddAssign add_assign checked_add sum, |a, b, c, d| if b == d { (a + c, b) } else { (a * d + c * b, b * d) });
+operator!(Sub sub SubAssign sub_assign checked_sub (|x, (c, d): (BigInt, _)| sum(x, (-c, d))), |a, b, c, d| if b == d { (a - c, b) } else { (a * d - c * b, b * d) });
+operator!(Mul mul MulAssign mul_assign checked_mul product, |a, b, c, d| (a * c, b * d));
 
 impl Div<&Rational> for &Rational {
     type Output = Rational;
@@ -390,12 +420,13 @@ impl Div<&Rational> for &Rational {
         }
         if let (Some(a), Some(b)) = (self.to_whole(), other.to_whole()) {
             // Mostly a division without remainder, which needs no search for common factors.
-            let (quotient, rest) = num_integer::Integer::div_rem(&a, &b);
+            let (quotient, rest) = a.div_rem(&b);
             if rest.sign() == Sign::NoSign {
                 return Rational::from(quotient);
             }
         }
-        Rational::from_big(self.to_big() / other.to_big())
+        let (c, d) = other.parts();
+        product(self.parts(), if c.is_negative() { (-d, -c) } else { (d, c) })
     }
 }
 
@@ -473,5 +504,51 @@ mod tests {
         assert_eq!(Rational::new(3, 4).gcd(&Rational::new(5, 6)), Rational::new(1, 12));
         let big = Rational::from(3).pow(100);
         assert_eq!((&big * &Rational::from(10)).gcd(&Rational::from(-25)), Rational::from(5));
+    }
+
+    #[test]
+    fn the_nearest_float_is_that_of_the_decimal_number() {
+        let halves = ["9007199254740993", "9007199254740995", "18014398509481988.0001"];
+        let ends =
+            ["1.7976931348623157e308", "1.7976931348623158e308", "1.7976931348623159e308", "1e309", "-1e400"];
+        let denormal = [
+            "4.9e-324",
+            "2.5e-324",
+            "2.4e-324",
+            "7.4e-324",
+            "-7.5e-324",
+            "2.2250738585072011e-308",
+            "1e-310",
+        ];
+        for text in ["0", "0.1", "-0.3", "123456789.123456789e-20"]
+            .iter()
+            .chain(&halves)
+            .chain(&ends)
+            .chain(&denormal)
+        {
+            let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
+            let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+            let digits = Rational::parse(&format!("{whole}{fraction}")).expect("a number");
+            let exponent = exponent.parse::<i32>().expect("a number") - fraction.len() as i32;
+            let power = Rational::from(10).pow(exponent.unsigned_abs());
+            let exact = if exponent < 0 { &digits / &power } else { &digits * &power };
+            assert_eq!(exact.to_f64(), text.parse::<f64>().expect("a float"), "{text}");
+        }
+    }
+
+    #[test]
+    fn big_fractions_are_in_lowest_terms() {
+        let big = Rational::from(10).pow(30);
+        let x = |n: i64, d: i64| &Rational::new(n, d) / &big;
+        assert_eq!(&x(1, 6) + &x(1, 10), x(4, 15));
+        assert_eq!(&x(1, 6) - &x(1, 6), Rational::ZERO);
+        assert_eq!(&x(-5, 6) * &(&x(3, 10) * &(&big * &big)), Rational::new(-1, 4));
+        assert_eq!(&x(-5, 6) / &x(-5, 9), Rational::new(3, 2));
+        assert!((&x(-5, 6) / &Rational::from(-7)).is_positive() && x(1, 3) < x(1, 2) && x(-1, 2) < x(-1, 3));
+        assert_eq!((&big + &Rational::new(-1, 3)).floor(), &big - &Rational::ONE);
+        assert_eq!(Rational::parse("-6/-4"), Some(Rational::new(3, 2)));
+        assert_eq!(Rational::parse("1/0"), None);
+        assert_eq!(Rational::parse(&x(-7, 3).to_string()), Some(x(-7, 3)));
+        assert_eq!(x(4, 3).gcd(&x(2, 9)), x(2, 9));
     }
 }

@@ -34,7 +34,7 @@ impl Sturm {
         Ok(Self { sequences })
     }
 
-    /// How many operations on machine words it takes to evaluate all sequences at numbers, a few times each.
+    /// The work of evaluating all sequences at numbers a few times each, in operations on machine words.
     pub(super) fn cost(&self, numbers: &[&Rational]) -> u64 {
         let bits: u64 = numbers.iter().map(|x| x.bits()).sum();
         let one = |p: &Univariate| {

@@ -1,7 +1,7 @@
 //! Sorting that costs little to compile.
 //!
 //! Every call of `slice::sort_by` compiles a whole sorting algorithm for its type and its closure, and every user of
-//! the macro builds them all. Here one algorithm sorts the indices for everybody.
+//! the macro builds them all. Here one algorithm sorts indices for all types.
 
 use core::cmp::Ordering;
 

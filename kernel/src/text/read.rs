@@ -66,11 +66,7 @@ fn all<'t, T>(trees: &[Tree<'t>], one: impl Fn(&Tree<'t>) -> Result<T, Refusal>)
 }
 
 fn number(tree: &Tree<'_>) -> Result<Rational, Refusal> {
-    fraction(tree.word()?).ok_or(Refusal::Unfit("a number is expected"))
-}
-
-fn fraction(word: &str) -> Option<Rational> {
-    word.parse().ok().map(Rational::from_big)
+    Rational::parse(tree.word()?).ok_or(Refusal::Unfit("a number is expected"))
 }
 
 fn place(tree: &Tree<'_>) -> Result<usize, Refusal> {
@@ -115,7 +111,7 @@ fn term(text: &str) -> Option<(Monomial, Rational)> {
     let mut coefficient = Rational::ONE;
     for (k, factor) in text.split('*').enumerate() {
         if k == 0 && factor.starts_with(|c: char| c.is_ascii_digit()) {
-            coefficient = fraction(factor)?;
+            coefficient = Rational::parse(factor)?;
             continue;
         }
         let (name, exponent) = match factor.split_once('^') {

@@ -14,10 +14,7 @@ pub(crate) fn independent(rows: &str, except: &str, on: &str) -> Rc<Statement> {
     let rows = rows.split(';').map(|row| row.split(',').map(poly).collect()).collect();
     let value = |text: &str| -> (Var, Rational) {
         let (var, x) = text.split_once('=').expect("a value");
-        (
-            Var(var.trim()[1..].parse().expect("a number")),
-            Rational::from_big(x.trim().parse().expect("a number")),
-        )
+        (Var(var.trim()[1..].parse().expect("a number")), Rational::parse(x.trim()).expect("a number"))
     };
     let values = |text: &str| -> Values { text.split('&').map(value).collect() };
     let except = except.split(',').filter(|s| !s.trim().is_empty()).map(values).collect();

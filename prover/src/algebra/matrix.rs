@@ -350,15 +350,10 @@ impl Elimination {
 
 #[cfg(test)]
 mod tests {
-    use super::super::poly::Var;
     use super::*;
+    use crate::algebra::poly::Var;
+    use crate::tests::letters::{n, x};
 
-    fn x() -> Poly {
-        Poly::var(Var(0))
-    }
-    fn n(k: i64) -> Poly {
-        Poly::integer(k)
-    }
     fn numbers(rows: &[&[i64]]) -> Rows<Rational> {
         rows.iter().map(|r| r.iter().map(|c| Rational::from(*c)).collect()).collect()
     }

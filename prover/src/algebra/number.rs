@@ -19,8 +19,8 @@ pub fn square_root(x: &Rational) -> Option<Rational> {
     if x.is_negative() {
         return None;
     }
-    let root = |x: Rational| Rational::from_big(x.to_big().numer().sqrt().into());
-    let root = root(x.numer()).checked_div(&root(x.denom()))?;
+    let root = |x: Rational| x.to_whole().map(|x| Rational::from(x.sqrt()));
+    let root = root(x.numer())?.checked_div(&root(x.denom())?)?;
     (&(&root * &root) == x).then_some(root)
 }
 

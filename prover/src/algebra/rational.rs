@@ -10,8 +10,7 @@ pub fn from_decimal(text: &str) -> Option<Rational> {
     if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
         return None;
     }
-    let ratio = format!("{all}/1{}", "0".repeat(fraction.len())).parse();
-    ratio.ok().map(Rational::from_big)
+    Rational::parse(&format!("{all}/1{}", "0".repeat(fraction.len())))
 }
 
 /// The fraction or decimal that a text such as `-3/4`, `2` or `0.5` denotes; `None` if it is not one.

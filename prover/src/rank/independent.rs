@@ -18,7 +18,7 @@ use crate::sign::problem::{as_rational, rational, simple};
 /// The most parts into which exceptions cut a region.
 const MAX_PIECES: usize = 1000;
 
-/// What is known about the independence of functions.
+/// How the search for the independence of functions ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Independence {
     /// They are independent at all points of the region but the exceptions, and dependent at these.

@@ -12,7 +12,7 @@ use crate::budget::Budget;
 use crate::collections::list::{Listed, Mapped};
 use crate::collections::sort::sort_by;
 
-/// How many points the method starts from.
+/// The number of points from which the method starts.
 const STARTS: usize = 3;
 /// The most steps from each: towards a zero of order 4 the value falls by a factor of 5 with each step.
 const STEPS: u32 = 90;

@@ -8,7 +8,7 @@ use crate::budget::Budget;
 use crate::method::Method;
 use basis_kernel::Relation;
 
-/// What is known about a part of a claim.
+/// How the search for a sign on a part of a region ended.
 pub(crate) enum Outcome {
     Proved(Method, SignProof),
     /// A point of the ranges of the part; where a coordinate is irrational the value is 0.

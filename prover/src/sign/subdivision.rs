@@ -222,7 +222,7 @@ fn best_axis(axes: &[Axis], form: &Form) -> Option<usize> {
     cuttable.max_by_key(|k| (score(*k), core::cmp::Reverse(axes[*k].cuts)))
 }
 
-/// How many fibres along an axis have coefficients of both signs.
+/// The number of fibres along an axis that have coefficients of both signs.
 fn mixed_fibres(form: &Form, axis: usize) -> usize {
     let (n, stride) = (form.degrees()[axis], form.stride(axis));
     let fibres = form.coefficients().len() / (n + 1);

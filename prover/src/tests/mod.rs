@@ -4,6 +4,7 @@ mod examples;
 mod hard;
 #[cfg(feature = "ranges")]
 mod independence;
+pub(crate) mod letters;
 mod random;
 mod text;
 

@@ -21,11 +21,8 @@ macro_rules! patch {
             }
 
             #[derive(Deserialize)]
-            #[serde(
-                                        rename = $name,
-                expecting = $expecting,
-                                        bound(deserialize = "B: Deserialize<'de>, P: Copy + Deserialize<'de>")
-                                    )]
+            #[serde(rename = $name, expecting = $expecting)]
+            #[serde(bound(deserialize = "B: Deserialize<'de>, P: Copy + Deserialize<'de>"))]
             struct Read<B: $basis, P: Copy> {
                 basis: B,
                 points: Elements<B::Points<P>, P>,

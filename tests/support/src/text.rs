@@ -45,7 +45,7 @@ impl Names {
         let at = parts.iter().position(is_name).unwrap_or_else(|| panic!("no variable in {text}"));
         // What stands before `<`, or after it; a `=` belongs to the sign before it.
         let end = |number: &str, included: bool| {
-            let x = number.trim_start_matches('=').trim().parse().map(Rational::from_big).expect("a number");
+            let x = Rational::parse(number.trim_start_matches('=').trim()).expect("a number");
             if included { End::Included(x) } else { End::Excluded(x) }
         };
         let low = if at == 1 { end(parts[0], parts[1].starts_with('=')) } else { End::Infinite };
@@ -126,7 +126,7 @@ impl Parser<'_> {
         let end = self.rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(self.rest.len());
         let (digits, rest) = self.rest.split_at(end);
         self.rest = rest;
-        let whole: Rational = digits.parse().map(Rational::from_big).expect("a number");
+        let whole = Rational::parse(digits).expect("a number");
         if !rest.starts_with('.') {
             return whole;
         }

@@ -7,11 +7,12 @@ use crate::plural::count;
 use crate::state::{FEW, Verdict, parts};
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// The lines of the doc comment; one formula a line.
+/// The lines of the doc comment; one formula a line. `decided` says when the claims were decided.
 pub(in crate::generate) fn family(
     family: &Family,
     formulas: &[String],
     verdicts: &[(Claim, Verdict)],
+    decided: &str,
 ) -> Vec<String> {
     let mut lines = family.doc.clone();
     if lines.is_empty() {
@@ -36,16 +37,15 @@ pub(in crate::generate) fn family(
     ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
     if !verdicts.is_empty() {
-        lines.extend(claims(verdicts));
+        lines.extend(claims(verdicts, decided));
     }
     lines
 }
 
 /// The table of claims with its heading. Many claims of one statement that stand alike share a row.
-pub(in crate::generate) fn claims(verdicts: &[(Claim, Verdict)]) -> Vec<String> {
-    let mut lines = ["", "# Claims", "", "Decided exactly, while this crate was compiled.", ""]
-        .map(String::from)
-        .to_vec();
+pub(in crate::generate) fn claims(verdicts: &[(Claim, Verdict)], decided: &str) -> Vec<String> {
+    let mut lines = ["", "# Claims", ""].map(String::from).to_vec();
+    lines.extend([format!("Decided exactly, {decided}."), String::new()]);
     lines.extend(["| claim | verdict |", "| --- | --- |"].map(String::from));
     for part in parts(&verdicts.mapped(|(claim, verdict)| (claim, verdict))) {
         if part.claims.len() > FEW {

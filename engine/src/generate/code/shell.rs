@@ -21,6 +21,8 @@ pub(in crate::generate) struct Shell<'a> {
     /// The Rust names of the shape parameters.
     pub(in crate::generate) fields: Vec<Ident>,
     pub(in crate::generate) runtime: &'a TokenStream,
+    /// When the claims were decided.
+    pub(in crate::generate) decided: &'static str,
 }
 
 impl Shell<'_> {

@@ -2,8 +2,8 @@
 
 use proc_macro2::Span;
 
-use super::{claims, functions, indices, names, shapes};
-use crate::algebra::fraction::Fraction;
+use super::{angles, claims, functions, indices, names, shapes};
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
@@ -34,8 +34,19 @@ pub(crate) fn family<'a>(
 
 fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
-    let shapes = shapes::shapes(scope, written);
-    let domain = domain(scope, written);
+    set_known_factors(Vec::new());
+    let (shapes, domain) = if angles::occur(written) {
+        match angles::declare(scope, written) {
+            Some((shapes, domain)) => {
+                set_known_factors(scope.analytic.denominators());
+                (Some(shapes), Some(domain))
+            }
+            // Nothing has a meaning without the angles.
+            None => return None,
+        }
+    } else {
+        (shapes::shapes(scope, written), domain(scope, written))
+    };
     let budget = budget(scope, written);
     scope.cut_short |= written.incomplete;
     functions::define(scope, written);
@@ -74,6 +85,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         determined: scope.determined.clone(),
         domain,
         dependent,
+        analytic: scope.analytic.clone(),
         function_name: scope.function_name.clone(),
         functions,
         over,
@@ -93,7 +105,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
 
 /// The least common multiple of the denominators of functions, if a domain variable occurs in one of them; otherwise 1.
 fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> Option<Poly> {
-    let rational = |f: &Function| scope.domain.iter().any(|v| f.value.denom().depends_on(*v));
+    let rational = |f: &Function| scope.is_over_domain(&Fraction::from(f.value.denom().clone()));
     let mut over = Fraction::constant(Rational::ONE);
     if !functions.iter().any(rational) {
         return Some(Poly::one());
@@ -108,11 +120,11 @@ fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> 
 }
 
 /// The independent domain variables, and the last barycentric coordinate of a simplex.
-type Domain = (Vec<Parameter>, Option<Parameter>);
+pub(super) type Domain = (Vec<Parameter>, Option<Parameter>);
 
 /// The domain variables come after the shape parameters: the independent ones, and the last barycentric
 /// coordinate of a simplex.
-fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
+pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
     let mut found: Option<(Span, Option<Domain>)> = None;
     for statement in &written.statements {
         if !matches!(statement.kind, StatementKind::Domain(_) | StatementKind::Simplex(_)) {

@@ -3,12 +3,12 @@
 use proc_macro2::Span;
 
 use super::names;
-use crate::algebra::fraction::Fraction;
+use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;
-use crate::algebra::range::DisplayRange as _;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
 use crate::diagnostic::Diagnostics;
+use crate::model::angle::Angle;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
@@ -25,6 +25,7 @@ pub(crate) fn claims<'a>(
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    set_known_factors(family.analytic.denominators());
     names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
     let mut all = Vec::new();
@@ -275,13 +276,29 @@ fn exceptions(
     for exception in written {
         let mut values: Vec<(Var, Rational)> = Vec::new();
         for binding in exception {
-            let value = scope.number(&binding.value, "an exceptional value")?;
             let name = bound_name(scope, binding)?;
-            let Some(shape) = family.shapes.iter().find(|s| s.name == name) else {
+            let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == name;
+            let found = family.shapes.iter().find(named);
+            let angle = found.and_then(|s| family.analytic.angle(s.var)).cloned();
+            let value = match &angle {
+                Some(angle) => {
+                    let value = scope.scalar(&binding.value)?;
+                    let tangent = scope.angle_at(angle, &value, binding.value.span);
+                    match tangent.map(|x| x.map(|x| x.as_constant())) {
+                        Ok(x) => x??,
+                        Err((message, help)) => {
+                            scope.report(scope.error(binding.value.span, message).help(help));
+                            return None;
+                        }
+                    }
+                }
+                None => scope.number(&binding.value, "an exceptional value")?,
+            };
+            let Some(shape) = found else {
                 if scope.is_mistaken(&name) {
                     return None;
                 }
-                let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
+                let known: Vec<String> = family.shapes.mapped(|s| scope.names[scope.itself(s.var).0].clone());
                 let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
                 scope.report(if known.is_empty() {
                     error.help("the family has no shape parameters")
@@ -291,10 +308,17 @@ fn exceptions(
                 return None;
             };
             if !shape.range.contains(&value) {
-                let range = shape.range.display(&shape.name).to_string();
+                let range = family.declared(shape);
                 let error = scope.error(
                     binding.value.span,
-                    format!("{} = {value} is outside of the declared range `{range}`", shape.name),
+                    match &angle {
+                        Some(angle) => {
+                            format!("the value of {} is outside of the declared range `{range}`", angle.name)
+                        }
+                        None => {
+                            format!("{} = {value} is outside of the declared range `{range}`", shape.name)
+                        }
+                    },
                 );
                 scope.report(error.help("only values inside the range can be exceptions"));
                 return None;
@@ -372,7 +396,15 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             return None;
         }
         let value = scope.scalar(&binding.value)?;
-        let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)?;
+        if let Some(angle) = family.analytic.angle(var).cloned() {
+            fixed_angle(scope, family, &angle, (value, binding), &mut fixed)?;
+            continue;
+        }
+        let Some(parameter) = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)
+        else {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is a number")));
+            return None;
+        };
         let inside = Inside {
             value: value.clone(),
             name: name.clone(),
@@ -423,6 +455,45 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
         return None;
     }
     Some(fixed)
+}
+
+/// Fixes an angle: what takes its place, and the variable itself.
+fn fixed_angle(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    angle: &Angle,
+    (value, binding): (Fraction, &Binding),
+    fixed: &mut Vec<(Var, Fraction)>,
+) -> Option<()> {
+    let span = binding.value.span;
+    let y = match scope.angle_at(angle, &value, span) {
+        Ok(y) => y?,
+        Err((message, help)) => {
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+    };
+    let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
+    let declared = family.declared(parameter);
+    match y.as_constant() {
+        Some(c) if !parameter.range.contains(&c) => {
+            let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
+            let message = format!("{} = {shown} is outside of the declared range `{declared}`", angle.name);
+            let help = "claims are about the declared ranges; widen the range, or choose a value inside";
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+        Some(_) => {}
+        None => {
+            let (name, range) = (parameter.name.clone(), parameter.range.clone());
+            let inside = Inside { value: y.clone(), name, range, family: None, assumable: false };
+            let place = scope.place(span);
+            scope.must_stay_inside(inside, place);
+        }
+    }
+    fixed.push((angle.var, y));
+    fixed.push((angle.itself, value));
+    Some(())
 }
 
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.

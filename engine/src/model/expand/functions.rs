@@ -367,7 +367,8 @@ fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted
     for order in lowest + 1..wanted {
         family = Some(scope.library.family(scope.unit, &written.name.text, &[order]).ok()?);
     }
-    family
+    // Each order may have angles of its own.
+    family.filter(|f| f.analytic.is_empty() && scope.analytic.is_empty())
 }
 
 /// The indices of the next order: on a simplex those with a sum greater by one, else one more in each place.

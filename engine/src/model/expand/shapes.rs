@@ -65,21 +65,25 @@ pub(super) fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
     if !complete {
         return None;
     }
+    let first = written.statements.iter().find(|s| matches!(s.kind, StatementKind::Shape(_)));
+    let span = last.or(first.map(|s| s.span)).unwrap_or_else(Span::call_site);
+    has_values(scope, &shapes, span).then_some(shapes)
+}
+
+/// Whether there are shape values that satisfy all that is assumed; if not, that is reported.
+pub(super) fn has_values(scope: &mut Scope<'_>, shapes: &Shapes, span: Span) -> bool {
     let ranges = shapes.parameters.mapped(|p| (p.var, p.range.clone()));
     let constraints = shapes.constraints.mapped(|c| (c.value.clone(), c.relation));
     let pieces = chart::pieces(&ranges, &constraints);
     let fixed = core::mem::take(&mut scope.impossible);
-    if fixed.is_some() || pieces.iter().all(|piece| is_empty(scope, piece)) {
-        let first = written.statements.iter().find(|s| matches!(s.kind, StatementKind::Shape(_)));
-        let span = fixed.or(last).or(first.map(|s| s.span)).unwrap_or_else(Span::call_site);
-        let texts = chart::texts(&shapes.constraints);
-        let error = scope.error(span, "no shape values satisfy all that is assumed");
-        let error =
-            if texts.is_empty() { error } else { error.note(format!("assumed is {}", texts.join(", "))) };
-        scope.report(error.help("widen the ranges, or leave an assumption out"));
-        return None;
+    if fixed.is_none() && !pieces.iter().all(|piece| is_empty(scope, piece)) {
+        return true;
     }
-    Some(shapes)
+    let texts = chart::texts(&shapes.constraints);
+    let error = scope.error(fixed.unwrap_or(span), "no shape values satisfy all that is assumed");
+    let error = if texts.is_empty() { error } else { error.note(format!("assumed is {}", texts.join(", "))) };
+    scope.report(error.help("widen the ranges, or leave an assumption out"));
+    false
 }
 
 /// Declares what a chain declares, for all values of its index variables; whether all went well.
@@ -365,7 +369,7 @@ fn own_name(decl: &ShapeDecl) -> Option<String> {
 }
 
 /// Reads an assumption, for all values of its index variables; whether all went well.
-fn assume(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) -> bool {
+pub(super) fn assume(scope: &mut Scope<'_>, relation: &Written, shapes: &mut Shapes) -> bool {
     let mut rounds = None;
     let depth = scope.constants.len();
     attempt(scope, &mut |scope| {
@@ -429,6 +433,11 @@ fn determine(
             scope.impossible = Some(span);
         }
         return Some(());
+    }
+    if scope.analytic.pi.is_some() {
+        let error = scope.error(span, "an equation cannot determine a parameter beside angles, or ends of the domain that are parameters");
+        scope.report(error.help("put the value of the parameter in its place"));
+        return None;
     }
     let slope = |var: Var| p.derivative(var).as_constant().filter(|c| !c.is_zero());
     let found =

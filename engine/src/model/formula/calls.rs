@@ -102,6 +102,14 @@ impl Scope<'_> {
                 return None;
             }
         };
+        if !family.analytic.is_empty() {
+            let error = self.error(
+                span,
+                format!("the functions of `{name}` cannot be named here: they have sin, cos, exp or pi"),
+            );
+            self.report(error.help("write their formulas"));
+            return None;
+        }
         self.inherit(&family.obligations);
         // What stands behind the order of a family without shape parameters is its argument.
         let (shapes, arguments) = match arguments {
@@ -158,10 +166,15 @@ impl Scope<'_> {
         let mut by = Vec::new();
         for (shape, parameter) in shapes.iter().zip(&family.shapes) {
             let value = self.scalar(shape)?;
-            if let Some(var) = self.domain.iter().find(|v| value.depends_on(**v)) {
+            if let Some(var) =
+                self.domain.iter().find(|v| value.depends_on(**v) || value.depends_on(self.itself(**v)))
+            {
                 let error = self.error(
                     shape.span,
-                    format!("a shape value of `{name}` contains the domain variable `{}`", self.names[var.0]),
+                    format!(
+                        "a shape value of `{name}` contains the domain variable `{}`",
+                        self.names[self.itself(*var).0]
+                    ),
                 );
                 self.report(error.help("shape values are numbers, or made of shape parameters"));
                 return None;
@@ -206,7 +219,7 @@ impl Scope<'_> {
         let mut names: Vec<Var> =
             (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).listed();
         if arguments.is_none() {
-            names.extend(&self.domain);
+            names.extend(self.domain.iter().map(|v| self.itself(*v)));
             names.extend(family.dependent.as_ref().and(self.dependent));
         }
         // An index outside of the family is reported with the whole list.
@@ -227,7 +240,7 @@ impl Scope<'_> {
             }
             // The domain here may be a wider one, and arguments may leave it.
             let leaves = arguments.is_some() && family.is_rational();
-            if leaves || self.domain.iter().any(|v| value.denom().depends_on(*v)) {
+            if leaves || self.is_over_domain(&Fraction::from(value.denom().clone())) {
                 self.must_be_defined(&value, span);
             }
             list.push((f.index.clone(), value));

@@ -89,7 +89,7 @@ impl Scope<'_> {
                     if f.is_zero() {
                         break;
                     }
-                    f = self.fits(self.budget.derivative(&f, *var), span)?;
+                    f = self.fits(self.budget.derivative(&f, *var, &self.analytic), span)?;
                 }
             }
             result.push((index, f));
@@ -104,7 +104,7 @@ impl Scope<'_> {
         if let [only] = self.domain.as_slice() {
             return Some(*only);
         }
-        let names: Vec<String> = self.domain.mapped(|v| self.names[v.0].clone());
+        let names: Vec<String> = self.domain.mapped(|v| self.names[self.itself(*v).0].clone());
         let error = self.error(span, format!("there are {} domain variables", names.len()));
         self.report(
             error.help(format!("say by which to differentiate: `D(b, {})`", names.join(")` or `D(b, "))),

@@ -7,7 +7,10 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
+use crate::model::angle::Kind;
 use crate::model::budget::TooLarge;
+use crate::model::expand::angles::PI;
+use crate::model::formula::phase::is_transcendental;
 use crate::model::label;
 use crate::model::scope::{Duty, Needed, Pending, Planned, Scope, Stage};
 use crate::model::words::BUILTINS;
@@ -126,7 +129,15 @@ impl Scope<'_> {
             }
             return None;
         }
+        if let Some(pi) = self.analytic.pi.filter(|_| PI.contains(&name) && self.variable(name).is_none()) {
+            return Some(Value::Scalar(Fraction::var(pi)));
+        }
         if let Some(var) = self.variable(name) {
+            if let Some(angle) =
+                self.analytic.angles.iter().find(|a| a.itself == var && a.kind == Kind::Linear)
+            {
+                return Some(Value::Scalar(angle.tangent()));
+            }
             let dependent = self.dependent == Some(var);
             let value = if dependent { self.barycentric(self.domain.len()) } else { Fraction::var(var) };
             return Some(Value::Scalar(value));
@@ -158,7 +169,7 @@ impl Scope<'_> {
             }
             return Some(Value::List(list));
         }
-        if BUILTINS.contains(&name) {
+        if BUILTINS.contains(&name) || is_transcendental(name) {
             let error = self.error(span, format!("`{name}` needs arguments"));
             self.report(error.help(format!("write `{name}(…)`")));
             return None;
@@ -247,15 +258,10 @@ impl Scope<'_> {
     /// must not vanish.
     fn divided(&mut self, f: &Fraction, divisor: &Fraction, span: Span) -> Option<Fraction> {
         let quotient = self.fits(self.budget.div(f, divisor), span)?;
-        if self.over_domain(divisor) {
+        if self.is_over_domain(divisor) {
             self.must_be_defined(&quotient, span);
         }
         Some(quotient)
-    }
-
-    /// Whether a domain variable occurs below the fraction line, or in a polynomial that is to stand there.
-    fn over_domain(&self, f: &Fraction) -> bool {
-        self.domain.iter().any(|v| f.depends_on(*v))
     }
 
     /// Notes that what stands below the fraction line of a function must not vanish.
@@ -273,7 +279,7 @@ impl Scope<'_> {
             self.report(self.error(span, "division by zero"));
             return None;
         }
-        if divisor.as_constant().is_none() && !self.over_domain(divisor) {
+        if divisor.as_constant().is_none() && !self.is_over_domain(divisor) {
             let place = self.place(span);
             self.pending.push(Pending { duty: Duty::Nonzero(divisor.numer().clone()), place });
         }
@@ -416,6 +422,15 @@ impl Scope<'_> {
             ExprKind::Name(name) if name == "D" => self.derivative(arguments, span),
             ExprKind::Name(name) if name == "integral" => self.integral(arguments, span),
             ExprKind::Name(name) if BUILTINS.contains(&name.as_str()) => self.builtin(name, arguments, span),
+            ExprKind::Name(name) if is_transcendental(name) => {
+                let [argument] = arguments else {
+                    let error =
+                        self.error(span, format!("`{name}` has one argument, {}", here(arguments.len())));
+                    self.report(error.help(format!("write `{name}(t)`")));
+                    return None;
+                };
+                Some(Value::Scalar(self.transcendental(name, argument, span)?))
+            }
             ExprKind::Name(name) if *name != self.function_name && self.taken(name).is_some() => {
                 let is_list = |value: Option<&Option<Value>>| matches!(value, Some(Some(Value::List(_))));
                 if let (Some(_), None) = (self.planned.named(name), self.lets.named(name)) {
@@ -573,7 +588,28 @@ impl Scope<'_> {
     /// The function with arguments in place of the domain variables; they may leave the domain, but not come upon a
     /// zero of its denominator.
     fn at_arguments(&mut self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
-        let value = self.put(f, &self.domain, by, span)?;
+        let (mut vars, mut values) = (Vec::new(), Vec::new());
+        for (var, value) in self.domain.iter().zip(by) {
+            let Some(angle) = self.analytic.angle(*var) else {
+                vars.push(*var);
+                values.push(value.clone());
+                continue;
+            };
+            if f.depends_on(angle.var) {
+                let y = match self.angle_at(angle, value, span) {
+                    Ok(y) => y?,
+                    Err((message, help)) => {
+                        self.report(self.error(span, message).help(help));
+                        return None;
+                    }
+                };
+                vars.push(angle.var);
+                values.push(y);
+            }
+            vars.push(angle.itself);
+            values.push(value.clone());
+        }
+        let value = self.put(f, &vars, &values, span)?;
         if self.domain.iter().any(|v| f.denom().depends_on(*v)) {
             self.must_be_defined(&value, span);
         }
@@ -591,7 +627,7 @@ impl Scope<'_> {
             return Some(result);
         }
         // By way of variables that occur nowhere, so that no argument is substituted twice.
-        let aside = self.names.len();
+        let aside = self.names.len(); // no variable has these numbers
         for (k, var) in vars.iter().enumerate() {
             let moved = self.budget.substitute(&result, *var, &Fraction::var(Var(aside + k)));
             result = self.fits(moved, span)??;

@@ -9,6 +9,7 @@ use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
+use crate::model::angle::Kind;
 use crate::model::scope::Scope;
 use crate::plural::here;
 use crate::syntax::{Expr, ExprKind};
@@ -49,9 +50,37 @@ impl Scope<'_> {
             }
             None => None,
         };
-        let over = |scope: &mut Self, f: &Fraction| match &bounds {
-            Some((var, low, high)) => scope.between(f, *var, low, high, span),
-            None => scope.over_domain_of(f, span),
+        let of = |var: &Var| self.analytic.angle(*var).is_some_and(|a| a.kind != Kind::Linear);
+        if bounds.as_ref().map_or_else(|| self.domain.iter().any(of), |(var, ..)| of(var)) {
+            let error = self.error(span, "integrals over an angle are not computed");
+            self.report(error.help("claim the derivative of an antiderivative: `D(-cos(t)) = sin(t)`"));
+            return None;
+        }
+        // A variable whose ends are shape parameters is low + width·y: its differential is width times that of y.
+        let stretched = |var: Var| self.analytic.angle(var).map(|a| (a.clone(), a.width.clone()));
+        let mut factor = Fraction::constant(Rational::ONE);
+        let bounds = match bounds {
+            Some((var, low, high)) => Some(match stretched(var) {
+                Some((angle, width)) => {
+                    factor = width;
+                    let at = |value: &Fraction| self.angle_at(&angle, value, span).ok().flatten();
+                    (angle.var, at(&low)?, at(&high)?)
+                }
+                None => (var, low, high),
+            }),
+            None => {
+                for (_, width) in self.domain.iter().filter_map(|v| stretched(*v)) {
+                    factor = self.fits(self.budget.mul(&factor, &width), span)?;
+                }
+                None
+            }
+        };
+        let over = |scope: &mut Self, f: &Fraction| {
+            let value = match &bounds {
+                Some((var, low, high)) => scope.between(f, *var, low, high, span),
+                None => scope.over_domain_of(f, span),
+            }?;
+            scope.fits(scope.budget.mul(&value, &factor), span)
         };
         match self.value(f)? {
             Value::Scalar(f) => Some(Value::Scalar(over(self, &f)?)),

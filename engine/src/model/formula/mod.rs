@@ -8,6 +8,7 @@ mod evaluate;
 mod integrals;
 mod loops;
 pub(crate) mod numbers;
+pub(crate) mod phase;
 pub(crate) mod print;
 mod settle;
 

@@ -66,7 +66,7 @@ impl Scope<'_> {
     }
 }
 
-/// How many times the usual work `budget …;` allows.
+/// The factor of the usual work that `budget …;` allows.
 pub(crate) fn budget_value(scope: &mut Scope<'_>, value: &Expr) -> Option<u32> {
     if let n @ 1..=10_000 = scope.whole(value, "the budget")? {
         return Some(n as u32);

@@ -1,7 +1,7 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
-use basis_prover::collections::list::Listed;
+use basis_prover::collections::list::{Listed, Mapped};
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -9,11 +9,11 @@ use basis_prover::Coordinate;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{DisplayRange as _, End, Range};
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::model::budget::{SPLIT, TooLarge};
-use crate::model::chart::Piece;
+use crate::model::chart::{self, Constraint, Piece};
 use crate::model::obligation::{Goal, Obligation, Open};
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Subject};
 
@@ -62,11 +62,10 @@ impl Scope<'_> {
                 return false;
             }
             let (before, at) = (basis_prover::spent(), place.clone());
-            let over = |f: &Fraction| self.domain.iter().any(|v| f.depends_on(*v));
             let whole_domain = match &duty {
-                Duty::Nonzero(p) => self.domain.iter().any(|v| p.depends_on(*v)),
-                Duty::Inside(inside) => over(&inside.value),
-                Duty::Holds(condition) => over(&condition.value),
+                Duty::Nonzero(p) => self.is_over_domain(&Fraction::from(p.clone())),
+                Duty::Inside(inside) => self.is_over_domain(&inside.value),
+                Duty::Holds(condition) => self.is_over_domain(&condition.value),
             };
             let mut error = None;
             for part in if whole_domain { &whole } else { &shapes } {
@@ -89,6 +88,32 @@ impl Scope<'_> {
             }
         }
         fine
+    }
+
+    /// Whether a function of shape parameters is positive on a box; where it is not, or that it is undecided.
+    ///
+    /// # Errors
+    /// The point as text.
+    pub(crate) fn is_positive(
+        &mut self,
+        value: &Fraction,
+        region: &Region,
+        constraints: &[Constraint],
+    ) -> Result<(), String> {
+        let constraints = constraints.mapped(|c| (c.value.clone(), c.relation));
+        for piece in chart::pieces(&region.ranges, &constraints) {
+            let (domain, relation) = (Rc::new(piece.domain()), Relation::Positive);
+            let statement = Statement::Sign { value: piece.pull_back_fraction(value), relation, domain };
+            let of = format!("{} > 0", value.display(&self.names));
+            match self.judge(of, Goal::Holds(statement), 1) {
+                Ok(()) => {}
+                Err(Open::Fails(point)) => {
+                    return Err(format!("at {}", self.own(value.numer(), &piece.image(&point))));
+                }
+                Err(Open::Undecided(left)) => return Err(left),
+            }
+        }
+        Ok(())
     }
 
     /// Has a goal decided; what the error is about if it does not hold.
@@ -158,6 +183,15 @@ impl Scope<'_> {
         } else {
             (">", Range { low: excluded, ..range.clone() })
         };
+        if let Some(angle) = self.analytic.angle(var) {
+            let [low, high] = &angle.ends;
+            let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
+            return if at(&range.low) || at(&range.high) {
+                format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
+            } else {
+                format!("choose a range without this value of `{}`", angle.name)
+            };
+        }
         if self.domain.contains(&var) && !at(&range.low) && !at(&range.high) {
             return format!("choose a domain without {name} = {value}");
         }

@@ -227,6 +227,25 @@ impl Library<'_> {
         Ok(Item { subject: Subject::Family(family), obligations, claims })
     }
 
+    /// A family of the spec that was asked for as it is written, and the number of the spec that has it.
+    #[cfg(any(test, feature = "tools"))]
+    pub(crate) fn written(&self, name: &str) -> Option<(usize, &syntax::Family)> {
+        let (home, position) = self.find(MAIN, name)?;
+        Some((home, self.units[home].family(position)?))
+    }
+
+    /// The spec that has a family and its place there, seen from a spec.
+    #[cfg(any(test, feature = "tools"))]
+    pub(crate) fn place_of(&self, unit: usize, name: &str) -> Option<(usize, usize)> {
+        self.find(unit, name)
+    }
+
+    /// A family as it is written.
+    #[cfg(any(test, feature = "tools"))]
+    pub(crate) fn tree(&self, unit: usize, position: usize) -> Option<&syntax::Family> {
+        self.units[unit].family(position)
+    }
+
     /// Calls a function with the number of the spec that was asked for, its source and each of its theorems and joins,
     /// and keeps the errors that it returns.
     #[cfg(feature = "joins")]

@@ -59,7 +59,7 @@ pub struct Library<'f> {
     active: RefCell<Vec<(usize, usize, Vec<i64>)>>,
     diagnostics: RefCell<Diagnostics>,
     run: Rc<Run>,
-    /// How many names with arguments are being evaluated, one inside of the other.
+    /// The number of names with arguments that are being evaluated, one inside of the other.
     calls: Cell<usize>,
     /// Whether a spec was left out because all together are too long.
     is_too_long: bool,
@@ -151,7 +151,7 @@ impl<'f> Library<'f> {
         self.find(unit, name).is_some()
     }
 
-    /// How many index parameters a family has; 0 for an unknown name.
+    /// The number of index parameters of a family; 0 for an unknown name.
     pub(crate) fn order_count(&self, unit: usize, name: &str) -> usize {
         self.find(unit, name)
             .and_then(|(u, k)| self.units[u].family(k))

@@ -5,16 +5,19 @@ use core::cell::RefCell;
 
 use proc_macro2::Span;
 
+use super::angle::Analytic;
 use super::budget::{Budget, SPLIT, TooLarge};
+use super::expand::angles::PI;
 use super::formula::Value;
 use super::obligation::Obligation;
-use super::words::{BINOMIALS, BUILTINS, ELSEWHERE};
+use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC};
 use super::{Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
+use crate::model::formula::phase::is_transcendental;
 use crate::source::SourceId;
 use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -46,6 +49,14 @@ pub(crate) enum Subject {
     Family,
     /// Variables are scalars.
     Theorem,
+}
+
+/// An argument of sin, cos, exp or the like.
+pub(crate) struct Argument {
+    /// Whether of sin, cos or tan.
+    pub(crate) circular: bool,
+    pub(crate) value: Fraction,
+    pub(crate) span: Span,
 }
 
 /// Where a function is defined.
@@ -96,7 +107,7 @@ pub(crate) struct Scope<'a> {
     pub(crate) determined: Vec<(String, Fraction)>,
     /// Where something is assumed that holds for no shape values.
     pub(crate) impossible: Option<Span>,
-    /// How many of them are the index parameters of the family.
+    /// The number of those that are the index parameters of the family.
     pub(crate) order: usize,
     /// What `let` defined; `None` when that went wrong.
     pub(crate) lets: SortedMap<String, Option<Value>>,
@@ -118,6 +129,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) ends: Vec<(Fraction, Fraction)>,
     /// The last barycentric coordinate of a simplex.
     pub(crate) dependent: Option<Var>,
+    /// What goes beyond quotients of polynomials: angles, π.
+    pub(crate) analytic: Analytic,
+    /// The arguments of sin, cos, exp and the like, while only these are looked for.
+    pub(crate) recorded: Option<Vec<Argument>>,
     pub(crate) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
     pub(crate) functions: SortedMap<Vec<i64>, Option<Fraction>>,
@@ -202,7 +217,21 @@ impl Scope<'_> {
 
     /// Whether a variable belongs to the domain.
     pub(crate) fn is_domain_variable(&self, var: Var) -> bool {
+        let angle = self.analytic.angles.iter().find(|a| a.itself == var);
+        let var = angle.map_or(var, |a| a.var);
         self.domain.contains(&var) || self.dependent == Some(var)
+    }
+
+    /// Whether a function depends on the domain.
+    pub(crate) fn is_over_domain(&self, f: &Fraction) -> bool {
+        let angles = &self.analytic.angles;
+        self.domain.iter().any(|v| f.depends_on(*v))
+            || angles.iter().any(|a| f.depends_on(a.itself) && self.domain.contains(&a.var))
+    }
+
+    /// The variable itself where it is an angle.
+    pub(crate) fn itself(&self, var: Var) -> Var {
+        self.analytic.angle(var).map_or(var, |a| a.itself)
     }
 
     /// The value of an index parameter or index variable.
@@ -223,7 +252,7 @@ impl Scope<'_> {
 
     /// What already has this name, for an error when it is declared again.
     pub(crate) fn taken(&self, name: &str) -> Option<&'static str> {
-        if BUILTINS.contains(&name) {
+        if BUILTINS.contains(&name) || is_transcendental(name) {
             Some("a function of the language")
         } else if self.constant(name).is_some() {
             Some("an index")
@@ -301,11 +330,13 @@ impl Scope<'_> {
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
         let help = match name {
-            _ if ELSEWHERE.contains(&name) => {
-                String::from("formulas are polynomials: sums, products and whole powers")
-            }
-            "pi" | "π" | "e" => String::from("numbers are rational: write a fraction such as 22/7"),
+            _ if ELSEWHERE.contains(&name) => String::from(
+                "functions are quotients of polynomials, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh` and `exp`",
+            ),
+            "pi" | "π" => String::from("numbers are rational in theorems: write a fraction such as 22/7"),
+            "e" => String::from("write `exp(1)`"),
             _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
+            _ if let Some(help) = self.glued(name) => help,
             _ => did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
@@ -322,6 +353,19 @@ impl Scope<'_> {
             }),
         };
         self.report(error.help(help));
+    }
+
+    /// What to write for a name such as `cosθ` or `πt`, in which a function or number and a name are one word.
+    fn glued(&self, name: &str) -> Option<String> {
+        let functions = CIRCULAR.iter().chain(&HYPERBOLIC);
+        let known = |rest: &str| self.variable(rest).is_some() || rest == "pi" || rest == "π";
+        for function in functions {
+            if let Some(rest) = name.strip_prefix(function).filter(|rest| known(rest)) {
+                return Some(format!("write `{function}({rest})`"));
+            }
+        }
+        let rest = PI.iter().find_map(|pi| name.strip_prefix(pi)).filter(|rest| known(rest))?;
+        Some(format!("write `pi*{rest}`"))
     }
 
     /// Reports an unknown name in front of arguments: it is meant as a function.
@@ -366,6 +410,8 @@ impl Scope<'_> {
             domain: Vec::new(),
             ends: Vec::new(),
             dependent: None,
+            analytic: Analytic::default(),
+            recorded: None,
             function_name: String::new(),
             functions: SortedMap::new(),
             defined: SortedMap::new(),
@@ -393,6 +439,7 @@ impl Scope<'_> {
         scope.domain = family.domain.mapped(|p| p.var);
         scope.ends = family.ends();
         scope.dependent = family.dependent.as_ref().map(|p| p.var);
+        scope.analytic.clone_from(&family.analytic);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {
             scope.functions.insert(f.index.clone(), Some(f.value.clone()));

@@ -48,6 +48,33 @@ pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String,
     Some(differences)
 }
 
+/// What symmetry says: this function is that one with these arguments in place of the domain variables, of a simplex all
+/// barycentric coordinates, for each motion that generates the symmetries of the domain.
+#[cfg(any(test, feature = "tools"))]
+pub(crate) fn moves(family: &Family) -> Vec<(usize, usize, Vec<Poly>)> {
+    let mut all = Vec::new();
+    for motion in motions(family) {
+        for (k, function) in family.functions.iter().enumerate() {
+            let mut arguments: Vec<Poly> = motion.by.mapped(|(_, p)| p.clone());
+            if family.is_simplex() {
+                arguments.push(arguments.iter().fold(Poly::one(), |rest, p| &rest - p));
+            }
+            match motion.index(&function.index) {
+                Some(moved) => {
+                    let other = family.functions.iter().position(|f| f.index == moved);
+                    all.extend(other.filter(|other| *other >= k).map(|other| (k, other, arguments)));
+                }
+                None => {
+                    let Some(moved) = motion.apply(&function.value) else { continue };
+                    let other = family.functions.iter().position(|f| f.value == moved).unwrap_or(k);
+                    all.push((other, k, arguments));
+                }
+            }
+        }
+    }
+    all
+}
+
 /// In a numbering that says nothing about the domain, a moved function must be one of the functions: its difference
 /// from that one, or from the function itself if it is none of them.
 fn unnumbered(
@@ -67,6 +94,8 @@ fn unnumbered(
 struct Motion {
     /// New values of the independent variables.
     by: Vec<(Var, Poly)>,
+    /// New values of variables that are angles, after the others.
+    angles: Vec<(Var, Fraction)>,
     /// The same for reading, all variables.
     arguments: Vec<String>,
     /// The two places of an index that change: two equal ones are reversed, up to the last index; `None` when the
@@ -110,6 +139,11 @@ impl Motion {
             let renamed = p.rename(&names);
             substituted.map_or_else(|| renamed.clone(), |(var, value)| renamed.substitute(var, value))
         };
+        if !self.angles.is_empty() {
+            // Each value contains its own variable only, and what is fixed.
+            let renamed = Fraction::new(moved(f.numer()), moved(f.denom()))?;
+            return self.angles.iter().try_fold(renamed, |f, (var, value)| f.substitute(*var, value));
+        }
         let denom = f.denom();
         let fixed = self.by.iter().all(|(var, _)| !denom.depends_on(*var));
         Fraction::new(moved(f.numer()), if fixed { denom.clone() } else { moved(denom) })
@@ -134,17 +168,33 @@ fn motions(family: &Family) -> Vec<Motion> {
             moved.swap(k, k + 1);
             arguments.swap(k, k + 1);
             let by = vars.iter().copied().zip(moved).listed();
-            all.push(Motion { by, arguments, places: numbered.then_some((k, k + 1)), last: last.clone() });
+            all.push(Motion {
+                by,
+                angles: Vec::new(),
+                arguments,
+                places: numbered.then_some((k, k + 1)),
+                last: last.clone(),
+            });
         }
         return all;
     }
     for (k, variable) in family.domain.iter().enumerate() {
         let Some((low, high)) = variable.range.finite() else { continue };
-        let reversed = &Poly::constant(low + high) - &Poly::var(variable.var);
+        let angle = family.analytic.angle(variable.var);
+        let angles = angle.map_or_else(Vec::new, |a| a.mirror.clone());
+        let reversed = match angle {
+            Some(_) => Poly::var(variable.var),
+            None => &Poly::constant(low + high) - &Poly::var(variable.var),
+        };
         let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).listed();
-        let arguments = moved.mapped(|p| p.display(&family.names).to_string());
+        let argument = |(j, p): (usize, &Poly)| match (j == k, angles.last()) {
+            (true, Some((_, itself))) => itself.display(&family.names),
+            _ => p.display(&family.names).to_string(),
+        };
+        let arguments = moved.iter().enumerate().map(argument).listed();
         all.push(Motion {
             by: vars.iter().copied().zip(moved).listed(),
+            angles,
             arguments,
             places: (last.len() == vars.len()).then_some((k, k)),
             last: last.clone(),
@@ -160,11 +210,16 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Vec<(String, Fractio
     let mut differences = Vec::new();
     let Some((var, low, high)) = family.interval() else { return differences };
     let len = family.functions.len();
+    let Some([low_text, high_text]) = family.end_texts() else { return differences };
     let at = |k: usize, order: u32, end: &Rational| {
-        let value = (0..order).fold(family.functions[k].value.clone(), |f, _| f.derivative(var));
+        let work = &mut Work::unlimited();
+        let mut value = family.functions[k].value.clone();
+        for _ in 0..order {
+            value = family.derivative_within(&value, var, work)?;
+        }
         value.substitute(var, &Fraction::constant(end.clone()))
     };
-    let name = |k: usize, order: u32, end: &Rational| {
+    let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
         match order {
             0 => format!("{b}({end})"),
@@ -193,11 +248,11 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Vec<(String, Fractio
             // A denominator vanishes nowhere on the domain, so that there is a value at its ends.
             if let Some(f) = k.checked_sub(1).and_then(|k| next_at(k, order)) {
                 difference = f;
-                parts.push(name(k - 1, order, low));
+                parts.push(name(k - 1, order, &low_text));
             }
             if let Some(f) = Some(k).filter(|k| *k < len).and_then(|k| at(k, order, high)) {
                 difference = &difference - &f;
-                parts.push(name(k, order, high));
+                parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
             differences.push((of, difference));
@@ -211,7 +266,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     let of = &witness.of;
     let here = witness.point();
     if !matches!(witness.refutation().statement(), Statement::Zero { .. }) {
-        return vec![format!("`{of}` is {} at {here}", witness.value)];
+        return vec![format!("`{of}` is {} at {here}", witness.value_text())];
     }
     let expressions =
         basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
@@ -230,7 +285,10 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
                     "the sum of the functions is `{}`",
                     abbreviated(&(&difference + &one).display(&family.names))
                 ),
-                format!("at {here} it is {}", &witness.value + &Rational::ONE),
+                match &witness.shown {
+                    Some(value) => format!("at {here} it is 1 + {value}"),
+                    None => format!("at {here} it is {}", &witness.value + &Rational::ONE),
+                },
             ]
         }
         ClaimKind::Continuity(joint) => {
@@ -252,10 +310,10 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             let (left, right) = sides.map(|d| (d.left.as_str(), d.right.as_str())).unwrap_or_default();
             vec![
                 format!("`{left}`{at} differs from `{right}` by `{shown}`"),
-                format!("at {here} the difference is {}", witness.value),
+                format!("at {here} the difference is {}", witness.value_text()),
             ]
         }
-        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value)],
+        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value_text())],
     }
 }
 

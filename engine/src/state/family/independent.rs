@@ -11,6 +11,7 @@ use super::point::{domain_names, named_point};
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
+use crate::model::angle::Angle;
 use crate::model::bernstein::{bernstein_table, graded_table};
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
@@ -97,10 +98,15 @@ fn pulled_back(values: &Values, piece: &Piece) -> Option<Vec<Values>> {
 /// interval in the Bernstein basis, or in powers if that makes the table triangular; on a simplex in homogeneous
 /// monomials, in which more of them are numbers.
 pub fn coefficient_table(family: &Family) -> Table {
-    if let Some(rows) = graded_table(family) {
+    // An angle beside its sine is one more variable of the domain.
+    let numerators = family.numerators();
+    let (over_domain, constant): (Vec<&Angle>, Vec<&Angle>) =
+        family.analytic.angles.iter().partition(|a| family.domain.iter().any(|p| p.var == a.var));
+    let mixed = over_domain.iter().any(|a| numerators.iter().any(|p| p.depends_on(a.itself)));
+    if let Some(rows) = graded_table(family).filter(|_| !mixed) {
         return Table { rows, symmetries: Symmetries::new() };
     }
-    if let Some(rows) = bernstein_table(family) {
+    if let Some(rows) = bernstein_table(family).filter(|_| !mixed) {
         let reversed = |len: usize| (0..len).rev().listed();
         let width = rows.first().map_or(0, Vec::len);
         let symmetries = vec![vec![Symmetry { rows: reversed(rows.len()), columns: reversed(width) }]];
@@ -108,12 +114,14 @@ pub fn coefficient_table(family: &Family) -> Table {
     }
     let domain: Vec<Var> = family.domain.iter().map(|p| p.var).listed();
     // The shape parameters are the first variables.
+    let mut constants: Vec<Var> = (0..family.shapes.len()).map(Var).listed();
+    constants.extend(family.analytic.numbers());
+    constants.extend(constant.iter().map(|a| a.itself));
     let parts_of = |m: &Monomial| {
-        let others = (0..family.shapes.len()).fold(m.clone(), |others, v| others.with_exponent(Var(v), 0));
+        let others = constants.iter().fold(m.clone(), |others, v| others.with_exponent(*v, 0));
         (m.checked_div(&others).unwrap_or_else(Monomial::one), others)
     };
     let domain_degree = |m: &Monomial| parts_of(m).1.total_degree() as u16;
-    let numerators = family.numerators();
     let terms = numerators.iter().flat_map(Poly::terms);
     let degree = terms.map(|(m, _)| domain_degree(m)).max().unwrap_or(0);
     // On a simplex times powers of u + v + w = 1; w is not written, its exponent is what the others leave of the

@@ -7,13 +7,15 @@ mod total;
 
 use std::rc::Rc;
 
-use basis_kernel::Statement;
-use basis_prover::{Counterexample, Failure, Method, Shown};
+use basis_prover::{Coordinate, Counterexample, Failure, Method, Shown};
 
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
-use crate::algebra::fraction::Fraction;
+use basis_kernel::Statement;
+
+use crate::algebra::fraction::{Fraction, set_known_factors};
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
@@ -22,6 +24,8 @@ use crate::model::chart::Piece;
 use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
@@ -60,7 +64,8 @@ pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
 pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
     let all = said(family, claim)?.into_iter();
     let counts = |said: &Said| {
-        !matches!(said.stated.statement, Statement::Independent { .. }) || said.piece.is_exact()
+        let independent = matches!(said.stated.statement, Statement::Independent { .. });
+        (!independent || said.piece.is_exact()) && !is_wider(family, &said.stated.statement)
     };
     Some(all.filter(counts).map(|said| said.stated).listed())
 }
@@ -68,6 +73,7 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
 /// What a claim says of each part of the points.
 fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     let kind = &claim.kind;
+    set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return independent::said(family, except);
     }
@@ -89,9 +95,15 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     let mut all = Vec::new();
     for (number, part) in parts.iter().enumerate() {
         for (k, (of, value)) in expressions.iter().enumerate() {
+            let comparison = comparison(k);
+            let (of, value) = if comparison == Comparison::Equal {
+                (of.clone(), value.clone())
+            } else {
+                without_numbers(family, of.clone(), value.clone())
+            };
             let stated =
-                Stated::new(on_part(of, number, parts.len()), compared_on(value, comparison(k), part));
-            all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
+                Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part));
+            all.push(Said { stated, of, piece: part.0.clone() });
         }
     }
     Some(all)
@@ -102,7 +114,55 @@ fn on_part(of: &str, number: usize, parts: usize) -> String {
     if parts == 1 { String::from(of) } else { format!("{of} [part {}]", number + 1) }
 }
 
+/// A value without the powers of π and exp(r) that are its factors: they are positive and play no part in its sign.
+fn without_numbers(family: &Family, mut of: String, value: Fraction) -> (String, Fraction) {
+    let mut result = value;
+    for var in family.analytic.numbers() {
+        let least = |p: &Poly| p.terms().map(|(m, _)| m.exponent(var)).min().unwrap_or(0);
+        let (above, below) = (least(result.numer()), least(result.denom()));
+        if result.is_zero() || above == below {
+            continue;
+        }
+        let power = |n: u16| Fraction::from(Poly::var(var).pow(u32::from(n)));
+        let factor = power(above).checked_div(&power(below)).unwrap_or_else(Fraction::zero);
+        let Some(rest) = result.checked_div(&factor) else { continue };
+        of = format!("({of})/({})", factor.display(&family.names));
+        result = rest;
+    }
+    (of, result)
+}
+
+/// Whether a statement says something of π, of exp(r), or of a variable beside its sine: these are variables in it, and
+/// points at which it fails need not be points at which the claim does. An equation holds for all values of these
+/// variables if it holds, because they are transcendental, and algebraically independent of one another as far as they
+/// occur together.
+pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
+    let variables = || {
+        let angles = family.analytic.angles.iter().map(|a| a.itself);
+        family.analytic.numbers().into_iter().chain(angles)
+    };
+    let of = |p: &Poly| variables().any(|v| p.depends_on(v));
+    match statement {
+        // Nobody knows whether π and exp(1) are independent of one another.
+        Statement::Zero { value, .. } => {
+            family
+                .analytic
+                .numbers()
+                .iter()
+                .all(|v| value.numerator.depends_on(*v) || value.denominator.depends_on(*v))
+                && family.analytic.numbers().len() > 1
+        }
+        Statement::Sign { value, .. } => of(&value.numerator) || of(&value.denominator),
+        Statement::Products { value, .. } => of(value),
+        Statement::Independent { rows, .. } => rows.iter().flatten().any(of),
+    }
+}
+
 const TOO_LONG: &str = "the budget is spent on a common denominator of the functions";
+
+/// What is left where a proof for all values is not found.
+const WIDER: &str =
+    "it is not seen from bounds for pi, exp, or for a variable beside its sine or exponential";
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
@@ -118,6 +178,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
         Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
+        Err((of, Failure::Refuted(found))) if is_wider(family, found.refutation.statement()) => {
+            Verdict::Undecided(format!("`{of}`: {WIDER}"))
+        }
         Err((label, Failure::Refuted(found))) => {
             let Some((_, of, piece)) = find(&label) else { return Verdict::Undecided(label) };
             if matches!(claim.kind, ClaimKind::Independent(_)) && !piece.is_exact() {
@@ -199,6 +262,7 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
+    witness.shown = shown(family, found);
     if let ClaimKind::Continuity(joint) = kind {
         witness.idle = domain_names(family);
         for p in &joint.free {
@@ -208,4 +272,24 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     }
     witness.notes = identity::notes(family, kind, &witness);
     witness
+}
+
+/// The value at a counterexample to an equation as text, if it contains π, exp(r), or a variable beside its sine.
+fn shown(family: &Family, found: &Counterexample) -> Option<String> {
+    let Statement::Zero { value, .. } = found.refutation.statement() else { return None };
+    let wide = |v: Var| {
+        family.analytic.numbers().contains(&v) || family.analytic.angles.iter().any(|a| a.itself == v)
+    };
+    let of = |p: &Poly| p.variables().into_iter().any(wide);
+    if !of(&value.numerator) && !of(&value.denominator) {
+        return None;
+    }
+    let put = |p: &Poly| {
+        found.point.iter().filter(|(v, _)| !wide(*v)).fold(p.clone(), |p, (v, c)| match c {
+            Coordinate::Rational(x) => p.at(*v, x),
+            Coordinate::Algebraic(_) => p,
+        })
+    };
+    let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
+    Some(value.display(&family.names))
 }

@@ -8,6 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
+use crate::model::angle::Angle;
 use crate::model::chart::Piece;
 
 /// The names of the domain variables.
@@ -64,8 +65,41 @@ pub(super) fn named_point(
         }
         all.push((parameter.name.clone(), value));
     }
+    let parameters = family.shapes.iter().chain(&family.domain);
+    for (entry, parameter) in all.iter_mut().zip(parameters) {
+        if let Some(angle) = family.analytic.angle(parameter.var) {
+            *entry = named_angle(family, angle, (&parameter.name, &entry.1), found);
+        }
+    }
     if let Some(dependent) = &family.dependent {
         all.extend(found.evaluate(&last.quotient()).map(|c| (dependent.name.clone(), c)));
     }
     all
+}
+
+/// What takes the place of an angle as a reader wants it: the angle 0, else x.
+fn named_angle(
+    family: &Family,
+    angle: &Angle,
+    (name, y): (&str, &Coordinate),
+    found: &Counterexample,
+) -> (String, Coordinate) {
+    let as_it_is = (String::from(name), y.clone());
+    let Coordinate::Rational(value) = y else { return as_it_is };
+    // The ends of the range as far as the counterexample says where they are.
+    let put = |f: &Fraction| {
+        let shapes = family.shapes.iter().map(|s| s.var);
+        let known = shapes.filter(|v| f.depends_on(*v)).try_fold(f.clone(), |f, v| {
+            let (_, c) = found.point.iter().find(|(w, _)| *w == v)?;
+            let Coordinate::Rational(x) = c else { return None };
+            f.substitute(v, &Fraction::constant(x.clone()))
+        })?;
+        known.as_constant()
+    };
+    let zero = value.is_zero() && angle.low.is_zero();
+    if zero && angle.shift.is_zero() {
+        return (angle.name.clone(), Coordinate::Rational(Rational::ZERO));
+    }
+    let (Some(low), Some(width)) = (put(&angle.low), put(&angle.width)) else { return as_it_is };
+    (angle.tangent_name(), Coordinate::Rational(&low + &(&width * value)))
 }

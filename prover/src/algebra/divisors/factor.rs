@@ -128,16 +128,7 @@ fn linear_in(f: &Poly, x: Var, variables: &[Var], work: &mut Work) -> Option<Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn x() -> Poly {
-        Poly::var(Var(0))
-    }
-    fn y() -> Poly {
-        Poly::var(Var(1))
-    }
-    fn n(k: i64) -> Poly {
-        Poly::integer(k)
-    }
+    use crate::tests::letters::{n, x, y};
 
     #[test]
     fn factored_form_of_a_product() {

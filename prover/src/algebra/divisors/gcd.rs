@@ -291,19 +291,7 @@ fn quotient(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
 mod tests {
     use super::*;
     use crate::algebra::rational::Rational;
-
-    fn x() -> Poly {
-        Poly::var(Var(0))
-    }
-    fn y() -> Poly {
-        Poly::var(Var(1))
-    }
-    fn z() -> Poly {
-        Poly::var(Var(2))
-    }
-    fn n(k: i64) -> Poly {
-        Poly::integer(k)
-    }
+    use crate::tests::letters::{n, x, y, z};
 
     #[test]
     fn gcd_of_simple_cases() {

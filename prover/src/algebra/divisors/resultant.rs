@@ -286,19 +286,8 @@ fn pseudo_remainder(mut f: Vec<Rational>, g: &[Rational], work: &mut Work) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tests::letters::{n, x, y, z};
 
-    fn x() -> Poly {
-        Poly::var(Var(0))
-    }
-    fn y() -> Poly {
-        Poly::var(Var(1))
-    }
-    fn z() -> Poly {
-        Poly::var(Var(2))
-    }
-    fn n(k: i64) -> Poly {
-        Poly::integer(k)
-    }
     fn product(roots: &[Poly]) -> Poly {
         roots.iter().fold(n(1), |p, r| &p * &(&x() - r))
     }

@@ -49,9 +49,12 @@ fn above_zero(low: &Rational, high: Option<&Rational>) -> Rational {
 
 /// The largest whole number not above a/b, for whole a ≥ 0 and b > 0.
 fn whole_part(a: &Rational, b: &Rational) -> Rational {
-    match (a.to_i64(), b.to_i64()) {
-        (Some(a), Some(b)) => Rational::from(a / b),
-        _ => Rational::from(a.to_big().numer() / b.to_big().numer()),
+    if let (Some(a), Some(b)) = (a.to_i64(), b.to_i64()) {
+        return Rational::from(a / b);
+    }
+    match (a.to_whole(), b.to_whole()) {
+        (Some(a), Some(b)) => Rational::from(a / b), // without a search for common factors
+        _ => (a / b).floor(),
     }
 }
 

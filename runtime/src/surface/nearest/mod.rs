@@ -62,6 +62,7 @@ where
 /// accuracy, and a lower bound of their distance. Each patch has its degrees, and a row of homogeneous control points,
 /// `[w x, w y, …, w]`, for each function of `v`; the weights must be positive.
 #[inline]
+#[allow(dead_code)] // for surfaces that are quotients
 pub(crate) fn nearest_of_rational(
     patches: &[([usize; 2], Vec<f64>)],
     point: &[f64],

@@ -1,20 +1,20 @@
 //! `basis explain`: what a family is, and what joins and theorems say, worked out exactly.
 
+mod facts;
+mod latex;
+
 use std::rc::Rc;
 
 use basis_engine::state::Run;
 use basis_engine::theorem::theorems;
 use basis_engine::{
-    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, Verdict, decide_within,
-    explain,
+    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, decide_within,
 };
 
-use crate::args::ExplainArguments;
+use crate::args::{ExplainArguments, ExplainFormat};
 use crate::output::{self, Status, complain};
-use crate::{domain, eval, spec};
-
-/// Derivatives at the ends are shown up to this order.
-const ORDER: u32 = 2;
+use crate::{eval, spec};
+use facts::{Claims, Equation, Facts, FamilyFacts, TheoremFacts};
 
 /// Explains the family, join or theorem that the arguments name, or all of the file, families in their lowest orders.
 pub(crate) fn run(arguments: &ExplainArguments) -> Status {
@@ -48,24 +48,50 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     for error in &errors {
         complain(&(error.render(library.sources(), true) + "\n\n"));
     }
+    let wanted = match arguments.format {
+        ExplainFormat::Text => Claims::LeftOut,
+        ExplainFormat::Json | ExplainFormat::Latex => Claims::Shown,
+    };
     let run = &mut Run::default();
-    let mut texts = Vec::new();
+    let mut all = Vec::new();
     let mut left_out = 0;
     for family in families.unwrap_or_default() {
         if run.is_spent() {
             left_out += 1;
-        } else {
-            texts.push(run.counted_work(family.budget, &mut || text(&family)));
+            continue;
         }
+        let checked = (wanted == Claims::Shown).then(|| checked(&library, &family, run)).flatten();
+        let facts = run.counted_work(family.budget, &mut || FamilyFacts::new(&family, checked.as_ref()));
+        all.push(Facts::Family(Box::new(facts)));
     }
-    texts.extend(theorems.into_iter().map(|theorem| theorem_text(&decide_within(theorem, run))));
-    let printed = output::print(&texts.join("\n"));
+    all.extend(theorems.into_iter().filter_map(|theorem| Facts::theorem(&decide_within(theorem, run))));
+    let printed = match arguments.format {
+        ExplainFormat::Text => {
+            let texts: Vec<String> = all.iter().map(as_text).collect();
+            output::print(&texts.join("\n"))
+        }
+        ExplainFormat::Json => output::print_json(&serde_json::json!({ "items": all })),
+        ExplainFormat::Latex => output::print(&latex::document(&all)),
+    };
     if left_out > 0 {
         let message = format!("{} not explained: the others take too much work", count_are(left_out));
         let error = output::error(message).help("name one of them: `basis explain FILE Family`");
         complain(&(error.render(library.sources(), true) + "\n\n"));
     }
     if errors.is_empty() && left_out == 0 { printed } else { Status::Unusable }
+}
+
+/// The claims of a family with their verdicts.
+fn checked(library: &Library<'_>, family: &Family, run: &mut Run) -> Option<Checked> {
+    let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
+    Some(decide_within(library.item(&family.name, &order).ok()?, run))
+}
+
+fn as_text(facts: &Facts) -> String {
+    match facts {
+        Facts::Family(facts) => text(facts),
+        Facts::Theorem(facts) | Facts::Join(facts) => theorem_text(facts),
+    }
 }
 
 /// `1 family is`, `2 families are`.
@@ -86,23 +112,16 @@ fn lowest_orders(library: &Library<'_>) -> Vec<Rc<Family>> {
     families
 }
 
-fn text(family: &Family) -> String {
-    let mut text = format!("{}: {}\n", family.title(), domain::describe(family));
-    for line in &family.doc {
+fn text(facts: &FamilyFacts) -> String {
+    let mut text = format!("{}: {}\n", facts.title, facts.domain);
+    for line in &facts.doc {
         text += &format!("    {line}\n");
     }
-    let formulas = explain::formulas(family);
-    section(&mut text, "Functions", formulas.iter().map(|f| (f.label.clone(), f.factored.clone())));
-    section(&mut text, "Expanded", formulas.iter().map(|f| (f.label.clone(), f.expanded.clone())));
-    let ends = explain::end_derivatives(family, ORDER);
-    section(&mut text, "A curve with the control points P at both ends", ends.into_iter());
-    let set = explain::exceptional_set(family);
-    let mut independence: Vec<String> = set
-        .exceptions
-        .iter()
-        .map(|e| format!("dependent at {}", explain::describe_exception(family, e)))
-        .collect();
-    match set.open {
+    section(&mut text, "Functions", facts.functions.iter().map(|f| (&f.name, &f.factored)));
+    section(&mut text, "Expanded", facts.functions.iter().map(|f| (&f.name, &f.expanded)));
+    section(&mut text, "A curve with the control points P at both ends", pairs(&facts.ends));
+    let mut independence: Vec<String> = facts.dependent.iter().map(|e| format!("dependent at {e}")).collect();
+    match &facts.dependent_open {
         Some(left) => independence.push(format!("undecided: {left}")),
         None if independence.is_empty() => {
             independence.push(String::from("independent for all shape values"));
@@ -113,16 +132,15 @@ fn text(family: &Family) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
-    for contact in explain::contacts(family) {
-        section(&mut text, &contact.title, contact.points.into_iter());
+    for contact in &facts.contacts {
+        section(&mut text, &contact.title, pairs(&contact.points));
         if !contact.conditions.is_empty() {
             text += &format!("    for {}\n", contact.conditions.join(" and "));
         }
     }
-    let ranges = explain::nonnegative_ranges(family);
-    if !ranges.is_empty() {
+    if !facts.nonnegative.is_empty() {
         text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";
-        for range in ranges {
+        for range in &facts.nonnegative {
             text += &format!("    {range}\n");
         }
     }
@@ -130,28 +148,26 @@ fn text(family: &Family) -> String {
 }
 
 /// The curves and surfaces of a theorem, the points that it determines, and its claims with their verdicts.
-fn theorem_text(checked: &Checked) -> String {
-    let Subject::Theorem(theorem) = &checked.subject else { return String::new() };
-    let mut text = domain::theorem_heading(theorem, &theorem.title());
-    for line in &theorem.doc {
+fn theorem_text(facts: &TheoremFacts) -> String {
+    let mut text = facts.heading.clone();
+    for line in &facts.doc {
         text += &format!("    {line}\n");
     }
-    section(&mut text, "Determined control points", explain::determined_points(theorem).into_iter());
+    section(&mut text, "Determined control points", pairs(&facts.points));
     text += "\n  Claims\n";
-    for (claim, verdict) in &checked.claims {
-        let (word, why) = match verdict {
-            Verdict::Proved(evidence) => ("proved", evidence.method().to_string()),
-            Verdict::Refuted(witness) => ("refuted", witness.notes.join("; ")),
-            Verdict::Undecided(left) => ("undecided", left.clone()),
-        };
-        text += &format!("    {}\n      {word}: {why}\n", claim.text);
+    for claim in &facts.claims {
+        text += &format!("    {}\n      {}: {}\n", claim.claim, claim.verdict, claim.reason);
     }
     text
 }
 
+fn pairs(equations: &[Equation]) -> impl Iterator<Item = (&String, &String)> {
+    equations.iter().map(|e| (&e.name, &e.value))
+}
+
 /// `name = value` lines under a title, the signs aligned.
-fn section(text: &mut String, title: &str, lines: impl Iterator<Item = (String, String)>) {
-    let lines: Vec<(String, String)> = lines.collect();
+fn section<'f>(text: &mut String, title: &str, lines: impl Iterator<Item = (&'f String, &'f String)>) {
+    let lines: Vec<(&String, &String)> = lines.collect();
     if lines.is_empty() {
         return;
     }

@@ -2,9 +2,9 @@
 
 use basis_runtime::{Bezier, Contact, Curve, PiecewiseCurve, basis};
 
-basis!("../../specs/quartic.basis");
-basis!("../../specs/bernstein.basis", Bernstein(3));
-basis!("../../specs/triangular.basis", TriangularII(3));
+basis!("../../../specs/quartic.basis");
+basis!("../../../specs/bernstein.basis", Bernstein(3));
+basis!("../../../specs/triangular.basis", TriangularII(3));
 
 const POINTS: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]];
 

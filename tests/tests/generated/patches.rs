@@ -7,7 +7,7 @@ use basis_engine::Verdict;
 use basis_engine::algebra::poly::{Poly, PolyExt};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::plan::patch_form::PatchForm;
-use basis_engine::{Disk, Library, Prover, Selected, Subject, source};
+use basis_engine::{Disk, Subject, source};
 use basis_runtime::Scalar;
 use basis_tests::each_patch;
 use basis_tests::exact::{Reference, epsilon, fraction};
@@ -159,22 +159,7 @@ fn family<B: ShippedPatch>(seen: &mut BTreeSet<String>) {
 fn every_shipped_family_is_tested() {
     let mut tested = BTreeSet::new();
     each_patch!(f64, family, &mut tested);
-    for entry in basis_tests::spec("").read_dir().expect("the library") {
-        let path = entry.expect("an entry").path();
-        if path.extension().is_none_or(|e| e != "basis") {
-            continue;
-        }
-        let source = source::read(&Disk, &path.to_string_lossy(), &[]).expect("readable");
-        let library = Library::from_source(&Disk, &Prover, source);
-        let items = library.items(Selected::EveryOrder);
-        let families = items.iter().filter_map(|item| match &item.subject {
-            Subject::Family(family) => Some(family),
-            Subject::Theorem(_) => None,
-        });
-        for family in families.filter(|f| f.interval().is_none()) {
-            assert!(tested.contains(&family.name), "{} has a family {}", path.display(), family.name);
-        }
-    }
+    basis_tests::all_are_tested(&tested, |family| family.interval().is_none());
 }
 
 /// What is proved nonnegative has no negative coefficient in the code.

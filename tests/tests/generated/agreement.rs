@@ -4,7 +4,6 @@ use basis_engine::algebra::range::DisplayRange as _;
 use std::collections::BTreeSet;
 
 use basis_engine::algebra::rational::Rational;
-use basis_engine::{Disk, Library, Prover, Selected, Subject, source};
 use basis_runtime::{Array, Curve, Scalar};
 use basis_tests::each_family;
 use basis_tests::exact::{epsilon, fraction};
@@ -20,24 +19,8 @@ fn family<B: Shipped>(seen: &mut BTreeSet<String>) {
 fn every_shipped_family_is_tested() {
     let mut tested = BTreeSet::new();
     each_family!(f64, family, &mut tested);
-    for entry in basis_tests::spec("").read_dir().expect("the library") {
-        let path = entry.expect("an entry").path();
-        if path.extension().is_none_or(|e| e != "basis") {
-            continue;
-        }
-        let source = source::read(&Disk, &path.to_string_lossy(), &[]).expect("readable");
-        let library = Library::from_source(&Disk, &Prover, source);
-        // Families on triangles and in several variables are tested in `patches.rs`.
-        let items = library.items(Selected::EveryOrder);
-        let families = items.iter().filter_map(|item| match &item.subject {
-            Subject::Family(family) => Some(family),
-            Subject::Theorem(_) => None,
-        });
-        for family in families.filter(|f| f.interval().is_some()) {
-            assert!(tested.contains(&family.name), "{} has a family {}", path.display(), family.name);
-        }
-        assert!(library.diagnostics().is_empty(), "{}", path.display());
-    }
+    // Families on triangles and in several variables are tested in `patches.rs`.
+    basis_tests::all_are_tested(&tested, |family| family.interval().is_some());
 }
 
 fn constants<B: Shipped>() {

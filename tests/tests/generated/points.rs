@@ -5,7 +5,7 @@ use basis_runtime::{Curve, basis};
 use glam::{DVec3, Vec2};
 use nalgebra::{Point2, Vector3};
 
-basis!("../../specs/quartic.basis");
+basis!("../../../specs/quartic.basis");
 
 const POINTS: [[f64; 3]; 4] = [[0.1, 0.2, 0.3], [1.3, 2.1, -0.4], [2.2, -1.7, 0.9], [3.1, 0.6, 1.7]];
 

@@ -1,0 +1,1129 @@
+(** What the proofs of `basis check --coq` have in common: polynomials and quotients of polynomials over the rational
+    numbers as data, the functions of real numbers that they stand for, and programs that decide identities, signs and
+    independence of such data, each with a theorem that says that its answer is right.
+
+    A theorem of a family is stated in the ordinary terms of the real numbers; nothing of this file occurs in it. Its
+    proof gives the same formula as data, of type [expr], lets Coq see that [eval] of the data is the formula, and runs
+    one of the programs.
+
+    Needs Coq 8.16 or newer and Coquelicot 3. *)
+
+From Coq Require Import Reals QArith Qreals List Lra Lia ZArith Bool.
+From Coquelicot Require Import Coquelicot.
+Import List ListNotations.
+Open Scope R_scope.
+
+(** * Rational numbers *)
+
+(** Sums and products in lowest terms; whole numbers, which are most frequent, need no common divisor. *)
+Definition whole (a : Q) : bool := Pos.eqb (Qden a) 1.
+Definition qadd (a b : Q) : Q :=
+  if (whole a && whole b)%bool then Qmake (Qnum a + Qnum b) 1 else Qred (a + b).
+Definition qmul (a b : Q) : Q :=
+  if (whole a && whole b)%bool then Qmake (Qnum a * Qnum b) 1 else Qred (a * b).
+Definition qzero (a : Q) : bool := Z.eqb (Qnum a) 0.
+Definition qone (a : Q) : bool := (Z.eqb (Qnum a) 1 && whole a)%bool.
+Definition qsame (a b : Q) : bool := (Z.eqb (Qnum a) (Qnum b) && Pos.eqb (Qden a) (Qden b))%bool.
+
+Lemma Q2R_red a : Q2R (Qred a) = Q2R a.
+Proof. apply Qeq_eqR, Qred_correct. Qed.
+
+Lemma qadd_ok a b : Q2R (qadd a b) = Q2R a + Q2R b.
+Proof.
+  unfold qadd. destruct (whole a && whole b)%bool eqn:E; [|rewrite Q2R_red; apply Q2R_plus].
+  apply andb_prop in E as [A B]. apply Pos.eqb_eq in A. apply Pos.eqb_eq in B.
+  destruct a, b; unfold Q2R; simpl in *; subst. rewrite plus_IZR. field.
+Qed.
+
+Lemma qmul_ok a b : Q2R (qmul a b) = Q2R a * Q2R b.
+Proof.
+  unfold qmul. destruct (whole a && whole b)%bool eqn:E; [|rewrite Q2R_red; apply Q2R_mult].
+  apply andb_prop in E as [A B]. apply Pos.eqb_eq in A. apply Pos.eqb_eq in B.
+  destruct a, b; unfold Q2R; simpl in *; subst. rewrite mult_IZR. field.
+Qed.
+
+Lemma qzero_ok a : qzero a = true -> Q2R a = 0.
+Proof. unfold qzero, Q2R. intros H. apply Z.eqb_eq in H. rewrite H. ring. Qed.
+
+Lemma qzero_not a : qzero a = false -> Q2R a <> 0.
+Proof.
+  unfold qzero, Q2R. intros H. apply Z.eqb_neq in H.
+  apply Rmult_integral_contrapositive_currified.
+  - apply not_0_IZR, H.
+  - apply Rinv_neq_0_compat, not_0_IZR. discriminate.
+Qed.
+
+Lemma qsame_ok a b : qsame a b = true -> a = b.
+Proof.
+  unfold qsame. destruct a, b; simpl. intros H. apply andb_prop in H as [H I].
+  apply Z.eqb_eq in H. apply Pos.eqb_eq in I. congruence.
+Qed.
+
+Lemma Q2R_0 : Q2R 0 = 0. Proof. unfold Q2R; simpl; field. Qed.
+Lemma Q2R_1 : Q2R 1 = 1. Proof. unfold Q2R; simpl; field. Qed.
+Lemma Q2R_m1 : Q2R (-1) = -1. Proof. unfold Q2R; simpl; field. Qed.
+Lemma Q2R_IZR z : Q2R (Qmake z 1) = IZR z. Proof. unfold Q2R; simpl; field. Qed.
+
+(** * Polynomials *)
+
+(** A number, or the coefficients c0, c1, ... of a polynomial c0 + c1 x + ... in the first variable x, which are
+    polynomials in the other variables. *)
+Inductive pol := C (c : Q) | P (l : list pol).
+
+(** The value of c0 + c1 x + ... *)
+Fixpoint horner (x : R) (l : list R) : R :=
+  match l with [] => 0 | c :: l => c + x * horner x l end.
+
+Fixpoint ev (p : pol) (env : list R) : R :=
+  match p with
+  | C c => Q2R c
+  | P l => horner (hd 0 env) (map (fun c => ev c (tl env)) l)
+  end.
+
+Section Induction.
+  Variable T : pol -> Prop.
+  Hypothesis HC : forall c, T (C c).
+  Hypothesis HP : forall l, Forall T l -> T (P l).
+  Fixpoint pol_all (p : pol) : T p :=
+    match p with
+    | C c => HC c
+    | P l => HP l ((fix all l : Forall T l :=
+        match l with [] => Forall_nil T | p :: l => Forall_cons p (pol_all p) (all l) end) l)
+    end.
+End Induction.
+
+(** The values of a list of coefficients. *)
+Notation evs l env := (map (fun c => ev c env) l).
+
+Definition is0 (p : pol) : bool := match p with C c => qzero c | P _ => false end.
+Definition is1 (p : pol) : bool := match p with C c => qone c | P _ => false end.
+
+(** A coefficient before others, where it is needed. *)
+Definition push (c : pol) (l : list pol) : list pol :=
+  match l with [] => if is0 c then [] else [c] | _ => c :: l end.
+Definition mk (l : list pol) : pol :=
+  match l with [] => C 0 | [C c] => C c | _ => P l end.
+(** The coefficients in the first variable. *)
+Definition coefs (p : pol) : list pol := match p with C c => [C c] | P l => l end.
+
+Lemma is0_ok p env : is0 p = true -> ev p env = 0.
+Proof. destruct p; simpl; [apply qzero_ok | discriminate]. Qed.
+
+Lemma is1_ok p env : is1 p = true -> ev p env = 1.
+Proof.
+  destruct p as [c|]; simpl; [|discriminate]. intros H. apply andb_prop in H as [H I].
+  apply Z.eqb_eq in H. apply Pos.eqb_eq in I. destruct c; simpl in *; subst. apply Q2R_1.
+Qed.
+
+Lemma push_ok c l env x : horner x (evs (push c l) env) = ev c env + x * horner x (evs l env).
+Proof.
+  destruct l; simpl; [|reflexivity]. destruct (is0 c) eqn:H; simpl; [|ring].
+  rewrite (is0_ok _ _ H). ring.
+Qed.
+
+Lemma mk_ok l env : ev (mk l) env = horner (hd 0 env) (evs l (tl env)).
+Proof.
+  destruct l as [|a [|b l]]; [apply Q2R_0 | destruct a; simpl; ring | destruct a; reflexivity].
+Qed.
+
+Lemma coefs_ok p env : ev p env = horner (hd 0 env) (evs (coefs p) (tl env)).
+Proof. destruct p; simpl; ring. Qed.
+
+Arguments mk : simpl never.
+Arguments push : simpl never.
+
+Fixpoint addC (a : Q) (p : pol) : pol :=
+  match p with
+  | C b => C (qadd a b)
+  | P [] => C a
+  | P (c :: l) => mk (addC a c :: l)
+  end.
+
+Lemma addC_ok a p env : ev (addC a p) env = Q2R a + ev p env.
+Proof.
+  revert env. induction p as [b | l H] using pol_all; intros env; simpl.
+  - apply qadd_ok.
+  - destruct l as [|c l]; simpl; [ring|]. inversion H; subst.
+    rewrite mk_ok. simpl. rewrite H2. ring.
+Qed.
+
+Section Zip.
+  Variable f : pol -> pol -> pol.
+  Fixpoint zip (l m : list pol) : list pol :=
+    match l, m with
+    | [], _ => m
+    | _, [] => l
+    | a :: l, b :: m => push (f a b) (zip l m)
+    end.
+End Zip.
+
+Fixpoint add (p q : pol) : pol :=
+  match p with
+  | C a => addC a q
+  | P l => match q with C b => addC b p | P m => mk (zip add l m) end
+  end.
+
+Lemma add_ok p q env : ev (add p q) env = ev p env + ev q env.
+Proof.
+  revert q env. induction p as [a | l H] using pol_all; intros q env; simpl.
+  - apply addC_ok.
+  - destruct q as [b | m]; [rewrite (addC_ok b (P l)); simpl; ring|].
+    rewrite mk_ok. simpl. generalize (hd 0 env) as x, (tl env) as e. clear env.
+    intros x e. revert m. induction H as [|a l Ha H IH]; intros m; simpl; [ring|].
+    destruct m as [|b m]; simpl; [ring|]. rewrite push_ok, Ha, IH. ring.
+Qed.
+
+Fixpoint scale (c : Q) (p : pol) : pol :=
+  match p with
+  | C b => C (qmul c b)
+  | P l => P (map (scale c) l)
+  end.
+
+Lemma scale_ok c p env : ev (scale c p) env = Q2R c * ev p env.
+Proof.
+  revert env. induction p as [b | l H] using pol_all; intros env; simpl.
+  - apply qmul_ok.
+  - rewrite map_map. generalize (hd 0 env) as x, (tl env) as e. intros x e.
+    induction H as [|a l Ha H IH]; simpl; [ring|]. rewrite Ha, IH. ring.
+Qed.
+
+(** A multiple; nothing is left of a multiple by 0. *)
+Definition times (c : Q) (p : pol) : pol := if qzero c then C 0 else if qone c then p else scale c p.
+
+Lemma times_ok c p env : ev (times c p) env = Q2R c * ev p env.
+Proof.
+  unfold times. destruct (qzero c) eqn:H.
+  - rewrite (qzero_ok _ H). simpl. rewrite Q2R_0. ring.
+  - destruct (qone c) eqn:I; [|apply scale_ok].
+    pose proof (is1_ok (C c) env I) as J. simpl in J. rewrite J. ring.
+Qed.
+
+Definition opp (p : pol) : pol := scale (-1) p.
+
+Lemma opp_ok p env : ev (opp p) env = - ev p env.
+Proof. unfold opp. rewrite scale_ok, Q2R_m1. ring. Qed.
+
+Definition sub (p q : pol) : pol := add p (opp q).
+
+Lemma sub_ok p q env : ev (sub p q) env = ev p env - ev q env.
+Proof. unfold sub. rewrite add_ok, opp_ok. ring. Qed.
+
+(** The first variable times p. *)
+Definition shift (p : pol) : pol := if is0 p then p else P (C 0 :: coefs p).
+
+Lemma shift_ok p env : ev (shift p) env = hd 0 env * ev p env.
+Proof.
+  unfold shift. destruct (is0 p) eqn:H.
+  - rewrite (is0_ok _ _ H). ring.
+  - rewrite (coefs_ok p). simpl. rewrite Q2R_0. ring.
+Qed.
+
+Fixpoint mul (p q : pol) : pol :=
+  match p with
+  | C c => times c q
+  | P l =>
+    match q with
+    | C c => times c p
+    | P m => (fix go l := match l with
+        | [] => C 0
+        | a :: l => add (mk (fold_right (fun b acc => push (mul a b) acc) [] m)) (shift (go l))
+        end) l
+    end
+  end.
+
+Lemma mul_ok p q env : ev (mul p q) env = ev p env * ev q env.
+Proof.
+  revert q env. induction p as [c | l H] using pol_all; intros q env; simpl.
+  - apply times_ok.
+  - destruct q as [c | m]; [rewrite times_ok; simpl; ring|].
+    induction H as [|a l Ha H IH]; simpl; [rewrite Q2R_0; ring|].
+    rewrite add_ok, shift_ok, mk_ok, IH. simpl.
+    replace (horner (hd 0 env) (evs (fold_right (fun b acc => push (mul a b) acc) [] m) (tl env)))
+      with (ev a (tl env) * horner (hd 0 env) (evs m (tl env))); [ring|].
+    generalize (hd 0 env) as x. intros x. clear IH.
+    induction m as [|b m IH]; simpl; [ring|]. rewrite push_ok, Ha, <- IH. ring.
+Qed.
+
+Fixpoint powp (p : pol) (n : nat) : pol :=
+  match n with O => C 1 | S n => mul p (powp p n) end.
+
+Lemma powp_ok p n env : ev (powp p n) env = ev p env ^ n.
+Proof. induction n; simpl; [apply Q2R_1|]. rewrite mul_ok, IHn. reflexivity. Qed.
+
+(** Equality of data. *)
+Fixpoint same (p q : pol) : bool :=
+  match p, q with
+  | C a, C b => qsame a b
+  | P l, P m => (fix go l m := match l, m with
+      | [], [] => true
+      | a :: l, b :: m => (same a b && go l m)%bool
+      | _, _ => false
+      end) l m
+  | _, _ => false
+  end.
+
+Lemma same_ok p q : same p q = true -> p = q.
+Proof.
+  revert q. induction p as [a | l H] using pol_all; intros [b | m]; simpl; try discriminate.
+  - intros E. f_equal. apply qsame_ok, E.
+  - intros E. f_equal. revert m E. induction H as [|a l Ha H IH]; intros [|b m]; try discriminate; auto.
+    intros E. apply andb_prop in E as [E F]. f_equal; auto.
+Qed.
+
+(** The variable with a number. *)
+Fixpoint var (n : nat) : pol := match n with O => P [C 0; C 1] | S n => P [var n] end.
+
+Lemma var_ok n env : ev (var n) env = nth n env 0.
+Proof.
+  revert env. induction n; intros env; simpl.
+  - rewrite Q2R_0, Q2R_1. destruct env; simpl; ring.
+  - rewrite IHn. destruct env; simpl; [destruct n|]; ring.
+Qed.
+
+(** ** Derivatives in the first variable *)
+
+Fixpoint dl (l : list pol) : pol :=
+  match l with [] => C 0 | _ :: l => add (mk l) (shift (dl l)) end.
+Definition dp (p : pol) : pol := match p with C _ => C 0 | P l => dl l end.
+
+Lemma dp_ok p x env : is_derive (fun x => ev p (x :: env)) x (ev (dp p) (x :: env)).
+Proof.
+  destruct p as [c | l]; simpl.
+  - rewrite Q2R_0. apply (is_derive_const (V := R_NormedModule)).
+  - induction l as [|c l IH]; simpl.
+    + rewrite Q2R_0. apply (is_derive_const (V := R_NormedModule)).
+    + rewrite add_ok, shift_ok, mk_ok. simpl.
+      pose proof (is_derive_mult (K := R_AbsRing) (fun x : R => x) (fun x => horner x (evs l env)) x 1 _
+        (is_derive_id (K := R_AbsRing) x) IH (fun n m => Rmult_comm n m)) as D.
+      pose proof (is_derive_plus (K := R_AbsRing) (V := R_NormedModule)
+        (fun _ => ev c env) _ x _ _ (is_derive_const (V := R_NormedModule) _ _) D) as E.
+      evar_last; [exact E|]. unfold plus, mult, zero; simpl. unfold plus, mult, zero; simpl. ring.
+Qed.
+
+Lemma ev_continuous p x env : continuous (fun x => ev p (x :: env)) x.
+Proof. apply (ex_derive_continuous (V := R_NormedModule)). eexists. apply dp_ok. Qed.
+
+Lemma ev_stays p x env :
+  ev p (x :: env) <> 0 -> locally x (fun x => ev p (x :: env) <> 0).
+Proof.
+  intros H. apply (ev_continuous p x env (fun u : R => u <> 0)).
+  apply (open_neq 0). exact H.
+Qed.
+
+Ltac real := match goal with |- @eq _ ?a ?b => change (@eq R a b) end.
+
+(** * Quotients *)
+
+Record frac := F { num : pol; den : pol }.
+
+Definition val (f : frac) (env : list R) : R := ev (num f) env / ev (den f) env.
+Definition ok (f : frac) (env : list R) : Prop := ev (den f) env <> 0.
+(** What every operation has to show: it is defined where its parts are, and has this value. *)
+Definition is (f : frac) (env : list R) (x : R) : Prop := ok f env /\ val f env = x.
+
+Definition fpol (p : pol) : frac := F p (C 1).
+
+Lemma fpol_ok p env : is (fpol p) env (ev p env).
+Proof.
+  split; unfold ok, val; simpl; rewrite Q2R_1; [lra | field].
+Qed.
+
+Definition fadd (f g : frac) : frac :=
+  if same (den f) (den g) then F (add (num f) (num g)) (den f)
+  else F (add (mul (num f) (den g)) (mul (num g) (den f))) (mul (den f) (den g)).
+
+Lemma fadd_ok f g env x y : is f env x -> is g env y -> is (fadd f g) env (x + y).
+Proof.
+  unfold is, ok, val, fadd. intros [Hf <-] [Hg <-].
+  destruct (same (den f) (den g)) eqn:E; simpl.
+  - apply same_ok in E. rewrite E in *. rewrite add_ok. split; [assumption | field; assumption].
+  - rewrite add_ok, !mul_ok. split; [|field; split; assumption].
+    apply Rmult_integral_contrapositive_currified; assumption.
+Qed.
+
+Definition fopp (f : frac) : frac := F (opp (num f)) (den f).
+
+Lemma fopp_ok f env x : is f env x -> is (fopp f) env (- x).
+Proof. unfold is, ok, val, fopp. intros [Hf <-]. simpl. rewrite opp_ok. split; [|field]; assumption. Qed.
+
+Definition fmul (f g : frac) : frac := F (mul (num f) (num g)) (mul (den f) (den g)).
+
+Lemma fmul_ok f g env x y : is f env x -> is g env y -> is (fmul f g) env (x * y).
+Proof.
+  unfold is, ok, val, fmul. intros [Hf <-] [Hg <-]. simpl. rewrite !mul_ok.
+  split; [apply Rmult_integral_contrapositive_currified; assumption | field; split; assumption].
+Qed.
+
+Fixpoint fpow (f : frac) (n : nat) : frac :=
+  match n with O => fpol (C 1) | S n => fmul f (fpow f n) end.
+
+Lemma fpow_ok f n env x : is f env x -> is (fpow f n) env (x ^ n).
+Proof.
+  intros H. induction n; simpl.
+  - rewrite <- Q2R_1. apply (fpol_ok (C 1)).
+  - apply fmul_ok; assumption.
+Qed.
+
+(** A quotient of quotients; the divisor must not vanish. A number is divided by at once. *)
+Definition fdiv (f g : frac) : frac :=
+  match num g with
+  | C c => if qzero c then F (mul (num f) (den g)) (mul (den f) (num g))
+           else F (times (Qred (/ c)) (mul (num f) (den g))) (den f)
+  | _ => F (mul (num f) (den g)) (mul (den f) (num g))
+  end.
+
+Lemma fdiv_ok f g env x y :
+  is f env x -> is g env y -> ev (num g) env <> 0 -> is (fdiv f g) env (x / y).
+Proof.
+  unfold is, ok, val, fdiv. intros [Hf <-] [Hg <-] Hn.
+  assert (G : forall n d, is (F n d) env (ev n env / ev d env) \/ ev d env = 0).
+  { intros n d. destruct (Req_dec (ev d env) 0); [right | left; split]; auto. }
+  destruct (num g) as [c | l] eqn:E; [destruct (qzero c) eqn:Z|]; simpl in *.
+  - rewrite !mul_ok. simpl. split; [apply Rmult_integral_contrapositive_currified; assumption|].
+    field. auto.
+  - rewrite times_ok, mul_ok, Q2R_red, Q2R_inv; [split; [assumption | field; auto]|].
+    intros H. apply Hn. rewrite (Qeq_eqR _ _ H). apply Q2R_0.
+  - rewrite !mul_ok. simpl. split; [apply Rmult_integral_contrapositive_currified; assumption|].
+    field. auto.
+Qed.
+
+(** A polynomial with quotients in place of its variables. *)
+Fixpoint comp (p : pol) (args : list frac) : frac :=
+  match p with
+  | C c => fpol (C c)
+  | P l => (fix h l := match l with
+      | [] => fpol (C 0)
+      | c :: l => fadd (comp c (tl args)) (fmul (hd (fpol (C 0)) args) (h l))
+      end) l
+  end.
+
+Lemma zero_ok env : is (fpol (C 0)) env 0.
+Proof. rewrite <- Q2R_0. apply (fpol_ok (C 0)). Qed.
+
+Lemma comp_ok p args env xs :
+  Forall2 (fun f x => is f env x) args xs -> is (comp p args) env (ev p xs).
+Proof.
+  revert args xs. induction p as [c | l H] using pol_all; intros args xs A; simpl.
+  - apply (fpol_ok (C c)).
+  - assert (Hd : is (hd (fpol (C 0)) args) env (hd 0 xs)).
+    { destruct A; simpl; [apply zero_ok | assumption]. }
+    assert (Tl : Forall2 (fun f x => is f env x) (tl args) (tl xs)).
+    { destruct A; simpl; [constructor | assumption]. }
+    induction H as [|c l Hc H IH]; simpl; [apply zero_ok|].
+    apply fadd_ok; [apply Hc, Tl | apply fmul_ok; assumption].
+Qed.
+
+(** A quotient in place of the first variable of a polynomial. *)
+Definition comp1 (p : pol) (a : frac) : frac :=
+  match p with
+  | C c => fpol (C c)
+  | P l => fold_right (fun c acc => fadd (fpol c) (fmul a acc)) (fpol (C 0)) l
+  end.
+
+Lemma comp1_ok p a env x : is a env x -> is (comp1 p a) env (ev p (x :: env)).
+Proof.
+  intros H. destruct p as [c | l]; simpl; [apply (fpol_ok (C c))|].
+  induction l as [|c l IH]; simpl; [apply zero_ok|].
+  apply fadd_ok; [apply fpol_ok | apply fmul_ok; assumption].
+Qed.
+
+(** * Formulas *)
+
+(** A function of real numbers with the quotient that it is wherever none of some polynomials vanishes. *)
+Record fn := Fn {
+  apply : list R -> R;
+  quotient : frac;
+  nonzero : list pol;
+  fn_ok : forall env, Forall (fun c => ev c env <> 0) nonzero -> is quotient env (apply env)
+}.
+
+(** Formulas: [Var 0], [Var 1], ... are variables; [Der e a] is the derivative of e in a new variable, which is
+    [Var 0] in e and before the others, where it has the value a. *)
+Inductive expr :=
+  | Num (z : Z)
+  | Var (n : nat)
+  | Opp (e : expr)
+  | Sum (a b : expr)
+  | Diff (a b : expr)
+  | Prod (a b : expr)
+  | Quot (a b : expr)
+  | Pow (e : expr) (n : nat)
+  | App (f : fn) (args : list expr)
+  | Der (e a : expr).
+
+Fixpoint eval (e : expr) (env : list R) : R :=
+  match e with
+  | Num z => IZR z
+  | Var n => nth n env 0
+  | Opp e => - eval e env
+  | Sum a b => eval a env + eval b env
+  | Diff a b => eval a env - eval b env
+  | Prod a b => eval a env * eval b env
+  | Quot a b => eval a env / eval b env
+  | Pow e n => eval e env ^ n
+  | App f args => apply f (map (fun a => eval a env) args)
+  | Der e a => Derive (fun x => eval e (x :: env)) (eval a env)
+  end.
+
+Section ExprInduction.
+  Variable T : expr -> Prop.
+  Hypothesis HNum : forall z, T (Num z).
+  Hypothesis HVar : forall n, T (Var n).
+  Hypothesis HOpp : forall e, T e -> T (Opp e).
+  Hypothesis HAdd : forall a b, T a -> T b -> T (Sum a b).
+  Hypothesis HSub : forall a b, T a -> T b -> T (Diff a b).
+  Hypothesis HMul : forall a b, T a -> T b -> T (Prod a b).
+  Hypothesis HDiv : forall a b, T a -> T b -> T (Quot a b).
+  Hypothesis HPow : forall e n, T e -> T (Pow e n).
+  Hypothesis HApp : forall f args, Forall T args -> T (App f args).
+  Hypothesis HDer : forall e a, T e -> T a -> T (Der e a).
+  Fixpoint expr_all (e : expr) : T e :=
+    match e with
+    | Num z => HNum z
+    | Var n => HVar n
+    | Opp e => HOpp e (expr_all e)
+    | Sum a b => HAdd a b (expr_all a) (expr_all b)
+    | Diff a b => HSub a b (expr_all a) (expr_all b)
+    | Prod a b => HMul a b (expr_all a) (expr_all b)
+    | Quot a b => HDiv a b (expr_all a) (expr_all b)
+    | Pow e n => HPow e n (expr_all e)
+    | App f args => HApp f args ((fix all l : Forall T l :=
+        match l with [] => Forall_nil T | e :: l => Forall_cons e (expr_all e) (all l) end) args)
+    | Der e a => HDer e a (expr_all e) (expr_all a)
+    end.
+End ExprInduction.
+
+(** A quotient, and the polynomials that must not vanish for it to be the value of a formula. *)
+Record norm_result := Res { fr : frac; cs : list pol }.
+
+(** What must not vanish, each once; numbers that do not vanish are left out. *)
+Definition trivial (p : pol) : bool := match p with C c => negb (qzero c) | P _ => false end.
+Fixpoint insert (p : pol) (l : list pol) : list pol :=
+  match l with [] => [p] | q :: m => if same p q then l else q :: insert p m end.
+Definition join (p : pol) (l : list pol) : list pol := if trivial p then l else insert p l.
+Definition joins (l m : list pol) : list pol := fold_right join m l.
+
+Definition nz (env : list R) (c : pol) : Prop := ev c env <> 0.
+
+Lemma insert_ok env p l : Forall (nz env) (insert p l) -> nz env p /\ Forall (nz env) l.
+Proof.
+  induction l as [|q l IH]; simpl; intros H.
+  - inversion H; subst; auto.
+  - destruct (same p q) eqn:E.
+    + apply same_ok in E; subst. inversion H; subst. auto.
+    + inversion H; subst. destruct (IH H3). auto.
+Qed.
+
+Lemma join_ok env p l : Forall (nz env) (join p l) -> nz env p /\ Forall (nz env) l.
+Proof.
+  unfold join. destruct (trivial p) eqn:E; [|apply insert_ok].
+  split; auto. destruct p; simpl in *; [|discriminate].
+  apply qzero_not. destruct (qzero c); [discriminate | reflexivity].
+Qed.
+
+Lemma joins_ok env l m : Forall (nz env) (joins l m) -> Forall (nz env) l /\ Forall (nz env) m.
+Proof.
+  induction l as [|p l IH]; simpl; intros H; [auto|].
+  apply join_ok in H as [H I]. apply IH in I as [I J]. auto.
+Qed.
+
+(** The derivative of a quotient in the first variable. *)
+Definition fder (f : frac) : frac :=
+  if is0 (dp (den f)) then F (dp (num f)) (den f)
+  else F (sub (mul (dp (num f)) (den f)) (mul (num f) (dp (den f)))) (mul (den f) (den f)).
+
+Lemma fder_ok f x env :
+  ok f (x :: env) -> is_derive (fun x => val f (x :: env)) x (val (fder f) (x :: env)) /\ ok (fder f) (x :: env).
+Proof.
+  unfold ok, val, fder. intros H.
+  assert (D : is_derive (fun x : R => ev (num f) (x :: env) / ev (den f) (x :: env)) x
+    ((ev (dp (num f)) (x :: env) * ev (den f) (x :: env) - ev (num f) (x :: env) * ev (dp (den f)) (x :: env)) /
+     ev (den f) (x :: env) ^ 2)).
+  { exact (is_derive_div _ _ x _ _ (dp_ok (num f) x env) (dp_ok (den f) x env) H). }
+  destruct (is0 (dp (den f))) eqn:E; simpl.
+  - split; [|assumption]. evar_last; [exact D|]. rewrite (is0_ok _ _ E). real. field. assumption.
+  - rewrite sub_ok, !mul_ok. split.
+    + evar_last; [exact D|]. real. field. assumption.
+    + apply Rmult_integral_contrapositive_currified; assumption.
+Qed.
+
+(** The polynomials of [c], taken where the first variable is a. *)
+Definition at_first (a : frac) (l : list pol) : list pol := map (fun c => num (comp1 c a)) l.
+
+Lemma at_first_ok a env x l :
+  is a env x -> Forall (nz env) (at_first a l) -> Forall (nz (x :: env)) l.
+Proof.
+  intros Ha H. induction l as [|c l IH]; constructor; inversion H; subst; auto.
+  destruct (comp1_ok c a env x Ha) as [D V]. unfold nz in *. rewrite <- V. unfold val.
+  apply Rmult_integral_contrapositive_currified; [assumption | apply Rinv_neq_0_compat, D].
+Qed.
+
+Fixpoint norm (e : expr) : norm_result :=
+  match e with
+  | Num z => Res (fpol (C (Qmake z 1))) []
+  | Var n => Res (fpol (var n)) []
+  | Opp e => let r := norm e in Res (fopp (fr r)) (cs r)
+  | Sum a b => let r := norm a in let s := norm b in Res (fadd (fr r) (fr s)) (joins (cs r) (cs s))
+  | Diff a b => let r := norm a in let s := norm b in Res (fadd (fr r) (fopp (fr s))) (joins (cs r) (cs s))
+  | Prod a b => let r := norm a in let s := norm b in Res (fmul (fr r) (fr s)) (joins (cs r) (cs s))
+  | Quot a b => let r := norm a in let s := norm b in
+      Res (fdiv (fr r) (fr s)) (join (num (fr s)) (joins (cs r) (cs s)))
+  | Pow e n => let r := norm e in Res (fpow (fr r) n) (cs r)
+  | App f args =>
+      let rs := map norm args in
+      let fs := map fr rs in
+      Res (fdiv (comp (num (quotient f)) fs) (comp (den (quotient f)) fs))
+          (joins (map (fun c => num (comp c fs)) (nonzero f))
+            (fold_right (fun r l => joins (cs r) l) [] rs))
+  | Der e a =>
+      let r := norm e in let s := norm a in
+      let d := fder (fr r) in
+      Res (fdiv (comp1 (num d) (fr s)) (comp1 (den d) (fr s))) (joins (at_first (fr s) (cs r)) (cs s))
+  end.
+
+Lemma numerator_not f env x : is f env x -> x <> 0 -> ev (num f) env <> 0.
+Proof.
+  intros [D V] H E. apply H. rewrite <- V. unfold val. rewrite E. unfold Rdiv. ring.
+Qed.
+
+Lemma forall_apart env (l : list pol) (m : list frac) xs :
+  Forall2 (fun f x => is f env x) m xs ->
+  Forall (nz env) (map (fun c => num (comp c m)) l) -> Forall (nz xs) l.
+Proof.
+  intros A H. induction l as [|c l IH]; constructor; inversion H; subst; auto.
+  destruct (comp_ok c m env xs A) as [D V]. unfold nz in *. rewrite <- V. unfold val.
+  apply Rmult_integral_contrapositive_currified; [assumption | apply Rinv_neq_0_compat, D].
+Qed.
+
+Lemma forall_locally {A} (Q : A -> R -> Prop) (l : list A) x :
+  Forall (fun c => locally x (Q c)) l -> locally x (fun y => Forall (fun c => Q c y) l).
+Proof.
+  intros H. induction H as [|c l Hc H IH].
+  - apply filter_forall. intros; constructor.
+  - generalize (filter_and _ _ Hc IH). apply filter_imp. intros y [? ?]. constructor; assumption.
+Qed.
+
+(** A formula has a derivative, that of its quotient. *)
+Lemma der_ok e x env :
+  (forall env, Forall (nz env) (cs (norm e)) -> is (fr (norm e)) env (eval e env)) ->
+  Forall (nz (x :: env)) (cs (norm e)) ->
+  is_derive (fun x => eval e (x :: env)) x (val (fder (fr (norm e))) (x :: env)) /\
+  ok (fder (fr (norm e))) (x :: env).
+Proof.
+  intros IH H. destruct (IH _ H) as [D _]. destruct (fder_ok _ _ _ D) as [D1 D2]. split; [|exact D2].
+  apply is_derive_ext_loc with (f := fun x => val (fr (norm e)) (x :: env)); [|exact D1].
+  assert (L : locally x (fun x => Forall (fun c => nz (x :: env) c) (cs (norm e)))).
+  { apply forall_locally with (Q := fun c x => nz (x :: env) c).
+    revert H. apply Forall_impl. intros c. apply ev_stays. }
+  revert L. apply filter_imp. intros y Hy. apply IH, Hy.
+Qed.
+
+(** The quotient of a formula is its value wherever nothing vanishes that must not. *)
+Theorem norm_ok e : forall env, Forall (nz env) (cs (norm e)) -> is (fr (norm e)) env (eval e env).
+Proof.
+  induction e as [z | n | e IH | a b IHa IHb | a b IHa IHb | a b IHa IHb | a b IHa IHb | e n IH
+                 | f args IH | e a IHe IHa] using expr_all; intros env H; simpl in *.
+  - rewrite <- Q2R_IZR. apply (fpol_ok (C _)).
+  - rewrite <- var_ok. apply fpol_ok.
+  - apply fopp_ok, IH, H.
+  - apply joins_ok in H as [? ?]. apply fadd_ok; auto.
+  - apply joins_ok in H as [? ?]. unfold Rminus. apply fadd_ok; [|apply fopp_ok]; auto.
+  - apply joins_ok in H as [? ?]. apply fmul_ok; auto.
+  - apply join_ok in H as [? H]. apply joins_ok in H as [? ?]. apply fdiv_ok; auto.
+  - apply fpow_ok; auto.
+  - apply joins_ok in H as [H I].
+    assert (A : Forall2 (fun f x => is f env x) (map fr (map norm args)) (map (fun a => eval a env) args)).
+    { clear H. induction IH as [|e args He IH]; simpl in *; constructor.
+      - apply joins_ok in I as [? ?]. auto.
+      - apply joins_ok in I as [? ?]. auto. }
+    apply (forall_apart _ _ _ _ A) in H. destruct (fn_ok f _ H) as [D V]. rewrite <- V. unfold val.
+    apply fdiv_ok; [apply comp_ok, A | apply comp_ok, A |].
+    eapply numerator_not; [apply comp_ok, A | exact D].
+  - apply joins_ok in H as [H I]. specialize (IHa env I).
+    apply (at_first_ok _ _ _ _ IHa) in H. destruct (der_ok e _ _ IHe H) as [D K].
+    assert (V : Derive (fun x : R => eval e (x :: env)) (eval a env) =
+      val (fder (fr (norm e))) (eval a env :: env)) by exact (is_derive_unique _ _ _ D).
+    rewrite V. unfold val.
+    apply fdiv_ok; [apply comp1_ok, IHa | apply comp1_ok, IHa |].
+    eapply numerator_not; [apply comp1_ok, IHa | exact K].
+Qed.
+
+(** * Signs *)
+
+(** An end of a range: none, or a number that belongs to the range or does not. *)
+Inductive bound := Inf | Incl (q : Q) | Excl (q : Q).
+Definition range := (bound * bound)%type.
+
+Definition above (b : bound) (x : R) : Prop :=
+  match b with Inf => True | Incl q => Q2R q <= x | Excl q => Q2R q < x end.
+Definition below (b : bound) (x : R) : Prop :=
+  match b with Inf => True | Incl q => x <= Q2R q | Excl q => x < Q2R q end.
+
+(** Every variable is in its range. *)
+Fixpoint inbox (rs : list range) (env : list R) : Prop :=
+  match rs with
+  | [] => True
+  | r :: rs => (above (fst r) (hd 0 env) /\ below (snd r) (hd 0 env)) /\ inbox rs (tl env)
+  end.
+
+(** What is claimed of a number: that it is positive, or that it is not negative. *)
+Definition sign (strict : bool) (x : R) : Prop := if strict then 0 < x else 0 <= x.
+
+Lemma sign_weak s x : sign s x -> 0 <= x.
+Proof. destruct s; simpl; lra. Qed.
+
+(** ** Bernstein coefficients *)
+
+(** The value of sum c_j y^j z^(n-j). *)
+Fixpoint hev (y z : R) (l : list R) : R :=
+  match l with [] => 0 | c :: l => c * z ^ length l + y * hev y z l end.
+
+(** (al z + be y) times such a sum. *)
+Fixpoint lin (al be : Q) (prev : pol) (w : list pol) : list pol :=
+  match w with
+  | [] => [times be prev]
+  | c :: w => add (times al c) (times be prev) :: lin al be c w
+  end.
+
+Lemma lin_length al be prev w : length (lin al be prev w) = S (length w).
+Proof. revert prev. induction w; intros; simpl; auto. Qed.
+
+Lemma lin_ok al be w y z env : forall prev,
+  hev y z (evs (lin al be prev w) env) =
+  Q2R be * ev prev env * z ^ length w + (Q2R al * z + Q2R be * y) * hev y z (evs w env).
+Proof.
+  induction w as [|c w IH]; intros prev; simpl.
+  - rewrite times_ok. ring.
+  - rewrite add_ok, !times_ok, IH, !map_length, lin_length. simpl. ring.
+Qed.
+
+Lemma lin0 al be w y z env :
+  hev y z (evs (lin al be (C 0) w) env) = (Q2R al * z + Q2R be * y) * hev y z (evs w env).
+Proof. rewrite lin_ok. simpl. rewrite Q2R_0. ring. Qed.
+
+Fixpoint ladd (l m : list pol) : list pol :=
+  match l, m with a :: l, b :: m => add a b :: ladd l m | _, _ => [] end.
+
+Lemma ladd_length l m : length l = length m -> length (ladd l m) = length m.
+Proof. revert m. induction l; intros [|b m]; simpl; intros E; auto; discriminate E. Qed.
+
+Lemma ladd_ok l m y z env : length l = length m ->
+  hev y z (evs (ladd l m) env) = hev y z (evs l env) + hev y z (evs m env).
+Proof.
+  revert m. induction l as [|a l IH]; intros [|b m]; simpl; intros E; try discriminate E; [ring|].
+  injection E as E. rewrite add_ok, IH, !map_length, ladd_length, E by assumption. ring.
+Qed.
+
+Lemma hev_mul p l y z env :
+  hev y z (evs (map (mul p) l) env) = ev p env * hev y z (evs l env).
+Proof. induction l as [|a l IH]; simpl; [ring|]. rewrite mul_ok, IH, !map_length. ring. Qed.
+
+(** With x = (a z + b y)/(y + z) the coefficients of (y + z)^n and of (y + z)^(n-1) (c0 + c1 x + ...), where n is the
+    number of the c's. *)
+Fixpoint hom (a b : Q) (l : list pol) : list pol * list pol :=
+  match l with
+  | [] => ([C 1], [])
+  | c :: l => let (w, h) := hom a b l in (lin 1 1 (C 0) w, ladd (map (mul c) w) (lin a b (C 0) h))
+  end.
+
+Lemma hom_length a b l :
+  length (fst (hom a b l)) = S (length l) /\ length (snd (hom a b l)) = length l.
+Proof.
+  induction l as [|c l [IH1 IH2]]; simpl; [auto|]. destruct (hom a b l) as [w h]; simpl in *.
+  rewrite lin_length, ladd_length; rewrite ?lin_length, ?map_length; lia.
+Qed.
+
+Lemma hom_ok a b l x y z env : x * (y + z) = Q2R a * z + Q2R b * y ->
+  hev y z (evs (fst (hom a b l)) env) = (y + z) ^ length l /\
+  (y + z) * hev y z (evs (snd (hom a b l)) env) = (y + z) ^ length l * horner x (evs l env).
+Proof.
+  intros E. induction l as [|c l [IH1 IH2]]; simpl; [rewrite Q2R_1; split; ring|].
+  pose proof (hom_length a b l) as [L1 L2]. destruct (hom a b l) as [w h]; simpl in *.
+  rewrite lin0, ladd_ok, hev_mul, lin0, Q2R_1, IH1 by (rewrite lin_length, map_length; lia).
+  rewrite <- E. split; [ring|].
+  replace ((y + z) * (ev c env * (y + z) ^ length l + x * (y + z) * hev y z (evs h env)))
+    with ((y + z) * ev c env * (y + z) ^ length l + x * (y + z) * ((y + z) * hev y z (evs h env))) by ring.
+  rewrite IH2. ring.
+Qed.
+
+(** With x = a + b y the coefficients of c0 + c1 x + ... in y. *)
+Fixpoint taylor (a b : Q) (l : list pol) : list pol :=
+  match l with
+  | [] => []
+  | c :: l => match lin a b (C 0) (taylor a b l) with d :: m => add c d :: m | [] => [] end
+  end.
+
+Lemma hev_1 y l : hev y 1 l = horner y l.
+Proof. induction l; simpl; [ring|]. rewrite IHl, pow1. ring. Qed.
+
+Lemma taylor_ok a b l y env :
+  horner y (evs (taylor a b l) env) = horner (Q2R a + Q2R b * y) (evs l env).
+Proof.
+  induction l as [|c l IH]; simpl; [reflexivity|].
+  pose proof (lin0 a b (taylor a b l) y 1 env) as H. pose proof (lin_length a b (C 0) (taylor a b l)) as L.
+  destruct (lin a b (C 0) (taylor a b l)) as [|d m]; [discriminate L|].
+  rewrite !hev_1 in H. rewrite IH in H. simpl in *. rewrite add_ok. rewrite <- (Rmult_1_r (Q2R a)) at 1. lra.
+Qed.
+
+Definition first (l : list pol) : pol := hd (C 0) l.
+Definition total (l : list pol) : pol := fold_right add (C 0) l.
+
+Lemma hev_weak l y z env :
+  0 <= y -> 0 <= z -> Forall (fun c => 0 <= ev c env) l -> 0 <= hev y z (evs l env).
+Proof.
+  intros Hy Hz H. induction H; simpl; [lra|].
+  apply Rplus_le_le_0_compat; apply Rmult_le_pos; auto. apply pow_le, Hz.
+Qed.
+
+Lemma hev_first l y z env :
+  0 <= y -> 0 < z -> Forall (fun c => 0 <= ev c env) l -> 0 < ev (first l) env -> 0 < hev y z (evs l env).
+Proof.
+  intros Hy Hz H. destruct H as [|c l Hc H]; simpl; [rewrite Q2R_0; lra|]. intros Hf.
+  apply Rplus_lt_le_0_compat; [apply Rmult_lt_0_compat; [assumption | apply pow_lt, Hz]|].
+  apply Rmult_le_pos; [assumption | apply hev_weak; auto; lra].
+Qed.
+
+Lemma hev_last l y z env :
+  0 < y -> 0 <= z -> Forall (fun c => 0 <= ev c env) l -> 0 < ev (last l (C 0)) env ->
+  0 < hev y z (evs l env).
+Proof.
+  intros Hy Hz H. induction H as [|c l Hc H IH]; [simpl; rewrite Q2R_0; lra|]. intros Hl.
+  destruct l as [|d l]; [simpl in *; lra|]. change (last (c :: d :: l) (C 0)) with (last (d :: l) (C 0)) in Hl.
+  specialize (IH Hl).
+  change (0 < ev c env * z ^ length (evs (d :: l) env) + y * hev y z (evs (d :: l) env)).
+  apply Rplus_le_lt_0_compat; [apply Rmult_le_pos; [assumption | apply pow_le, Hz]|].
+  apply Rmult_lt_0_compat; assumption.
+Qed.
+
+Lemma hev_total l y z env :
+  0 < y -> 0 < z -> Forall (fun c => 0 <= ev c env) l -> 0 < ev (total l) env -> 0 < hev y z (evs l env).
+Proof.
+  intros Hy Hz H. induction H as [|c l Hc H IH]; simpl; [rewrite Q2R_0; lra|]. rewrite add_ok. intros Ht.
+  pose proof (hev_weak l y z env (Rlt_le _ _ Hy) (Rlt_le _ _ Hz) H) as W.
+  pose proof (pow_lt z (length (evs l env)) Hz) as Z.
+  destruct (Rle_lt_or_eq_dec _ _ Hc) as [G | G].
+  - apply Rplus_lt_le_0_compat; [apply Rmult_lt_0_compat; assumption|]. apply Rmult_le_pos; lra.
+  - rewrite <- G in *. rewrite Rmult_0_l, Rplus_0_l. apply Rmult_lt_0_compat; [assumption|]. apply IH. lra.
+Qed.
+
+(** ** The sign of a polynomial on a box *)
+
+Definition qlt (a b : Q) : bool := negb (Qle_bool b a).
+
+Lemma qlt_ok a b : qlt a b = true -> Q2R a < Q2R b.
+Proof.
+  unfold qlt. intros H. apply Qlt_Rlt. apply Qnot_le_lt. intros L. apply Qle_bool_iff in L.
+  rewrite L in H. discriminate.
+Qed.
+
+(** c0 + c1 a + ... *)
+Definition at_number (a : Q) (l : list pol) : pol := fold_right (fun c acc => add c (times a acc)) (C 0) l.
+
+Lemma at_number_ok a l env : ev (at_number a l) env = horner (Q2R a) (evs l env).
+Proof. induction l; simpl; [apply Q2R_0|]. rewrite add_ok, times_ok, IHl. reflexivity. Qed.
+
+Definition is_incl (b : bound) : bool := match b with Incl _ => true | _ => false end.
+
+Section OneVariable.
+  (** What decides about the coefficients, which are polynomials in the other variables. *)
+  Variable rest : bool -> pol -> bool.
+
+  (** Nonnegative coefficients, first and last one for the two ends. *)
+  Definition ends (s lo hi : bool) (w : list pol) : bool :=
+    (forallb (rest false) w &&
+      if s then
+        match lo, hi with
+        | true, true => rest true (first w) && rest true (last w (C 0))
+        | true, false => rest true (first w)
+        | false, true => rest true (last w (C 0))
+        | false, false => rest true (total w)
+        end
+      else true)%bool.
+
+  Definition side (s : bool) (lo hi : bound) (l : list pol) : bool :=
+    match lo, hi with
+    | Incl a, Incl b | Incl a, Excl b | Excl a, Incl b | Excl a, Excl b =>
+        if qlt a b then ends s (is_incl lo) (is_incl hi) (snd (hom a b l))
+        else (qsame a b && rest s (at_number a l))%bool
+    | Incl a, Inf | Excl a, Inf => ends s (is_incl lo) false (taylor a 1 l)
+    | Inf, Incl b | Inf, Excl b => ends s (is_incl hi) false (taylor b (-1) l)
+    | Inf, Inf => false
+    end.
+
+  Variable env : list R.
+  Hypothesis rest_ok : forall s p, rest s p = true -> sign s (ev p env).
+
+  Lemma ends_ok s lo hi w y z :
+    ends s lo hi w = true ->
+    0 <= y -> 0 <= z -> 0 < y + z -> (lo = false -> 0 < y) -> (hi = false -> 0 < z) ->
+    sign s (hev y z (evs w env)).
+  Proof.
+    unfold ends. intros H Hy Hz Hyz Hlo Hhi. apply andb_prop in H as [H S].
+    assert (W : Forall (fun c => 0 <= ev c env) w).
+    { apply Forall_forall. intros c Hc. rewrite forallb_forall in H. exact (rest_ok false c (H c Hc)). }
+    destruct s; simpl; [|apply hev_weak; assumption].
+    destruct lo, hi.
+    - apply andb_prop in S as [S1 S2]. apply rest_ok in S1, S2. simpl in S1, S2.
+      destruct (Rle_lt_or_eq_dec _ _ Hz) as [G | G]; [apply hev_first; auto|].
+      apply hev_last; auto; lra.
+    - apply rest_ok in S. apply hev_first; auto.
+    - apply rest_ok in S. apply hev_last; auto.
+    - apply rest_ok in S. apply hev_total; auto.
+  Qed.
+
+  Lemma sign_scale s c x : 0 < c -> sign s (c * x) -> sign s x.
+  Proof.
+    destruct s; simpl; intros Hc H.
+    - apply (Rmult_lt_reg_l c); lra.
+    - apply (Rmult_le_reg_l c); lra.
+  Qed.
+
+  Lemma finite_ok s lo hi a b l x : Q2R a < Q2R b ->
+    ends s lo hi (snd (hom a b l)) = true ->
+    Q2R a <= x <= Q2R b -> (lo = false -> Q2R a < x) -> (hi = false -> x < Q2R b) ->
+    sign s (horner x (evs l env)).
+  Proof.
+    intros Hab H Hx Hlo Hhi.
+    assert (E : x * (x - Q2R a + (Q2R b - x)) = Q2R a * (Q2R b - x) + Q2R b * (x - Q2R a)) by ring.
+    destruct (hom_ok a b l x _ _ env E) as [_ V].
+    assert (S : sign s (hev (x - Q2R a) (Q2R b - x) (evs (snd (hom a b l)) env))).
+    { apply (ends_ok s lo hi); auto; try lra; intros G; [apply Hlo in G | apply Hhi in G]; lra. }
+    apply (sign_scale s ((x - Q2R a + (Q2R b - x)) ^ length l)); [apply pow_lt; lra|].
+    rewrite <- V. destruct s; simpl in *.
+    - apply Rmult_lt_0_compat; lra.
+    - apply Rmult_le_pos; lra.
+  Qed.
+
+  Lemma half_ok s inc a b l y :
+    ends s inc false (taylor a b l) = true -> 0 <= y -> (inc = false -> 0 < y) ->
+    sign s (horner (Q2R a + Q2R b * y) (evs l env)).
+  Proof.
+    intros H Hy Hi. rewrite <- taylor_ok, <- hev_1. apply (ends_ok s inc false); auto; lra.
+  Qed.
+
+  Lemma side_ok s lo hi l x :
+    side s lo hi l = true -> above lo x -> below hi x -> sign s (horner x (evs l env)).
+  Proof.
+    assert (HF : forall s lo hi a b,
+      (if qlt a b then ends s lo hi (snd (hom a b l)) else (qsame a b && rest s (at_number a l))%bool) = true ->
+      Q2R a <= x <= Q2R b -> (lo = false -> Q2R a < x) -> (hi = false -> x < Q2R b) ->
+      sign s (horner x (evs l env))).
+    { clear s lo hi. intros s lo hi a b H Hx Hlo Hhi. destruct (qlt a b) eqn:Q.
+      - apply (finite_ok s lo hi a b); auto. apply qlt_ok, Q.
+      - apply andb_prop in H as [E H]. apply qsame_ok in E. subst b.
+        replace x with (Q2R a) by lra. rewrite <- at_number_ok. apply rest_ok, H. }
+    assert (HL : forall s inc a, ends s inc false (taylor a 1 l) = true ->
+      Q2R a <= x -> (inc = false -> Q2R a < x) -> sign s (horner x (evs l env))).
+    { intros s' inc a H Hx Hi. replace x with (Q2R a + Q2R 1 * (x - Q2R a)) by (rewrite Q2R_1; ring).
+      apply (half_ok s' inc); auto; [lra|]. intros G. apply Hi in G. lra. }
+    assert (HR : forall s inc b, ends s inc false (taylor b (-1) l) = true ->
+      x <= Q2R b -> (inc = false -> x < Q2R b) -> sign s (horner x (evs l env))).
+    { intros s' inc b H Hx Hi. replace x with (Q2R b + Q2R (-1) * (Q2R b - x)) by (rewrite Q2R_m1; ring).
+      apply (half_ok s' inc); auto; [lra|]. intros G. apply Hi in G. lra. }
+    destruct lo as [|a|a], hi as [|b|b]; simpl; intros H A B; try discriminate H.
+    - apply (HR s true b); auto; discriminate.
+    - apply (HR s false b); auto; lra.
+    - apply (HL s true a); auto; discriminate.
+    - apply (HF s true true a b); auto; discriminate.
+    - apply (HF s true false a b); auto; try lra; discriminate.
+    - apply (HL s false a); auto; lra.
+    - apply (HF s false true a b); auto; try lra; discriminate.
+    - apply (HF s false false a b); auto; lra.
+  Qed.
+End OneVariable.
+
+(** Whether the coefficients show that p has the sign on the box. *)
+Fixpoint decide (rs : list range) (s : bool) (p : pol) : bool :=
+  match p with
+  | C c => if s then qlt 0 c else Qle_bool 0 c
+  | P l =>
+    match rs with
+    | [] => false
+    | (lo, hi) :: rs =>
+      match l, lo, hi with
+      | [c], _, _ => decide rs s c
+      | _, Inf, Inf => (side (decide rs) s Inf (Incl 0) l && side (decide rs) s (Incl 0) Inf l)%bool
+      | _, _, _ => side (decide rs) s lo hi l
+      end
+    end
+  end.
+
+Lemma decide_ok rs : forall s p env, decide rs s p = true -> inbox rs env -> sign s (ev p env).
+Proof.
+  assert (HC : forall (s : bool) c env, (if s then qlt 0 c else Qle_bool 0 c) = true -> sign s (ev (C c) env)).
+  { intros s c env H; destruct s; simpl; rewrite <- Q2R_0; [apply qlt_ok, H | apply Qle_Rle, Qle_bool_iff, H]. }
+  induction rs as [|[lo hi] rs IH]; intros s [c | l] env H B;
+    try (apply HC; exact H); [discriminate H|].
+  destruct B as [[A B] T]; simpl in A, B.
+  assert (G : forall lo hi, side (decide rs) s lo hi l = true -> above lo (hd 0 env) -> below hi (hd 0 env) ->
+    sign s (ev (P l) env)).
+  { intros lo' hi' H' A' B'. simpl. apply (side_ok (decide rs)) with (lo := lo') (hi := hi'); auto. }
+  assert (G2 : match lo, hi with
+    | Inf, Inf => (side (decide rs) s Inf (Incl 0) l && side (decide rs) s (Incl 0) Inf l)%bool
+    | _, _ => side (decide rs) s lo hi l end = true -> sign s (ev (P l) env)).
+  { intros H'. destruct lo, hi; try (apply (G _ _ H'); assumption).
+    apply andb_prop in H' as [H1 H2]. destruct (Rle_dec (hd 0 env) 0) as [L | L].
+    - apply (G _ _ H1); simpl; rewrite ?Q2R_0; auto.
+    - apply (G _ _ H2); simpl; rewrite ?Q2R_0; auto. lra. }
+  destruct l as [|c [|d l]].
+  - apply G2. destruct lo, hi; exact H.
+  - replace (ev (P [c]) env) with (ev c (tl env)) by (simpl; ring). apply IH; [exact H | exact T].
+  - apply G2. destruct lo, hi; exact H.
+Qed.
+
+(** How to show a sign: by the coefficients; on both parts of a box that is cut where a variable is q; of a product
+    from the signs of its factors, both positive or both negative; of a square times another. *)
+Inductive cert :=
+  | Direct
+  | Cut (k : nat) (q : Q) (low high : cert)
+  | Product (negative : bool) (f g : pol) (cf cg : cert)
+  | Square (f g : pol) (c : cert).
+
+Fixpoint set_high (k : nat) (q : Q) (rs : list range) : list range :=
+  match k, rs with
+  | _, [] => []
+  | O, (lo, _) :: rs => (lo, Incl q) :: rs
+  | S k, r :: rs => r :: set_high k q rs
+  end.
+Fixpoint set_low (k : nat) (q : Q) (rs : list range) : list range :=
+  match k, rs with
+  | _, [] => []
+  | O, (_, hi) :: rs => (Incl q, hi) :: rs
+  | S k, r :: rs => r :: set_low k q rs
+  end.
+
+Fixpoint check (c : cert) (rs : list range) (s : bool) (p : pol) : bool :=
+  match c with
+  | Direct => decide rs s p
+  | Cut k q low high => (check low (set_high k q rs) s p && check high (set_low k q rs) s p)%bool
+  | Product n f g cf cg =>
+      (is0 (sub p (mul f g)) && check cf rs s (if n then opp f else f) && check cg rs s (if n then opp g else g))%bool
+  | Square f g c => (negb s && is0 (sub p (mul (mul f f) g)) && check c rs false g)%bool
+  end.
+
+Lemma set_ok k q rs env :
+  inbox rs env -> inbox (set_high k q rs) env \/ inbox (set_low k q rs) env.
+Proof.
+  revert rs env. induction k as [|k IH]; intros [|[lo hi] rs] env; simpl; auto.
+  - intros [[A B] T]. destruct (Rle_dec (hd 0 env) (Q2R q)); [left | right]; repeat split; auto; lra.
+  - intros [AB T]. destruct (IH _ _ T); auto.
+Qed.
+
+Lemma check_ok c : forall rs s p env, check c rs s p = true -> inbox rs env -> sign s (ev p env).
+Proof.
+  induction c as [|k q low IHl high IHh | n f g cf IHf cg IHg | f g c IH]; intros rs s p env H B; simpl in H.
+  - eapply decide_ok; eassumption.
+  - apply andb_prop in H as [H1 H2]. destruct (set_ok k q rs env B); eauto.
+  - apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
+    apply (is0_ok _ env) in H1. rewrite sub_ok, mul_ok in H1.
+    specialize (IHf _ _ _ env H2 B). specialize (IHg _ _ _ env H3 B).
+    replace (ev p env) with (ev f env * ev g env) by lra.
+    destruct n; rewrite ?opp_ok in *; destruct s; simpl in *.
+    + replace (ev f env * ev g env) with (- ev f env * - ev g env) by ring. apply Rmult_lt_0_compat; lra.
+    + replace (ev f env * ev g env) with (- ev f env * - ev g env) by ring. apply Rmult_le_pos; lra.
+    + apply Rmult_lt_0_compat; lra.
+    + apply Rmult_le_pos; lra.
+  - apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2]. destruct s; [discriminate H1|].
+    apply (is0_ok _ env) in H2. rewrite sub_ok, !mul_ok in H2.
+    specialize (IH _ _ _ env H3 B). simpl in *.
+    replace (ev p env) with (ev f env * ev f env * ev g env) by lra.
+    apply Rmult_le_pos; [apply Rle_0_sqr | assumption].
+Qed.
+
+(** * What theorems are proved by *)
+
+(** Whether a polynomial vanishes nowhere on a box, by one of some certificates. *)
+Definition defined (rs : list range) (by_ : list cert) (p : pol) : bool :=
+  existsb (fun c => check c rs true p || check c rs true (opp p))%bool (Direct :: by_).
+
+Lemma defined_ok rs by_ l env :
+  forallb (defined rs by_) l = true -> inbox rs env -> Forall (nz env) l.
+Proof.
+  intros H B. apply Forall_forall. intros p Hp. rewrite forallb_forall in H. specialize (H p Hp).
+  unfold defined in H. apply existsb_exists in H as [c [_ H]]. unfold nz.
+  apply orb_prop in H as [H | H]; apply (check_ok _ _ _ _ env) in H; auto; simpl in H; rewrite ?opp_ok in H; lra.
+Qed.
+
+Definition prove_zero (rs : list range) (by_ : list cert) (e : expr) : bool :=
+  let r := norm e in (forallb (defined rs by_) (cs r) && is0 (num (fr r)))%bool.
+
+Lemma zero_by rs by_ e env : prove_zero rs by_ e = true -> inbox rs env -> eval e env = 0.
+Proof.
+  unfold prove_zero. intros H B. apply andb_prop in H as [H Z]. apply (defined_ok _ _ _ env) in H; auto.
+  destruct (norm_ok e env H) as [_ V]. rewrite <- V. unfold val. rewrite (is0_ok _ _ Z). unfold Rdiv. ring.
+Qed.
+
+(** Two formulas have the same value on a box. *)
+Theorem equal_by rs by_ a b env :
+  prove_zero rs by_ (Diff a b) = true -> inbox rs env -> eval a env = eval b env.
+Proof. intros H B. pose proof (zero_by _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
+
+(** A formula has a derivative, and this is its value. *)
+Theorem derivative_by rs by_ e a r env :
+  prove_zero rs by_ (Diff (Der e a) r) = true -> inbox rs env ->
+  is_derive (fun x => eval e (x :: env)) (eval a env) (eval r env).
+Proof.
+  intros H B. rewrite <- (equal_by rs by_ (Der e a) r env H B). simpl.
+  unfold prove_zero in H. apply andb_prop in H as [H _]. apply (defined_ok _ _ _ env) in H; auto.
+  simpl in H. apply joins_ok in H as [H _]. apply joins_ok in H as [H I].
+  apply (at_first_ok _ _ _ _ (norm_ok a env I)) in H.
+  apply Derive_correct. eexists. apply (der_ok e _ _ (norm_ok e) H).
+Qed.
+
+Definition prove_sign (s : bool) (rs : list range) (by_ : list cert) (cn cd : cert) (e : expr) : bool :=
+  let r := norm e in
+  (forallb (defined rs by_) (cs r) &&
+   if check cd rs false (den (fr r)) then check cn rs s (num (fr r))
+   else check cd rs false (opp (den (fr r))) && check cn rs s (opp (num (fr r))))%bool.
+
+Theorem sign_by s rs by_ cn cd e env :
+  prove_sign s rs by_ cn cd e = true -> inbox rs env -> sign s (eval e env).
+Proof.
+  unfold prove_sign. intros H B. apply andb_prop in H as [H K]. apply (defined_ok _ _ _ env) in H; auto.
+  destruct (norm_ok e env H) as [D V]. rewrite <- V. unfold val, ok in *.
+  assert (Q : forall n d, 0 <= d -> d <> 0 -> sign s n -> sign s (n / d)).
+  { intros n d Hd Hn Hs. assert (0 < / d) by (apply Rinv_0_lt_compat; lra).
+    destruct s; simpl in *; unfold Rdiv; [apply Rmult_lt_0_compat | apply Rmult_le_pos]; lra. }
+  destruct (check cd rs false (den (fr (norm e)))) eqn:E.
+  - apply Q; auto; [exact (check_ok _ _ _ _ env E B) | exact (check_ok _ _ _ _ env K B)].
+  - apply andb_prop in K as [K1 K2]. apply (check_ok _ _ _ _ env) in K1, K2; auto.
+    rewrite opp_ok in *. simpl in K1.
+    replace (ev (num (fr (norm e))) env / ev (den (fr (norm e))) env)
+      with (- ev (num (fr (norm e))) env / - ev (den (fr (norm e))) env) by (field; assumption).
+    apply Q; auto; lra.
+Qed.
+
+Theorem le_by rs by_ cn cd a b env :
+  prove_sign false rs by_ cn cd (Diff b a) = true -> inbox rs env -> eval a env <= eval b env.
+Proof. intros H B. pose proof (sign_by _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
+
+Theorem lt_by rs by_ cn cd a b env :
+  prove_sign true rs by_ cn cd (Diff b a) = true -> inbox rs env -> eval a env < eval b env.
+Proof. intros H B. pose proof (sign_by _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
+
+(** A function as data, by the polynomials that vm_compute has made of its formula. *)
+Theorem fn_by (f : list R -> R) e r :
+  norm e = r -> (forall env, f env = eval e env) ->
+  forall env, Forall (nz env) (cs r) -> is (fr r) env (f env).
+Proof. intros <- E env H. rewrite E. apply norm_ok, H. Qed.
+
+(** ** For the texts of proofs *)
+
+(** What is left of a part of c in front of it: barycentric coordinates as images of a box. *)
+Lemma split_off (c x : R) : 0 <= x -> x <= c -> exists s, 0 <= s <= 1 /\ x = c * (1 - s).
+Proof.
+  intros H0 H1. destruct (Req_dec c 0) as [E | E].
+  - exists 0. split; [lra|]. replace x with 0 by lra. rewrite E. ring.
+  - exists (1 - x / c). assert (0 < c) by lra. split.
+    + split.
+      * apply Rmult_le_reg_r with c; [assumption|]. unfold Rdiv.
+        rewrite Rmult_minus_distr_r, Rmult_assoc, Rinv_l; lra.
+      * assert (0 <= x / c) by (unfold Rdiv; apply Rmult_le_pos; [assumption | apply Rlt_le, Rinv_0_lt_compat; assumption]).
+        lra.
+    + field. assumption.
+Qed.
+
+(** All variables are in their ranges. *)
+Ltac box := cbv [inbox above below fst snd hd tl Q2R Qnum Qden]; repeat split; lra.
+(** A program says that it is so. *)
+Ltac run := vm_cast_no_check (eq_refl true).

@@ -1,0 +1,218 @@
+//! Claims of a family as theorems with their proofs.
+
+use basis_engine::algebra::range::Range;
+use basis_engine::algebra::rational::Rational;
+use basis_engine::formulas::{Claimed, Compared, Comparison, Term};
+use basis_engine::{Claim, ClaimKind, Coordinate, Family, Verdict, Witness, state};
+use basis_kernel::algebra::poly::Var;
+use basis_kernel::{Chart, Proof, Statement};
+
+use super::certificate;
+use super::formula::{Writer, number};
+use super::frame::Frame;
+
+/// Why there is no theorem for a claim.
+pub(super) type Missing = &'static str;
+
+/// A family with everything that its theorems mention.
+pub(super) struct Subject<'a> {
+    pub(super) family: &'a Family,
+    /// The identifiers of the definitions.
+    pub(super) definitions: &'a [String],
+    /// The identifiers of the variables.
+    pub(super) names: &'a [String],
+    /// Why no denominator vanishes.
+    pub(super) obligations: &'a [&'a Proof],
+}
+
+impl Subject<'_> {
+    /// The theorems that a claim makes, with the identifiers that begin with `name`.
+    pub(super) fn theorems(
+        &self,
+        name: &str,
+        claim: &Claim,
+        claimed: &Claimed,
+        verdict: &Verdict,
+    ) -> Result<Vec<String>, Missing> {
+        match verdict {
+            Verdict::Undecided(_) => Err("an undecided claim"),
+            Verdict::Proved(evidence) => {
+                if matches!(claim.kind, ClaimKind::Independent(_)) {
+                    return Err("linear independence");
+                }
+                if evidence.steps().len() != claimed.all.len() {
+                    return Err("formulas that cannot be told apart");
+                }
+                let many = claimed.all.len() > 1;
+                let each = claimed.all.iter().zip(evidence.steps()).enumerate();
+                each.map(|(k, (compared, (_, proof)))| {
+                    let name = if many { format!("{name}_{k}") } else { name.to_string() };
+                    self.proved(&name, claimed, compared, proof)
+                })
+                .collect()
+            }
+            Verdict::Refuted(witness) => Ok(vec![self.refuted(name, claim, claimed, witness)?]),
+        }
+    }
+
+    fn writer<'w>(&'w self, variables: &'w dyn Fn(usize) -> Option<String>) -> Writer<'w> {
+        Writer { definitions: self.definitions, variables }
+    }
+
+    /// A comparison that holds everywhere.
+    fn proved(
+        &self,
+        name: &str,
+        claimed: &Claimed,
+        compared: &Compared,
+        proof: &Proof,
+    ) -> Result<String, Missing> {
+        let (frame, boxed, variables, certificates) = match proof.statement() {
+            Statement::Zero { value, domain } if self.family.is_simplex() && self.family.is_rational() => {
+                // Denominators do not vanish on the simplex alone.
+                let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
+                let chart = chart.map_err(|_| "a domain that has no chart")?;
+                let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
+                (frame, Vec::new(), Vec::new(), (String::new(), String::new()))
+            }
+            Statement::Zero { .. } => {
+                let frame = Frame::new(self.family, self.names, &claimed.fixed, None);
+                (frame, Vec::new(), Vec::new(), (String::new(), String::new()))
+            }
+            Statement::Sign { value, domain, .. } => {
+                let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
+                let chart = chart.map_err(|_| "a domain that has no chart")?;
+                let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
+                let ranges = chart.region().ranges.clone();
+                let certificates = certificate::of(proof.certificate(), &ranges)?;
+                let boxed: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).collect();
+                (frame, boxed, ranges, certificates)
+            }
+            _ => return Err("a statement of another kind"),
+        };
+        let frame = frame.ok_or("a point that varies on a simplex")?;
+        let env = frame.env();
+        // The variables of a chart follow, in the same order.
+        let same = boxed.iter().map(|v| v.0).eq(env.iter().copied().take(boxed.len()));
+        if !variables.is_empty() && (variables.len() != env.len() || !same) {
+            return Err("a domain that is described in another way");
+        }
+        let (left, right) = (frame.put(&compared.left), frame.put(&compared.right));
+        let names = |v: usize| self.names.get(v).cloned();
+        let writer = self.writer(&names);
+        let data = |term: &Term| writer.data(term, &env);
+        let common = format!("{} {}", frame.ranges(), self.defined(&frame));
+        let (below, above) = certificates;
+        let by = |lemma: &str, a: &Term, b: &Term| {
+            format!("{lemma} {common} {below} {above} {} {} {} _ _", data(a), data(b), frame.values())
+        };
+        let goal = writer.compared(&compared.left, compared.comparison, &compared.right);
+        let (goal, proof) = match (compared.comparison, &left, &compared.left) {
+            (
+                Comparison::Equal,
+                Term::Derivative { body, bound, at },
+                Term::Derivative { body: own, bound: own_bound, at: own_at },
+            ) => {
+                let goal = writer.derived(own, *own_bound, own_at, &compared.right);
+                let function = writer.body(body, *bound, &env);
+                let arguments = format!("{function} {} {} {}", data(at), data(&right), frame.values());
+                (goal, format!("derivative_by {common} {arguments} _ _"))
+            }
+            (Comparison::Equal, ..) => {
+                (goal, format!("equal_by {common} {} {} {} _ _", data(&left), data(&right), frame.values()))
+            }
+            (Comparison::LessEqual, ..) => (goal, by("le_by", &left, &right)),
+            (Comparison::Less, ..) => (goal, by("lt_by", &left, &right)),
+            (Comparison::GreaterEqual, ..) => (goal, format!("Rle_ge _ _ ({})", by("le_by", &right, &left))),
+            (Comparison::Greater, ..) => (goal, format!("Rlt_gt _ _ ({})", by("lt_by", &right, &left))),
+            (Comparison::NotEqual, ..) => return Err("a comparison that is no claim"),
+        };
+        let steps = self.introduced(&frame);
+        let text = format!(
+            "Theorem {name} : {}{goal}.\nProof.\n{steps}  refine ({proof}); [run | box].\nQed.\n",
+            self.stated(&frame)
+        );
+        if text.contains("missing'") { Err("a variable that is not there") } else { Ok(text) }
+    }
+
+    /// The variables and hypotheses in front of a goal.
+    fn stated(&self, frame: &Frame) -> String {
+        let hypotheses: Vec<String> = frame.hypotheses.iter().map(|h| format!("  {h} ->\n")).collect();
+        format!("forall {} : R,\n{}  ", self.names.join(" "), hypotheses.concat())
+    }
+
+    /// The first steps of a proof.
+    fn introduced(&self, frame: &Frame) -> String {
+        let hypotheses: Vec<String> = (0..frame.hypotheses.len()).map(|k| format!(" H'{k}")).collect();
+        let steps: Vec<String> = frame.steps.iter().map(|step| format!("  {step}\n")).collect();
+        format!("  intros {}{}.\n{}", self.names.join(" "), hypotheses.concat(), steps.concat())
+    }
+
+    /// Certificates that denominators do not vanish, for the variables of a frame.
+    fn defined(&self, frame: &Frame) -> String {
+        let variables: Vec<(Var, Range)> =
+            frame.independent.iter().map(|(v, _, range)| (Var(*v), range.clone())).collect();
+        let known =
+            self.obligations.iter().filter_map(|proof| certificate::of(proof.certificate(), &variables).ok());
+        let mut all: Vec<String> = known.map(|(above, _)| above).filter(|c| c != "Direct").collect();
+        all.dedup();
+        format!("[{}]", all.join("; "))
+    }
+
+    /// A comparison that fails at a point.
+    fn refuted(
+        &self,
+        name: &str,
+        claim: &Claim,
+        claimed: &Claimed,
+        witness: &Witness,
+    ) -> Result<String, Missing> {
+        if matches!(claim.kind, ClaimKind::Independent(_)) {
+            return Err("a refutation of independence");
+        }
+        let subject = basis_engine::Subject::Family(std::rc::Rc::new(self.family.clone()));
+        let statements = state::statements(&subject, claim).ok_or("a claim that is too long")?;
+        let refuted = witness.refutation().statement();
+        let place = statements
+            .iter()
+            .position(|s| s.of == witness.of_statement() && s.statement == *refuted)
+            .ok_or("a statement that is not there")?;
+        let compared = claimed.all.get(place).ok_or("formulas that cannot be told apart")?;
+        let value = |name: &String| -> Result<Rational, Missing> {
+            match witness.at.iter().find(|(n, _)| n == name) {
+                Some((_, Coordinate::Rational(x))) => Ok(x.clone()),
+                Some(_) => Err("a refutation at an irrational point"),
+                None => Err("a refutation at a point that is not complete"),
+            }
+        };
+        let point = self.family.names.iter().map(value).collect::<Result<Vec<_>, _>>()?;
+        let put = |term: &Term| term.put(&|v| point.get(v).cloned().map(Term::Number));
+        let frame = Frame::new(self.family, self.names, &claimed.fixed, None).ok_or("a point that varies")?;
+        let names = |v: usize| self.names.get(v).cloned();
+        let writer = self.writer(&names);
+        let goal = writer.compared(&compared.left, compared.comparison, &compared.right);
+        let (left, right) = (writer.data(&put(&compared.left), &[]), writer.data(&put(&compared.right), &[]));
+        let by = |lemma: &str, a: &str, b: &str| format!("{lemma} [] [] Direct Direct {a} {b} [] _ I");
+        let proof = match compared.comparison {
+            Comparison::Equal if witness.value.is_negative() => {
+                format!("Rlt_not_eq _ _ ({})", by("lt_by", &left, &right))
+            }
+            Comparison::Equal => format!("Rgt_not_eq _ _ (Rlt_gt _ _ ({}))", by("lt_by", &right, &left)),
+            Comparison::LessEqual => format!("Rlt_not_le _ _ ({})", by("lt_by", &right, &left)),
+            Comparison::GreaterEqual => format!("Rlt_not_ge _ _ ({})", by("lt_by", &left, &right)),
+            Comparison::Less => format!("Rle_not_lt _ _ ({})", by("le_by", &right, &left)),
+            Comparison::Greater => format!("Rle_not_gt _ _ ({})", by("le_by", &left, &right)),
+            Comparison::NotEqual => return Err("a comparison that is no claim"),
+        };
+        let hypotheses: Vec<String> = frame.hypotheses.iter().map(|h| format!("  {h} /\\\n")).collect();
+        let numbers: Vec<String> = point.iter().map(number).collect();
+        let splits = "  split; [repeat split; lra |].\n".repeat(frame.hypotheses.len());
+        Ok(format!(
+            "Theorem {name} : exists {} : R,\n{}  ~ {}.\nProof.\n  exists {}.\n{splits}  refine ({proof}); run.\nQed.\n",
+            self.names.join(" "),
+            hypotheses.concat(),
+            format_args!("({goal})"),
+            numbers.join(", "),
+        ))
+    }
+}

@@ -1,0 +1,275 @@
+//! What `basis explain` says, as data: the text, the JSON and the LaTeX are three ways to print it.
+
+use basis_engine::algebra::range::DisplayRange as _;
+use basis_engine::claim::ClaimKind;
+use basis_engine::query::{FunctionFacts, function_facts, latex};
+use basis_engine::state::as_declared;
+use basis_engine::{Checked, Claim, Family, Subject, Verdict, explain};
+use serde::Serialize;
+
+use crate::domain;
+
+/// Derivatives at the ends are shown up to this order.
+const ORDER: u32 = 2;
+
+/// What there is to say of a family, a join or a theorem.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "snake_case", tag = "kind")]
+pub(super) enum Facts {
+    /// A family of one order.
+    Family(Box<FamilyFacts>),
+    /// A theorem.
+    Theorem(TheoremFacts),
+    /// A join.
+    Join(TheoremFacts),
+}
+
+/// What there is to say of a family.
+#[derive(Debug, Serialize)]
+pub(super) struct FamilyFacts {
+    /// The name.
+    pub(super) name: String,
+    /// The name with its order.
+    pub(super) title: String,
+    /// The doc comment, one string a line.
+    pub(super) doc: Vec<String>,
+    /// Such as `0 <= t <= 1`.
+    pub(super) domain: String,
+    /// Such as `-3 <= λ <= 1`.
+    pub(super) shapes: Vec<String>,
+    /// The functions in all their forms.
+    pub(super) functions: Vec<Function>,
+    /// The derivatives of a curve at both ends as combinations of its control points.
+    pub(super) ends: Vec<Equation>,
+    /// The shape values at which the functions are linearly dependent.
+    pub(super) dependent: Vec<String>,
+    /// What is left open about them; nothing if these are all.
+    pub(super) dependent_open: Option<String>,
+    /// The control points that contacts determine.
+    pub(super) contacts: Vec<Contact>,
+    /// The largest ranges of the shape parameters on which all functions are nonnegative.
+    pub(super) nonnegative: Vec<String>,
+    /// The claims with their verdicts; none where they are not asked for.
+    pub(super) claims: Vec<ClaimFacts>,
+}
+
+/// A function in all its forms.
+#[derive(Debug, Serialize)]
+pub(super) struct Function {
+    pub(super) name: String,
+    pub(super) factored: String,
+    pub(super) expanded: String,
+    /// The coefficients in the Bernstein basis of the family's degree; none where there is no such table.
+    pub(super) bernstein: Vec<String>,
+    /// The factored form in math mode.
+    pub(super) latex: String,
+}
+
+/// A name with its value.
+#[derive(Debug, Serialize)]
+pub(super) struct Equation {
+    pub(super) name: String,
+    pub(super) value: String,
+    /// Both sides in math mode, `name &= value`.
+    pub(super) latex: String,
+}
+
+/// A contact with another curve.
+#[derive(Debug, Serialize)]
+pub(super) struct Contact {
+    /// Such as `C1, Q after P: Q'(0) = P'(1)`.
+    pub(super) title: String,
+    pub(super) points: Vec<Equation>,
+    /// Where the points are not determined.
+    pub(super) conditions: Vec<String>,
+}
+
+/// What there is to say of a join or theorem.
+#[derive(Debug, Serialize)]
+pub(super) struct TheoremFacts {
+    pub(super) name: String,
+    pub(super) doc: Vec<String>,
+    /// Its curves and surfaces, such as `P = Quadratic(λ)`.
+    pub(super) patches: Vec<String>,
+    /// The ranges of its scalars.
+    pub(super) scalars: Vec<String>,
+    /// The control points that it determines.
+    pub(super) points: Vec<Equation>,
+    pub(super) claims: Vec<ClaimFacts>,
+    /// With a title and all of that, as text.
+    #[serde(skip)]
+    pub(super) heading: String,
+}
+
+/// A claim with its verdict.
+#[derive(Debug, Serialize)]
+pub(super) struct ClaimFacts {
+    /// As it is written, index variables replaced by their values.
+    pub(super) claim: String,
+    /// `prove` or `refute`.
+    pub(super) declared: &'static str,
+    /// `proved`, `refuted` or `undecided`.
+    pub(super) verdict: &'static str,
+    /// Whether the verdict is the declared one.
+    pub(super) as_declared: bool,
+    /// The method, the counterexample, or what is left to decide.
+    pub(super) reason: String,
+    /// The claim in LaTeX, as a sentence.
+    pub(super) latex: String,
+    /// The statement that makes it.
+    #[serde(skip)]
+    pub(super) statement: (usize, usize),
+}
+
+/// Whether claims are wanted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Claims {
+    Shown,
+    LeftOut,
+}
+
+/// A name with its value, also in LaTeX.
+fn equation((name, value): (String, String)) -> Equation {
+    let side = |text: &str| latex::math(text).unwrap_or_else(|| format!("\\text{{{}}}", latex::escape(text)));
+    let latex = format!("{} &= {}", side(&name), side(&value));
+    Equation { name, value, latex }
+}
+
+impl FamilyFacts {
+    /// What follows from the formulas of a family; its claims are those in `checked`.
+    pub(super) fn new(family: &Family, checked: Option<&Checked>) -> Self {
+        let set = explain::exceptional_set(family);
+        let function = |facts: FunctionFacts| {
+            let FunctionFacts { label, factored, expanded, bernstein, .. } = facts;
+            let latex = latex::math(&factored).unwrap_or_default();
+            Function { name: label, factored, expanded, bernstein, latex }
+        };
+        let contact = |contact: explain::Contact| Contact {
+            title: contact.title,
+            points: contact.points.into_iter().map(equation).collect(),
+            conditions: contact.conditions,
+        };
+        Self {
+            name: family.name.clone(),
+            title: family.title(),
+            doc: family.doc.clone(),
+            domain: domain::describe(family),
+            shapes: family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect(),
+            functions: function_facts(family).into_iter().map(function).collect(),
+            ends: explain::end_derivatives(family, ORDER).into_iter().map(equation).collect(),
+            dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
+            dependent_open: set.open,
+            contacts: explain::contacts(family).into_iter().map(contact).collect(),
+            nonnegative: explain::nonnegative_ranges(family).iter().map(ToString::to_string).collect(),
+            claims: checked.map_or_else(Vec::new, claims),
+        }
+    }
+}
+
+impl Facts {
+    /// What a join or theorem says.
+    pub(super) fn theorem(checked: &Checked) -> Option<Self> {
+        let Subject::Theorem(theorem) = &checked.subject else { return None };
+        let patch = |p: &basis_engine::theorem::Patch| format!("{} = {}", p.name, p.written);
+        let facts = TheoremFacts {
+            name: theorem.name.clone(),
+            doc: theorem.doc.clone(),
+            patches: theorem.patches.iter().map(patch).collect(),
+            scalars: theorem.scalars.iter().map(|p| p.range.display(&p.name).to_string()).collect(),
+            points: explain::determined_points(theorem).into_iter().map(equation).collect(),
+            claims: claims(checked),
+            heading: domain::theorem_heading(theorem, &theorem.title()),
+        };
+        Some(match checked.subject.kind() {
+            "join" => Self::Join(facts),
+            _ => Self::Theorem(facts),
+        })
+    }
+}
+
+fn claims(checked: &Checked) -> Vec<ClaimFacts> {
+    let fact = |(claim, verdict): &(Claim, Verdict)| {
+        let (word, reason) = match verdict {
+            Verdict::Proved(evidence) => ("proved", evidence.method().to_string()),
+            Verdict::Refuted(witness) => ("refuted", witness.notes.join("; ")),
+            Verdict::Undecided(left) => ("undecided", left.clone()),
+        };
+        ClaimFacts {
+            claim: claim.text.clone(),
+            declared: claim.expected.keyword(),
+            verdict: word,
+            as_declared: as_declared(claim.expected, verdict),
+            reason,
+            latex: sentence(&checked.subject, claim),
+            statement: claim.statement.number,
+        }
+    };
+    checked.claims.iter().map(fact).collect()
+}
+
+/// A claim as a sentence of a paper.
+fn sentence(subject: &Subject, claim: &Claim) -> String {
+    let Subject::Family(family) = subject else { return formula(&claim.statement.text, "") };
+    let b = latex::name(&family.function_name);
+    match &claim.kind {
+        ClaimKind::PartitionOfUnity => format!("The functions sum to one, $\\sum_i {b}_i = 1$."),
+        ClaimKind::Nonnegative => {
+            let shapes =
+                if family.shapes.is_empty() { "" } else { " and for all shape values in their ranges" };
+            format!("The functions are nonnegative on the domain{shapes}, ${b}_i \\ge 0$.")
+        }
+        ClaimKind::Symmetric => match family.interval() {
+            Some((var, low, high)) => {
+                let (t, n) = (latex::name(&family.names[var.0]), family.functions.len() - 1);
+                let sum = latex::math(&(low + high).to_string()).unwrap_or_default();
+                format!("The functions are symmetric, ${b}_i({t}) = {b}_{{{n}-i}}({sum} - {t})$.")
+            }
+            None => String::from("The functions are symmetric under the symmetries of the domain."),
+        },
+        ClaimKind::Independent(exceptions) => {
+            let point = |values: &basis_kernel::Values| {
+                let parts: Vec<String> =
+                    values.iter().map(|(var, x)| format!("{} = {x}", family.names[var.0])).collect();
+                latex::inline(&parts.join(", "))
+            };
+            let except: Vec<String> = exceptions.iter().map(point).collect();
+            let end = match except.as_slice() {
+                [] => String::new(),
+                [one] => format!(" except at {one}"),
+                several => format!(" except at {}", several.join(" and ")),
+            };
+            format!("The functions are linearly independent{end}.")
+        }
+        ClaimKind::Continuity(joint) => {
+            let other = if joint.next.is_empty() {
+                String::new()
+            } else {
+                format!(" where \\texttt{{{}}}", latex::escape(&claim.text))
+            };
+            let order = joint.order;
+            format!(
+                "Neighbouring segments, the control points shifted by one, join with {order} continuous derivatives{other}."
+            )
+        }
+        ClaimKind::TotallyPositive => {
+            format!("The functions are totally positive: no minor of $({b}_j(t_i))$ is negative.")
+        }
+        ClaimKind::Relation { at: Some(at), .. } => {
+            let range = if claim.statement.range.is_empty() {
+                String::new()
+            } else {
+                format!(" {}", claim.statement.range)
+            };
+            format!("At {}: {}", latex::inline(at), formula(&format!("{}{range}", claim.statement.text), ""))
+        }
+        _ => formula(&claim.statement.text, ""),
+    }
+}
+
+/// An equation or inequality as a sentence; what is no formula stands as it is written.
+fn formula(text: &str, end: &str) -> String {
+    match latex::math(text) {
+        Some(math) => format!("${math}$.{end}"),
+        None => format!("\\texttt{{{}}}.{end}", latex::escape(text)),
+    }
+}

@@ -1,0 +1,279 @@
+//! A paper's section about each family: definition, properties, ends, contacts. A whole document, ready to compile.
+
+use basis_engine::query::latex::{escape, inline, math};
+
+use super::facts::{ClaimFacts, Contact, Equation, Facts, FamilyFacts, TheoremFacts};
+
+/// The document.
+pub(super) fn document(all: &[Facts]) -> String {
+    let mut text = String::from(HEAD);
+    for facts in all {
+        text += &match facts {
+            Facts::Family(facts) => family(facts),
+            Facts::Theorem(facts) | Facts::Join(facts) => theorem(facts),
+        };
+    }
+    text + "\\end{document}\n"
+}
+
+const HEAD: &str = "\
+% Written by `basis explain --format latex`. The packages are those of every LaTeX distribution.
+\\documentclass{article}
+\\usepackage[T1]{fontenc}
+\\usepackage{amsmath,amssymb,amsthm}
+\\theoremstyle{definition}
+\\newtheorem*{definition}{Definition}
+\\theoremstyle{plain}
+\\newtheorem*{theorem}{Theorem}
+\\theoremstyle{remark}
+\\newtheorem*{remark}{Remark}
+\\allowdisplaybreaks
+\\sloppy
+\\begin{document}
+";
+
+fn family(facts: &FamilyFacts) -> String {
+    let mut text = head(&facts.title, &facts.doc);
+    let ranges: Vec<String> = facts.shapes.iter().map(|range| inline(range)).collect();
+    let given = match ranges.as_slice() {
+        [] => String::from("The"),
+        ranges => format!("For shape parameters {} the", ranges.join(", ")),
+    };
+    text += &format!("\\begin{{definition}}\n{given} functions on {} are\n", inline(&facts.domain));
+    let line = |f: &super::facts::Function| {
+        let (name, value) = (math(&f.name).unwrap_or_default(), &f.latex);
+        if value.is_empty() {
+            format!("{name} &= \\text{{{}}}", escape(&f.factored))
+        } else {
+            format!("{name} &= {value}")
+        }
+    };
+    text += &display(facts.functions.iter().map(line));
+    text += "\\end{definition}\n\n";
+    text += &claims(&facts.claims);
+    if !facts.ends.is_empty() {
+        text += "A curve $C = \\sum_i b_i P_i$ has at its ends\n";
+        text += &display(facts.ends.iter().map(|e| e.latex.clone()));
+    }
+    for exception in &facts.dependent {
+        let (values, relation) = exception.split_once(": ").unwrap_or((exception, ""));
+        text += &format!("The functions are linearly dependent at {}", inline(values));
+        text +=
+            &if relation.is_empty() { String::from(".\n\n") } else { format!(": {}.\n\n", inline(relation)) };
+    }
+    for contact in &facts.contacts {
+        text += &of_contact(contact);
+    }
+    text
+}
+
+fn of_contact(contact: &Contact) -> String {
+    if contact.points.is_empty() {
+        return String::new();
+    }
+    let (title, equations) = contact.title.split_once(": ").unwrap_or((&contact.title, ""));
+    let conditions: Vec<String> = contact.conditions.iter().map(|c| inline(c)).collect();
+    let given =
+        if conditions.is_empty() { String::new() } else { format!(", for {},", conditions.join(" and ")) };
+    let mut text =
+        format!("\\paragraph{{{}.}} The condition {} determines{given}\n", escape(title), inline(equations));
+    text += &display(contact.points.iter().map(|e: &Equation| e.latex.clone()));
+    text
+}
+
+fn theorem(facts: &TheoremFacts) -> String {
+    let mut text = head(&facts.name, &facts.doc);
+    let patches: Vec<String> = facts.patches.iter().map(|p| inline(p)).collect();
+    let scalars: Vec<String> = facts.scalars.iter().map(|s| inline(s)).collect();
+    if !patches.is_empty() {
+        text += &format!("Let {}", patches.join(", "));
+        text += &if scalars.is_empty() {
+            String::from(".\n\n")
+        } else {
+            format!(" with {}.\n\n", scalars.join(", "))
+        };
+    }
+    if !facts.points.is_empty() {
+        text += "The control points are\n";
+        text += &display(facts.points.iter().map(|e| e.latex.clone()));
+    }
+    text + &claims(&facts.claims)
+}
+
+fn head(title: &str, doc: &[String]) -> String {
+    let mut text = format!("\\section*{{{}}}\n", escape(title));
+    for line in doc {
+        text += &escape(line);
+        text.push('\n');
+    }
+    text + "\n"
+}
+
+/// What is proved as a theorem, what is refuted as a remark.
+fn claims(claims: &[ClaimFacts]) -> String {
+    let mut text = String::new();
+    // Of the claims of one statement the sentence is the same.
+    let mut groups: Vec<(&ClaimFacts, Vec<&ClaimFacts>)> = Vec::new();
+    for claim in claims {
+        match groups.last_mut() {
+            Some((first, group)) if first.statement == claim.statement && first.latex == claim.latex => {
+                group.push(claim);
+            }
+            _ => groups.push((claim, vec![claim])),
+        }
+    }
+    let proved: Vec<&str> = groups
+        .iter()
+        .filter(|(_, group)| group.iter().all(|c| c.verdict == "proved"))
+        .map(|(first, _)| first.latex.as_str())
+        .collect();
+    if !proved.is_empty() {
+        text += "\\begin{theorem}\n\\leavevmode\n\\begin{enumerate}\n";
+        for sentence in proved {
+            text += &format!("\\item {}\n", flowing(sentence));
+        }
+        text += "\\end{enumerate}\n\\end{theorem}\n\n";
+    }
+    for (first, group) in &groups {
+        if let Some(refuted) = group.iter().find(|c| c.verdict == "refuted") {
+            let sentence = flowing(first.latex.trim_end_matches('.'));
+            let reason = reason(&refuted.reason);
+            text += &format!(
+                "\\begin{{remark}}\nIt is false that: {sentence}. Indeed, {reason}.\n\\end{{remark}}\n\n"
+            );
+        } else if let Some(open) = group.iter().find(|c| c.verdict == "undecided") {
+            let sentence = flowing(first.latex.trim_end_matches('.'));
+            let reason = reason(&open.reason);
+            text += &format!(
+                "\\begin{{remark}}\nIt is not decided whether: {sentence} ({reason}).\n\\end{{remark}}\n\n"
+            );
+        }
+    }
+    text
+}
+
+/// A reason; formulas stand in it between the marks of code, or around equations.
+fn reason(text: &str) -> String {
+    let mut latex = String::new();
+    for (k, part) in text.split('`').enumerate() {
+        if k % 2 == 1 {
+            latex += &inline(part);
+            continue;
+        }
+        // `is -16/625 at λ = -4, t = 1/5`: words, with formulas from a word to the next.
+        let mut words: Vec<&str> = Vec::new();
+        let mut pending: Vec<&str> = Vec::new();
+        let flush = |pending: &mut Vec<&str>, latex: &mut String| {
+            if !pending.is_empty() {
+                *latex += &inline(&pending.join(" "));
+                pending.clear();
+            }
+        };
+        for word in part.split(' ') {
+            words.push(word);
+            let prose = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase() || c == ',');
+            if prose || word.is_empty() {
+                flush(&mut pending, &mut latex);
+                if words.len() > 1 && !latex.ends_with(' ') && !latex.is_empty() {
+                    latex.push(' ');
+                }
+                latex += &escape(word);
+                latex.push(' ');
+            } else {
+                let (formula, end) = match word.strip_suffix(';') {
+                    Some(formula) => (formula, ";"),
+                    None => (word, ""),
+                };
+                pending.push(formula);
+                if !end.is_empty() {
+                    flush(&mut pending, &mut latex);
+                    latex += "; ";
+                }
+            }
+        }
+        flush(&mut pending, &mut latex);
+    }
+    latex.trim_end().replace("  ", " ")
+}
+
+/// The most characters of an equation on one line.
+const MAX_LINE: usize = 100;
+
+/// Equations below each other; long ones are broken before a sign.
+fn display(lines: impl Iterator<Item = String>) -> String {
+    let lines: Vec<String> = lines.map(|line| broken(&line)).collect();
+    format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", lines.join(" \\\\\n"))
+}
+
+/// A long equation, broken before signs: those in brackets, which get a fixed size for it, and those of long numerators,
+/// which become factors in brackets.
+fn broken(line: &str) -> String {
+    if line.chars().count() <= MAX_LINE {
+        return line.to_string();
+    }
+    let line = loose(&factors(line), "\\bigl", "\\bigr");
+    let mut text = String::new();
+    let (mut depth, mut width) = (0_i32, 0);
+    let mut rest = line.as_str();
+    while let Some(c) = rest.chars().next() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        let sign = rest.starts_with(" + ") || rest.starts_with(" - ");
+        if sign && depth == 0 && width > MAX_LINE - 44 {
+            text += " \\\\\n&\\quad";
+            width = 0;
+        }
+        // A command is one sign in print, and brackets of groups are none.
+        let letters = |rest: &str| rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+        let len = if c == '\\' { 1 + letters(&rest[1..]).max(1) } else { c.len_utf8() };
+        text += &rest[..len];
+        width += usize::from(!matches!(c, '{' | '}' | '^' | '_'));
+        rest = &rest[len..];
+    }
+    text
+}
+
+/// Brackets of other kinds in place of those that grow with what they hold, in which no line ends.
+fn loose(math: &str, open: &str, close: &str) -> String {
+    let text = math.replace("\\left(", &format!("{open}(")).replace("\\right)", &format!("{close})"));
+    text.replace("\\left[", &format!("{open}[")).replace("\\right]", &format!("{close}]"))
+}
+
+/// Fractions with long numerators as products, `\frac{1}{d} (n)`.
+fn factors(math: &str) -> String {
+    let mut text = String::new();
+    let mut rest = math;
+    while let Some(at) = rest.find("\\frac{") {
+        let (before, fraction) = rest.split_at(at);
+        text += before;
+        let fraction = &fraction["\\frac".len()..];
+        let Some((numer, more)) = group(fraction) else { break };
+        let Some((denom, more)) = group(more) else { break };
+        text += &if numer.chars().count() > MAX_LINE / 2 && numer.contains([' ']) {
+            format!("\\frac{{1}}{{{denom}}} \\left({numer}\\right)")
+        } else {
+            format!("\\frac{{{numer}}}{{{denom}}}")
+        };
+        rest = more;
+    }
+    text + rest
+}
+
+/// What stands between the first brace and its partner, and what follows.
+fn group(text: &str) -> Option<(&str, &str)> {
+    let mut depth = 0;
+    for (at, c) in text.char_indices() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        if depth == 0 {
+            return Some((text[..at].strip_prefix('{')?, &text[at + 1..]));
+        }
+    }
+    None
+}
+
+/// A sentence whose formulas may end a line anywhere between terms and entries.
+fn flowing(sentence: &str) -> String {
+    if sentence.chars().count() <= MAX_LINE {
+        return sentence.to_string();
+    }
+    loose(sentence, "", "").replace(",\\ ", ",\\allowbreak\\ ")
+}

@@ -1,0 +1,191 @@
+//! `basis plot`: pictures of basis functions, of curves over them, and of counterexamples.
+//!
+//! Values are computed exactly and rounded once, to the place of a point in the picture.
+
+mod curve;
+mod frame;
+mod lines;
+mod maps;
+mod marks;
+mod page;
+#[cfg(feature = "png")]
+mod raster;
+mod settings;
+mod values;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use basis_engine::generate::ascii;
+use basis_engine::{
+    Checked, Diagnostic, Disk, Family, Library, Prover, Selected, Severity, Sources, Subject, decide,
+};
+
+use crate::args::PlotArguments;
+use crate::output::{self, Status, complain, error};
+use crate::spec::STDIN;
+use crate::{eval, spec};
+use marks::{Failure, Mark};
+use settings::Setting;
+
+/// What is drawn.
+struct Scene {
+    family: Rc<Family>,
+    /// The shape values.
+    settings: Vec<Setting>,
+    /// The places of a control polygon; none where no curve is drawn.
+    points: Vec<[f64; 2]>,
+    /// Where claims fail.
+    failures: Vec<Failure>,
+    /// Those at the shape values that are drawn.
+    marks: Vec<Mark>,
+}
+
+/// How a picture is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Svg,
+    Png,
+    Html,
+}
+
+/// Draws the family that the arguments name.
+pub(crate) fn run(arguments: &PlotArguments) -> Status {
+    let library = match spec::read(&arguments.file) {
+        Ok(source) => Library::from_source(&Disk, &Prover, source),
+        Err(error) => return refuse(&Sources::default(), &[error]),
+    };
+    let drawn = scene(arguments, &library).and_then(|scene| {
+        let path = arguments.output.clone().unwrap_or_else(|| file_name(&scene.family));
+        let kind = kind(&path).map_err(|e| vec![e])?;
+        let picture = draw(&scene, kind).map_err(|e| vec![e])?;
+        Ok((path, picture))
+    });
+    let (path, picture) = match drawn {
+        Ok(drawn) => drawn,
+        Err(errors) => return refuse(library.sources(), &errors),
+    };
+    if path == Path::new(STDIN) {
+        return output::print(&String::from_utf8_lossy(&picture));
+    }
+    match fs::write(&path, picture) {
+        Ok(()) => output::print(&format!("wrote {}\n", path.display())),
+        Err(e) => {
+            let error = error(format!("cannot write `{}`: {e}", path.display()));
+            refuse(&Sources::default(), &[error.help("name another file with `-o FILE`")])
+        }
+    }
+}
+
+fn refuse(sources: &Sources, errors: &[Diagnostic]) -> Status {
+    for error in errors {
+        complain(&(error.render(sources, true) + "\n\n"));
+    }
+    Status::Unusable
+}
+
+/// `QuarticBernstein.svg`, `Bernstein-3.svg`.
+fn file_name(family: &Family) -> PathBuf {
+    let mut name = ascii(&family.name);
+    for (_, value) in &family.order {
+        name += &format!("-{value}");
+    }
+    PathBuf::from(name + ".svg")
+}
+
+/// How a picture is written follows from the name of its file; standard output gets SVG.
+fn kind(path: &Path) -> Result<Kind, Diagnostic> {
+    if path == Path::new(STDIN) {
+        return Ok(Kind::Svg);
+    }
+    match path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).as_deref() {
+        Some("svg") => Ok(Kind::Svg),
+        Some("png") => Ok(Kind::Png),
+        Some("html" | "htm") => Ok(Kind::Html),
+        _ => {
+            let message = format!("`{}` does not say what kind of picture it is", path.display());
+            Err(error(message).help("the name ends with `.svg`, `.png` or `.html`"))
+        }
+    }
+}
+
+fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<Diagnostic>> {
+    let family = match &arguments.family {
+        Some(name) => eval::find_family(library, name)?,
+        None => only(library)?,
+    };
+    let variables = family.domain.len();
+    if variables > 2 {
+        let message =
+            format!("the functions of `{}` have {variables} variables and no picture", family.title());
+        return Err(vec![
+            error(message).help("draw a family on an interval, a triangle or a box of two variables"),
+        ]);
+    }
+    let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
+    let checked = library.item(&family.name, &order).ok().map(decide);
+    let failures =
+        checked.as_ref().map_or_else(Vec::new, |checked: &Checked| marks::failures(&family, checked));
+    let settings = settings::settings(&family, &arguments.shapes, failures.first())?;
+    if settings.len() > 1 && variables > 1 {
+        let message = "a range of shape values is drawn for functions of one variable only";
+        return Err(vec![error(message).help("give one value: `--shape λ=1/2`")]);
+    }
+    let points = arguments.points.clone();
+    if !points.is_empty() && variables > 1 {
+        return Err(vec![error("a control polygon belongs to a curve, and this family has two variables")]);
+    }
+    if !points.is_empty() && points.len() != family.functions.len() {
+        let (given, wanted) = (points.len(), family.functions.len());
+        let message = format!(
+            "`{}` has {wanted} functions and needs as many control points, not {given}",
+            family.title()
+        );
+        let example: Vec<String> = (0..wanted).map(|k| format!("{k},{}", k % 2)).collect();
+        return Err(vec![error(message).help(format!("for example `--points \"{}\"`", example.join(" ")))]);
+    }
+    let marks = marks::at(&failures, &settings);
+    Ok(Scene { family, settings, points, failures, marks })
+}
+
+/// The only family of a spec, in its lowest order.
+fn only(library: &Library<'_>) -> Result<Rc<Family>, Vec<Diagnostic>> {
+    let mut families: Vec<Rc<Family>> = Vec::new();
+    for item in library.items(Selected::EveryOrder) {
+        if let Subject::Family(family) = item.subject
+            && families.iter().all(|known| known.name != family.name)
+        {
+            families.push(family);
+        }
+    }
+    let mut errors = library.diagnostics();
+    errors.retain(|d| d.severity == Severity::Error);
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    match families.as_slice() {
+        [one] => Ok(Rc::clone(one)),
+        [] => Err(vec![error("the spec has no family to draw")]),
+        several => {
+            let names: Vec<String> = several.iter().map(|f| f.title()).collect();
+            let message = "the spec has several families";
+            Err(vec![error(message).help(format!("name one of them: {}", names.join(", ")))])
+        }
+    }
+}
+
+fn draw(scene: &Scene, kind: Kind) -> Result<Vec<u8>, Diagnostic> {
+    match kind {
+        Kind::Html => page::page(scene).map(String::into_bytes),
+        Kind::Svg => svg(scene).map(String::into_bytes),
+        #[cfg(feature = "png")]
+        Kind::Png => raster::png(&svg(scene)?),
+        #[cfg(not(feature = "png"))]
+        Kind::Png => Err(error("this command was built without the feature `png`").help("write an `.svg`")),
+    }
+}
+
+fn svg(scene: &Scene) -> Result<String, Diagnostic> {
+    if scene.family.domain.len() == 1 { lines::svg(scene) } else { maps::svg(scene) }
+}

@@ -1,0 +1,89 @@
+//! A page with sliders for the shape values: one file that needs no other.
+
+use basis_engine::algebra::poly::{Poly, Var};
+use basis_engine::algebra::range::Range;
+use basis_engine::algebra::rational::Rational;
+use basis_engine::{Diagnostic, Family};
+use serde_json::{Value, json};
+
+use super::Scene;
+use crate::domain;
+use crate::eval::inside;
+use crate::output::error;
+
+const PAGE: &str = include_str!("page.html");
+
+/// The page.
+pub(super) fn page(scene: &Scene) -> Result<String, Diagnostic> {
+    let data = data(scene)?;
+    // In a script `</` would end it.
+    let data = data.to_string().replace('<', "\\u003c");
+    let title = scene.family.title().replace('&', "&amp;").replace('<', "&lt;");
+    Ok(PAGE.replace("TITLE", &title).replace("\"DATA\"", &data))
+}
+
+fn data(scene: &Scene) -> Result<Value, Diagnostic> {
+    let family = &scene.family;
+    let ranges: Option<Vec<[f64; 2]>> =
+        family.domain.iter().map(|p| p.range.finite().map(|(a, b)| [a.to_f64(), b.to_f64()])).collect();
+    let Some(ranges) = ranges else { return Err(error("the domain has no ends")) };
+    let kind = match (family.domain.len(), family.is_simplex()) {
+        (1, _) => "interval",
+        (_, true) => "triangle",
+        (_, false) => "box",
+    };
+    let first = scene.settings.first().map_or(&[][..], |s| &s.values);
+    let shape = |(k, p): (usize, &basis_engine::model::Parameter)| {
+        let value = first.get(k).cloned().unwrap_or_else(|| inside(p));
+        let [low, high] = slider(&p.range, &value);
+        let excluded = [!p.range.low.is_included(), !p.range.high.is_included()];
+        json!({ "name": p.name, "low": low, "high": high, "excluded": excluded, "value": value.to_f64() })
+    };
+    let function = |k: usize| {
+        let value = &family.functions[k].value;
+        json!({
+            "label": family.function_label(k),
+            "numer": terms(family, value.numer()),
+            "denom": terms(family, value.denom())
+        })
+    };
+    let number = |x: &Rational| x.to_f64();
+    let failure = |f: &super::marks::Failure| {
+        let at: Vec<Option<f64>> = f.at.iter().map(|x| x.as_ref().map(number)).collect();
+        let shapes: Vec<f64> = f.shapes.iter().map(number).collect();
+        json!({ "text": f.text, "shapes": shapes, "at": at, "function": f.function })
+    };
+    Ok(json!({
+        "title": family.title(),
+        "doc": family.doc.first(),
+        "domain": domain::describe(family),
+        "kind": kind,
+        "ranges": ranges,
+        "variables": family.domain_variables().map(|p| p.name.clone()).collect::<Vec<_>>(),
+        "shapes": family.shapes.iter().enumerate().map(shape).collect::<Vec<_>>(),
+        "functions": (0..family.functions.len()).map(function).collect::<Vec<_>>(),
+        "points": scene.points,
+        "failures": scene.failures.iter().map(failure).collect::<Vec<_>>()
+    }))
+}
+
+/// The coefficients of a polynomial with the exponents of all variables.
+fn terms(family: &Family, poly: &Poly) -> Value {
+    let term = |(monomial, coefficient): (&basis_engine::algebra::poly::Monomial, &Rational)| {
+        let exponents: Vec<u16> = (0..family.names.len()).map(|k| monomial.exponent(Var(k))).collect();
+        json!([coefficient.to_f64(), exponents])
+    };
+    Value::from(poly.terms().map(term).collect::<Vec<_>>())
+}
+
+/// The ends of a slider: those of the range, and ten units further where it has none.
+fn slider(range: &Range, value: &Rational) -> [f64; 2] {
+    let (low, high) = (range.low.value().map(Rational::to_f64), range.high.value().map(Rational::to_f64));
+    let value = value.to_f64();
+    match (low, high) {
+        (Some(low), Some(high)) => [low, high],
+        (Some(low), None) => [low, low.max(value) + 10.0],
+        (None, Some(high)) => [high.min(value) - 10.0, high],
+        (None, None) => [value - 5.0, value + 5.0],
+    }
+}

@@ -1,0 +1,170 @@
+//! Code in the languages of users, from proved families: files that people read and check in.
+//!
+//! The macro writes Rust into a build; `basis emit` writes files, for Rust and for languages that have no `basis!`. Each
+//! begins with a [`header`]: which spec it is made from, how it is written again, and under which licence. Before each
+//! family and join stand its formulas and its claims with their verdicts, [`FamilyCode::documentation`].
+//!
+//! # How a target is added
+//!
+//! Rust is printed from plans, because it has our runtime: [`rust`]. Every other language is an implementation of
+//! [`Language`], in a file of its own beside this one, and a name on the command line.
+//!
+//! - The leaves are how the language writes a comment, a number, an input, and which words it keeps for itself.
+//! - [`Language::family`] and [`Language::join`] lay out the functions. What these compute comes as
+//!   [`Steps`](crate::steps::Steps): [`FamilyCode::steps`] has those of every evaluator, and [`Expressions`] makes of
+//!   them named values and results in infix notation. A language whose operators are not infix walks the steps itself.
+//!   Steps compute one component of a point; a target either loops over the components or computes with whole arrays.
+//! - No target computes anything by other operations than the steps: they are what is tested bit for bit beside the
+//!   compiled Rust, and what rounding bounds are proved for. A compiler may fuse products into additions, which leaves
+//!   out roundings; it may not reassociate, and a target says so where a compiler can be told to.
+//! - Names are those of Rust, [`ascii`](crate::generate::ascii), with `_` appended where a word is reserved.
+//! - Shape values are checked once, where they come in: [`Shape`] has the range, and its text for the message.
+
+mod code;
+mod expressions;
+pub mod rust;
+
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
+use crate::plan::Input;
+use crate::subject::Subject;
+use crate::{Checked, generate};
+
+pub use code::{FamilyCode, JoinCode, Shape};
+pub use expressions::{Expressions, decimal, decimal_f32};
+
+/// What the documentation of emitted code says about the time of the proofs.
+pub const DECIDED: &str = "when this file was written";
+
+/// A family or a join that is to be written.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// The family or join, with the verdicts of its claims.
+    pub checked: Checked,
+    /// The name that it is to have in the file; `None` for its own.
+    pub name: Option<String>,
+}
+
+/// What is to be written into a file.
+#[derive(Clone, Copy, Debug)]
+pub struct Job<'a> {
+    /// The families and joins.
+    pub items: &'a [Wanted],
+    /// The spec as the user named it, such as `specs/quartic.basis` or `library:quartic`.
+    pub spec: &'a str,
+    /// The command that writes the file again.
+    pub command: &'a str,
+}
+
+/// A language that has no runtime of ours.
+pub trait Language {
+    /// A comment of these lines, which may be Markdown; with a line end.
+    fn comment(&self, lines: &[String]) -> String;
+
+    /// A constant ≥ 0 as an expression of the scalar type: the `f64` nearest to it, rounded to that type. See
+    /// [`decimal`].
+    fn literal(&self, value: &Rational) -> String;
+
+    /// An input as an expression, inside of the functions that [`Language::family`] and [`Language::join`] lay out.
+    fn input(&self, input: Input) -> String;
+
+    /// Whether a name cannot be that of a variable, a function or a type: keywords, and names that the file needs for
+    /// something else.
+    fn is_reserved(&self, name: &str) -> bool;
+
+    /// The code of a family, without its documentation.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn family(&self, family: &FamilyCode<'_>) -> Result<String, Diagnostic>;
+
+    /// The code of a join, without its documentation.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic>;
+
+    /// The whole file, from its header, a comment, and the code of all items.
+    fn file(&self, header: &str, items: &[String]) -> String;
+
+    /// A name that is not reserved and not taken: with as many `_` appended as it needs.
+    fn free(&self, name: &str, taken: &[String]) -> String {
+        let mut name = generate::ascii(name);
+        while self.is_reserved(&name) || taken.contains(&name) {
+            name.push('_');
+        }
+        name
+    }
+}
+
+/// The text of a file in a language.
+///
+/// # Errors
+/// For each family and join that has no code, why.
+pub fn emit(language: &dyn Language, job: &Job<'_>) -> Result<String, Vec<Diagnostic>> {
+    let mut items = Vec::new();
+    let mut errors = Vec::new();
+    let mut names = Names::default();
+    for wanted in job.items {
+        let code = match &wanted.checked.subject {
+            Subject::Family(family) => FamilyCode::new(family, wanted, language).and_then(|code| {
+                names.insert(&code.name, &wanted.checked.subject)?;
+                Ok((code.documentation.clone(), language.family(&code)?))
+            }),
+            Subject::Theorem(theorem) => JoinCode::new(theorem, wanted, language).and_then(|code| {
+                names.insert(&code.name, &wanted.checked.subject)?;
+                Ok((code.documentation.clone(), language.join(&code)?))
+            }),
+        };
+        match code {
+            Ok((documentation, code)) => items.push(language.comment(&documentation) + &code),
+            Err(error) => errors.push(error),
+        }
+    }
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    Ok(language.file(&language.comment(&header(job)), &items))
+}
+
+/// The names of a file so far, with what has them.
+#[derive(Default)]
+struct Names(Vec<(String, String)>);
+
+impl Names {
+    /// # Errors
+    /// When the name is taken.
+    fn insert(&mut self, name: &str, subject: &Subject) -> Result<(), Diagnostic> {
+        let (place, title) = match subject {
+            Subject::Family(family) => (&family.place, family.title()),
+            Subject::Theorem(theorem) => (&theorem.place, theorem.name.clone()),
+        };
+        if let Some((_, other)) = self.0.iter().find(|(taken, _)| taken == name) {
+            let message = format!("`{other}` and `{title}` are both called `{name}` in the file");
+            let help = format!("give one of them another name: '{title} as OtherName'");
+            return Err(Diagnostic::error(place.clone(), message).help(help));
+        }
+        self.0.push((name.to_string(), title));
+        Ok(())
+    }
+}
+
+/// The lines at the top of a file: what it is made from, how it is written again, and that no licence is claimed.
+pub fn header(job: &Job<'_>) -> Vec<String> {
+    [
+        format!("Made from `{}` by the command", job.spec),
+        String::new(),
+        format!("    {}", job.command),
+        String::new(),
+        String::from("Edit the spec and run the command again; do not edit this file."),
+        String::from(
+            "Every claim below that is called proved was proved, in exact arithmetic, before it was written.",
+        ),
+        String::new(),
+        String::from(
+            "No rights are claimed on this file by the authors of basis: use it under any licence, without",
+        ),
+        String::from("warranty."),
+    ]
+    .to_vec()
+}

@@ -1,0 +1,172 @@
+//! Claims as comparisons of terms.
+
+use std::rc::Rc;
+
+use super::read::{Functions, Reader, Scope};
+use super::value::Value;
+use super::{Claimed, Compared, Comparison, Role, Sign, Term};
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::claim::{Claim, ClaimKind};
+use crate::model::Family;
+use crate::state::moves;
+use crate::syntax::{self, Binding, StatementKind};
+
+impl Reader<'_, '_> {
+    /// The claims, in the order of the item; nothing for those that have no counterpart. `None` when they cannot be told
+    /// apart.
+    pub(super) fn claims(
+        &mut self,
+        unit: usize,
+        written: &syntax::Family,
+        family: &Family,
+        functions: Functions,
+        claims: &[Claim],
+    ) -> Option<Vec<Option<Claimed>>> {
+        let scope = Scope::new(unit, family, written);
+        scope.functions.replace(functions);
+        let mut all = Vec::new();
+        for statement in &written.statements {
+            let StatementKind::Claim(claim) = &statement.kind else { continue };
+            match &claim.kind {
+                syntax::ClaimKind::Relation(relation) => {
+                    self.relation(&scope, relation, Some(&[]), &mut all)?;
+                }
+                syntax::ClaimKind::At(bindings, relations) => {
+                    let fixed = bindings.iter().map(|Binding { name, value, indices }| {
+                        if !indices.is_empty() {
+                            return None;
+                        }
+                        let var = scope.names.iter().position(|n| *n == name.text)?;
+                        Some((var, self.scalar(&scope, value)?))
+                    });
+                    let fixed = fixed.collect::<Option<Vec<_>>>();
+                    for relation in relations {
+                        self.relation(&scope, relation, fixed.as_deref(), &mut all)?;
+                    }
+                }
+                _ => {
+                    for _ in self.tuples(&scope, &claim.loops)? {
+                        let kind = &claims.get(all.len())?.kind;
+                        let property = self.property(&scope, family, kind);
+                        all.push(property.map(|all| Claimed { fixed: Vec::new(), all }));
+                    }
+                }
+            }
+        }
+        (all.len() == claims.len()).then_some(all)
+    }
+
+    /// One equation, inequality or chain, for each value of its index variables.
+    fn relation(
+        &mut self,
+        scope: &Scope<'_>,
+        relation: &syntax::Relation,
+        fixed: Option<&[(usize, Term)]>,
+        all: &mut Vec<Option<Claimed>>,
+    ) -> Option<()> {
+        for values in self.tuples(scope, &relation.loops)? {
+            let compared = scope.with(&values, || {
+                let mut compared = Vec::new();
+                let mut left = self.value(scope, &relation.left)?;
+                let first = std::iter::once((relation.comparison, &relation.right));
+                for (comparison, side) in first.chain(relation.chain.iter().map(|(sign, side)| (*sign, side)))
+                {
+                    let right = self.value(scope, side)?;
+                    compared.extend(pairs(left, comparison, right.clone()));
+                    left = right;
+                }
+                Some(compared)
+            });
+            all.push(compared.zip(fixed).map(|(all, fixed)| Claimed { fixed: fixed.to_vec(), all }));
+        }
+        Some(())
+    }
+
+    /// What a property says.
+    fn property(&mut self, scope: &Scope<'_>, family: &Family, kind: &ClaimKind) -> Option<Vec<Compared>> {
+        let calls: Vec<Term> = scope.functions.borrow().iter().map(|(_, f)| scope.call(*f)).collect();
+        let equal = |left: Term, right: Term| Compared { left, comparison: Comparison::Equal, right };
+        Some(match kind {
+            ClaimKind::PartitionOfUnity => {
+                let sum = Term::Sum(calls.into_iter().map(|x| (Sign::Plus, x)).collect());
+                vec![equal(sum, Term::integer(1))]
+            }
+            ClaimKind::Nonnegative => {
+                let one =
+                    |left| Compared { left, comparison: Comparison::GreaterEqual, right: Term::integer(0) };
+                calls.into_iter().map(one).collect()
+            }
+            ClaimKind::Symmetric => {
+                let coordinates = scope.coordinates();
+                let mut all = Vec::new();
+                for (this, that, arguments) in moves(family) {
+                    let by: Vec<Term> = arguments.iter().map(polynomial).collect();
+                    let put = |v: usize| coordinates.iter().position(|c| *c == v).map(|k| by[k].clone());
+                    all.push(equal(calls.get(this)?.clone(), calls.get(that)?.put(&put)));
+                }
+                all
+            }
+            ClaimKind::Continuity(joint) if joint.next.is_empty() => {
+                let (var, low, high) = family.interval()?;
+                let mut derivatives = calls;
+                let mut all = Vec::new();
+                for k in 0..=joint.order {
+                    if k > 0 {
+                        derivatives =
+                            derivatives.iter().map(|f| self.differentiated(scope, f, var.0)).collect();
+                    }
+                    let at = |f: Option<&Term>, x: &Rational| {
+                        let x = Term::Number(x.clone());
+                        f.map_or(Term::integer(0), |f| f.put(&|v| (v == var.0).then(|| x.clone())))
+                    };
+                    for i in 0..=derivatives.len() {
+                        let before = i.checked_sub(1).and_then(|i| derivatives.get(i));
+                        all.push(equal(at(before, low), at(derivatives.get(i), high)));
+                    }
+                }
+                all
+            }
+            ClaimKind::Independent(_) => Vec::new(),
+            _ => return None,
+        })
+    }
+}
+
+/// Two sides component by component; a single 0 stands for all components.
+fn pairs(left: Value, comparison: Comparison, right: Value) -> Vec<Compared> {
+    let terms = |list: Vec<(Vec<i64>, Term)>| list.into_iter().map(|(_, x)| x).collect::<Vec<_>>();
+    let (left, right) = match (left, right) {
+        (Value::Scalar(l), Value::Scalar(r)) => (vec![l], vec![r]),
+        (Value::List(l), Value::List(r)) => (terms(l), terms(r)),
+        (Value::List(l), Value::Scalar(r)) => {
+            let same = vec![r; l.len()];
+            (terms(l), same)
+        }
+        (Value::Scalar(l), Value::List(r)) => (vec![l; r.len()], terms(r)),
+    };
+    left.into_iter().zip(right).map(|(left, right)| Compared { left, comparison, right }).collect()
+}
+
+/// A polynomial as it is expanded.
+fn polynomial(p: &Poly) -> Term {
+    let mut parts = Vec::new();
+    for (monomial, coefficient) in p.terms() {
+        let mut factors = vec![(Role::Factor, Term::Number(coefficient.clone()))];
+        for var in p.variables() {
+            let exponent = monomial.exponent(var);
+            if exponent > 0 {
+                factors
+                    .push((Role::Factor, Term::Power(Rc::new(Term::Variable(var.0)), u32::from(exponent))));
+            }
+        }
+        if factors.len() > 1 && coefficient.is_one() {
+            factors.remove(0);
+        }
+        parts.push((Sign::Plus, Term::Product(factors)));
+    }
+    match parts.len() {
+        0 => Term::integer(0),
+        _ => Term::Sum(parts),
+    }
+}

@@ -1,0 +1,284 @@
+//! Angles and exponentials. A variable s that stands in `sin(s)` or `cos(s)` is replaced by x = tan(v·s), one in `sinh(s)`
+//! or `exp(s)` by x = tanh(v·s), in which all of these are quotients of polynomials:
+//!
+//! sin 2ψ = 2x/(1 + x²), cos 2ψ = (1 − x²)/(1 + x²); sinh 2ψ = 2x/(1 − x²), exp 2ψ = (1 + x)/(1 − x), where ψ = v·s.
+//!
+//! A domain variable whose ends contain shape parameters, and which stands in none of these, is x itself. Where the ends of
+//! its range are no rational numbers in x, a variable y from 0 to 1 takes the place of x,
+//! x = low + width·y. The numbers π and exp(r) are variables as well: they are transcendental, so that an equation holds
+//! if and only if it holds for all values of these variables, as is so for s itself beside x.
+
+use basis_prover::collections::list::Listed;
+
+use crate::algebra::divisors::gcd::content;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+
+/// The work for a common factor of the coefficients of a small polynomial.
+const CONTENT: u64 = 100_000;
+
+/// Which functions a variable stands in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// sin, cos, tan.
+    Circular,
+    /// sinh, cosh, tanh, exp.
+    Hyperbolic,
+    /// None: a domain variable whose ends contain shape parameters, x = s.
+    Linear,
+}
+
+/// A domain variable or shape parameter s that stands in sin, cos, exp and the like.
+#[derive(Clone, Debug)]
+pub struct Angle {
+    /// The name of s.
+    pub name: String,
+    /// Which functions it stands in.
+    pub kind: Kind,
+    /// The variable y, or x if `low` is 0 and `width` is 1.
+    pub var: Var,
+    /// The variable s itself, where it stands outside of these functions.
+    pub itself: Var,
+    /// v, the factor of s in ψ.
+    pub rate: Rational,
+    /// Whether v is `rate` times π.
+    pub turns: bool,
+    /// ψ = v·(s − shift), with a shift in multiples of π unless the rate is one.
+    pub shift: Rational,
+    /// x where y is 0.
+    pub low: Fraction,
+    /// dx/dy.
+    pub width: Fraction,
+    /// The ends of the range as they are written; empty where there is none.
+    pub ends: [String; 2],
+    /// The range of s as it is written, such as `0 <= θ <= pi/2`.
+    pub declared: String,
+    /// y and s after the domain is reversed; nothing for shape parameters.
+    pub mirror: Vec<(Var, Fraction)>,
+}
+
+impl Angle {
+    /// x in terms of the variables.
+    pub fn tangent(&self) -> Fraction {
+        &self.low + &(&self.width * &Fraction::var(self.var))
+    }
+
+    /// The name of x, such as `tan(θ/2)`.
+    pub fn tangent_name(&self) -> String {
+        let function = match self.kind {
+            Kind::Circular => "tan",
+            Kind::Hyperbolic => "tanh",
+            Kind::Linear => return self.name.clone(),
+        };
+        let s = if self.shift.is_zero() {
+            self.name.clone()
+        } else {
+            let shift = if self.turns { self.shift.to_string() } else { multiple_of_pi(&self.shift) };
+            match shift.strip_prefix('-') {
+                Some(shift) => format!("({} + {shift})", self.name),
+                None => format!("({} - {shift})", self.name),
+            }
+        };
+        format!("{function}({})", times(&self.rate, self.turns, &s))
+    }
+
+    /// The factor of y′ = factor·(1 ± x²), the derivative in s.
+    fn slope(&self, pi: Option<Var>) -> Fraction {
+        let rate = Fraction::constant(self.rate.clone());
+        let rate = match pi.filter(|_| self.turns) {
+            Some(pi) => &rate * &Fraction::var(pi),
+            None => rate,
+        };
+        rate.checked_div(&self.width).unwrap_or_else(Fraction::zero)
+    }
+
+    /// dy/ds.
+    fn rate_of_change(&self, pi: Option<Var>, work: &mut Work) -> Option<Fraction> {
+        let x = self.tangent();
+        let one = Fraction::constant(Rational::ONE);
+        let sum = match self.kind {
+            Kind::Circular => one.add_within(&x.mul_within(&x, work)?, work)?,
+            Kind::Hyperbolic => one.sub_within(&x.mul_within(&x, work)?, work)?,
+            Kind::Linear => one,
+        };
+        self.slope(pi).mul_within(&sum, work)
+    }
+}
+
+/// `pi/2`, `-2*pi` and so on.
+pub(crate) fn multiple_of_pi(factor: &Rational) -> String {
+    if factor.is_zero() { String::from("0") } else { times(factor, false, "pi") }
+}
+
+/// A factor, perhaps times π, and a name: `pi*t/2`.
+fn times(factor: &Rational, turns: bool, name: &str) -> String {
+    let (above, below) = (factor.numer(), factor.denom());
+    let mut text = String::new();
+    if above == Rational::from(-1) {
+        text.push('-');
+    } else if !above.is_one() {
+        text += &format!("{above}*");
+    }
+    if turns {
+        text += "pi*";
+    }
+    text += name;
+    if below.is_one() { text } else { format!("{text}/{below}") }
+}
+
+/// What of a family goes beyond quotients of polynomials.
+#[derive(Clone, Debug, Default)]
+pub struct Analytic {
+    /// The variables that stand in sin, cos, exp and the like.
+    pub angles: Vec<Angle>,
+    /// The variable that stands for π.
+    pub pi: Option<Var>,
+    /// The variable that stands for exp(r), and r > 0.
+    pub exponential: Option<(Var, Rational)>,
+    /// Ranges in which the numbers lie, and the variables of the angles themselves.
+    pub ranges: Vec<(Var, Range)>,
+}
+
+impl Analytic {
+    /// Irreducible polynomials of which the denominators of sin, cos and the like are made: 1 + x², or 1 + x and 1 − x.
+    pub(crate) fn denominators(&self) -> Vec<Poly> {
+        let one = Fraction::constant(Rational::ONE);
+        let mut all = Vec::new();
+        for angle in &self.angles {
+            let x = angle.tangent();
+            match angle.kind {
+                Kind::Circular => all.push((&one + &(&x * &x)).numer().normalized()),
+                Kind::Hyperbolic => all.extend([&one + &x, &one - &x].iter().map(|f| f.numer().normalized())),
+                Kind::Linear => {}
+            }
+        }
+        // Of degree 1, or 2 without real zeros, in y: irreducible unless its coefficients share a factor.
+        let proper = |(p, angle): (&Poly, &Angle)| {
+            content(p, angle.var, &mut Work::new(CONTENT)).is_some_and(|c| c.as_constant().is_some())
+        };
+        let count = |a: &Angle| match a.kind {
+            Kind::Circular => 1,
+            Kind::Hyperbolic => 2,
+            Kind::Linear => 0,
+        };
+        let owners = self.angles.iter().flat_map(|a| core::iter::repeat_n(a, count(a)));
+        let checked: Vec<bool> = all.iter().zip(owners).map(proper).listed();
+        all.into_iter().zip(checked).filter(|(_, fine)| *fine).map(|(p, _)| p).listed()
+    }
+
+    /// Whether a variable stands in sin, exp or the like.
+    pub fn is_transcendental(&self) -> bool {
+        self.angles.iter().any(|a| a.kind != Kind::Linear)
+    }
+
+    /// Whether nothing does.
+    pub fn is_empty(&self) -> bool {
+        self.angles.is_empty() && self.pi.is_none() && self.exponential.is_none()
+    }
+
+    /// The angle of a variable: y, x or s itself.
+    pub fn angle(&self, var: Var) -> Option<&Angle> {
+        self.angles.iter().find(|a| a.var == var || a.itself == var)
+    }
+
+    /// The variables that stand for a definite number: π, exp(r).
+    pub fn numbers(&self) -> Vec<Var> {
+        self.pi.into_iter().chain(self.exponential.as_ref().map(|(var, _)| *var)).listed()
+    }
+
+    /// Whether a function contains a variable of an angle outside of sin, cos, exp and the like.
+    pub fn is_mixed(&self, f: &Fraction) -> bool {
+        self.angles.iter().any(|a| f.depends_on(a.itself))
+    }
+
+    /// The derivative of a function in a variable: of one that stands in sin, cos and the like in the variable itself,
+    /// all others fixed; `None` when the work is spent.
+    pub fn derivative_within(&self, f: &Fraction, var: Var, work: &mut Work) -> Option<Fraction> {
+        let (slot, itself, own) = match self.angle(var) {
+            Some(angle) => (angle.var, angle.itself, angle.rate_of_change(self.pi, work)?),
+            None => (var, var, Fraction::constant(Rational::ONE)),
+        };
+        let mut sum = Fraction::zero();
+        if f.depends_on(itself) {
+            sum = f.derivative_within(itself, work)?;
+        }
+        for other in self.angles.iter().filter(|a| f.depends_on(a.var)) {
+            let change = if other.var == slot {
+                own.clone()
+            } else {
+                // x = low + width·y stays what it is, so that y′ = −(low′ + width′·y)/width.
+                let (low, width) = (&other.low, &other.width);
+                if !low.depends_on(slot) && !width.depends_on(slot) {
+                    continue;
+                }
+                let y = Fraction::var(other.var);
+                let stretched = width.derivative_within(slot, work)?.mul_within(&y, work)?;
+                let moved = low.derivative_within(slot, work)?.add_within(&stretched, work)?;
+                let relative = moved.div_within(width, work).ok().flatten()?;
+                -&relative.mul_within(&own, work)?
+            };
+            let slope = f.derivative_within(other.var, work)?;
+            sum = sum.add_within(&slope.mul_within(&change, work)?, work)?;
+        }
+        Some(sum)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn angle(name: &str, rate: Rational, turns: bool, var: usize) -> Angle {
+        Angle {
+            name: String::from(name),
+            kind: Kind::Circular,
+            var: Var(var),
+            itself: Var(var + 10),
+            rate,
+            turns,
+            shift: Rational::ZERO,
+            low: Fraction::zero(),
+            width: Fraction::constant(Rational::ONE),
+            ends: Default::default(),
+            declared: String::new(),
+            mirror: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn names_of_tangents() {
+        let name = |rate, turns| angle("t", rate, turns, 0).tangent_name();
+        assert_eq!(name(Rational::new(1, 2), false), "tan(t/2)");
+        assert_eq!(name(Rational::new(1, 4), true), "tan(pi*t/4)");
+        assert_eq!(name(Rational::new(3, 2), false), "tan(3*t/2)");
+        let shifted = Angle { shift: Rational::new(1, 2), ..angle("t", Rational::new(1, 2), false, 0) };
+        assert_eq!(shifted.tangent_name(), "tan((t - pi/2)/2)");
+    }
+
+    /// Of sin t in the angle and, where the end of the domain is the parameter, of sin t in the end: 0.
+    #[test]
+    fn the_chain_rule() {
+        let work = &mut Work::unlimited();
+        let mut t = angle("t", Rational::new(1, 2), false, 0);
+        let end = angle("α", Rational::new(1, 2), false, 1);
+        t.width = Fraction::var(Var(1));
+        let analytic = Analytic { angles: vec![t.clone(), end], ..Analytic::default() };
+        let x = t.tangent();
+        let one = Fraction::constant(Rational::ONE);
+        let below = &one + &(&x * &x);
+        let sin = (&x + &x).checked_div(&below).expect("not zero");
+        let cos = (&one - &(&x * &x)).checked_div(&below).expect("not zero");
+        assert_eq!(analytic.derivative_within(&sin, Var(0), work), Some(cos.clone()));
+        assert_eq!(analytic.derivative_within(&sin, Var(10), work), Some(cos));
+        assert_eq!(analytic.derivative_within(&sin, Var(11), work), Some(Fraction::zero()));
+        let product = &Fraction::var(Var(10)) * &sin; // t sin t
+        let slope = analytic.derivative_within(&product, Var(0), work).expect("enough work");
+        assert_eq!(
+            &slope - &sin,
+            &Fraction::var(Var(10)) * &analytic.derivative_within(&sin, Var(0), work).unwrap()
+        );
+    }
+}

@@ -1,0 +1,324 @@
+//! sin, cos, exp and the like of arguments that are linear in the variables, and values put in place of an angle.
+//!
+//! With ψ half of the argument, c + i·s in proportion to exp(iψ) is a product of powers of 1 + i·tan(v·s), one for each
+//! variable s, and of 1 + i for each multiple of π/4; the same with j² = 1 in place of i² = −1 for exp(jψ).
+
+use proc_macro2::Span;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::model::angle::{Angle, Kind, multiple_of_pi};
+use crate::model::scope::{Argument, Scope};
+use crate::model::words::{CIRCULAR, HYPERBOLIC};
+use crate::syntax::Expr;
+use basis_prover::collections::list::Mapped;
+
+/// A sum of multiples of variables, of π, and of 1.
+#[derive(Clone, Debug)]
+pub(crate) struct Linear {
+    /// Variables with their factors, and whether these are to be multiplied by π.
+    pub(crate) parts: Vec<(Var, Rational, bool)>,
+    /// The factor of π.
+    pub(crate) pi: Rational,
+    /// The number.
+    pub(crate) number: Rational,
+}
+
+impl Linear {
+    /// The sum that a function is; `None` for any other function.
+    pub(crate) fn of(f: &Fraction, pi: Option<Var>) -> Option<Self> {
+        let mut linear = Self { parts: Vec::new(), pi: Rational::ZERO, number: Rational::ZERO };
+        for (monomial, c) in f.as_poly()?.terms() {
+            let turns = pi.map_or(0, |pi| monomial.exponent(pi));
+            let variables: Vec<Var> = (0..monomial.width())
+                .map(Var)
+                .filter(|v| Some(*v) != pi && monomial.exponent(*v) > 0)
+                .collect();
+            match (variables.as_slice(), monomial.total_degree()) {
+                ([], 0) => linear.number = c.clone(),
+                ([], 1) => linear.pi = c.clone(),
+                ([only], degree) if turns < 2 && degree == 1 + u32::from(turns) => {
+                    linear.parts.push((*only, c.clone(), turns == 1));
+                }
+                _ => return None,
+            }
+        }
+        Some(linear)
+    }
+
+    /// The sum times a number.
+    pub(crate) fn scaled(&self, by: &Rational) -> Self {
+        Self {
+            parts: self.parts.mapped(|(var, c, turns)| (*var, c * by, *turns)),
+            pi: &self.pi * by,
+            number: &self.number * by,
+        }
+    }
+
+    /// The sum times v and π if the rate of an angle says so, minus the shift: its ψ with the sum in its place; `None`
+    /// where π would be squared.
+    fn in_place_of(&self, angle: &Angle) -> Option<Self> {
+        let mut psi = self.scaled(&angle.rate);
+        let shift = &angle.rate * &angle.shift;
+        if angle.turns {
+            if !psi.pi.is_zero() || psi.parts.iter().any(|(_, _, turns)| *turns) {
+                return None;
+            }
+            psi.pi = &psi.number - &shift;
+            psi.number = Rational::ZERO;
+            psi.parts.iter_mut().for_each(|(_, _, turns)| *turns = true);
+        } else {
+            psi.pi -= &shift;
+        }
+        Some(psi)
+    }
+}
+
+/// What is wrong with an argument, and what to write instead.
+pub(crate) type Wrong = (String, String);
+
+/// c + i·s in proportion to exp(iψ), or with j² = 1.
+struct Phase {
+    kind: Kind,
+    c: Fraction,
+    s: Fraction,
+}
+
+impl Phase {
+    /// Times (c + i·s)^n, n perhaps negative.
+    fn turned(
+        &mut self,
+        scope: &Scope<'_>,
+        (c, s): (&Fraction, &Fraction),
+        n: i64,
+        span: Span,
+    ) -> Option<()> {
+        let budget = &scope.budget;
+        let s = if n < 0 { -s } else { s.clone() };
+        for _ in 0..n.abs() {
+            let mul = |a: &Fraction, b: &Fraction| scope.fits(budget.mul(a, b), span);
+            let (cc, ss) = (mul(&self.c, c)?, mul(&self.s, &s)?);
+            let (cs, sc) = (mul(&self.c, &s)?, mul(&self.s, c)?);
+            let real = if self.kind == Kind::Circular { budget.sub(&cc, &ss) } else { budget.add(&cc, &ss) };
+            (self.c, self.s) = (scope.fits(real, span)?, scope.fits(budget.add(&cs, &sc), span)?);
+        }
+        Some(())
+    }
+}
+
+/// More than this often no angle is multiplied.
+const MAX_MULTIPLE: i64 = 40;
+
+impl Scope<'_> {
+    /// exp(iψ) up to a positive factor.
+    fn phase(&self, kind: Kind, psi: &Linear, span: Span) -> Result<Option<Phase>, Wrong> {
+        let one = Fraction::constant(Rational::ONE);
+        let mut phase = Phase { kind, c: one.clone(), s: Fraction::zero() };
+        let (mut pi, mut number) = (psi.pi.clone(), psi.number.clone());
+        for (var, factor, turns) in &psi.parts {
+            let name = &self.names[var.0];
+            let Some(angle) = self.analytic.angles.iter().find(|a| a.itself == *var && a.kind == kind) else {
+                return Err((
+                    format!("`{name}` stands in `sin` or `cos` and in `exp`, `sinh` or `cosh`"),
+                    String::from("one of the two in a family, for each variable"),
+                ));
+            };
+            let n =
+                factor.checked_div(&angle.rate).filter(|_| *turns == angle.turns).and_then(|n| n.to_i64());
+            let Some(n) = n.filter(|n| n.abs() <= MAX_MULTIPLE) else {
+                return Err((
+                    format!(
+                        "this is no multiple of the angle `{}` in which the family is expanded",
+                        angle.tangent_name()
+                    ),
+                    String::from("arguments of sin and cos are rational multiples of one angle"),
+                ));
+            };
+            let shift = &(&angle.rate * &angle.shift) * &Rational::from(n);
+            pi += &shift;
+            let x = angle.tangent();
+            if phase.turned(self, (&one, &x), n, span).is_none() {
+                return Ok(None);
+            }
+        }
+        if kind == Kind::Circular {
+            let quarters = (&pi * &Rational::from(4)).to_i64();
+            let Some(quarters) = quarters.filter(|_| number.is_zero()) else {
+                let what = if number.is_zero() {
+                    multiple_of_pi(&(&pi + &pi))
+                } else {
+                    (&number + &number).to_string()
+                };
+                return Err((
+                    format!("sin and cos of the angle {what} are irrational"),
+                    String::from("constant parts of an angle are multiples of pi/2, and of shape parameters"),
+                ));
+            };
+            if phase.turned(self, (&one, &one), quarters.rem_euclid(8), span).is_none() {
+                return Ok(None);
+            }
+            return Ok(Some(phase));
+        }
+        if !pi.is_zero() {
+            return Err((
+                String::from("`pi` has no meaning in `exp`, `sinh` and `cosh`"),
+                String::from("their arguments are rational multiples of a variable, plus numbers"),
+            ));
+        }
+        number = &number + &number;
+        if !number.is_zero() {
+            let unit = self.analytic.exponential.as_ref();
+            let power = unit.and_then(|(_, unit)| number.checked_div(unit)?.to_i64());
+            let (Some((var, _)), Some(power)) = (unit, power.filter(|n| n.abs() <= MAX_MULTIPLE)) else {
+                return Err((
+                    format!("exp({number}) is not one of the numbers in which the family is expanded"),
+                    String::from("write the number where a function is defined, such as `let c = exp(1);`"),
+                ));
+            };
+            // tanh ψ = (E − 1)/(E + 1) with E = exp 2ψ.
+            let Ok(e) = self.budget.pow(&Fraction::var(*var), power.unsigned_abs() as u32) else {
+                return Ok(None);
+            };
+            let (c, s) = (&e + &one, &e - &one);
+            if phase.turned(self, (&c, &s), power.signum(), span).is_none() {
+                return Ok(None);
+            }
+        }
+        Ok(Some(phase))
+    }
+
+    /// sin, cos, tan, sinh, cosh, tanh or exp of an argument.
+    pub(crate) fn transcendental(&mut self, name: &str, argument: &Expr, span: Span) -> Option<Fraction> {
+        let before = self.pending.len();
+        let value = self.scalar(argument)?;
+        let kind = if CIRCULAR.contains(&name) { Kind::Circular } else { Kind::Hyperbolic };
+        if let Some(recorded) = &mut self.recorded {
+            // tan(ψ) itself is one of the tangents.
+            let value = if is_tangent(name) { &value + &value } else { value };
+            recorded.push(Argument { circular: kind == Kind::Circular, value, span: argument.span });
+            return Some(Fraction::var(Var(self.names.len())));
+        }
+        let Some(linear) = Linear::of(&value, self.analytic.pi) else {
+            self.pending.truncate(before);
+            self.report_frequency(name, &value, argument.span);
+            return None;
+        };
+        if let Some(number) = special(name, &linear) {
+            return Some(Fraction::constant(number));
+        }
+        let half = if is_tangent(name) { linear } else { linear.scaled(&Rational::new(1, 2)) };
+        let phase = match self.phase(kind, &half, argument.span) {
+            Ok(phase) => phase?,
+            Err((message, help)) => {
+                self.report(self.error(argument.span, message).help(help));
+                return None;
+            }
+        };
+        if is_tangent(name) {
+            if phase.c.is_zero() {
+                self.report(self.error(span, "the tangent of a right angle has no value"));
+                return None;
+            }
+            let tangent = self.fits(self.budget.div(&phase.s, &phase.c), span)?;
+            self.must_be_defined(&tangent, span);
+            return Some(tangent);
+        }
+        let (budget, circular) = (&self.budget, kind == Kind::Circular);
+        let mul = |a: &Fraction, b: &Fraction| self.fits(budget.mul(a, b), span);
+        let (cc, ss, cs) = (mul(&phase.c, &phase.c)?, mul(&phase.s, &phase.s)?, mul(&phase.c, &phase.s)?);
+        let sum = self.fits(budget.add(&cc, &ss), span)?;
+        let difference = self.fits(budget.sub(&cc, &ss), span)?;
+        let (square, cos) = if circular { (&sum, &difference) } else { (&difference, &sum) };
+        let twice = &cs + &cs;
+        let quotient = match name {
+            "sin" | "sinh" => budget.div(&twice, square),
+            "cos" | "cosh" => budget.div(cos, square),
+            _ => budget.div(&(&phase.c + &phase.s), &(&phase.c - &phase.s)),
+        };
+        self.fits(quotient, span)
+    }
+
+    /// The error for an argument that is not linear.
+    fn report_frequency(&self, name: &str, value: &Fraction, span: Span) {
+        let error = self.error(span, format!("the argument of `{name}` is not linear in one variable"));
+        let shape = |v: &Var| !self.domain.iter().any(|d| d == v) && Some(*v) != self.analytic.pi;
+        let variables = value.numer().variables();
+        let domain = variables.iter().find(|v| {
+            self.domain.contains(v)
+                || self.analytic.angles.iter().any(|a| a.itself == **v && self.domain.contains(&a.var))
+        });
+        let parameter = variables.iter().find(|v| shape(v) && Some(*v) != domain);
+        let product = value.numer().total_degree() == 2 && value.as_poly().is_some_and(|p| p.len() == 1);
+        self.report(match (parameter, domain) {
+            (Some(parameter), Some(t)) if product => {
+                let (p, t) = (&self.names[parameter.0], &self.names[t.0]);
+                error.help(format!(
+                    "a frequency is a number: let the parameter be the end of the domain, `shape 0 < {p}; domain 0 <= {t} <= {p};`, and write `{name}({t})`"
+                ))
+            }
+            _ => error.help(
+                "it is a rational multiple of a variable, or that times `pi`, plus multiples of shape parameters and of `pi/2`",
+            ),
+        });
+    }
+
+    /// What takes the place of an angle, y and the variable itself, where the variable has a value.
+    pub(crate) fn angle_at(
+        &self,
+        angle: &Angle,
+        value: &Fraction,
+        span: Span,
+    ) -> Result<Option<Fraction>, Wrong> {
+        if angle.kind == Kind::Linear {
+            let rise = self.fits(self.budget.sub(value, &angle.low), span);
+            return Ok(rise.and_then(|rise| self.fits(self.budget.div(&rise, &angle.width), span)));
+        }
+        let linear = Linear::of(value, self.analytic.pi).and_then(|linear| linear.in_place_of(angle));
+        let Some(psi) = linear else {
+            let message = format!("the value of `{}` is not linear", angle.name);
+            let help = "values of an angle are numbers, multiples of `pi`, and multiples of other angles";
+            return Err((message, String::from(help)));
+        };
+        let Some(phase) = self.phase(angle.kind, &psi, span)? else { return Ok(None) };
+        if phase.c.is_zero() {
+            let message =
+                format!("this value of `{}` lies outside of its range `{}`", angle.name, angle.declared);
+            return Err((message, String::from("claims are about the declared ranges")));
+        }
+        let y = self.budget.div(&phase.s, &phase.c).and_then(|x| self.budget.sub(&x, &angle.low));
+        let y = self.fits(y, span).and_then(|rise| self.fits(self.budget.div(&rise, &angle.width), span));
+        Ok(y)
+    }
+}
+
+/// Whether a function is a tangent.
+fn is_tangent(name: &str) -> bool {
+    name == "tan" || name == "tanh"
+}
+
+/// sin, cos and tan of numbers that are rational: of multiples of π/6.
+fn special(name: &str, linear: &Linear) -> Option<Rational> {
+    if !linear.parts.is_empty() || !linear.number.is_zero() || !CIRCULAR.contains(&name) {
+        return None;
+    }
+    let sixths = (&linear.pi * &Rational::from(6)).to_i64()?.rem_euclid(12);
+    let sin = |k: i64| match k.rem_euclid(12) {
+        0 | 6 => Some(Rational::ZERO),
+        1 | 5 => Some(Rational::new(1, 2)),
+        3 => Some(Rational::ONE),
+        7 | 11 => Some(Rational::new(-1, 2)),
+        9 => Some(Rational::from(-1)),
+        _ => None,
+    };
+    match name {
+        "sin" => sin(sixths),
+        "cos" => sin(sixths + 3),
+        _ => None,
+    }
+}
+
+/// Whether a name is that of a function that this file is about.
+pub(crate) fn is_transcendental(name: &str) -> bool {
+    CIRCULAR.contains(&name) || HYPERBOLIC.contains(&name)
+}

@@ -1,0 +1,37 @@
+//! Families as a file, without the macro. It is written again by the command at its top, from the folder of the
+//! workspace; `cargo test -p basis-cli --test emit` says when that is due, and does it with `INSTA_UPDATE=always`.
+
+/// A curve with its join, a triangle and a box.
+pub mod shapes;
+
+#[cfg(test)]
+mod tests {
+    use basis_runtime::{BoxPatch, Contact, Curve, SimplexPatch};
+
+    use crate::shapes::{Bell, Sheet, Tent, smooth};
+
+    #[test]
+    fn a_curve_is_evaluated_and_continued() {
+        let bezier = Bell::new(0.0).expect("inside the range");
+        assert_eq!(bezier.values(0.5), [0.5625, 0.375, 0.0625]);
+        assert!(Bell::new(1.5).is_err());
+        let bell = Bell::new(0.5).expect("inside the range");
+        let first = Curve::new(bell, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0]]);
+        let points = smooth(&[[0.0, 0.0], [1.0, 2.0], [3.0, 2.0]], 0.5, 0.5, 2.0).expect("finite");
+        assert_eq!(points, [[3.0, 2.0], [4.0, 2.0]]);
+        let free = [[0.0, 0.0], [0.0, 0.0], [7.0, 1.0]];
+        let next = bell.curve_after(&first, Contact::Tangent { f: 2.0 }, free).expect("finite");
+        assert_eq!(next.control_points(), [[3.0, 2.0], [4.0, 2.0], [7.0, 1.0]]);
+    }
+
+    #[test]
+    fn patches_are_evaluated() {
+        let tent = Tent::new(1.0).expect("inside the range");
+        // b[0,0,2], b[0,1,1], b[0,2,0], b[1,0,1], b[1,1,0], b[2,0,0].
+        assert_eq!(tent.values([0.5, 0.25, 0.25]), [0.15625, 0.0625, 0.15625, 0.125, 0.125, 0.375]);
+        assert_eq!(SimplexPatch::new(tent, [3.0; 6]).eval(0.5, 0.25), 3.0);
+        let sheet = BoxPatch::new(Sheet::new(), [4.0, 0.0]);
+        assert_eq!(sheet.eval([1.0, 0.0]), 1.0);
+        assert_eq!(sheet.partial([1.0, 0.0], [1, 1]), 1.0);
+    }
+}

@@ -1,0 +1,13 @@
+//! What `basis!` generates, as numbers: one file for each behaviour.
+
+mod accuracy;
+mod agreement;
+mod continuations;
+mod ends;
+mod faithful;
+mod laws;
+mod patches;
+mod points;
+mod serialize;
+mod triangular_patch;
+mod values;
