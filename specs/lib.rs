@@ -42,6 +42,8 @@ pub const SPECS: &[(&str, &str)] = specs![
     "rational/lupas"
     "rational/tension"
     "smoothstep"
+    "splines/bspline"
+    "splines/kernels"
     "triangular"
     "trigonometric/end_angle"
     "trigonometric/han"

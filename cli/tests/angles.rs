@@ -215,6 +215,67 @@ fn certificates() {
     assert_ne!(folder.run(&["verify", "proofs", "s.basis"]).code, 0);
 }
 
+/// A variable beside its own sine or exponential: by derivatives and values at the ends.
+#[test]
+fn a_variable_beside_its_sine() {
+    checked(
+        "family Sines {
+            domain 0 <= t <= pi/2;
+            b[0] = t - sin(t);
+            prove nonnegative;
+            prove sin(t) <= t;
+            prove 1 - t^2/2 <= cos(t);
+            prove cos(t) <= 1 - t^2/2 + t^4/24;
+            prove 2*t/pi <= sin(t);
+            prove D(b[0]) = 1 - cos(t);
+            prove independent;
+            prove b[0](pi/2 - t) = pi/2 - t - cos(t);
+            prove at t = pi/2 { b[0] = pi/2 - 1; }
+            refute at t = pi/2 { b[0] = 1/2; }
+        }
+        family Tangent {
+            domain 0 <= t < pi/2;
+            b[0] = tan(t);
+            prove t <= tan(t);
+        }
+        family Exponential {
+            domain 0 <= t <= 1;
+            b[0] = exp(t);
+            prove exp(t) >= 1 + t;
+            prove exp(t) >= 1 + t + t^2/2;
+            prove exp(t) <= 1 + t*(exp(1) - 1);
+        }
+        family CubicArc {
+            domain 0 <= t <= pi/2;
+            let c = pi/2 - 1;
+            b[0] = (pi/2 - t - cos(t))/c;
+            b[1] = 1 - sin(t) - b[0];
+            b[2] = 1 - cos(t) - b[3];
+            b[3] = (t - sin(t))/c;
+            prove b[0] >= 0;
+            prove b[3] >= 0;
+            prove symmetric;
+            prove independent;
+        }",
+    );
+}
+
+/// What is false of t beside sin t is never proved, and what is not seen is said to be undecided.
+#[test]
+fn false_inequalities_stay_open() {
+    let spec = "family False {
+        domain 0 <= t <= pi/2;
+        b[0] = t;
+        prove sin(t) >= t;
+        prove 2*t/3 <= sin(t);
+        prove 1 - t^2/3 <= cos(t);
+        prove t - sin(t) > 0;
+    }";
+    let run = Folder::with("s.basis", spec).run(&["check", "s.basis"]);
+    assert_eq!(run.code, 1, "{}", run.stdout);
+    assert_eq!(run.stdout.matches("undecided").count(), 5, "{}{}", run.stdout, run.stderr);
+}
+
 /// What depends on the value of pi beyond its bounds, or on t beside sin t, is left open and never wrong.
 #[test]
 fn open_questions_stay_open() {

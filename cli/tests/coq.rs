@@ -164,3 +164,36 @@ fn coq_accepts_quotients_and_simplices() {
         assert!(!accepted(&folder, &text).0, "`{point}` is accepted");
     }
 }
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_independence_and_no_smaller_list_of_exceptions() {
+    let spec = "\
+family Pair {
+    domain -1 <= t <= 2;
+    shape -1 <= k <= 1;
+    b[0] = (1 + k^2)*t + k;
+    b[1] = t^2 - 1;
+    b[2] = k*(k - 1/2)*t^3 + t^2 - 1;
+    refute independent;
+    prove independent except k = 0, k = 1/2;
+}
+";
+    let folder = Folder::with("pair.basis", spec);
+    let (code, said, text) = exported(&folder, "pair.basis");
+    assert_eq!(code, 0, "{said}");
+    assert!(text.contains("a'0 * b_0 k t + a'1 * b_1 k t + a'2 * b_2 k t = 0"), "{text}");
+    let folder = folder.path().join("v");
+    let (fine, said) = accepted(&folder, &text);
+    assert!(fine, "{said}");
+    for (old, new) in [
+        // an exception less, another range, other functions, another dependence
+        ("  ~ (k = 0) ->\n", ""),
+        ("  (-1) <= k <= 1 ->\n  ~ (k = 0)", "  (-1) <= k ->\n  ~ (k = 0)"),
+        ("a'1 * b_1 k t + a'2 * b_2 k t = 0) ->", "a'1 * b_1 k t + a'2 * b_1 k t = 0) ->"),
+        ("  k = (1 / 2) ->\n", "  k = (1 / 3) ->\n"),
+    ] {
+        let (fine, said) = accepted(&folder, &changed(&text, old, new));
+        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+    }
+}

@@ -59,6 +59,14 @@ fn a_range_of_shape_values_gives_a_family_of_lines() {
             "{value}: {svg}"
         );
     }
+    // What has one value for all lines stands above.
+    let two = QUARTIC.replace("shape", "shape 0 <= μ <= 1; shape");
+    let svg = drawn(
+        &Folder::with("t.basis", &two),
+        &["t.basis", "--shape", "λ=-3..1", "--shape", "μ=1/3"],
+        "t.svg",
+    );
+    assert!(svg.contains("0 ≤ t ≤ 1,  μ = 1/3"), "{svg}");
     // Ends that a range leaves out are not drawn.
     let open = QUARTIC.replace("-3 <= λ <= 1", "-3 < λ < 1");
     let svg = drawn(&Folder::with("o.basis", &open), &["o.basis", "--shape", "λ=-3..1"], "o.svg");
@@ -157,4 +165,39 @@ fn what_cannot_be_drawn_is_refused() {
         assert_eq!(run.code, 2, "{arguments:?}: {}", run.stdout);
         assert!(run.stderr.contains(why), "{arguments:?}: {}", run.stderr);
     }
+}
+
+/// The axis is that of the angle, and the values are those of sines.
+#[test]
+fn angles_are_drawn_as_angles() {
+    let spec = "family Turn {
+    domain 0 <= θ <= pi/2;
+    b[0] = 1 - sin(θ);
+    b[1] = sin(θ) + cos(θ) - 1;
+    b[2] = 1 - cos(θ);
+}
+family Mixed { domain 0 <= t <= 1; b[0] = t - sin(pi*t/2)*2/pi; b[1] = 1 - t; }";
+    let folder = Folder::with("s.basis", spec);
+    let svg = drawn(&folder, &["s.basis", "Turn"], "s.svg");
+    let path =
+        svg.split("<title>b[0]</title>").next().and_then(|s| s.rsplit("<path").next()).expect("a line");
+    let data = path.split("d=\"").nth(1).and_then(|d| d.split('"').next()).expect("it has data");
+    let points: Vec<[f64; 2]> = data
+        .trim_start_matches('M')
+        .split('L')
+        .map(|p| {
+            p.split_once(' ').map(|(x, y)| [x, y].map(|x| x.parse().expect("a number"))).expect("a point")
+        })
+        .collect();
+    let ([left, top], [right, bottom]) = (points[0], points[points.len() - 1]);
+    for [x, y] in &points {
+        let angle = (x - left) / (right - left) * core::f64::consts::FRAC_PI_2;
+        let expected = bottom - (bottom - top) * (1.0 - angle.sin());
+        assert!((y - expected).abs() < 0.02, "{angle}: {y} {expected}");
+    }
+    // A function of t and sin t: 0 at 0, 1 - 2/π at 1.
+    let svg = drawn(&folder, &["s.basis", "Mixed"], "m.svg");
+    let (a, b) = (ends(&svg, "b[0]")[1], ends(&svg, "b[1]")[1]);
+    let unit = 380.0 / 1.05 / 1.05;
+    assert!((b - a) / unit > 0.3 && (b - a) / unit < 0.42, "{a} {b}");
 }

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::model::Parameter;
 use crate::model::budget::{Run, TooLarge};
@@ -57,6 +58,13 @@ pub enum ClaimKind {
     Continuity(Joint),
     /// All minors of the functions at ascending points are ≥ 0.
     TotallyPositive,
+    /// The derivatives up to this order agree at the inner knots of a domain of several spans.
+    Smooth(u32),
+    /// Of a domain of several spans: what is claimed on those with these numbers.
+    Spans(Vec<(usize, ClaimKind)>),
+    /// The computed values of all functions are within this many ε of the exact ones: relative, or absolute for a
+    /// function that has no relative bound.
+    Rounding(Rational),
     /// Every difference compares with zero as stated, on the declared ranges.
     Relation {
         /// Left side minus right side and how it compares with zero, for each component of two neighbouring sides.

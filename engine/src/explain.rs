@@ -371,3 +371,25 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     };
     if denom.is_one() { bracket(numer) } else { format!("{}/{}", bracket(numer), bracket(denom)) }
 }
+
+/// Proved bounds of the rounding errors of the values, and of a point of a curve, each with what it is about; nothing for
+/// families for which no code can be generated.
+///
+/// ε is the distance from 1 to the next float. Functions with the same bound share a line.
+pub fn rounding(family: &Family) -> Vec<(String, String)> {
+    let mut lines: Vec<(String, String)> = Vec::new();
+    for (k, bound) in state::value_errors(family).iter().enumerate() {
+        let text =
+            bound.as_ref().map_or_else(|| String::from("no bound found"), |(error, _)| error.to_string());
+        let label = family.function_label(k);
+        match lines.iter_mut().find(|(_, known)| *known == text) {
+            Some((labels, _)) => *labels += &format!(", {label}"),
+            None => lines.push((label, text)),
+        }
+    }
+    if let Some((error, _)) = state::point_error(family) {
+        let text = format!("{error} times the largest control point, in each coordinate");
+        lines.push((String::from("C(t)"), text));
+    }
+    lines
+}

@@ -21,6 +21,11 @@
 
 #![cfg_attr(docsrs, feature(doc_cfg))] // items say which feature they need
 
+/// The Rust of the guide is tested with the engine.
+#[cfg(all(doctest, feature = "tools"))]
+#[doc = include_str!("../../guide/src/engine.md")]
+mod guide {}
+
 mod advice;
 pub mod algebra;
 pub mod claim;
@@ -40,9 +45,11 @@ pub mod plural;
 pub mod published;
 #[cfg(any(test, feature = "tools"))]
 pub mod query;
+#[cfg(any(test, feature = "rounding"))]
+pub mod rounding;
 pub mod source;
 pub mod state;
-#[cfg(any(test, feature = "tools"))]
+#[cfg(any(test, feature = "rounding"))]
 pub mod steps;
 pub mod subject;
 pub mod syntax;

@@ -48,6 +48,21 @@ mod sealed {
     impl<T, const N: usize> Sealed for [T; N] {}
 }
 
+/// How far the computed value of a function may be from the exact one, in units of ε: the distance from 1 to the next
+/// float, [`f32::EPSILON`] or [`f64::EPSILON`].
+///
+/// A bound holds for all parameters in the domain and all shape values in their ranges, with fused operations or
+/// without, as long as nothing overflows or underflows. `basis!` proves it while a crate is compiled.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rounding {
+    /// At most this many ε times the value: a value that is 0 is computed as 0.
+    Relative(f64),
+    /// At most this many ε.
+    Absolute(f64),
+    /// Nothing is proved.
+    Unknown,
+}
+
 /// A family of polynomial basis functions `b[0], …, b[LEN - 1]` with its shape parameters set to values.
 ///
 /// [`basis!`](crate::basis!) implements it for the types that it generates, with the lengths filled in. To evaluate a
@@ -76,6 +91,10 @@ pub trait Basis: Copy + PartialEq + Debug {
 
     /// The degree of the functions in the domain variable.
     const DEGREE: usize = <Self::Bernstein<()> as Array<()>>::LEN - 1;
+
+    /// The proved bounds of the rounding errors of [`values`](Self::values), one for each function; of families that
+    /// were written by hand, and without the feature `rounding`, there are none.
+    const ROUNDING: &'static [Rounding] = &[];
 
     /// The two ends `[lo, hi]` of the domain, `lo < hi`.
     fn domain() -> [Self::Scalar; 2];

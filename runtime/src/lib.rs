@@ -66,8 +66,26 @@
 //! | boxes: `bounding_box`, `control_box` | yes | yes | yes | yes | yes |
 //! | special points: `extrema`, `inflections` | yes | yes | yes | yes | yes |
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
+//! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
+//!
+//! # Surfaces of all types
+//!
+//! The trait [`Surface`] is what every surface answers; a [`BoundedSurface`] knows its rational Bézier patches, from which
+//! boxes, nearest points and meshes follow.
+//!
+//! | a surface's | [`TensorSurface`] | [`RationalSurface`] | [`SurfaceOfRevolution`] | `BSplineSurface` | `NurbsSurface` | through `dyn` |
+//! | --- | --- | --- | --- | --- | --- | --- |
+//! | points: `domain`, `eval`, `eval_grid` | yes | yes | yes | yes | yes | yes |
+//! | derivatives: `partial`, `partials_into` | yes | yes | yes | yes | yes | yes |
+//! | as an array: `eval_with_partials` | yes | yes | yes | yes | yes | no: the length is a parameter of the function |
+//! | `normal`, with its limits at poles, `curvature` | yes | yes | yes | yes | yes | yes |
+//! | rational Bézier patches: `pieces` | yes | yes | yes | yes | yes | yes |
+//! | boxes: `control_box`, `bounding_box` | yes | yes | yes | yes | yes | yes |
+//! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes |
+//!
+//! Triangular patches are surfaces by [`to_tensor_surface`](SimplexPatch::to_tensor_surface).
 //!
 //! # Points
 //!
@@ -164,7 +182,7 @@ mod surface;
 #[allow(dead_code)] // some of it only with some features
 mod vector;
 
-pub use basis::{Array, Basis};
+pub use basis::{Array, Basis, Rounding};
 #[cfg(feature = "macros")]
 pub use basis_macros::basis;
 
@@ -187,7 +205,7 @@ pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samp
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
-pub use geometry::{CurvePiece, CurveScalar, ParametricCurve};
+pub use geometry::{CurvePiece, CurveScalar, Meeting, MeetingKind, ParametricCurve, PlaneMeeting};
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 #[cfg(feature = "alloc")]
@@ -202,12 +220,12 @@ pub use simplex::{
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
     TriangularPatch,
 };
-#[cfg(feature = "alloc")]
-pub use surface::BoundedSurface;
 pub use surface::{
     BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface,
     ScalarOf, Surface, TensorSurface, edge_continuity,
 };
+#[cfg(feature = "alloc")]
+pub use surface::{BoundedSurface, SurfacePiece};
 pub use vector::Point3;
 
 #[cfg(all(doctest, feature = "macros"))]

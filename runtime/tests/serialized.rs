@@ -14,10 +14,11 @@ use basis_runtime::bspline::{
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError,
-    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Mesh, MeshError,
-    Nearest, PiecewiseCurve, RationalSurface, RevolutionError, RevolutionPatch, Samples, ShapeError,
-    SimplexIndex, SimplexPatch, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, TriangleEdge,
-    TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
+    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Meeting, MeetingKind,
+    Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting, RationalSurface,
+    RevolutionError, RevolutionPatch, Samples, ShapeError, SimplexIndex, SimplexPatch, Surface,
+    SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
+    TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -90,6 +91,11 @@ fn bases_forms_and_curves() {
 
     let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);
+    let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
+    let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
+    again(MeetingKind::Crossing);
+    meetings.into_iter().for_each(again);
+    met.into_iter().for_each(again);
     again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
     again(Contact::Curvature { f: 0.5, c: 2.0 });
     again(Frame {
@@ -240,6 +246,7 @@ fn all_else_is_shared() {
     error::<NetworkError>();
     shared::<Samples<P, EndpointForm<P, 3>>>();
     shared::<CurvePiece>();
+    shared::<SurfacePiece>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

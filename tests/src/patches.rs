@@ -50,7 +50,8 @@ pub trait ShippedPatch: Copy {
     /// The partial derivatives in the independent coordinates.
     fn partials(&self, at: &[Self::Scalar], orders: &[usize]) -> Vec<Self::Scalar>;
 
-    /// The partial derivative of these orders of the patch over control points that are numbers; the point for orders 0.
+    /// The partial derivative of these orders of the patch over control points that are numbers; the point for orders
+    /// 0.
     fn patch(&self, points: &[Self::Scalar], at: &[Self::Scalar], orders: &[usize]) -> Self::Scalar;
 
     /// As the method of the type.

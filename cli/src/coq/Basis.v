@@ -1107,6 +1107,289 @@ Theorem fn_by (f : list R -> R) e r :
   forall env, Forall (nz env) (cs r) -> is (fr r) env (f env).
 Proof. intros <- E env H. rewrite E. apply norm_ok, H. Qed.
 
+(** * Linear independence *)
+
+(** ** Polynomials that vanish on an interval *)
+
+(** The quotient of c0 + c1 x + ... by x - r. *)
+Fixpoint divided (r : R) (l : list R) : list R :=
+  match l with
+  | [] => []
+  | _ :: l => match l with [] => [] | _ => horner r l :: divided r l end
+  end.
+
+Lemma divided_ok r x l : horner x l = horner r l + (x - r) * horner x (divided r l).
+Proof.
+  induction l as [|c l IH]; simpl; [ring|]. destruct l as [|d l]; [simpl; ring|].
+  change (horner x (horner r (d :: l) :: divided r (d :: l)))
+    with (horner r (d :: l) + x * horner x (divided r (d :: l))).
+  rewrite IH. ring.
+Qed.
+
+Lemma divided_length r l : length (divided r l) = pred (length l).
+Proof. induction l as [|c [|d l] IH]; auto. simpl in *. rewrite IH. reflexivity. Qed.
+
+Lemma divided_zero r l : (forall n, nth n (divided r l) 0 = 0) -> horner r l = 0 -> forall n, nth n l 0 = 0.
+Proof.
+  induction l as [|c l IH]; intros D H n; [destruct n; reflexivity|].
+  destruct l as [|d l].
+  - simpl in H. destruct n as [|[|n]]; simpl; lra.
+  - assert (E : horner r (d :: l) = 0) by exact (D O).
+    assert (G : forall n, nth n (d :: l) 0 = 0) by (apply IH; [intros m; exact (D (S m)) | exact E]).
+    destruct n; [|exact (G n)]. change (c + r * horner r (d :: l) = 0) in H. rewrite E in H. simpl. lra.
+Qed.
+
+Lemma vanishes : forall k l lo hi, (length l <= k)%nat -> lo < hi ->
+  (forall x, lo < x < hi -> horner x l = 0) -> forall n, nth n l 0 = 0.
+Proof.
+  induction k as [|k IH]; intros l lo hi L H Z n.
+  - destruct l; [destruct n; reflexivity | simpl in L; lia].
+  - set (r := (lo + hi) / 2). assert (Hr : lo < r < hi) by (unfold r; lra).
+    apply (divided_zero r); [|apply Z, Hr].
+    apply (IH _ r hi); [rewrite divided_length; lia | lra |].
+    intros x Hx. pose proof (divided_ok r x l) as D. rewrite (Z x), (Z r) in D by lra.
+    apply (Rmult_eq_reg_l (x - r)); lra.
+Qed.
+
+(** ** Combinations *)
+
+(** A k p0 + A (k + 1) p1 + ... *)
+Fixpoint sumf (A : nat -> R) (k : nat) (ps : list pol) (env : list R) : R :=
+  match ps with [] => 0 | p :: ps => A k * ev p env + sumf A (S k) ps env end.
+
+Fixpoint radd (l m : list R) : list R :=
+  match l, m with [], _ => m | _, [] => l | a :: l, b :: m => a + b :: radd l m end.
+
+Lemma radd_horner l m x : horner x (radd l m) = horner x l + horner x m.
+Proof. revert m. induction l as [|a l IH]; intros [|b m]; simpl; rewrite ?IH; ring. Qed.
+
+Lemma radd_nth l m n : nth n (radd l m) 0 = nth n l 0 + nth n m 0.
+Proof.
+  revert m n. induction l as [|a l IH]; intros [|b m] [|n]; simpl; rewrite ?IH; try ring; destruct n; ring.
+Qed.
+
+Fixpoint lsum (A : nat -> R) (k : nat) (ps : list pol) (e : list R) : list R :=
+  match ps with
+  | [] => []
+  | p :: ps => radd (map (fun c => A k * ev c e) (coefs p)) (lsum A (S k) ps e)
+  end.
+
+Lemma lsum_horner A ps x e : forall k, horner x (lsum A k ps e) = sumf A k ps (x :: e).
+Proof.
+  induction ps as [|p ps IH]; intros k; simpl; [reflexivity|]. rewrite radd_horner, IH.
+  rewrite (coefs_ok p). simpl. f_equal. induction (coefs p) as [|c l IHl]; simpl; [ring|]. rewrite IHl. ring.
+Qed.
+
+Lemma lsum_nth A n ps e : forall k,
+  nth n (lsum A k ps e) 0 = sumf A k (map (fun p => nth n (coefs p) (C 0)) ps) e.
+Proof.
+  induction ps as [|p ps IH]; intros k; simpl; [destruct n; reflexivity|]. rewrite radd_nth, IH. f_equal.
+  replace 0 with (A k * ev (C 0) e) by (simpl; rewrite Q2R_0; ring).
+  rewrite (map_nth (fun c => A k * ev c e)). reflexivity.
+Qed.
+
+(** Every number is strictly between two others. *)
+Fixpoint inside (dims : list (Q * Q)) (xs : list R) : Prop :=
+  match dims, xs with
+  | [], [] => True
+  | d :: dims, x :: xs => (Q2R (fst d) < x < Q2R (snd d)) /\ inside dims xs
+  | _, _ => False
+  end.
+
+(** The coefficient of a monomial in the first variables. *)
+Fixpoint coef (m : list nat) (p : pol) : pol :=
+  match m with [] => p | n :: m => coef m (nth n (coefs p) (C 0)) end.
+
+Lemma coefficients A dims e : Forall (fun d => Q2R (fst d) < Q2R (snd d)) dims -> forall ps,
+  (forall xs, inside dims xs -> sumf A 0 ps (xs ++ e) = 0) ->
+  forall m, length m = length dims -> sumf A 0 (map (coef m) ps) e = 0.
+Proof.
+  intros D. induction D as [|d dims Hd D IH]; intros ps H [|n m] L; try discriminate L.
+  - simpl. rewrite map_id. exact (H [] I).
+  - simpl in L. injection L as L.
+    replace (map (coef (n :: m)) ps) with (map (coef m) (map (fun p => nth n (coefs p) (C 0)) ps))
+      by (rewrite map_map; reflexivity).
+    apply IH; [|exact L]. intros xs Hxs. rewrite <- lsum_nth.
+    apply (vanishes _ _ (Q2R (fst d)) (Q2R (snd d)) (le_n _) Hd).
+    intros x Hx. rewrite lsum_horner. exact (H (x :: xs) (conj Hx Hxs)).
+Qed.
+
+(** ** Elimination *)
+
+(** A sum of coefficients with factors, in which of all rows but those with a known factor 0 one only is left: the number
+    of that row, the sum, and why what is left is not zero. *)
+Record step := Step { row : nat; sum : list (list nat * pol); by_sign : cert }.
+
+Definition take (s : list (list nat * pol)) (p : pol) : pol :=
+  fold_right (fun mn acc => add (mul (snd mn) (coef (fst mn) p)) acc) (C 0) s.
+
+Fixpoint others (k i : nat) (known : list nat) (vals : list pol) : bool :=
+  match vals with
+  | [] => true
+  | p :: vals => ((existsb (Nat.eqb k) known || Nat.eqb k i || is0 p) && others (S k) i known vals)%bool
+  end.
+
+Fixpoint eliminate (dims : nat) (rs : list range) (ps : list pol) (steps : list step) (known : list nat) : bool :=
+  match steps with
+  | [] => forallb (fun k => existsb (Nat.eqb k) known) (seq 0 (length ps))
+  | s :: steps =>
+    let vals := map (take (sum s)) ps in
+    let d := nth (row s) vals (C 0) in
+    (forallb (fun mn => Nat.eqb (length (fst mn)) dims) (sum s) && Nat.ltb (row s) (length ps) &&
+     others 0 (row s) known vals && (check (by_sign s) rs true d || check (by_sign s) rs true (opp d)) &&
+     eliminate dims rs ps steps (row s :: known))%bool
+  end.
+
+Lemma known_zero (A : nat -> R) known k :
+  (forall m, In m known -> A m = 0) -> existsb (Nat.eqb k) known = true -> A k = 0.
+Proof.
+  intros H E. apply existsb_exists in E as [m [I E]]. apply Nat.eqb_eq in E. subst. auto.
+Qed.
+
+Lemma others_beyond A i known env vals : (forall m, In m known -> A m = 0) ->
+  forall k, (i < k)%nat -> others k i known vals = true -> sumf A k vals env = 0.
+Proof.
+  intros K. induction vals as [|p vals IH]; intros k L H; simpl in *; [reflexivity|].
+  apply andb_prop in H as [H G]. rewrite (IH (S k)); [|lia | exact G].
+  apply orb_prop in H as [H | H]; [apply orb_prop in H as [H | H]|].
+  - rewrite (known_zero A known k K H). ring.
+  - apply Nat.eqb_eq in H. lia.
+  - rewrite (is0_ok p env H). ring.
+Qed.
+
+Lemma others_ok A i known env vals : (forall m, In m known -> A m = 0) ->
+  forall k, (k <= i)%nat -> others k i known vals = true ->
+  sumf A k vals env = A i * ev (nth (i - k) vals (C 0)) env.
+Proof.
+  intros K. induction vals as [|p vals IH]; intros k L H; simpl in *.
+  - destruct (i - k)%nat; simpl; rewrite Q2R_0; ring.
+  - apply andb_prop in H as [H G]. destruct (Nat.eq_dec k i) as [E | E].
+    + subst. rewrite (others_beyond A i known env vals K (S i)) by (auto; lia).
+      replace (i - i)%nat with O by lia. ring.
+    + rewrite (IH (S k)) by (auto; lia). replace (i - k)%nat with (S (i - S k)) by lia.
+      assert (Z : A k * ev p env = 0).
+      { apply orb_prop in H as [H | H]; [apply orb_prop in H as [H | H]|].
+        - rewrite (known_zero A known k K H). ring.
+        - apply Nat.eqb_eq in H. contradiction.
+        - rewrite (is0_ok p env H). ring. }
+      simpl. lra.
+Qed.
+
+Lemma sumf_map_add A (f g : pol -> pol) ps env : forall k,
+  sumf A k (map (fun p => add (f p) (g p)) ps) env = sumf A k (map f ps) env + sumf A k (map g ps) env.
+Proof. induction ps; intros k; simpl; [ring|]. rewrite add_ok, IHps. ring. Qed.
+
+Lemma sumf_map_mul A q (f : pol -> pol) ps env : forall k,
+  sumf A k (map (fun p => mul q (f p)) ps) env = ev q env * sumf A k (map f ps) env.
+Proof. induction ps; intros k; simpl; [ring|]. rewrite mul_ok, IHps. ring. Qed.
+
+Lemma sumf_zero A (ps : list pol) env : forall k, sumf A k (map (fun _ => C 0) ps) env = 0.
+Proof. induction ps; intros k; simpl; [reflexivity|]. rewrite IHps, Q2R_0. ring. Qed.
+
+Lemma take_zero A ps env s :
+  Forall (fun mn => sumf A 0 (map (coef (fst mn)) ps) env = 0) s -> sumf A 0 (map (take s) ps) env = 0.
+Proof.
+  intros H. induction H as [|mn s Hmn H IH].
+  - apply sumf_zero.
+  - change (map (take (mn :: s)) ps) with (map (fun p => add (mul (snd mn) (coef (fst mn) p)) (take s p)) ps).
+    rewrite sumf_map_add, IH, (sumf_map_mul A (snd mn) (coef (fst mn))), Hmn. ring.
+Qed.
+
+Lemma eliminate_ok A dims rs ps env :
+  (forall m, length m = dims -> sumf A 0 (map (coef m) ps) env = 0) -> inbox rs env ->
+  forall steps known, (forall m, In m known -> A m = 0) -> eliminate dims rs ps steps known = true ->
+  forall k, (k < length ps)%nat -> A k = 0.
+Proof.
+  intros Z B. induction steps as [|s steps IH]; intros known K H k L; simpl in H.
+  - rewrite forallb_forall in H. apply (known_zero A known k K). apply H. apply in_seq. lia.
+  - apply andb_prop in H as [H H5]. apply andb_prop in H as [H H4]. apply andb_prop in H as [H H3].
+    apply andb_prop in H as [H1 H2]. apply Nat.ltb_lt in H2.
+    apply (IH (row s :: known)); auto. intros m [<- | M]; auto.
+    assert (S : sumf A 0 (map (take (sum s)) ps) env = 0).
+    { apply take_zero. apply Forall_forall. intros mn Hmn. apply Z. rewrite forallb_forall in H1.
+      apply Nat.eqb_eq. apply H1, Hmn. }
+    rewrite (others_ok A (row s) known env _ K 0 (Nat.le_0_l _) H3) in S. rewrite Nat.sub_0_r in S.
+    set (d := nth (row s) (map (take (sum s)) ps) (C 0)) in *.
+    assert (N : ev d env <> 0).
+    { apply orb_prop in H4 as [G | G]; apply (check_ok _ _ _ _ env) in G; auto; simpl in G;
+        rewrite ?opp_ok in G; lra. }
+    apply (Rmult_eq_reg_r (ev d env)); [lra | exact N].
+Qed.
+
+(** ** Functions *)
+
+Fixpoint sume (A : nat -> R) (k : nat) (es : list expr) (env : list R) : R :=
+  match es with [] => 0 | e :: es => A k * eval e env + sume A (S k) es env end.
+
+Fixpoint prod (ds : list pol) : pol := match ds with [] => C 1 | d :: ds => mul d (prod ds) end.
+Fixpoint drop (d : pol) (ds : list pol) : list pol :=
+  match ds with [] => [] | e :: ds => if same d e then ds else e :: drop d ds end.
+
+Lemma drop_ok d ds env : existsb (same d) ds = true -> ev (prod ds) env = ev d env * ev (prod (drop d ds)) env.
+Proof.
+  induction ds as [|e ds IH]; simpl; [discriminate|]. destruct (same d e) eqn:E; intros H.
+  - apply same_ok in E. subst. apply mul_ok.
+  - simpl in H. rewrite mul_ok, (IH H). simpl. rewrite mul_ok. ring.
+Qed.
+
+Lemma prod_not ds env : Forall (nz env) ds -> ev (prod ds) env <> 0.
+Proof.
+  intros H. induction H as [|d ds Hd H IH]; simpl; [rewrite Q2R_1; lra|]. rewrite mul_ok.
+  apply Rmult_integral_contrapositive_currified; assumption.
+Qed.
+
+(** The numerators over a common denominator. *)
+Definition cleared (ds : list pol) (f : frac) : pol := mul (num f) (prod (drop (den f) ds)).
+
+Lemma cleared_ok A ds es env : forall k,
+  forallb (fun e => existsb (same (den (fr (norm e)))) ds) es = true ->
+  Forall (fun e => Forall (nz env) (cs (norm e))) es ->
+  sumf A k (map (fun e => cleared ds (fr (norm e))) es) env = ev (prod ds) env * sume A k es env.
+Proof.
+  induction es as [|e es IH]; intros k H F; simpl in *; [ring|].
+  apply andb_prop in H as [H1 H2]. inversion F; subst. rewrite IH by assumption.
+  destruct (norm_ok e env H3) as [D V]. rewrite <- V. unfold val, cleared. rewrite mul_ok, (drop_ok _ _ env H1).
+  field. exact D.
+Qed.
+
+Definition wide (dims : list (Q * Q)) : list range := map (fun d => (Excl (fst d), Excl (snd d))) dims.
+
+Definition prove_independent (rs : list range) (by_ : list cert) (dims : list (Q * Q)) (es : list expr)
+  (steps : list step) : bool :=
+  let ns := map norm es in
+  let ds := fold_right (fun r l => insert (den (fr r)) l) [] ns in
+  (forallb (fun d => qlt (fst d) (snd d)) dims &&
+   forallb (fun r => forallb (defined (wide dims ++ rs) by_) (cs r)) ns &&
+   forallb (fun r => existsb (same (den (fr r))) ds) ns &&
+   eliminate (length dims) rs (map (fun r => cleared ds (fr r)) ns) steps [])%bool.
+
+Lemma inside_box dims rs xs env : inside dims xs -> inbox rs env -> inbox (wide dims ++ rs) (xs ++ env).
+Proof.
+  revert xs. induction dims as [|d dims IH]; intros [|x xs] H B; simpl in *; try contradiction; auto.
+  destruct H as [H G]. auto.
+Qed.
+
+Lemma forallb_mapped {T U} (f : U -> bool) (g : T -> U) l : forallb f (map g l) = forallb (fun x => f (g x)) l.
+Proof. induction l; simpl; [reflexivity|]. rewrite IHl. reflexivity. Qed.
+
+(** If a combination of functions is zero inside of a box in the first variables, all of its factors are zero. *)
+Theorem independent_by rs by_ dims es steps env A :
+  prove_independent rs by_ dims es steps = true -> inbox rs env ->
+  (forall xs, inside dims xs -> sume A 0 es (xs ++ env) = 0) ->
+  forall k, (k < length es)%nat -> A k = 0.
+Proof.
+  unfold prove_independent. rewrite !map_map, !forallb_mapped. intros H B Z.
+  set (ds := fold_right (fun r l => insert (den (fr r)) l) [] (map norm es)) in *.
+  apply andb_prop in H as [H E]. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
+  rewrite <- (map_length (fun e => cleared ds (fr (norm e))) es).
+  refine (eliminate_ok A (length dims) rs _ env _ B steps [] _ E); [|intros m []].
+  apply coefficients.
+  - apply Forall_forall. intros d Hd. rewrite forallb_forall in H1. apply qlt_ok, H1, Hd.
+  - intros xs Hxs. rewrite cleared_ok; [rewrite (Z xs Hxs); ring | exact H3 |].
+    apply Forall_forall. intros e He. rewrite forallb_forall in H2.
+    exact (defined_ok _ _ _ _ (H2 e He) (inside_box _ _ _ _ Hxs B)).
+Qed.
+
 (** ** For the texts of proofs *)
 
 (** What is left of a part of c in front of it: barycentric coordinates as images of a box. *)
@@ -1125,5 +1408,7 @@ Qed.
 
 (** All variables are in their ranges. *)
 Ltac box := cbv [inbox above below fst snd hd tl Q2R Qnum Qden]; repeat split; lra.
+(** One of several boxes. *)
+Ltac apart := first [lra | repeat split; lra | left; apart | right; apart].
 (** A program says that it is so. *)
 Ltac run := vm_cast_no_check (eq_refl true).

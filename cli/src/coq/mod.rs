@@ -7,6 +7,7 @@
 mod certificate;
 mod formula;
 mod frame;
+mod independence;
 mod names;
 mod theorem;
 
@@ -69,7 +70,9 @@ impl Export {
                     continue;
                 }
             };
-            let Some(formulas) = &decided.formulas else {
+            // Tangents in place of angles, and formulas by span, have no counterpart either.
+            let plain = family.analytic.is_empty() && family.pieces.is_empty();
+            let Some(formulas) = decided.formulas.as_ref().filter(|_| plain) else {
                 let why = "a formula of the family has no counterpart";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
@@ -169,7 +172,7 @@ impl Text {
             definitions[k] = given(&mut identifiers, definition);
         }
         let mut text = format!("(** {} of {}. *)\n\n", comment(&title), comment(&outcome.path));
-        text += "From Coq Require Import Reals QArith Lra.\nFrom Coquelicot Require Import Coquelicot.\n";
+        text += "From Coq Require Import Reals QArith Lia Lra.\nFrom Coquelicot Require Import Coquelicot.\n";
         text += "From Basis Require Import Basis.\nImport List ListNotations.\nOpen Scope R_scope.\n\n";
         let mut this = Self { written: text, definitions, names, identifiers, theorems: Vec::new() };
         for (k, definition) in formulas.definitions.iter().enumerate() {
@@ -221,6 +224,7 @@ impl Text {
             let name = self.identifiers.give(&format!("claim_{}_{}", k + 1, kind(decided)));
             let subject = theorem::Subject {
                 family,
+                formulas,
                 definitions: &self.definitions,
                 names: &self.names,
                 obligations: &obligations,

@@ -2,7 +2,7 @@
 
 use basis_engine::algebra::range::Range;
 use basis_engine::algebra::rational::Rational;
-use basis_engine::formulas::{Claimed, Compared, Comparison, Term};
+use basis_engine::formulas::{Claimed, Compared, Comparison, Formulas, Term};
 use basis_engine::{Claim, ClaimKind, Coordinate, Family, Verdict, Witness, state};
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::{Chart, Proof, Statement};
@@ -17,6 +17,7 @@ pub(super) type Missing = &'static str;
 /// A family with everything that its theorems mention.
 pub(super) struct Subject<'a> {
     pub(super) family: &'a Family,
+    pub(super) formulas: &'a Formulas,
     /// The identifiers of the definitions.
     pub(super) definitions: &'a [String],
     /// The identifiers of the variables.
@@ -37,8 +38,9 @@ impl Subject<'_> {
         match verdict {
             Verdict::Undecided(_) => Err("an undecided claim"),
             Verdict::Proved(evidence) => {
-                if matches!(claim.kind, ClaimKind::Independent(_)) {
-                    return Err("linear independence");
+                if let ClaimKind::Independent(except) = &claim.kind {
+                    let (_, proof) = evidence.steps().first().ok_or("a claim without a proof")?;
+                    return self.independent(name, except, proof);
                 }
                 if evidence.steps().len() != claimed.all.len() {
                     return Err("formulas that cannot be told apart");
@@ -55,7 +57,7 @@ impl Subject<'_> {
         }
     }
 
-    fn writer<'w>(&'w self, variables: &'w dyn Fn(usize) -> Option<String>) -> Writer<'w> {
+    pub(super) fn writer<'w>(&'w self, variables: &'w dyn Fn(usize) -> Option<String>) -> Writer<'w> {
         Writer { definitions: self.definitions, variables }
     }
 
@@ -167,8 +169,8 @@ impl Subject<'_> {
         claimed: &Claimed,
         witness: &Witness,
     ) -> Result<String, Missing> {
-        if matches!(claim.kind, ClaimKind::Independent(_)) {
-            return Err("a refutation of independence");
+        if let ClaimKind::Independent(except) = &claim.kind {
+            return self.refuted_independence(name, except, witness);
         }
         let subject = basis_engine::Subject::Family(std::rc::Rc::new(self.family.clone()));
         let statements = state::statements(&subject, claim).ok_or("a claim that is too long")?;

@@ -46,6 +46,7 @@ fn refuse(sources: &Sources, errors: &[Diagnostic]) -> Status {
 
 fn evaluate(arguments: &EvalArguments, library: &Library<'_>) -> Result<Values, Vec<Diagnostic>> {
     let family = family::find(library, &arguments.family)?;
+    let family = point::on_span(&family, &arguments.at);
     let point = point::Point::new(&family, &arguments.shapes, &arguments.at)?;
     let functions = point.bind(&family).map_err(|e| vec![e])?;
     let derivatives = derivatives::up_to(&family, functions, arguments.order).map_err(|e| vec![e])?;

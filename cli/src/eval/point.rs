@@ -1,5 +1,7 @@
 //! The point at which a family is evaluated.
 
+use std::rc::Rc;
+
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::rational::Rational;
@@ -9,6 +11,16 @@ use basis_engine::{Diagnostic, Family};
 use super::assign;
 use crate::args::Assignment;
 use crate::output::error;
+
+/// Of a family on several spans the first one that contains the value of the domain variable.
+pub(super) fn on_span(family: &Rc<Family>, at: &[Assignment]) -> Rc<Family> {
+    let holds = |piece: &&Rc<Family>| {
+        let [variable] = piece.domain.as_slice() else { return false };
+        let given = at.iter().find(|a| a.name == variable.name);
+        given.is_some_and(|a| variable.range.contains(&a.value))
+    };
+    family.pieces.iter().find(holds).or(family.pieces.first()).unwrap_or(family).clone()
+}
 
 /// A value for each shape parameter and each domain variable.
 #[derive(Debug)]

@@ -45,6 +45,8 @@ pub(super) struct FamilyFacts {
     pub(super) dependent: Vec<String>,
     /// What is left open about them; nothing if these are all.
     pub(super) dependent_open: Option<String>,
+    /// Proved bounds of the rounding errors of evaluation.
+    pub(super) rounding: Vec<Rounding>,
     /// The control points that contacts determine.
     pub(super) contacts: Vec<Contact>,
     /// The largest ranges of the shape parameters on which all functions are nonnegative.
@@ -72,6 +74,15 @@ pub(super) struct Equation {
     pub(super) value: String,
     /// Both sides in math mode, `name &= value`.
     pub(super) latex: String,
+}
+
+/// A bound of rounding errors.
+#[derive(Debug, Serialize)]
+pub(super) struct Rounding {
+    /// The functions that have it, or `C(t)` for a point of a curve.
+    pub(super) of: String,
+    /// Such as `4.41 ε of the value`.
+    pub(super) bound: String,
 }
 
 /// A contact with another curve.
@@ -154,11 +165,15 @@ impl FamilyFacts {
             title: family.title(),
             doc: family.doc.clone(),
             domain: domain::describe(family),
-            shapes: family.shapes.iter().map(|p| p.range.display(&p.name).to_string()).collect(),
+            shapes: family.shapes.iter().map(|p| family.declared(p)).collect(),
             functions: function_facts(family).into_iter().map(function).collect(),
             ends: explain::end_derivatives(family, ORDER).into_iter().map(equation).collect(),
             dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
             dependent_open: set.open,
+            rounding: explain::rounding(family)
+                .into_iter()
+                .map(|(of, bound)| Rounding { of, bound })
+                .collect(),
             contacts: explain::contacts(family).into_iter().map(contact).collect(),
             nonnegative: explain::nonnegative_ranges(family).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),
@@ -219,12 +234,12 @@ fn sentence(subject: &Subject, claim: &Claim) -> String {
             format!("The functions are nonnegative on the domain{shapes}, ${b}_i \\ge 0$.")
         }
         ClaimKind::Symmetric => match family.interval() {
-            Some((var, low, high)) => {
+            Some((var, low, high)) if family.analytic.is_empty() => {
                 let (t, n) = (latex::name(&family.names[var.0]), family.functions.len() - 1);
                 let sum = latex::math(&(low + high).to_string()).unwrap_or_default();
                 format!("The functions are symmetric, ${b}_i({t}) = {b}_{{{n}-i}}({sum} - {t})$.")
             }
-            None => String::from("The functions are symmetric under the symmetries of the domain."),
+            _ => String::from("The functions are symmetric under the symmetries of the domain."),
         },
         ClaimKind::Independent(exceptions) => {
             let point = |values: &basis_kernel::Values| {

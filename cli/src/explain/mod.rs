@@ -55,7 +55,11 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     let run = &mut Run::default();
     let mut all = Vec::new();
     let mut left_out = 0;
-    for family in families.unwrap_or_default() {
+    // On several spans each has formulas of its own.
+    let spans = |family: Rc<Family>| {
+        if family.pieces.is_empty() { vec![family] } else { family.pieces.clone() }
+    };
+    for family in families.unwrap_or_default().into_iter().flat_map(spans) {
         if run.is_spent() {
             left_out += 1;
             continue;
@@ -132,6 +136,11 @@ fn text(facts: &FamilyFacts) -> String {
     for line in independence {
         text += &format!("    {line}\n");
     }
+    section(
+        &mut text,
+        "Rounding errors of evaluation, at most",
+        facts.rounding.iter().map(|r| (&r.of, &r.bound)),
+    );
     for contact in &facts.contacts {
         section(&mut text, &contact.title, pairs(&contact.points));
         if !contact.conditions.is_empty() {

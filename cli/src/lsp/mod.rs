@@ -1,20 +1,15 @@
 //! `basis lsp`: the language server. It speaks the Language Server Protocol on standard input and output.
 //!
-//! Names, layout and outline are answered at once from the text. Claims are decided in small pieces between the messages
-//! of the editor, so that a newer version of a text stops the work on an older one, and an answer that needs verdicts
-//! waits for them.
+//! Names, layout and outline are answered at once from the text. Claims are decided in small pieces between the
+//! messages of the editor, so that a newer version of a text stops the work on an older one, and an answer that needs
+//! verdicts waits for them.
 
-mod actions;
 mod analysis;
-mod complete;
+mod answers;
 mod files;
-mod hover;
-mod marks;
-mod names;
-mod outline;
 mod position;
 mod server;
-mod words;
+mod workspace;
 
 use lsp_server::Connection;
 

@@ -4,14 +4,13 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use basis_engine::query::{self, Document};
-use basis_engine::{Files, Source};
-use core::ops::Range;
+use basis_engine::Files;
+use basis_engine::query;
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
 use lsp_types::{
     CodeActionKind, CodeActionOptions, CodeActionParams, CodeActionProviderCapability, CompletionOptions,
     CompletionParams, DocumentHighlight, FoldingRangeProviderCapability, GotoDefinitionParams,
-    HoverProviderCapability, InitializeParams, InlayHintParams, OneOf, Position, PublishDiagnosticsParams,
+    HoverProviderCapability, InitializeParams, InlayHintParams, OneOf, PublishDiagnosticsParams,
     ReferenceParams, RenameOptions, RenameParams, SemanticTokens, SemanticTokensFullOptions,
     SemanticTokensOptions, ServerCapabilities, TextDocumentIdentifier, TextDocumentPositionParams,
     TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions,
@@ -21,9 +20,9 @@ use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
 use super::analysis::Analysis;
-use super::files::{self, Other, Overlay};
-use super::position::Lines;
-use super::{actions, complete, hover, marks, names, outline, words};
+use super::answers::{actions, complete, hover, marks, names, outline, words};
+use super::files::{self, Overlay};
+use super::workspace::{Shown, Text, Workspace};
 
 /// How long claims are decided before messages are looked at again.
 const SLICE: Duration = Duration::from_millis(5);
@@ -34,79 +33,11 @@ const PATIENCE: Duration = Duration::from_millis(1500);
 /// After this time errors are shown although not all claims are decided.
 const INTERIM: Duration = Duration::from_millis(500);
 
-/// A text that is open in the editor.
-pub(super) struct Text {
-    pub(super) uri: Uri,
-    /// Its file; nothing for a text that has none yet.
-    pub(super) path: Option<PathBuf>,
-    pub(super) document: Document,
-    version: Option<i32>,
-    lines: Lines,
-    /// The verdicts, perhaps not all; nothing before they are asked for.
-    analysis: Option<Analysis>,
-    /// Since when this version is there.
-    since: Instant,
-    /// Whether its errors are with the editor: none, those so far, or all.
-    shown: Shown,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Shown {
-    No,
-    Interim,
-    All,
-}
-
-impl Text {
-    fn new(uri: Uri, text: &str, version: Option<i32>) -> Self {
-        // As the engine reads it: lines end with `\n`.
-        let text = Source::text("", text).text.unwrap_or_default();
-        let lines = Lines::new(&text);
-        let (path, document) = (files::path(&uri), Document::new(text));
-        Self { uri, path, document, version, lines, analysis: None, since: Instant::now(), shown: Shown::No }
-    }
-
-    pub(super) fn position(&self, offset: usize) -> Position {
-        self.lines.position(&self.document.text, offset)
-    }
-
-    pub(super) fn span(&self, range: &Range<usize>) -> lsp_types::Range {
-        self.lines.span(&self.document.text, range)
-    }
-
-    pub(super) fn offset(&self, position: Position) -> usize {
-        self.lines.offset(&self.document.text, position)
-    }
-
-    pub(super) fn bytes(&self, range: lsp_types::Range) -> Range<usize> {
-        self.lines.bytes(&self.document.text, range)
-    }
-
-    /// The text for the engine.
-    pub(super) fn source(&self) -> Source {
-        let name = self.path.as_ref().and_then(|p| p.file_name()).map(|n| n.to_string_lossy().into_owned());
-        let source = Source::text(name.unwrap_or_else(|| String::from("spec.basis")), &self.document.text);
-        match &self.path {
-            Some(path) => source.at(path.clone()),
-            None => source,
-        }
-    }
-
-    fn is_done(&self) -> bool {
-        self.analysis.as_ref().is_some_and(Analysis::is_done)
-    }
-}
-
 /// The state of the server.
-pub(super) struct Server {
-    /// The open texts, the one that was edited last at the end.
-    texts: Vec<Text>,
-    pub(super) files: Overlay,
-    roots: Vec<PathBuf>,
+struct Server {
+    workspace: Workspace,
     /// Requests that wait for verdicts, with the time of their arrival.
     waiting: Vec<(Request, Instant)>,
-    /// Whether the editor asks for the edit of an action that is chosen.
-    pub(super) resolves: bool,
     snippets: bool,
     refreshes: bool,
     /// The number of the last request to the editor.
@@ -203,58 +134,32 @@ impl Server {
         let mut roots: Vec<PathBuf> = folders.chain(root).collect();
         roots.dedup();
         Self {
-            texts: Vec::new(),
-            files: Overlay::default(),
-            roots,
+            workspace: Workspace {
+                texts: Vec::new(),
+                files: Overlay::default(),
+                roots,
+                resolves: has("/textDocument/codeAction/resolveSupport"),
+            },
             waiting: Vec::new(),
-            resolves: has("/textDocument/codeAction/resolveSupport"),
             snippets: has("/textDocument/completion/completionItem/snippetSupport"),
             refreshes: has("/workspace/inlayHint/refreshSupport"),
             asked: 0,
         }
     }
 
-    /// The text at an address.
-    pub(super) fn text(&self, uri: &str) -> Option<&Text> {
-        self.texts.iter().find(|t| t.uri.as_str() == uri)
-    }
-
-    /// The specs whose families a text can name.
-    pub(super) fn others(&self, text: &Text) -> Vec<Other> {
-        files::visible(&self.files, text.path.as_deref(), &text.document.imports)
-    }
-
-    /// The specs of the workspace, and those that are open.
-    pub(super) fn specs(&self) -> Vec<PathBuf> {
-        let mut all = files::specs(&self.roots);
-        all.extend(self.texts.iter().filter_map(|t| t.path.clone()));
-        all.sort();
-        all.dedup();
-        all
-    }
-
-    /// The names of a spec of the workspace.
-    pub(super) fn document(&self, path: &std::path::Path) -> Option<Document> {
-        if let Some(text) = self.texts.iter().find(|t| t.path.as_deref() == Some(path)) {
-            return Some(text.document.clone());
-        }
-        let text = String::from_utf8(self.files.read(path).ok()?).ok()?;
-        Some(Document::new(Source::text("", &text).text.unwrap_or_default()))
-    }
-
     fn has_work(&self) -> bool {
-        self.texts.iter().any(|t| t.shown != Shown::All) || !self.waiting.is_empty()
+        self.workspace.texts.iter().any(|t| t.shown != Shown::All) || !self.waiting.is_empty()
     }
 
     /// Decides some claims, and says what is known then.
     fn work(&mut self) -> Vec<Message> {
         let mut replies = Vec::new();
-        if let Some(k) = self.texts.iter().rposition(|t| t.shown != Shown::All) {
-            if self.texts[k].analysis.is_none() {
-                let source = self.texts[k].source();
-                self.texts[k].analysis = Some(Analysis::new(&self.files, source));
+        if let Some(k) = self.workspace.texts.iter().rposition(|t| t.shown != Shown::All) {
+            if self.workspace.texts[k].analysis.is_none() {
+                let source = self.workspace.texts[k].source();
+                self.workspace.texts[k].analysis = Some(Analysis::new(&self.workspace.files, source));
             }
-            let text = &mut self.texts[k];
+            let text = &mut self.workspace.texts[k];
             if let Some(analysis) = &mut text.analysis {
                 analysis.step(SLICE);
             }
@@ -285,7 +190,7 @@ impl Server {
     /// Whether the verdicts that a request needs are there.
     fn is_ready(&self, request: &Request) -> bool {
         let uri = request.params.pointer("/textDocument/uri").and_then(Value::as_str).unwrap_or_default();
-        self.text(uri).is_none_or(Text::is_done)
+        self.workspace.text(uri).is_none_or(Text::is_done)
     }
 
     fn note(&mut self, note: &Notification) -> Vec<Message> {
@@ -306,12 +211,12 @@ impl Server {
                 }
             }
             ("textDocument/didClose", Some(uri)) => {
-                let Some(k) = self.texts.iter().position(|t| t.uri.as_str() == uri) else {
+                let Some(k) = self.workspace.texts.iter().position(|t| t.uri.as_str() == uri) else {
                     return Vec::new();
                 };
-                let text = self.texts.remove(k);
+                let text = self.workspace.texts.remove(k);
                 if let Some(path) = &text.path {
-                    self.files.open.remove(path);
+                    self.workspace.files.open.remove(path);
                 }
                 let none = PublishDiagnosticsParams::new(text.uri, Vec::new(), None);
                 let method = String::from("textDocument/publishDiagnostics");
@@ -319,7 +224,7 @@ impl Server {
             }
             ("workspace/didChangeWatchedFiles" | "textDocument/didSave", _) => {
                 // A file that others use may have changed.
-                for text in &mut self.texts {
+                for text in &mut self.workspace.texts {
                     if !text.document.imports.is_empty() {
                         (text.analysis, text.shown, text.since) = (None, Shown::No, Instant::now());
                     }
@@ -344,23 +249,23 @@ impl Server {
     /// A text is opened or changed.
     fn open(&mut self, uri: &str, content: &str, version: Option<i32>) {
         let Ok(parsed) = uri.parse::<Uri>() else { return };
-        self.texts.retain(|t| t.uri.as_str() != uri);
+        self.workspace.texts.retain(|t| t.uri.as_str() != uri);
         let text = Text::new(parsed, content, version);
         if let Some(path) = &text.path {
-            self.files.open.insert(path.clone(), text.document.text.clone());
+            self.workspace.files.open.insert(path.clone(), text.document.text.clone());
         }
         // Texts that use this one have to be checked again.
-        for other in &mut self.texts {
+        for other in &mut self.workspace.texts {
             let folder = other.path.as_deref().and_then(std::path::Path::parent);
             let uses = other.document.imports.iter().any(|i| {
                 let path = folder.map(|f| f.join(&i.path));
-                !i.library && path.is_some_and(|p| Some(self.files.canonical(&p)) == text.path)
+                !i.library && path.is_some_and(|p| Some(self.workspace.files.canonical(&p)) == text.path)
             });
             if uses {
                 (other.analysis, other.shown, other.since) = (None, Shown::No, Instant::now());
             }
         }
-        self.texts.push(text);
+        self.workspace.texts.push(text);
     }
 
     fn request(&mut self, request: Request) -> Vec<Message> {
@@ -386,20 +291,20 @@ impl Server {
     fn result(&self, request: Request) -> Result<Value, (ErrorCode, String)> {
         let method = request.method.clone();
         if method == "codeAction/resolve" {
-            return value(actions::resolve(self, read(request)?));
+            return value(actions::resolve(&self.workspace, read(request)?));
         }
         let Ok(of) = serde_json::from_value::<OfText>(request.params.clone()) else {
             return Err((ErrorCode::MethodNotFound, format!("`{method}` is not known")));
         };
         let uri = of.text_document.uri.as_str();
-        let Some(text) = self.text(uri) else {
+        let Some(text) = self.workspace.text(uri) else {
             return Err((ErrorCode::InvalidParams, format!("{uri} is not open")));
         };
         let analysis = text.analysis.as_ref();
         match method.as_str() {
             "textDocument/hover" => {
                 let at: TextDocumentPositionParams = read(request)?;
-                let others = self.others(text);
+                let others = self.workspace.others(text);
                 value(analysis.and_then(|a| hover::hover(text, a, &others, at.position)))
             }
             "textDocument/inlayHint" => {
@@ -408,35 +313,41 @@ impl Server {
             }
             "textDocument/codeAction" => {
                 let at: CodeActionParams = read(request)?;
-                value(analysis.map(|a| actions::actions(self, text, a, at.range)))
+                value(analysis.map(|a| actions::actions(&self.workspace, text, a, at.range)))
             }
             "textDocument/completion" => {
                 let at: CompletionParams = read(request)?;
                 let position = at.text_document_position.position;
-                value(complete::complete(text, &self.others(text), self.snippets, position))
+                value(complete::complete(text, &self.workspace.others(text), self.snippets, position))
             }
             "textDocument/definition" => {
                 let at: GotoDefinitionParams = read(request)?;
-                value(names::definition(self, text, at.text_document_position_params.position))
+                value(names::definition(&self.workspace, text, at.text_document_position_params.position))
             }
             "textDocument/references" => {
                 let at: ReferenceParams = read(request)?;
                 let position = at.text_document_position.position;
-                value(names::references(self, text, position, at.context.include_declaration))
+                value(names::references(&self.workspace, text, position, at.context.include_declaration))
             }
             "textDocument/documentHighlight" => {
                 let at: TextDocumentPositionParams = read(request)?;
-                let all = names::references(self, text, at.position, true).unwrap_or_default().into_iter();
+                let all = names::references(&self.workspace, text, at.position, true)
+                    .unwrap_or_default()
+                    .into_iter();
                 let own = all.filter(|l| l.uri == text.uri);
                 value(own.map(|l| DocumentHighlight { range: l.range, kind: None }).collect::<Vec<_>>())
             }
             "textDocument/prepareRename" => {
                 let at: TextDocumentPositionParams = read(request)?;
-                value(names::prepare(self, text, at.position).map_err(|e| (ErrorCode::RequestFailed, e))?)
+                value(
+                    names::prepare(&self.workspace, text, at.position)
+                        .map_err(|e| (ErrorCode::RequestFailed, e))?,
+                )
             }
             "textDocument/rename" => {
                 let at: RenameParams = read(request)?;
-                let edit = names::rename(self, text, at.text_document_position.position, &at.new_name);
+                let edit =
+                    names::rename(&self.workspace, text, at.text_document_position.position, &at.new_name);
                 value(edit.map_err(|e| (ErrorCode::RequestFailed, e))?)
             }
             "textDocument/documentSymbol" => value(outline::outline(text)),

@@ -1,7 +1,7 @@
 //! Functions on an interval as lines, with the curve of a control polygon beside them.
 
-use basis_engine::Diagnostic;
-use basis_engine::algebra::rational::Rational;
+use basis_engine::model::Parameter;
+use basis_engine::{Diagnostic, Family};
 use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle, Title};
 
@@ -35,9 +35,14 @@ pub(super) fn sampled(scene: &Scene) -> Result<Vec<Sampled>, Diagnostic> {
     let sample = |setting| {
         let functions = Functions::new(&scene.family, setting);
         let values = points.iter().map(|t| functions.values(core::slice::from_ref(t))).collect();
-        Sampled { at: points.iter().map(Rational::to_f64).collect(), values }
+        Sampled { at: points.iter().map(|t| functions.axis(t)).collect(), values }
     };
     Ok(scene.settings.iter().map(sample).collect())
+}
+
+/// The name of a domain variable, of an angle its own.
+fn name<'f>(family: &'f Family, parameter: &'f Parameter) -> &'f str {
+    family.analytic.angle(parameter.var).map_or(parameter.name.as_str(), |angle| angle.name.as_str())
 }
 
 /// How strong the colour of a setting is: the last one has the full colour.
@@ -58,7 +63,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     high = high.max(low + 0.1);
     let x = extent(samples.iter().flat_map(|s| s.at.iter().copied()), 0.0);
     let frame = Frame { place: [64.0, 58.0, SIZE[0], SIZE[1]], x, y: [low, high] };
-    let variable = family.domain.first().map_or("t", |p| p.name.as_str());
+    let variable = family.domain.first().map_or("t", |p| name(family, p));
     let mut group = Group::new().add(frame.axes(variable));
     for (s, sample) in samples.iter().enumerate() {
         for k in 0..count {
@@ -90,10 +95,12 @@ pub(super) fn document(scene: &Scene, width: f64, height: f64, content: Group) -
     let family = &scene.family;
     let title = text(&family.title(), 20.0, 26.0, 17.0, "start", INK).set("font-weight", "bold");
     let mut facts = domain::describe(family);
-    if let [only] = scene.settings.as_slice()
-        && !only.label.is_empty()
-    {
-        facts += &format!(",  {}", only.label);
+    let shown = match scene.settings.as_slice() {
+        [only] => only.label.as_str(),
+        several => several.first().map_or("", |s| s.common.as_str()),
+    };
+    if !shown.is_empty() {
+        facts += &format!(",  {shown}");
     }
     let facts = pretty(&facts);
     let width = rounded(width.max(40.0 + 8.0 * facts.chars().count() as f64));
@@ -161,7 +168,7 @@ fn marks(scene: &Scene, frame: &Frame, top: f64) -> (Group, f64) {
         if let Some(Some(t)) = mark.failure.at.first() {
             let functions = Functions::new(&scene.family, &scene.settings[mark.setting]);
             let value = mark.failure.function.and_then(|f| functions.value(f, core::slice::from_ref(t)));
-            let t = t.to_f64();
+            let t = functions.axis(t);
             let [x, at] = frame.at(t, value.unwrap_or(frame.y[1]));
             if value.is_none() {
                 let line =

@@ -16,8 +16,13 @@ const MAX_PANELS: usize = 66;
 /// The corner of a small triangle: place and value.
 type Corner = ([f64; 2], f64);
 
-/// A small triangle: the places of its corners with the values of all functions.
-type Cell = [([f64; 2], Vec<Option<f64>>); 3];
+/// A small triangle between two neighbouring lines of the grid.
+struct Cell {
+    /// The places of its corners with the values of all functions.
+    corners: [([f64; 2], Vec<Option<f64>>); 3],
+    /// Which of the corners lie on the second line.
+    far: [bool; 3],
+}
 
 /// The picture.
 pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
@@ -36,9 +41,11 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
         16..=28 => (24, 118.0),
         _ => (18, 96.0),
     };
-    let triangles = grid(scene, parts, &functions)?;
+    let strips = grid(scene, parts, &functions)?;
     let ranges: Vec<[f64; 2]> = (0..count)
-        .map(|k| extent(triangles.iter().flat_map(|t| t.iter().filter_map(move |(_, v)| v[k])), 0.0))
+        .map(|k| {
+            extent(strips.iter().flatten().flat_map(|t| t.corners.iter().filter_map(move |(_, v)| v[k])), 0.0)
+        })
         .collect();
     let levels = levels(&ranges);
     let columns = (1..=count).find(|c| c * c * 3 >= count * 4).unwrap_or(1).max(count.min(3));
@@ -48,7 +55,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     for k in 0..count {
         let place =
             [20.0 + (size + gap) * (k % columns) as f64, top + (size + gap + 8.0) * (k / columns) as f64];
-        group = group.add(panel(scene, k, place, size, &triangles, &levels));
+        group = group.add(panel(scene, k, place, size, &strips, &levels));
     }
     let rows = count.div_ceil(columns);
     let right = start + (size + gap) * columns as f64;
@@ -102,8 +109,8 @@ fn levels(ranges: &[[f64; 2]]) -> Vec<f64> {
     negative.chain([0.0]).chain(below(high)).collect()
 }
 
-/// Small triangles that fill the domain in a unit square, with the values of all functions at each corner.
-fn grid(scene: &Scene, parts: i64, functions: &Functions) -> Result<Vec<Cell>, Diagnostic> {
+/// Small triangles that fill the domain in a unit square, those between two lines of the grid together.
+fn grid(scene: &Scene, parts: i64, functions: &Functions) -> Result<Vec<Vec<Cell>>, Diagnostic> {
     let family = &scene.family;
     let ranges: Option<Vec<_>> = family.domain.iter().map(|p| p.range.finite()).collect();
     let Some([(a, b), (c, d)]) = ranges.as_deref() else {
@@ -119,18 +126,21 @@ fn grid(scene: &Scene, parts: i64, functions: &Functions) -> Result<Vec<Cell>, D
     let corners: Vec<Vec<_>> =
         (0..=n).map(|i| (0..=n).filter(|j| inside(i, *j)).map(|j| corner(i, j)).collect()).collect();
     let get = |i: usize, j: usize| corners[i][j].clone();
-    let mut all = Vec::new();
-    for i in 0..n {
+    let strip = |i: usize| {
+        let mut cells = Vec::new();
         for j in 0..n {
             if inside(i + 1, j) && inside(i, j + 1) {
-                all.push([get(i, j), get(i + 1, j), get(i, j + 1)]);
+                let corners = [get(i, j), get(i + 1, j), get(i, j + 1)];
+                cells.push(Cell { corners, far: [false, true, false] });
             }
             if inside(i + 1, j + 1) {
-                all.push([get(i + 1, j), get(i + 1, j + 1), get(i, j + 1)]);
+                let corners = [get(i + 1, j), get(i + 1, j + 1), get(i, j + 1)];
+                cells.push(Cell { corners, far: [true, true, false] });
             }
         }
-    }
-    Ok(all)
+        cells
+    };
+    Ok((0..n).map(strip).collect())
 }
 
 /// Where a point of the unit square, or of its lower left half, stands in a panel: a triangle has equal sides.
@@ -148,28 +158,41 @@ fn panel(
     function: usize,
     [left, top]: [f64; 2],
     size: f64,
-    triangles: &[Cell],
+    strips: &[Vec<Cell>],
     levels: &[f64],
 ) -> Group {
     let family = &scene.family;
     let at = |[x, y]: [f64; 2]| [tenth(left + size * x), tenth(top + size * y)];
     let mut bands = vec![String::new(); levels.len().saturating_sub(1)];
-    for triangle in triangles {
-        let corners: Option<Vec<Corner>> = triangle
-            .iter()
-            .map(|(p, values)| Some((at(*p), values.get(function).copied().flatten()?)))
-            .collect();
-        let Some(corners) = corners else { continue };
-        for (k, band) in bands.iter_mut().enumerate() {
-            let part = clip(&clip(&corners, levels[k], 1.0), levels[k + 1], -1.0);
-            if part.len() < 3 {
+    for strip in strips {
+        // Neighbours that lie in one band are drawn as one quadrilateral.
+        let mut run: Option<(usize, [Vec<[f64; 2]>; 2])> = None;
+        for cell in strip {
+            let corner = |(p, values): &([f64; 2], Vec<Option<f64>>)| {
+                Some((at(*p), values.get(function).copied().flatten()?))
+            };
+            let corners: Option<Vec<Corner>> = cell.corners.iter().map(corner).collect();
+            let whole = corners.as_ref().and_then(|corners| {
+                let inside = |k: &usize| corners.iter().all(|(_, v)| levels[*k] <= *v && *v <= levels[k + 1]);
+                (0..bands.len()).rev().find(inside)
+            });
+            if run.as_ref().map(|(band, _)| *band) != whole {
+                flush(&mut run, &mut bands);
+            }
+            let Some(corners) = corners else { continue };
+            if let Some(band) = whole {
+                let (_, sides) = run.get_or_insert_with(|| (band, [Vec::new(), Vec::new()]));
+                for ((p, _), far) in corners.iter().zip(cell.far) {
+                    sides[usize::from(far)].push(*p);
+                }
                 continue;
             }
-            for (n, ([x, y], _)) in part.iter().enumerate() {
-                *band += &format!("{}{} {}", if n == 0 { "M" } else { "L" }, tenth(*x), tenth(*y));
+            for (k, band) in bands.iter_mut().enumerate() {
+                let part = clip(&clip(&corners, levels[k], 1.0), levels[k + 1], -1.0);
+                polygon(&part.iter().map(|(p, _)| *p).collect::<Vec<_>>(), band);
             }
-            band.push('Z');
         }
+        flush(&mut run, &mut bands);
     }
     let label = family.function_label(function);
     let mut group = Group::new().add(Title::new(label.clone()));
@@ -211,6 +234,29 @@ fn panel(
         group = group.add(ring.set("fill", "#ffffff").set("stroke", BAD).set("stroke-width", 2.2));
     }
     group
+}
+
+/// Adds the quadrilateral of a run to its band.
+fn flush(run: &mut Option<(usize, [Vec<[f64; 2]>; 2])>, bands: &mut [String]) {
+    let Some((band, [near, far])) = run.take() else { return };
+    let ends = [near.first(), near.last(), far.last(), far.first()];
+    polygon(&ends.into_iter().flatten().copied().collect::<Vec<_>>(), &mut bands[band]);
+}
+
+/// Adds a polygon to a path; corners that are the same in print are one.
+fn polygon(corners: &[[f64; 2]], path: &mut String) {
+    let mut corners: Vec<[f64; 2]> = corners.iter().map(|p| p.map(tenth)).collect();
+    corners.dedup();
+    while corners.len() > 1 && corners.first() == corners.last() {
+        corners.pop();
+    }
+    if corners.len() < 3 {
+        return;
+    }
+    for (n, [x, y]) in corners.iter().enumerate() {
+        *path += &format!("{}{x} {y}", if n == 0 { "M" } else { "L" });
+    }
+    path.push('Z');
 }
 
 /// A number with one decimal: a grid has many points.

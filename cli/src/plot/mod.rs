@@ -1,6 +1,7 @@
 //! `basis plot`: pictures of basis functions, of curves over them, and of counterexamples.
 //!
-//! Values are computed exactly and rounded once, to the place of a point in the picture.
+//! Values of quotients of polynomials are computed exactly and rounded once, to the place of a point in the picture; those
+//! of sines and exponentials in floating point.
 
 mod curve;
 mod frame;
@@ -115,6 +116,15 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
         Some(name) => eval::find_family(library, name)?,
         None => only(library)?,
     };
+    if !family.analytic.is_empty() || !family.pieces.is_empty() {
+        let message = format!(
+            "`{}` has angles, several spans, or parameters at the ends of its domain",
+            family.title()
+        );
+        return Err(vec![
+            error(message).help("pictures are drawn of families on one span with numbers as ends"),
+        ]);
+    }
     let variables = family.domain.len();
     if variables > 2 {
         let message =

@@ -1,8 +1,10 @@
 //! A page with sliders for the shape values: one file that needs no other.
 
+use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::range::Range;
 use basis_engine::algebra::rational::Rational;
+use basis_engine::model::angle::{Angle, Kind};
 use basis_engine::{Diagnostic, Family};
 use serde_json::{Value, json};
 
@@ -53,7 +55,32 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
         let shapes: Vec<f64> = f.shapes.iter().map(number).collect();
         json!({ "text": f.text, "shapes": shapes, "at": at, "function": f.function })
     };
+    let fraction =
+        |f: &Fraction| json!({ "numer": terms(family, f.numer()), "denom": terms(family, f.denom()) });
+    let angle = |a: &Angle| {
+        let pi = core::f64::consts::PI;
+        let (rate, shift) = (a.rate.to_f64(), a.shift.to_f64());
+        let (rate, shift) = if a.turns { (rate * pi, shift) } else { (rate, shift * pi) };
+        let kind = match a.kind {
+            Kind::Circular => "atan",
+            Kind::Hyperbolic => "atanh",
+            Kind::Linear => "",
+        };
+        let (low, width) = (fraction(&a.low), fraction(&a.width));
+        let (var, itself) = (a.var.0, a.itself.0);
+        json!({ "name": a.name, "kind": kind, "rate": rate, "shift": shift, "low": low, "width": width, "var": var, "itself": itself })
+    };
+    let analytic = &family.analytic;
+    let mut numbers: Vec<(usize, f64)> = analytic.pi.iter().map(|pi| (pi.0, core::f64::consts::PI)).collect();
+    numbers.extend(analytic.exponential.iter().map(|(var, r)| (var.0, r.to_f64().exp())));
     Ok(json!({
+        "width": variables(family),
+        "angles": analytic.angles.iter().map(angle).collect::<Vec<_>>(),
+        "numbers": numbers,
+        "places": [
+            family.shapes.iter().map(|p| p.var.0).collect::<Vec<_>>(),
+            family.domain.iter().map(|p| p.var.0).collect::<Vec<_>>()
+        ],
         "title": family.title(),
         "doc": family.doc.first(),
         "domain": domain::describe(family),
@@ -67,10 +94,17 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
     }))
 }
 
+/// How many variables there are, numbers and angles included.
+fn variables(family: &Family) -> usize {
+    let angles = family.analytic.angles.iter().flat_map(|a| [a.var.0, a.itself.0]);
+    let numbers = family.analytic.numbers().into_iter().map(|var| var.0);
+    angles.chain(numbers).map(|k| k + 1).chain([family.names.len()]).max().unwrap_or(0)
+}
+
 /// The coefficients of a polynomial with the exponents of all variables.
 fn terms(family: &Family, poly: &Poly) -> Value {
     let term = |(monomial, coefficient): (&basis_engine::algebra::poly::Monomial, &Rational)| {
-        let exponents: Vec<u16> = (0..family.names.len()).map(|k| monomial.exponent(Var(k))).collect();
+        let exponents: Vec<u16> = (0..variables(family)).map(|k| monomial.exponent(Var(k))).collect();
         json!([coefficient.to_f64(), exponents])
     };
     Value::from(poly.terms().map(term).collect::<Vec<_>>())

@@ -21,6 +21,8 @@ pub(super) struct Setting {
     pub(super) values: Vec<Rational>,
     /// Such as `λ = 1/2`; what all settings have in common is left out where there are several.
     pub(super) label: String,
+    /// What all settings have in common where there are several, such as `μ = 1/2`.
+    pub(super) common: String,
 }
 
 /// The settings that the arguments name; a parameter that they do not name has the value at which a claim fails, if one
@@ -85,9 +87,12 @@ pub(super) fn settings(
     let count = all.iter().map(Vec::len).max().unwrap_or(1);
     let setting = |step: usize| {
         let values: Vec<Rational> = all.iter().map(|v| v[step.min(v.len() - 1)].clone()).collect();
-        let named = names.iter().zip(&values).zip(&all).filter(|(_, own)| count == 1 || own.len() > 1);
-        let label: Vec<String> = named.map(|((name, value), _)| format!("{name} = {value}")).collect();
-        Setting { values, label: label.join(", ") }
+        let named = names.iter().zip(&values).zip(&all);
+        let named = named.map(|((name, value), own)| (own.len() > 1, format!("{name} = {value}")));
+        let (own, common): (Vec<_>, Vec<_>) = named.partition(|(differs, _)| count == 1 || *differs);
+        let text = |parts: Vec<(bool, String)>| parts.into_iter().map(|p| p.1).collect::<Vec<_>>().join(", ");
+        let (label, common) = (text(own), text(common));
+        Setting { values, label, common }
     };
     Ok((0..count).map(setting).collect())
 }

@@ -1,9 +1,10 @@
-//! Values of functions at many points, exact and then rounded.
+//! Values of functions at many points, exact and then rounded; of functions with angles, in floating point.
 
 use basis_engine::Family;
 use basis_engine::algebra::fraction::Fraction;
-use basis_engine::algebra::poly::Var;
+use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::rational::Rational;
+use basis_engine::model::angle::{Angle, Kind};
 
 use super::settings::Setting;
 
@@ -14,6 +15,14 @@ pub(super) struct Functions {
     width: usize,
     /// The domain variables.
     domain: Vec<Var>,
+    /// What stands in sin, exp and the like; nothing for quotients of polynomials.
+    angles: Option<Angles>,
+}
+
+/// The values of all variables of a family with angles, by variable, and the angle of the domain variable.
+struct Angles {
+    base: Vec<f64>,
+    domain: Option<Angle>,
 }
 
 impl Functions {
@@ -28,20 +37,35 @@ impl Functions {
             }
             value
         };
+        let width = family.names.len();
+        let angles = (!family.analytic.is_empty()).then(|| Angles::new(family, setting));
         Self {
             formulas: family.functions.iter().map(|f| at(&f.value)).collect(),
-            width: family.names.len(),
+            width,
             domain: family.domain.iter().map(|p| p.var).collect(),
+            angles,
         }
+    }
+
+    /// Where a value of the only domain variable stands on the axis: the angle, if it is one.
+    pub(super) fn axis(&self, y: &Rational) -> f64 {
+        let angle = self.angles.as_ref().and_then(|a| Some((a, a.domain.as_ref()?)));
+        angle.map_or_else(|| y.to_f64(), |(angles, angle)| angles.itself(angle, y.to_f64()))
     }
 
     /// The value of a function at a point of the domain; nothing where its denominator vanishes.
     pub(super) fn value(&self, function: usize, at: &[Rational]) -> Option<f64> {
-        let mut point = vec![Rational::ZERO; self.width];
-        for (var, x) in self.domain.iter().zip(at) {
-            point[var.0] = x.clone();
-        }
-        let value = self.formulas.get(function)?.eval(&point)?.to_f64();
+        let formula = self.formulas.get(function)?;
+        let value = match &self.angles {
+            Some(angles) => angles.value(formula, &self.domain, at),
+            None => {
+                let mut point = vec![Rational::ZERO; self.width];
+                for (var, x) in self.domain.iter().zip(at) {
+                    point[var.0] = x.clone();
+                }
+                formula.eval(&point)?.to_f64()
+            }
+        };
         value.is_finite().then_some(value)
     }
 
@@ -49,6 +73,77 @@ impl Functions {
     pub(super) fn values(&self, at: &[Rational]) -> Vec<Option<f64>> {
         (0..self.formulas.len()).map(|k| self.value(k, at)).collect()
     }
+}
+
+impl Angles {
+    fn new(family: &Family, setting: &Setting) -> Self {
+        let analytic = &family.analytic;
+        let mut all = Self { base: vec![0.0; family.names.len()], domain: None };
+        let put = |base: &mut Vec<f64>, var: Var, value: f64| {
+            if base.len() <= var.0 {
+                base.resize(var.0 + 1, 0.0);
+            }
+            base[var.0] = value;
+        };
+        for (shape, value) in family.shapes.iter().zip(&setting.values) {
+            put(&mut all.base, shape.var, value.to_f64());
+        }
+        if let Some(pi) = analytic.pi {
+            put(&mut all.base, pi, core::f64::consts::PI);
+        }
+        if let Some((var, exponent)) = &analytic.exponential {
+            put(&mut all.base, *var, exponent.to_f64().exp());
+        }
+        for angle in &analytic.angles {
+            if family.domain.iter().any(|p| p.var == angle.var) {
+                put(&mut all.base, angle.itself, 0.0);
+                all.domain = Some(angle.clone());
+            } else {
+                let y = all.base.get(angle.var.0).copied().unwrap_or(0.0);
+                let itself = all.itself(angle, y);
+                put(&mut all.base, angle.itself, itself);
+            }
+        }
+        all
+    }
+
+    /// The angle s where its variable is y: x = low + width·y is tan ψ, tanh ψ or ψ itself, ψ = v·(s − shift).
+    fn itself(&self, angle: &Angle, y: f64) -> f64 {
+        let x = quotient(&angle.low, &self.base) + quotient(&angle.width, &self.base) * y;
+        let (rate, shift) = (angle.rate.to_f64(), angle.shift.to_f64());
+        let pi = core::f64::consts::PI;
+        let (rate, shift) = if angle.turns { (rate * pi, shift) } else { (rate, shift * pi) };
+        match angle.kind {
+            Kind::Circular => shift + x.atan() / rate,
+            Kind::Hyperbolic => shift + x.atanh() / rate,
+            Kind::Linear => x,
+        }
+    }
+
+    fn value(&self, formula: &Fraction, domain: &[Var], at: &[Rational]) -> f64 {
+        let mut base = self.base.clone();
+        for (var, x) in domain.iter().zip(at) {
+            base[var.0] = x.to_f64();
+        }
+        if let (Some(angle), Some(y)) = (&self.domain, at.first()) {
+            base[angle.itself.0] = self.itself(angle, y.to_f64());
+            base[angle.var.0] = y.to_f64();
+        }
+        quotient(formula, &base)
+    }
+}
+
+/// A fraction in floating point.
+fn quotient(f: &Fraction, at: &[f64]) -> f64 {
+    sum(f.numer(), at) / sum(f.denom(), at)
+}
+
+fn sum(poly: &Poly, at: &[f64]) -> f64 {
+    let term = |(monomial, coefficient): (&basis_engine::algebra::poly::Monomial, &Rational)| {
+        let powers = at.iter().enumerate().map(|(k, x)| x.powi(i32::from(monomial.exponent(Var(k)))));
+        coefficient.to_f64() * powers.product::<f64>()
+    };
+    poly.terms().map(term).sum()
 }
 
 /// Numbers at equal distances, both ends included.

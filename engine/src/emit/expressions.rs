@@ -105,3 +105,110 @@ pub fn decimal_f32(value: &Rational) -> String {
     let text = format!("{:?}", value.to_f64() as f32);
     if text.contains(['.', 'e', 'i', 'N']) { text } else { text + ".0" }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Diagnostic;
+    use crate::emit::{FamilyCode, JoinCode, Wanted};
+    use crate::plan::Input;
+    use crate::source;
+    use crate::{Disk, Family, Library, Prover, Source, Subject, decide};
+
+    /// The language of specs: what is written is read again by the engine, exactly.
+    struct Spec(Vec<String>);
+
+    impl Language for Spec {
+        fn comment(&self, lines: &[String]) -> String {
+            lines.iter().map(|line| format!("// {line}\n")).collect()
+        }
+        fn literal(&self, value: &Rational) -> String {
+            if value.is_integer() { value.to_string() } else { format!("({value})") }
+        }
+        fn input(&self, input: Input) -> String {
+            match input {
+                Input::Shape(k) => self.0[k].clone(),
+                Input::Coordinate(k) => ["t", "v", "w", "x"][k].to_string(),
+                other => panic!("{other:?}"),
+            }
+        }
+        fn is_reserved(&self, name: &str) -> bool {
+            ["b", "t", "v", "w", "x", "s"].contains(&name)
+        }
+        fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
+            let Expressions { lets, outputs } = Expressions::new(&code.steps.values(), self, &self.0);
+            let domain = if code.family.is_simplex() {
+                let names = ["t", "v", "w", "x"][..code.steps.coordinates()].join(", ");
+                let kind = if code.steps.coordinates() == 3 { "triangle" } else { "tetrahedron" };
+                format!("domain {kind} ({names});")
+            } else {
+                String::from("domain 0 <= t <= 1;")
+            };
+            let shapes = code
+                .shapes
+                .iter()
+                .zip(&self.0)
+                .map(|(shape, name)| format!("shape {};\n", shape.shown.replace(shape.written, name)));
+            let shapes: String = shapes.collect();
+            let lets: String = lets.iter().map(|(name, value)| format!("let {name} = {value};\n")).collect();
+            let functions: String =
+                outputs.iter().enumerate().map(|(k, value)| format!("b[{k}] = {value};\n")).collect();
+            Ok(format!("family {} {{\n{domain}\n{shapes}{lets}{functions}}}\n", code.name))
+        }
+        fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic> {
+            panic!("{} is not written here", join.name)
+        }
+        fn file(&self, header: &str, items: &[String]) -> String {
+            header.to_string() + &items.concat()
+        }
+    }
+
+    fn family(source: Source, name: &str, order: &[i64]) -> std::rc::Rc<Family> {
+        let library = Library::from_source(&Disk, &Prover, source);
+        let errors: Vec<String> = library.diagnostics().into_iter().map(|d| d.message).collect();
+        let item = library.item(name, order).unwrap_or_else(|_| panic!("{name}: {errors:?}"));
+        match item.subject {
+            Subject::Family(family) => family,
+            Subject::Theorem(_) => panic!("{name} is a theorem"),
+        }
+    }
+
+    #[test]
+    fn expressions_mean_what_the_steps_do() {
+        for (file, name, order) in [
+            ("quartic", "QuarticBernstein", &[][..]),
+            ("beta_spline", "BetaSpline", &[]),
+            ("kochanek_bartels", "KochanekBartels", &[]),
+            ("lagrange", "Lagrange", &[5]),
+            ("lagrange", "TriangularLagrange", &[3]),
+            ("lagrange", "TetrahedralLagrange", &[2]),
+            ("triangular", "TriangularII", &[5]),
+        ] {
+            let original = family(source::library(&Disk, file).expect("in the library"), name, order);
+            let shapes: Vec<String> = (0..original.shapes.len()).map(|k| format!("a{k}")).collect();
+            let checked = decide(crate::Item {
+                subject: Subject::Family(original.clone()),
+                claims: Vec::new(),
+                obligations: Vec::new(),
+            });
+            let job_items = [Wanted { checked, name: Some(String::from("s")) }];
+            let job = crate::emit::Job { items: &job_items, spec: file, command: "basis emit" };
+            let text = crate::emit::emit(&Spec(shapes), &job).expect("there is code");
+            // The name `s` is reserved here.
+            let again = family(Source::text("again.basis", &text), "s_", &[]);
+            for (a, b) in original.functions.iter().zip(&again.functions) {
+                assert_eq!(a.value, b.value, "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn decimals_are_read_as_the_same_float() {
+        let third = Rational::new(1, 3);
+        assert_eq!(decimal(&third), "0.3333333333333333");
+        assert_eq!(decimal_f32(&third), "0.33333334");
+        assert_eq!([decimal(&Rational::new(3, 1)), decimal(&Rational::new(1, 4))], ["3.0", "0.25"]);
+        let small = Rational::new(1, 10).pow(30);
+        assert_eq!(decimal(&small).parse::<f64>(), Ok(1e-30));
+    }
+}

@@ -128,6 +128,12 @@ fn readable(code: TokenStream, taken: &[String]) -> TokenStream {
 
 /// The names of a path that begins with `::basis_runtime`, and the position after it.
 fn path(tokens: &[TokenTree], start: usize) -> Option<(Vec<String>, usize)> {
+    // After a name it goes on with a path; after a keyword it begins one.
+    if let Some(TokenTree::Ident(before)) = start.checked_sub(1).and_then(|k| tokens.get(k))
+        && syn::parse_str::<Ident>(&before.to_string()).is_ok()
+    {
+        return None;
+    }
     let mut names: Vec<String> = Vec::new();
     let mut k = start;
     while is_double_colon(tokens, k)
@@ -188,6 +194,7 @@ mod tests {
     #[test]
     fn paths_become_short() {
         let long = quote! {
+            impl ::basis_runtime::Basis for F {}
             fn f() -> ::basis_runtime::__private::core::result::Result<::basis_runtime::Curve, u8> {
                 ::basis_runtime::__private::core::ops::Bound::Unbounded;
                 ::basis_runtime::__private::combine::<3>(a::b, ::other::basis_runtime)
@@ -196,11 +203,11 @@ mod tests {
         let short = |taken: &[String]| readable(long.clone(), taken).to_string().replace(' ', "");
         assert_eq!(
             short(&[]),
-            "fnf()->Result<basis_runtime::Curve,u8>{core::ops::Bound::Unbounded;v1::combine::<3>(a::b,::other::basis_runtime)}"
+            "implbasis_runtime::BasisforF{}fnf()->Result<basis_runtime::Curve,u8>{core::ops::Bound::Unbounded;v1::combine::<3>(a::b,::other::basis_runtime)}"
         );
         assert_eq!(
             short(&["Result", "core", "v1"].map(String::from)),
-            "fnf()->::core::result::Result<basis_runtime::Curve,u8>{::core::ops::Bound::Unbounded;\
+            "implbasis_runtime::BasisforF{}fnf()->::core::result::Result<basis_runtime::Curve,u8>{::core::ops::Bound::Unbounded;\
              basis_runtime::generated::v1::combine::<3>(a::b,::other::basis_runtime)}"
         );
     }

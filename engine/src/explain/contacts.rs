@@ -27,10 +27,14 @@ pub fn contacts(family: &Family) -> Vec<Contact> {
 }
 
 fn at_end(family: &Family, side: Side) -> Vec<Contact> {
-    let Some((_, low, high)) = family.interval() else { return Vec::new() };
+    let Some([low, high]) = family.end_texts() else { return Vec::new() };
+    // The formulas are in the shape parameters alone.
+    if !family.analytic.ranges.is_empty() || !family.analytic.numbers().is_empty() {
+        return Vec::new();
+    }
     let (words, here, there) = match side {
-        Side::After => ("Q after P", high, low),
-        Side::Before => ("Q before P", low, high),
+        Side::After => ("Q after P", &high, &low),
+        Side::Before => ("Q before P", &low, &high),
     };
     let mut all = Vec::new();
     for order in [1, 2] {
@@ -41,7 +45,7 @@ fn at_end(family: &Family, side: Side) -> Vec<Contact> {
             .iter()
             .map(|factor| zero(factor, names).replace(" = ", " != "))
             .collect();
-        let name = |k: u32, curve: &str, end: &Rational| format!("{curve}{}({end})", "'".repeat(k as usize));
+        let name = |k: u32, curve: &str, end: &str| format!("{curve}{}({end})", "'".repeat(k as usize));
         let (p1, q1) = (name(1, "P", here), name(1, "Q", there));
         let (p2, q2) = (name(2, "P", here), name(2, "Q", there));
         let geometric = match order {

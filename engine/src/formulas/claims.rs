@@ -38,7 +38,8 @@ impl Reader<'_, '_> {
                             return None;
                         }
                         let var = scope.names.iter().position(|n| *n == name.text)?;
-                        Some((var, self.scalar(&scope, value)?))
+                        let value = self.scalar(&scope, value)?;
+                        Some((var, self.number_of(&value).map_or(value, Term::Number)))
                     });
                     let fixed = fixed.collect::<Option<Vec<_>>>();
                     for relation in relations {
@@ -149,7 +150,7 @@ fn pairs(left: Value, comparison: Comparison, right: Value) -> Vec<Compared> {
 }
 
 /// A polynomial as it is expanded.
-fn polynomial(p: &Poly) -> Term {
+pub fn polynomial(p: &Poly) -> Term {
     let mut parts = Vec::new();
     for (monomial, coefficient) in p.terms() {
         let mut factors = vec![(Role::Factor, Term::Number(coefficient.clone()))];

@@ -11,6 +11,7 @@ mod value;
 use std::rc::Rc;
 
 pub use crate::syntax::{Comparison, Role, Sign};
+pub use claims::polynomial;
 pub use read::of;
 
 use crate::algebra::rational::Rational;

@@ -48,6 +48,9 @@ pub(super) struct Reader<'a, 'f> {
 pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Formulas> {
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
     let (unit, written) = library.written(&family.name)?;
+    if !is_algebraic(family) {
+        return None;
+    }
     let (definitions, known) = (Vec::new(), Vec::new());
     let mut reader = Reader { library, definitions, known, fresh: BOUND, parts: MAX_PARTS, depth: 0 };
     let functions = reader.family(unit, &family.name, &order)?;
@@ -55,6 +58,12 @@ pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Fo
     let places = family.functions.iter().map(place).collect::<Option<Vec<usize>>>()?;
     let claims: Vec<Option<Claimed>> = reader.claims(unit, written, family, functions, claims)?;
     Some(Formulas { definitions: reader.definitions, functions: places, claims })
+}
+
+/// Whether all variables of a family stand for themselves: no angle, no π and no exponential function occurs.
+const fn is_algebraic(family: &Family) -> bool {
+    let analytic = &family.analytic;
+    analytic.angles.is_empty() && analytic.pi.is_none() && analytic.exponential.is_none()
 }
 
 /// A function that no formula has needed yet, or that is being read.
@@ -184,6 +193,9 @@ impl Reader<'_, '_> {
             return Some(functions.clone());
         }
         let family = self.library.family(unit, name, order).ok()?;
+        if !is_algebraic(&family) {
+            return None;
+        }
         let written = self.library.tree(home, position)?;
         // What is assumed of shape values is not exported.
         if !family.constraints.is_empty() || !family.determined.is_empty() {

@@ -8,6 +8,7 @@ use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::ends::Ends;
 use super::formula::factored;
+use super::rounding;
 use super::rust::Body;
 use crate::claim::Claim;
 use crate::model::Family;
@@ -21,14 +22,15 @@ pub(super) fn emit(shell: &Shell<'_>, form: &IntervalForm, verdicts: &[(Claim, V
     let Shell { family, name, runtime, .. } = shell;
     let formulas = formulas(family, form);
     let emitter = Emitter { shell, family, form, runtime, ends: Ends::new(shell) };
-    let basis = emitter.basis(&shell.core());
+    let errors = rounding::errors(family);
+    let basis = emitter.basis(&shell.core(), &rounding::constant(&errors, runtime));
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
         impl<S: #runtime::Scalar> #runtime::Basis for #name<S> {
             #basis
         }
     };
-    let docs = docs::family(family, &formulas, verdicts, shell.decided);
+    let docs = docs::family(family, &formulas, &rounding::lines(&errors, family), verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 
@@ -108,7 +110,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn basis(&self, core: &TokenStream) -> TokenStream {
+    fn basis(&self, core: &TokenStream, rounding: &TokenStream) -> TokenStream {
         let Self { runtime, form, family, .. } = self;
         let (len, terms) =
             (Literal::usize_unsuffixed(form.len()), Literal::usize_unsuffixed(form.degree as usize + 1));
@@ -125,6 +127,8 @@ impl Emitter<'_> {
             type Form<P: #runtime::Point<Scalar = S>> = #form_type;
 
             const NAME: &'static str = #title;
+
+            #rounding
 
             #[inline]
             fn domain() -> [S; 2] {

@@ -11,6 +11,11 @@ mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
+#[cfg(not(any(test, feature = "rounding")))]
+#[path = "no_rounding.rs"]
+mod rounding;
 mod rust;
 
 use proc_macro2::{Ident, Span, TokenStream};
@@ -62,7 +67,9 @@ pub fn family(
 
 /// Why no code is generated for a family of any size; `None` where it is.
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    let message = if family.analytic.is_transcendental() {
+    let message = if !family.pieces.is_empty() {
+        "no code is generated for families on several spans yet"
+    } else if family.analytic.is_transcendental() {
         "no code is generated for families with sin, cos, exp or pi yet"
     } else if !family.analytic.is_empty() {
         "no code is generated for families with shape parameters at the ends of the domain yet"
@@ -108,7 +115,8 @@ pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &s
         Some(form) => interval::formulas(family, &form),
         None => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
     };
-    Some(code::docs::family(family, &formulas, verdicts, decided))
+    let bounds = rounding::lines(&rounding::errors(family), family);
+    Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
 }
 
 /// The type of a family, with its documentation and evaluators.

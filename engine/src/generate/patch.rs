@@ -7,6 +7,7 @@ use super::code::docs;
 use super::code::shell::Shell;
 use super::code::tokens::{doc, number, site};
 use super::formula::factored_on_box;
+use super::rounding;
 use super::rust::Body;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
@@ -27,8 +28,11 @@ pub(super) fn emit(shell: &Shell<'_>, verdicts: &[(Claim, Verdict)]) -> Result<T
         return Err(super::too_large(family));
     };
     let emitter = Emitter { shell, plans };
-    let docs = docs::family(family, &formulas(&emitter.plans), verdicts, shell.decided);
-    Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits()))
+    let errors = rounding::errors(family);
+    let bounds = rounding::lines(&errors, family);
+    let docs = docs::family(family, &formulas(&emitter.plans), &bounds, verdicts, shell.decided);
+    let constant = rounding::constant(&errors, shell.runtime);
+    Ok(shell.definition(&docs, &emitter.methods(), &emitter.traits(&constant)))
 }
 
 /// The functions as products, for reading, and how they are raised.
@@ -56,10 +60,16 @@ pub(super) fn formulas(plans: &PatchPlans<'_>) -> Vec<String> {
         };
         let names = family.domain_variables().map(|p| p.name.as_str());
         let terms: Vec<String> = names.enumerate().map(term).listed();
-        let steps = if *steps == 1 { String::from("once") } else { format!("{steps} times") };
         lines.push(String::new());
         let left = format!("{}[{}]", family.function_name, letters.join(","));
-        lines.push(format!("{left} = {} of the order before, {steps}", terms.join(" + ")));
+        let (lowest, highest) = (plans.lowest(), plans.lowest() + steps);
+        let raised = format!("from order {lowest} up to order {highest}");
+        if family.written.is_empty() {
+            lines.push(format!("{left} = {}, {raised}", terms.join(" + ")));
+        } else {
+            // The recursion stands above.
+            lines.push(format!("and all others by `raise`, {raised}"));
+        }
     }
     lines
 }
@@ -155,7 +165,7 @@ impl Emitter<'_> {
         }
     }
 
-    fn traits(&self) -> TokenStream {
+    fn traits(&self, rounding: &TokenStream) -> TokenStream {
         let Shell { runtime, name, family, .. } = self.shell;
         let (basis, core) = (self.basis(), self.shell.core());
         let (len, terms) = self.lengths();
@@ -202,6 +212,9 @@ impl Emitter<'_> {
                 type Bernstein<T: #core::marker::Copy> = [T; #terms];
 
                 const NAME: &'static str = #title;
+
+                #rounding
+
                 #shape
 
                 #[inline]

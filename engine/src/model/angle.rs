@@ -52,6 +52,8 @@ pub struct Angle {
     pub low: Fraction,
     /// dx/dy.
     pub width: Fraction,
+    /// The ends of the range in s; 0 where there is none.
+    pub limits: [Fraction; 2],
     /// The ends of the range as they are written; empty where there is none.
     pub ends: [String; 2],
     /// The range of s as it is written, such as `0 <= θ <= pi/2`.
@@ -242,6 +244,7 @@ mod tests {
             shift: Rational::ZERO,
             low: Fraction::zero(),
             width: Fraction::constant(Rational::ONE),
+            limits: [Fraction::zero(), Fraction::zero()],
             ends: Default::default(),
             declared: String::new(),
             mirror: Vec::new(),

@@ -48,9 +48,15 @@ pub struct Family {
     pub function_name: String,
     /// The functions in the order of their indices.
     pub functions: Vec<Function>,
+    /// The statements that define them, as lines of the spec without `base`; none where each function has one of its own,
+    /// or the spec is no text.
+    pub written: Vec<String>,
     /// What stands below the fraction line of the functions once it is the same for all of them; 1 where no domain
     /// variable stands below one.
     pub over: Poly,
+    /// The families on the spans, in their order; none for a domain of one span. Of several the other fields are those of
+    /// the first one.
+    pub pieces: Vec<Rc<Family>>,
     /// The functions of the lowest order, when these were raised from them.
     pub base: Vec<Function>,
     /// What holds on the declared ranges, so that the formulas mean something.
@@ -124,6 +130,11 @@ impl Family {
 
     /// The range of a shape parameter or domain variable as it is written, such as `0 <= θ <= pi/2`.
     pub fn declared(&self, parameter: &Parameter) -> String {
+        if !self.pieces.is_empty() && self.domain.iter().any(|p| p.var == parameter.var) {
+            let spans: Vec<String> =
+                self.pieces.iter().flat_map(|piece| piece.domain.iter().map(|p| piece.declared(p))).listed();
+            return spans.join(", ");
+        }
         match self.analytic.angle(parameter.var) {
             Some(angle) => angle.declared.clone(),
             None => parameter.range.display(&parameter.name).to_string(),

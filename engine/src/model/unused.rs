@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::expand::angles::PI;
+use super::words::PI;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::syntax::{
     self, Binding, ClaimKind, Condition, Expr, ExprKind, Generator, Loops, Relation, StatementKind,
@@ -44,6 +44,9 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             StatementKind::Let(def) => names(&def.value, &mut used),
             StatementKind::Function(def) | StatementKind::Raise(def) => {
                 names(&def.value, &mut used);
+                for formula in &def.further {
+                    names(formula, &mut used);
+                }
                 in_loops(&def.loops, &mut used);
             }
             StatementKind::Base(_, functions) => {

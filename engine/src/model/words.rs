@@ -10,6 +10,14 @@ pub(crate) const CIRCULAR: [&str; 3] = ["sin", "cos", "tan"];
 /// Functions of exponentials.
 pub(crate) const HYPERBOLIC: [&str; 4] = ["sinh", "cosh", "tanh", "exp"];
 
+/// The names of the number π.
+pub(crate) const PI: [&str; 2] = ["pi", "π"];
+
+/// Whether a name is that of a function of angles or of exponentials.
+pub(crate) fn is_transcendental(name: &str) -> bool {
+    CIRCULAR.contains(&name) || HYPERBOLIC.contains(&name)
+}
+
 /// Functions that the language does not have.
 pub(crate) const ELSEWHERE: [&str; 10] =
     ["log", "ln", "sqrt", "abs", "arcsin", "arccos", "arctan", "atan", "cot", "sec"];

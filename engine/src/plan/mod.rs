@@ -31,7 +31,7 @@ use crate::algebra::rational::Rational;
 use build::Builder;
 
 /// A computation: nodes, the names of some of them, and what comes out.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug, PartialEq))] // every user builds the rest
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug, PartialEq))] // every user builds the rest
 pub struct Plan {
     /// The nodes; each refers to nodes before it only.
     pub nodes: Vec<Node>,
@@ -43,7 +43,7 @@ pub struct Plan {
 
 /// A node of a plan, by its position.
 #[derive(Clone, Copy)]
-#[cfg_attr(any(test, feature = "tools"), derive(Debug, PartialEq, Eq))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Debug, PartialEq, Eq))]
 pub struct Ref(usize);
 
 impl Ref {
@@ -54,7 +54,7 @@ impl Ref {
 }
 
 /// A node with a name.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug, PartialEq))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug, PartialEq))]
 pub struct Let {
     /// The name, in ASCII; two names `[s, x]` for the two parts of a [`Node::Unit`]. The list `b` of a recursion takes
     /// the name of the list before it.
@@ -65,7 +65,7 @@ pub struct Let {
 
 /// A number that is given from outside.
 #[derive(Clone, Copy)]
-#[cfg_attr(any(test, feature = "tools"), derive(Debug, PartialEq, Eq, PartialOrd, Ord))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Debug, PartialEq, Eq, PartialOrd, Ord))]
 pub enum Input {
     /// A coordinate of the point of the domain: the parameter t, a variable of a box, a barycentric coordinate.
     Coordinate(usize),
@@ -80,7 +80,7 @@ pub enum Input {
 }
 
 /// One step of a plan.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug, PartialEq))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug, PartialEq))]
 pub enum Node {
     /// A number from outside.
     Input(Input),

@@ -16,7 +16,7 @@ use basis_prover::collections::map::SortedMap;
 const MAX_TERMS: usize = 15;
 
 /// A family on a simplex or a box, as it is evaluated.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug))]
 pub struct PatchPlans<'a> {
     /// The family.
     pub family: &'a Family,
@@ -27,7 +27,7 @@ pub struct PatchPlans<'a> {
 }
 
 /// The Bernstein weights of the functions: a table with few different entries.
-#[cfg_attr(any(test, feature = "tools"), derive(Clone, Debug))]
+#[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug))]
 pub struct Table {
     /// The different entries.
     pub entries: Plan,

@@ -139,7 +139,8 @@ fn typed(text: &str, offset: usize) -> Range<usize> {
     start..before.len()
 }
 
-/// The Greek letters whose names begin with what is typed: all of them after a backslash, otherwise from two letters on.
+/// The Greek letters whose names begin with what is typed: all of them after a backslash, otherwise from two letters
+/// on.
 fn letters(typed: &str, place: &Range<usize>, all: &mut Vec<Suggestion>) {
     let (name, few) = match typed.strip_prefix('\\') {
         Some(rest) => (rest, 0),

@@ -72,7 +72,8 @@ pub enum SymbolKind {
 pub struct Occurrence {
     /// The bytes of the name.
     pub range: Range<usize>,
-    /// The symbol, a position in [`Document::symbols`]; nothing for a name that is declared in another spec, or nowhere.
+    /// The symbol, a position in [`Document::symbols`]; nothing for a name that is declared in another spec, or
+    /// nowhere.
     pub symbol: Option<usize>,
     /// Whether it is declared here.
     pub role: Role,
@@ -565,7 +566,8 @@ impl Reader {
         }
     }
 
-    /// Where the variables of a loop at `k` inside of a bracket are visible: in the bracket, of a block in the statement.
+    /// Where the variables of a loop at `k` inside of a bracket are visible: in the bracket, of a block in the
+    /// statement.
     fn inner(&self, open: usize, k: usize, to: usize) -> Range<usize> {
         let close = self.close(open);
         if self.text(open) != "{" {

@@ -43,6 +43,7 @@ pub fn function_facts(family: &Family) -> Vec<FunctionFacts> {
         let own = |form: &IntervalForm| Some((form.var, form.functions.get(k)?.clone()));
         if let Some((var, f)) = form.as_ref().and_then(own)
             && !f.denom.depends_on(var)
+            && family.analytic.is_empty()
         {
             let over = |p: &Poly| Fraction::new(p.clone(), f.denom.clone());
             let coefficients: Vec<Fraction> = f.bernstein.iter().filter_map(over).collect();
@@ -196,7 +197,7 @@ fn candidates(family: &Family) -> Vec<Candidate> {
     if family.interval().is_some() {
         all.push(Candidate::Property((1..=3).rev().map(|k| format!("continuity({k})")).collect()));
     }
-    if family.order.is_empty() {
+    if family.order.is_empty() && family.analytic.is_empty() {
         all.extend(ends(family));
         all.extend(bernstein_values(family));
     }

@@ -2,8 +2,8 @@
 //! claims that hold of a family, formulas in LaTeX, the text in its standard layout.
 //!
 //! Names, words and layout are read from the text alone, so that there are answers while a spec is being typed and
-//! cannot be read as a whole. Facts about families come from the same functions that `basis explain` prints, and a claim
-//! is called true when the kernel has accepted a proof of it.
+//! cannot be read as a whole. Facts about families come from the same functions that `basis explain` prints, and a
+//! claim is called true when the kernel has accepted a proof of it.
 
 mod complete;
 mod document;
@@ -18,7 +18,7 @@ pub use document::{Document, Entry, Import, Occurrence, Role, Symbol, SymbolKind
 pub use facts::{FunctionFacts, Holds, claims_that_hold, function_facts, independent_claim};
 pub use format::{FormatError, format};
 pub use lex::{Token, TokenKind, tokens};
-pub use vocabulary::{GREEK, Word, WordKind, is_name, word};
+pub use vocabulary::{GREEK, WORDS, Word, WordKind, is_name, word};
 
 /// The spec whose families every spec can name: `Bernstein(n)` and `TriangularBernstein(n)`.
 pub const PRELUDE: &str = include_str!("../prelude.basis");

@@ -40,7 +40,7 @@ const fn entry(text: &'static str, kind: WordKind, rest: &'static str, meaning: 
 use WordKind::{Connective, EitherStatement, Function, Item, Property, Statement, TheoremStatement};
 
 /// All words.
-pub(super) const WORDS: [Word; 58] = [
+pub const WORDS: [Word; 58] = [
     entry(
         "family",
         Item,

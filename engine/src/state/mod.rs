@@ -18,6 +18,10 @@ mod theorem;
 mod theorem;
 mod verdict;
 
+#[cfg(any(test, feature = "tools"))]
+pub use family::point_error;
+#[cfg(any(test, feature = "rounding"))]
+pub use family::value_errors;
 pub use family::{Table, coefficient_table, statements as family_statements};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};

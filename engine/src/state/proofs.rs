@@ -11,7 +11,7 @@ use super::verdict::Stated;
 pub(super) fn all(stated: Vec<Stated>, budget: u32) -> Result<Vec<(String, Shown)>, (String, Failure)> {
     let mut proofs = Vec::new();
     let mut undecided = None;
-    for Stated { of, statement, symmetries } in stated {
+    for Stated { of, statement, symmetries, .. } in stated {
         match decide(statement, &symmetries, budget) {
             Ok(shown) => proofs.push((of, shown)),
             Err(refuted @ Failure::Refuted(_)) => return Err((of, refuted)),

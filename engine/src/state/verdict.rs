@@ -16,12 +16,14 @@ pub struct Stated {
     pub statement: Statement,
     /// Of a matrix, permutations that leave it unchanged, as far as they are known: a hint for the search.
     pub symmetries: Symmetries,
+    /// Whether it says more than the claim: true only if the claim is, but perhaps false although the claim is true.
+    pub is_stronger: bool,
 }
 
 impl Stated {
     /// A statement about an expression.
     pub(super) const fn new(of: String, statement: Statement) -> Self {
-        Self { of, statement, symmetries: Symmetries::new() }
+        Self { of, statement, symmetries: Symmetries::new(), is_stronger: false }
     }
 }
 
@@ -55,6 +57,11 @@ impl Evidence {
     /// Proofs of all that a claim says.
     pub(super) const fn new(method: String, steps: Vec<(String, Proof)>) -> Self {
         Self { method, steps }
+    }
+
+    /// The method and the proofs.
+    pub(super) fn into_parts(self) -> (String, Vec<(String, Proof)>) {
+        (self.method, self.steps)
     }
 
     /// The method in a few words; where several steps were needed, the most elaborate one.

@@ -7,12 +7,20 @@ use syn::{Result, Token};
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::words::{at_word, equals, take_word, text_of};
-use super::{Binding, Claim, ClaimKind, Comparison, Expected, Loops, Relation};
+use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, Loops, Relation};
 use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
-const PROPERTIES: [&str; 6] =
-    ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity", "totally_positive"];
+const PROPERTIES: [&str; 8] = [
+    "partition_of_unity",
+    "nonnegative",
+    "symmetric",
+    "independent",
+    "continuity",
+    "smooth",
+    "totally_positive",
+    "rounding",
+];
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
@@ -30,6 +38,8 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
                 "symmetric" => ClaimKind::Symmetric,
                 "continuity" => continuity(input, span)?,
                 "totally_positive" => ClaimKind::TotallyPositive,
+                "smooth" => smooth(input, span)?,
+                "rounding" => rounding(input, span)?,
                 _ => ClaimKind::Independent(exceptions(input, span)?),
             };
             only = loops(input)?;
@@ -48,8 +58,10 @@ fn property(input: ParseStream<'_>) -> Option<&'static str> {
     let (ident, after) = input.cursor().ident()?;
     let alone = match after.token_tree() {
         None | Some((TokenTree::Ident(_), _)) => true,
-        Some((TokenTree::Punct(p), _)) => p.as_char() == ';',
-        Some((TokenTree::Group(_), _)) => ident == "continuity",
+        Some((TokenTree::Punct(p), _)) => {
+            p.as_char() == ';' || (ident == "rounding" && "<>=".contains(p.as_char()))
+        }
+        Some((TokenTree::Group(_), _)) => ident == "continuity" || ident == "smooth",
         _ => false,
     };
     PROPERTIES.into_iter().find(|p| alone && ident == p)
@@ -84,12 +96,23 @@ fn properties() -> String {
 
 /// `continuity(2)` after its first word.
 fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
+    let order = order(input, word, "continuity")?;
+    Ok(ClaimKind::Continuity(order, neighbours(input)?))
+}
+
+/// `smooth(1)` after its first word.
+fn smooth(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
+    order(input, word, "smooth").map(ClaimKind::Smooth)
+}
+
+/// The number of derivatives behind a property.
+fn order(input: ParseStream<'_>, word: proc_macro2::Span, name: &str) -> Result<Expr> {
     if !matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis)
     {
         return Err(error(
             word,
-            "`continuity` needs the number of continuous derivatives",
-            "write `continuity(2)`",
+            format!("`{name}` needs the number of continuous derivatives"),
+            format!("write `{name}(2)`"),
         ));
     }
     let content;
@@ -98,12 +121,26 @@ fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKi
     if !content.is_empty() {
         return Err(unexpected(&content, "`)`"));
     }
-    let mut next = Vec::new();
-    if at_word(input, "with") {
-        take_word(input)?;
-        next = bindings(input)?;
+    Ok(order)
+}
+
+/// `with d0 = d1` after `continuity(2)`.
+fn neighbours(input: ParseStream<'_>) -> Result<Vec<Binding>> {
+    if !at_word(input, "with") {
+        return Ok(Vec::new());
     }
-    Ok(ClaimKind::Continuity(order, next))
+    take_word(input)?;
+    bindings(input)
+}
+
+/// `rounding <= 5` after its first word.
+fn rounding(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
+    match comparison(input)? {
+        Some(Comparison::LessEqual) => Ok(ClaimKind::Rounding(expr(input)?)),
+        _ => {
+            Err(error(word, "`rounding` needs a bound of the errors", "write `rounding <= 5`, in units of ε"))
+        }
+    }
 }
 
 /// `except λ = -3, λ = 1` or `except (α = 0, β = 1)`: a list of exceptions, each one or several values.

@@ -324,8 +324,10 @@ pub struct FunctionDef {
     pub name: Name,
     /// The indices.
     pub indices: Vec<Expr>,
-    /// The formula.
+    /// The formula; of a function on several spans that on the first one.
     pub value: Expr,
+    /// The formulas on the other spans, `… | … | …`; none for a formula that stands for all of them.
+    pub further: Vec<Expr>,
     /// What the index variables run over.
     pub loops: Loops,
 }
@@ -474,6 +476,10 @@ pub enum ClaimKind {
     Continuity(Expr, Vec<Binding>),
     /// All minors of the functions at ascending points are ≥ 0.
     TotallyPositive,
+    /// The derivatives up to this order agree at the inner knots of a domain of several spans.
+    Smooth(Expr),
+    /// `rounding <= 5`
+    Rounding(Expr),
     /// An equation or inequality.
     Relation(Relation),
     /// Equations and inequalities at fixed values: `at t = 0 { … }`.

@@ -28,6 +28,9 @@ pub(super) const STATEMENTS: [&str; 11] = [
     "budget",
 ];
 
+/// The most spans of a domain.
+pub(crate) const MAX_SPANS: usize = 64;
+
 const DOMAIN_HELP: &str = "write a range with two ends, such as `domain 0 <= t <= 1;`";
 
 /// `family Name(n in 1..=3) { … }`, after its doc comment.
@@ -270,8 +273,17 @@ fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
     }
     equals(input, &name)?;
     let value = expr(input)?;
+    let mut further = Vec::new();
+    while input.peek(Token![|]) && !input.peek(Token![||]) {
+        input.parse::<Token![|]>()?;
+        further.push(expr(input)?);
+        if further.len() == MAX_SPANS {
+            let help = "leave some of the spans out";
+            return Err(error(name.span, format!("a function has at most {MAX_SPANS} spans"), help));
+        }
+    }
     let loops = loops(input)?;
-    Ok(FunctionDef { permute: false, name, indices, value, loops })
+    Ok(FunctionDef { permute: false, name, indices, value, further, loops })
 }
 
 /// `base n = 3 { … }` after its first word.

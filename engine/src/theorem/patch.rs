@@ -106,6 +106,18 @@ impl Elaboration<'_> {
                 return None;
             }
         };
+        if !family.analytic.is_empty() || !family.pieces.is_empty() {
+            let what = if family.pieces.is_empty() {
+                "has sin, cos, exp, pi, or a shape parameter at an end of its domain"
+            } else {
+                "has several spans"
+            };
+            let error = self.scope.error(callee.span, format!("`{name}` {what}"));
+            self.scope.report(
+                error.help("theorems are about curves over families of polynomials and their quotients"),
+            );
+            return None;
+        }
         let shapes = if family.shapes.is_empty() { &[][..] } else { calls.next().unwrap_or_default() };
         let wanted: Vec<String> = family.shapes.mapped(|s| s.name.clone());
         let call = if wanted.is_empty() {

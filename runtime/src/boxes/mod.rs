@@ -55,6 +55,10 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
     /// The name of the family in its spec, with its order.
     const NAME: &'static str;
 
+    /// The proved bounds of the rounding errors of [`values`](Self::values), one for each function; of families that
+    /// were written by hand, and without the feature `rounding`, there are none.
+    const ROUNDING: &'static [crate::Rounding] = &[];
+
     /// The degree of the functions in each coordinate.
     const DEGREES: &'static [usize];
 

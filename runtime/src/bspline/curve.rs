@@ -245,8 +245,8 @@ impl<P: Point> BSplineCurve<P> {
     /// The parts before and after `t`, each over its part of the domain.
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
-    /// part would be a point.
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where
+    /// one part would be a point.
     pub fn split(&self, t: P::Scalar) -> Result<[Self; 2], CurveError> {
         divisible(self.domain(), t)?;
         let at_end = |_| CurveError::AtEnd { parameter: t.to_f64() };

@@ -24,7 +24,6 @@
 //! The control points are any [`Point`](crate::Point); `f32` and `f64` both work. All of it needs the feature `alloc`,
 //! and the published method of splicing, `Method::Midpoints`, the features `std` and `nalgebra`.
 
-mod bounds;
 mod buffer;
 mod constrain;
 mod curve;

@@ -11,7 +11,8 @@ use super::{
 use crate::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::{Point, Scalar, Surface};
+use crate::surface::partials_by_number;
+use crate::{BoundedSurface, Point, Scalar, Surface, SurfacePiece};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
 ///
@@ -210,24 +211,51 @@ impl<P: Point> Surface for NurbsSurface<P> {
     }
 
     /// Leibniz' rule for the numerator `A = w S`, solved for the derivative of the highest order.
+    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+        let columns = j + 1;
+        let part = |n: usize| self.homogeneous.partial(u, v, [n / columns, n % columns]);
+        let parts: Vec<Homogeneous<P>> = (0..(i + 1) * columns).map(part).collect();
+        let mut partials = alloc::vec![P::zero(); parts.len()];
+        quotients(&parts, columns, &mut partials);
+        partials[i * columns + j]
+    }
+
+    partials_by_number!();
+
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
         let parts = self.homogeneous.eval_with_partials::<K>(u, v);
         let mut partials = [[P::zero(); K]; K];
-        for r in 0..K {
-            for c in 0..K {
-                let mut numerator = parts[r][c].scaled;
-                for i in 0..=r {
-                    for j in 0..=c {
-                        if i + j > 0 {
-                            let ways = binomial::<P::Scalar>(r, i) * binomial::<P::Scalar>(c, j);
-                            let factor = ways * parts[i][j].weight;
-                            numerator = numerator.add_scaled(partials[r - i][c - j], -factor);
-                        }
-                    }
+        quotients(parts.as_flattened(), K, partials.as_flattened_mut());
+        partials
+    }
+}
+
+/// The partial derivatives of the quotient from those of numerator and denominator, `columns` in a row.
+#[inline]
+fn quotients<P: Point>(parts: &[Homogeneous<P>], columns: usize, partials: &mut [P]) {
+    for n in 0..partials.len() {
+        let (r, c) = (n / columns, n % columns);
+        let mut numerator = parts[n].scaled;
+        for i in 0..=r {
+            for j in 0..=c {
+                if i + j > 0 {
+                    let ways = binomial::<P::Scalar>(r, i) * binomial::<P::Scalar>(c, j);
+                    let factor = ways * parts[i * columns + j].weight;
+                    numerator = numerator.add_scaled(partials[(r - i) * columns + c - j], -factor);
                 }
-                partials[r][c] = Homogeneous { scaled: numerator, weight: parts[0][0].weight }.project();
             }
         }
-        partials
+        partials[n] = Homogeneous { scaled: numerator, weight: parts[0].weight }.project();
+    }
+}
+
+impl<P: Point> BoundedSurface for NurbsSurface<P> {
+    fn pieces(&self) -> Vec<SurfacePiece> {
+        let piece = |patch: BezierPatch<Homogeneous<P>>| {
+            let of = |n: usize, c: usize| patch.net.as_slice()[n].component(c).to_f64();
+            let size = [patch.net.rows(), patch.net.columns()];
+            SurfacePiece::from_fn(patch.domain, size, P::DIM, P::DIM + 1, of)
+        };
+        self.to_bezier().into_iter().map(piece).collect()
     }
 }

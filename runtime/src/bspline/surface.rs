@@ -7,7 +7,7 @@ use super::rows::{self, Rows};
 use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
-use crate::{Edge, Point, Surface};
+use crate::{BoundedSurface, Edge, Nearest, Point, Scalar, Surface, SurfacePiece};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
 ///
@@ -144,39 +144,6 @@ impl<P: Point> BSplineSurface<P> {
             let row = &self.net.row(first[0] + i)[first[1]..=spans[1]];
             sum.add_scaled(combine(&columns, row), factor)
         })
-    }
-
-    /// The points at all pairs of parameters, a row for each `u`: much faster than one by one.
-    ///
-    /// # Errors
-    /// [`SplineError::Ragged`] if one of the lists is empty.
-    pub fn eval_grid(&self, u: &[P::Scalar], v: &[P::Scalar]) -> Result<Net<P>, SplineError> {
-        if u.is_empty() || v.is_empty() {
-            return Err(SplineError::Ragged { row: 0 });
-        }
-        let columns: Vec<_> = v
-            .iter()
-            .map(|&v| {
-                let span = self.v.span(v);
-                (span, self.v.values_on(span, v))
-            })
-            .collect();
-        let mut points = Vec::with_capacity(u.len() * v.len());
-        let mut curve = alloc::vec![P::zero(); self.net.columns()];
-        for &u in u {
-            // The control points of the isoparametric curve, once for all v.
-            let span = self.u.span(u);
-            let first = span - self.u.degree();
-            curve.fill(P::zero());
-            for (i, &factor) in self.u.values_on(span, u).iter().enumerate() {
-                for (sum, &point) in curve.iter_mut().zip(self.net.row(first + i)) {
-                    *sum = sum.add_scaled(point, factor);
-                }
-            }
-            let first = |span: usize| span - self.v.degree();
-            points.extend(columns.iter().map(|(span, values)| combine(values, &curve[first(*span)..=*span])));
-        }
-        Ok(Net::trusted(points, v.len()))
     }
 
     /// The curve on which one parameter is constant; `direction` is that of the constant parameter.
@@ -368,8 +335,54 @@ impl<P: Point> Surface for BSplineSurface<P> {
         self.eval(u, v)
     }
 
+    #[inline]
+    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+        self.partial(u, v, orders)
+    }
+
+    /// The curve `v ↦ S(u, v)` is found once for each `u`.
+    fn eval_grid(&self, us: &[P::Scalar], vs: &[P::Scalar], out: &mut [P]) {
+        if vs.is_empty() {
+            return;
+        }
+        let values = |&v: &P::Scalar| {
+            let span = self.v.span(v);
+            (span - self.v.degree(), self.v.values_on(span, v))
+        };
+        let columns: Vec<_> = vs.iter().map(values).collect();
+        let mut curve = alloc::vec![P::zero(); self.net.columns()];
+        for (&u, line) in us.iter().zip(out.chunks_mut(vs.len())) {
+            let span = self.u.span(u);
+            let first = span - self.u.degree();
+            curve.fill(P::zero());
+            for (i, &factor) in self.u.values_on(span, u).iter().enumerate() {
+                for (sum, &point) in curve.iter_mut().zip(self.net.row(first + i)) {
+                    *sum = sum.add_scaled(point, factor);
+                }
+            }
+            for (point, (first, values)) in line.iter_mut().zip(&columns) {
+                *point = combine(values, &curve[*first..]);
+            }
+        }
+    }
+
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
         let spans = [self.u.span(u), self.v.span(v)];
         core::array::from_fn(|i| core::array::from_fn(|j| self.partial_on(spans, [u, v], [i, j])))
+    }
+}
+
+impl<P: Point> BoundedSurface for BSplineSurface<P> {
+    fn pieces(&self) -> Vec<SurfacePiece> {
+        let piece = |patch: BezierPatch<P>| {
+            let of = |n: usize, c: usize| patch.net.as_slice()[n].component(c).to_f64();
+            let size = [patch.net.rows(), patch.net.columns()];
+            SurfacePiece::from_fn(patch.domain, size, P::DIM, P::DIM, of)
+        };
+        self.to_bezier().into_iter().map(piece).collect()
+    }
+
+    fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {
+        self.nearest(point, accuracy)
     }
 }

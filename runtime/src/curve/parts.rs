@@ -81,8 +81,8 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// ```
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
-    /// part would be a point.
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where
+    /// one part would be a point.
     pub fn split(&self, t: B::Scalar) -> Result<[BezierOf<B, P>; 2], CurveError> {
         divisible(B::domain(), t)?;
         let [_, x] = unit(B::domain(), t);

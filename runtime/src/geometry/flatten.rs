@@ -68,8 +68,8 @@ fn bend(piece: &CurvePiece) -> f64 {
     largest * degree * (degree - 1.0) / 8.0
 }
 
-/// How far the piece and its chord are at most from each other: the distance of the control points from the chord, whose
-/// hull the piece does not leave.
+/// How far the piece and its chord are at most from each other: the distance of the control points from the chord,
+/// whose hull the piece does not leave.
 #[inline]
 fn deviation(piece: &CurvePiece) -> f64 {
     let from_chord = (1..piece.degree()).map(|i| distance_to_chord(piece, i)).fold(0.0, f64::max);

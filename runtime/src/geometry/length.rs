@@ -1,12 +1,12 @@
 //! Arc length of rational pieces, with an error bound that is proved, and its inverse.
 //!
 //! On a piece `-1 <= z <= 1` the speed is `√q / w²`, with a polynomial `q = c0 + c1 T1(z) + …` and the weight function
-//! `w = d0 + d1 T1(z) + …`, which is 1 for a polynomial piece. On the Bernstein ellipse of the parameter `ρ` no `|Tj|` is
-//! larger than `(ρʲ + ρ⁻ʲ)/2`; with `κ` the sum of `|cj|` times that, over `c0`, neither is `|q|` larger than
+//! `w = d0 + d1 T1(z) + …`, which is 1 for a polynomial piece. On the Bernstein ellipse of the parameter `ρ` no `|Tj|`
+//! is larger than `(ρʲ + ρ⁻ʲ)/2`; with `κ` the sum of `|cj|` times that, over `c0`, neither is `|q|` larger than
 //! `c0 (1 + κ)`, and if `κ < 1` it has no zero there; likewise `|w|` is at least `d0 (1 - κ')`. So the speed is analytic
-//! inside of the ellipse and has a known bound, and with it the error of the Gauss–Legendre rule with `n` nodes is at most
-//! `8 max|speed| ρ / (ρ - 1) ρ^(-2n)`; see `curve/length` for the source. Pieces for which no rule is good enough are
-//! halved; those next to a cusp end when chord and control polygon agree.
+//! inside of the ellipse and has a known bound, and with it the error of the Gauss–Legendre rule with `n` nodes is at
+//! most `8 max|speed| ρ / (ρ - 1) ρ^(-2n)`; see `curve/length` for the source. Pieces for which no rule is good enough
+//! are halved; those next to a cusp end when chord and control polygon agree.
 
 use alloc::vec::Vec;
 

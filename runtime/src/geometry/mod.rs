@@ -7,11 +7,15 @@
 mod bounds;
 mod curves;
 mod flatten;
+mod intersect;
 mod length;
 mod local;
+mod meeting;
 mod nearest;
 mod parametric;
 mod piece;
 
+pub use intersect::MeetingKind;
+pub use meeting::{Meeting, PlaneMeeting};
 pub use parametric::{CurveScalar, ParametricCurve};
 pub use piece::CurvePiece;

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::{CurvePiece, bounds, flatten, length, local, nearest};
+use super::{CurvePiece, Meeting, PlaneMeeting, bounds, flatten, length, local, meeting, nearest};
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
 use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
@@ -57,8 +57,8 @@ pub trait ParametricCurve {
     /// The parts before and after `t`, over domains of their own.
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where one
-    /// part would be a point.
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of it, where
+    /// one part would be a point.
     fn split(&self, t: CurveScalar<Self>) -> Result<[Self::Part; 2], CurveError>
     where
         Self: Sized;
@@ -136,8 +136,8 @@ pub trait ParametricCurve {
 
     /// The unit vector in which the curve goes on at `t`.
     ///
-    /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that of
-    /// arriving. `None` if the curve is a point there, and if anything is not finite.
+    /// Where the velocity vanishes it is the limit: at a cusp the direction of leaving, at the end of the domain that
+    /// of arriving. `None` if the curve is a point there, and if anything is not finite.
     fn tangent(&self, t: CurveScalar<Self>) -> Option<Self::Point> {
         let mut first = [Self::Point::zero(); 2];
         self.derivatives_into(t, &mut first);
@@ -158,7 +158,8 @@ pub trait ParametricCurve {
         CurveScalar::<Self>::of(pieces.iter().map(CurvePiece::largest).fold(0.0, f64::max))
     }
 
-    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the left.
+    /// The curvature at `t`: `|C' ∧ C''| / |C'|³`; in the plane with a sign, positive where the curve turns to the
+    /// left.
     ///
     /// Infinite or NaN where the velocity vanishes.
     fn curvature(&self, t: CurveScalar<Self>) -> CurveScalar<Self> {
@@ -332,6 +333,67 @@ pub trait ParametricCurve {
         let distance = distance(found, point);
         let at_least = CurveScalar::<Self>::of(bound).min(distance);
         distance.is_finite().then_some(Nearest { at, point: found, distance, at_least })
+    }
+
+    /// All places at which the curve meets another one, in the order of its own parameter.
+    ///
+    /// None is missed: every pair of parameters at which the curves have a point in common lies in one of the answers,
+    /// up to rounding errors. An answer is a pair of parameters, or an interval of each curve in which they are nearer
+    /// to each other than about `accuracy`, also where they touch or run along each other; in space the curves need not
+    /// meet exactly to be an answer. An `accuracy` below some 64 `ε` times the size of the curves, also zero or NaN,
+    /// asks for what the scalar type can give; curves that run along each other take the longer the smaller it is.
+    /// `None` if a control point is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve};
+    ///
+    /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
+    /// let line = Bezier::from_points([[-1.0, 0.25], [1.0, 0.25]]);
+    /// let found = parabola.intersections(&line, 1e-9).unwrap();
+    /// assert!(found.iter().all(|meeting| meeting.kind == MeetingKind::Crossing));
+    /// let points: Vec<[f64; 2]> = found.iter().map(|meeting| meeting.point).collect();
+    /// assert_eq!(points, [[-0.5, 0.25], [0.5, 0.25]]);
+    /// ```
+    fn intersections(
+        &self,
+        other: &dyn ParametricCurve<Point = Self::Point>,
+        accuracy: CurveScalar<Self>,
+    ) -> Option<Vec<Meeting<Self::Point>>> {
+        meeting::of_two(self, other, accuracy)
+    }
+
+    /// All places at which the curve meets itself, the smaller parameter first; see
+    /// [`intersections`](Self::intersections). That a closed curve ends where it begins is no answer.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// let loop_ = Bezier::from_points([[0.0, 0.0], [3.0, 2.0], [-2.0, 2.0], [1.0, 0.0]]);
+    /// let [meeting] = loop_.self_intersections(1e-9).unwrap().try_into().unwrap();
+    /// let [s, t] = meeting.at;
+    /// assert!((s + t - 1.0_f64).abs() < 1e-9 && meeting.distance < 1e-12);
+    /// ```
+    fn self_intersections(&self, accuracy: CurveScalar<Self>) -> Option<Vec<Meeting<Self::Point>>> {
+        meeting::of_one(self, accuracy)
+    }
+
+    /// All places at which the curve meets the plane through `point` with that normal, in the plane the line, in the
+    /// order of the parameter: zeros of a polynomial, isolated by changes of sign, so that none is missed. `None` if
+    /// the normal is zero or anything is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve};
+    ///
+    /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
+    /// let [touch] = parabola.plane_intersections([0.0, 0.0], [0.0, 1.0]).unwrap().try_into().unwrap();
+    /// assert_eq!((touch.kind, touch.interval, touch.point), (MeetingKind::Contact, [0.5; 2], [0.0, 0.0]));
+    /// ```
+    fn plane_intersections(
+        &self,
+        point: Self::Point,
+        normal: Self::Point,
+    ) -> Option<Vec<PlaneMeeting<Self::Point>>> {
+        meeting::of_plane(self, point, normal)
     }
 }
 

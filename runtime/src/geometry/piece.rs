@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 use crate::bernstein;
 use crate::{CurveError, Point, Scalar};
 
-/// One rational Bézier piece of a curve, in double precision: what [`ParametricCurve`](crate::ParametricCurve) asks of a
-/// type of curves besides points and derivatives.
+/// One rational Bézier piece of a curve, in double precision: what [`ParametricCurve`](crate::ParametricCurve) asks of
+/// a type of curves besides points and derivatives.
 ///
 /// ```text
 /// C(t) = Σ_i B[i,n](x) w[i] P[i] / Σ_i B[i,n](x) w[i],   x = (t - lo) / (hi - lo)

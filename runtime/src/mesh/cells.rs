@@ -5,8 +5,11 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::MeshError;
-use super::patch::{Flatness, Patch};
-use crate::{Edge, Scalar};
+use super::facets::is_crowded;
+use super::flat::{self, Flatness, P3, Part};
+use super::patch::Patch;
+use crate::vector::{cross, dot, length};
+use crate::{Edge, Scalar, SurfacePiece};
 
 /// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised.
 pub(super) const WIDTH: u32 = 1 << 20;
@@ -14,8 +17,8 @@ pub(super) const WIDTH: u32 = 1 << 20;
 /// The highest number of rectangles of one surface.
 const MOST: usize = 1 << 21;
 
-/// The number of rectangles from which on it is worth while to estimate how many there will be.
-const MANY: usize = 1 << 14;
+/// The number of rectangles that are judged before it is estimated how many there will be.
+const MANY: usize = 1 << 13;
 
 /// The number of rectangles that are cut for the estimate.
 const CUTS: usize = 1 << 11;
@@ -36,98 +39,237 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Both halves, cut across the direction that bends more, or across the wider one if it is the twist that is too
-    /// large or both are unknown; `None` of a rectangle that is as small as parameters allow.
-    fn cut<S: Scalar>(self, flatness: &Flatness<S>) -> Option<[Self; 2]> {
+    const WHOLE: Self = Self { from: [0, 0], to: [WIDTH, WIDTH] };
+
+    /// The corners, counter-clockwise.
+    fn corners(self) -> [Node; 4] {
+        let Self { from: [u0, v0], to: [u1, v1] } = self;
+        [[u0, v0], [u1, v0], [u1, v1], [u0, v1]]
+    }
+
+    /// The direction in which to cut: across what bends more, or across the wider side if neither says much; `None` of
+    /// a rectangle that is as small as parameters allow.
+    fn direction(self, flatness: &Flatness) -> Option<usize> {
         let [h, k] = [0, 1].map(|c| self.to[c] - self.from[c]);
         if h <= 1 && k <= 1 {
             return None;
         }
-        let twisted = flatness.both > flatness.u.max(flatness.v);
-        let across_u = if twisted || !(flatness.u > flatness.v || flatness.v > flatness.u) {
-            h >= k
-        } else {
-            flatness.u > flatness.v
-        };
-        let axis = usize::from(h <= 1 || !across_u && k > 1);
+        let [u, v] = flatness.bends;
+        let twisted = u.max(v) < 0.25 * flatness.distance && flatness.distance.is_finite();
+        let across_u = if twisted || u == v { h >= k } else { u > v };
+        Some(usize::from(h <= 1 || !across_u && k > 1))
+    }
+
+    /// Both halves, and the parameter between them.
+    fn halves(self, axis: usize) -> ([Self; 2], u32) {
         let middle = self.from[axis] + (self.to[axis] - self.from[axis]) / 2;
         let (mut before, mut after) = (self, self);
         before.to[axis] = middle;
         after.from[axis] = middle;
-        Some([before, after])
+        ([before, after], middle)
+    }
+}
+
+/// A rectangle over which the surface is flat enough.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leaf {
+    pub(super) cell: Cell,
+    /// The bound of the distance of its triangles from the surface, both ways.
+    distance: f64,
+    /// The number of corners around it for which its triangles are known to be good enough.
+    corners: usize,
+}
+
+/// A rectangle that is not judged yet, with the parts of the surface over it.
+struct Open {
+    cell: Cell,
+    parts: Vec<Part>,
+}
+
+/// A surface and what its mesh has to keep.
+pub(super) struct Sheet<'a, S> {
+    patch: &'a dyn Patch<S>,
+    pieces: Vec<SurfacePiece>,
+    surface: usize,
+    limits: Limits,
+}
+
+/// What the triangles of a surface have to keep.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// The largest distance from the surface.
+    pub(super) tolerance: f64,
+    /// Points that near to each other are one.
+    pub(super) weld: f64,
+    /// The longest side of a rectangle.
+    pub(super) edge: f64,
+    /// The largest angle in radians between normals at the corners of a rectangle.
+    pub(super) angle: f64,
+}
+
+impl<'a, S: Scalar> Sheet<'a, S> {
+    pub(super) fn new(patch: &'a dyn Patch<S>, surface: usize, limits: Limits) -> Self {
+        Self { patch, pieces: patch.bezier(), surface, limits }
+    }
+
+    fn point(&self, node: Node) -> P3 {
+        self.patch.point(node.map(unit)).map(Scalar::to_f64)
+    }
+
+    fn whole(&self) -> Open {
+        Open { cell: Cell::WHOLE, parts: flat::whole(&self.pieces) }
+    }
+
+    /// The parts of the surface over a rectangle that was cut out before.
+    fn open(&self, cell: Cell) -> Open {
+        let mut parts = flat::whole(&self.pieces);
+        for axis in [0, 1] {
+            if cell.from[axis] > 0 {
+                [_, parts] = flat::cut(&self.pieces, parts, axis, self.parameter(axis, cell.from[axis]));
+            }
+            if cell.to[axis] < WIDTH {
+                [parts, _] = flat::cut(&self.pieces, parts, axis, self.parameter(axis, cell.to[axis]));
+            }
+        }
+        Open { cell, parts }
+    }
+
+    fn parameter(&self, axis: usize, along: u32) -> f64 {
+        self.patch.parameter(axis, unit(along))
+    }
+
+    fn cut(&self, open: Open, axis: usize) -> [Open; 2] {
+        let ([before, after], middle) = open.cell.halves(axis);
+        let [low, high] = flat::cut(&self.pieces, open.parts, axis, self.parameter(axis, middle));
+        [Open { cell: before, parts: low }, Open { cell: after, parts: high }]
+    }
+
+    fn flatness(&self, open: &Open) -> Flatness {
+        let corners = open.cell.corners().map(|node| self.point(node));
+        let Cell { from, to } = open.cell;
+        let halves = |n: [u32; 2]| {
+            let at = [0, 1].map(|c| {
+                (unit::<S>(from[c]) * S::from_usize(2 - n[c] as usize)
+                    + unit::<S>(to[c]) * S::from_usize(n[c] as usize))
+                    * S::of(0.5)
+            });
+            self.patch.point(at).map(Scalar::to_f64)
+        };
+        let mut flatness = flat::sampled(corners, halves);
+        if flatness.distance <= self.limits.tolerance {
+            let moved = flatness.distance;
+            flatness = flat::measure(&open.parts, corners, self.limits.tolerance, self.limits.weld);
+            // A corner in the middle moves the triangles.
+            if is_crowded(&corners, 2.0 * self.limits.weld) {
+                flatness.distance += moved;
+            }
+        }
+        let [a, b, c, d] = corners;
+        let sides = [[a, b], [d, c], [a, d], [b, c]].map(|[from, to]| flat::distance(from, to));
+        let lengths = [sides[0].max(sides[1]), sides[2].max(sides[3])];
+        if lengths[0].max(lengths[1]) > self.limits.edge {
+            flatness = Flatness { bends: lengths, distance: f64::INFINITY };
+        } else if self.limits.angle < f64::PI && flatness.distance <= self.limits.tolerance {
+            let turns = self.turns(open.cell);
+            if turns[0].max(turns[1]) > self.limits.angle {
+                flatness = Flatness { bends: turns, distance: f64::INFINITY };
+            }
+        }
+        flatness
+    }
+
+    /// The largest angle between normals at corners along each parameter; those without a normal do not count.
+    fn turns(&self, cell: Cell) -> [f64; 2] {
+        let normals = cell.corners().map(|node| self.patch.normal(node.map(unit)));
+        let angle = |i: usize, j: usize| match (normals[i], normals[j]) {
+            (Some(a), Some(b)) => length(cross(a, b)).atan2(dot(a, b)).to_f64(),
+            _ => 0.0,
+        };
+        [angle(0, 1).max(angle(3, 2)), angle(0, 3).max(angle(1, 2))]
+    }
+
+    fn too_fine(&self) -> MeshError {
+        MeshError::TooFine { surface: self.surface, most: MOST }
+    }
+
+    /// The error of a rectangle that is not flat enough and cannot be cut.
+    fn stuck(&self, flatness: &Flatness) -> MeshError {
+        let bends = flatness.bends[0].max(flatness.bends[1]);
+        if flatness.distance.is_finite() || bends.is_finite() {
+            self.too_fine()
+        } else {
+            MeshError::NotFinite { surface: self.surface }
+        }
+    }
+
+    /// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the
+    /// bounds over some thousand of them tell, always over those that need most.
+    fn foreseen(&self) -> Result<(), MeshError> {
+        let mut heap = BinaryHeap::new();
+        heap.push(Estimate::new(self, self.whole()));
+        for _ in 0..CUTS {
+            let Some(worst) = heap.pop().filter(|worst| worst.needed > 1.0) else { break };
+            let Some(axis) = worst.open.cell.direction(&worst.flatness) else {
+                return Err(self.stuck(&worst.flatness));
+            };
+            heap.extend(self.cut(worst.open, axis).map(|half| Estimate::new(self, half)));
+        }
+        let needed: f64 =
+            heap.iter().map(|estimate| estimate.needed).filter(|needed| needed.is_finite()).sum();
+        if needed > 4.0 * MOST as f64 { Err(self.too_fine()) } else { Ok(()) }
     }
 }
 
 /// A rectangle with the number of rectangles that it would need if it bent everywhere as much as it may somewhere.
-struct Estimate<S> {
+struct Estimate {
     needed: f64,
-    flatness: Flatness<S>,
-    cell: Cell,
+    flatness: Flatness,
+    open: Open,
 }
 
-impl<S: Scalar> Estimate<S> {
-    fn new(patch: &dyn Patch<S>, cell: Cell, tolerance: S) -> Self {
-        let flatness = patch.flatness(cell.from.map(unit), cell.to.map(unit));
-        let [u, v, both] = [flatness.u, flatness.v, flatness.both].map(|d| (d / tolerance).to_f64().max(1.0));
-        Self { needed: both.max(Scalar::sqrt(u) * Scalar::sqrt(v)), flatness, cell }
+impl Estimate {
+    fn new<S: Scalar>(sheet: &Sheet<'_, S>, open: Open) -> Self {
+        let flatness = sheet.flatness(&open);
+        let tolerance = sheet.limits.tolerance;
+        let [u, v, all] =
+            [flatness.bends[0], flatness.bends[1], flatness.distance].map(|d| (d / tolerance).max(1.0));
+        Self { needed: Scalar::sqrt(all).max(Scalar::sqrt(u) * Scalar::sqrt(v)), flatness, open }
     }
 
     /// The sum of the widths.
     fn size(&self) -> u32 {
-        self.cell.to[0] - self.cell.from[0] + self.cell.to[1] - self.cell.from[1]
+        let Cell { from, to } = self.open.cell;
+        to[0] - from[0] + to[1] - from[1]
     }
 }
 
-impl<S: Scalar> Ord for Estimate<S> {
+impl Ord for Estimate {
     /// The rectangle that needs most is the greatest; of those without a bound the smallest, so that one which never
     /// gets a bound is found at once.
     fn cmp(&self, other: &Self) -> Ordering {
         let needed = self.needed.total_cmp(&other.needed);
-        needed.then(other.size().cmp(&self.size())).then(other.cell.from.cmp(&self.cell.from))
+        needed.then(other.size().cmp(&self.size())).then(other.open.cell.from.cmp(&self.open.cell.from))
     }
 }
 
-impl<S: Scalar> PartialOrd for Estimate<S> {
+impl PartialOrd for Estimate {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<S: Scalar> PartialEq for Estimate<S> {
+impl PartialEq for Estimate {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl<S: Scalar> Eq for Estimate<S> {}
-
-/// The error if a rectangle will never be flat enough, or if more are needed than there may be, as far as the bounds
-/// over some thousand of them tell, always over those that need most.
-fn foreseen<S: Scalar>(patch: &dyn Patch<S>, tolerance: S, surface: usize) -> Result<(), MeshError> {
-    let too_fine = MeshError::TooFine { surface, most: MOST };
-    let mut heap = BinaryHeap::new();
-    heap.push(Estimate::new(patch, Cell { from: [0, 0], to: [WIDTH, WIDTH] }, tolerance));
-    for _ in 0..CUTS {
-        let Some(worst) = heap.pop().filter(|worst| worst.needed > 1.0) else { break };
-        match worst.cell.cut(&worst.flatness) {
-            Some(halves) => heap.extend(halves.map(|half| Estimate::new(patch, half, tolerance))),
-            None => {
-                return Err(if worst.needed.is_finite() {
-                    too_fine
-                } else {
-                    MeshError::NotFinite { surface }
-                });
-            }
-        }
-    }
-    let needed: f64 = heap.iter().map(|estimate| estimate.needed).filter(|needed| needed.is_finite()).sum();
-    if needed > 1.25 * MOST as f64 { Err(too_fine) } else { Ok(()) }
-}
+impl Eq for Estimate {}
 
 /// The rectangles, and the corners on each line.
 #[derive(Debug, Default)]
 pub(super) struct Cells {
-    pub(super) leaves: Vec<Cell>,
+    pub(super) leaves: Vec<Leaf>,
     /// For each line `u = const` the `v` of the corners on it.
     on_u: BTreeMap<u32, BTreeSet<u32>>,
     /// For each line `v = const` the `u` of the corners on it.
@@ -136,45 +278,67 @@ pub(super) struct Cells {
 
 impl Cells {
     /// Cuts until every rectangle is flat within the tolerance.
-    pub(super) fn new<S: Scalar>(
-        patch: &dyn Patch<S>,
-        tolerance: S,
-        surface: usize,
-    ) -> Result<Self, MeshError> {
-        let too_fine = MeshError::TooFine { surface, most: MOST };
+    pub(super) fn new<S: Scalar>(sheet: &Sheet<'_, S>) -> Result<Self, MeshError> {
         let mut cells = Self::default();
-        let mut open = alloc::vec![Cell { from: [0, 0], to: [WIDTH, WIDTH] }];
-        while let Some(cell) = open.pop() {
-            let flatness = patch.flatness(cell.from.map(unit), cell.to.map(unit));
-            let distance = flatness.distance();
-            if distance.is_nan() {
-                return Err(MeshError::NotFinite { surface });
-            }
-            if distance <= tolerance {
-                cells.add(cell);
-                let count = cells.leaves.len();
-                if count + open.len() > MOST {
-                    return Err(too_fine);
-                }
-                if count == MANY {
-                    foreseen(patch, tolerance, surface)?;
-                }
-                continue;
-            }
-            let Some([before, after]) = cell.cut(&flatness) else {
-                let finite = distance.is_finite();
-                return Err(if finite { too_fine } else { MeshError::NotFinite { surface } });
-            };
-            open.extend([after, before]);
-            if open.len() > MOST {
-                return Err(too_fine);
-            }
-        }
+        let mut judged = 0;
+        cells.cut(sheet, alloc::vec![sheet.whole()], &mut judged)?;
         Ok(cells)
     }
 
-    fn add(&mut self, cell: Cell) {
-        self.leaves.push(cell);
+    fn cut<S: Scalar>(
+        &mut self,
+        sheet: &Sheet<'_, S>,
+        mut open: Vec<Open>,
+        judged: &mut usize,
+    ) -> Result<(), MeshError> {
+        while let Some(next) = open.pop() {
+            let flatness = sheet.flatness(&next);
+            *judged += 1;
+            if *judged == MANY {
+                sheet.foreseen()?;
+            }
+            if flatness.distance <= sheet.limits.tolerance {
+                self.add(Leaf { cell: next.cell, distance: flatness.distance, corners: 4 });
+            } else {
+                let axis = next.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?;
+                let [before, after] = sheet.cut(next, axis);
+                open.extend([after, before]);
+            }
+            if self.leaves.len() + open.len() > MOST {
+                return Err(sheet.too_fine());
+            }
+        }
+        Ok(())
+    }
+
+    /// Cuts rectangles whose triangles are moved too far by the corners of neighbours on their sides; whether there
+    /// were any.
+    pub(super) fn refine<S: Scalar>(&mut self, sheet: &Sheet<'_, S>) -> Result<bool, MeshError> {
+        let leaves = core::mem::take(&mut self.leaves);
+        let mut open = Vec::new();
+        let mut judged = 0;
+        for leaf in leaves {
+            let nodes = self.around(leaf.cell);
+            if nodes.len() == leaf.corners
+                || leaf.distance + displacement(sheet, leaf.cell, &nodes) <= sheet.limits.tolerance
+            {
+                self.leaves.push(Leaf { corners: nodes.len(), ..leaf });
+                continue;
+            }
+            // What moves most says where to cut: a side along u, or one along v.
+            let whole = sheet.open(leaf.cell);
+            let flatness = sheet.flatness(&whole);
+            let axis = leaf.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?;
+            open.extend(sheet.cut(whole, axis));
+        }
+        let changed = !open.is_empty();
+        self.cut(sheet, open, &mut judged)?;
+        Ok(changed)
+    }
+
+    fn add(&mut self, leaf: Leaf) {
+        let cell = leaf.cell;
+        self.leaves.push(leaf);
         for u in [cell.from[0], cell.to[0]] {
             for v in [cell.from[1], cell.to[1]] {
                 self.on_u.entry(u).or_default().insert(v);
@@ -209,6 +373,34 @@ impl Cells {
         nodes[back..].reverse();
         nodes
     }
+}
+
+/// How far the corners of neighbours, and a corner in the middle, move the triangles over a rectangle.
+fn displacement<S: Scalar>(sheet: &Sheet<'_, S>, cell: Cell, nodes: &[Node]) -> f64 {
+    let corners = cell.corners();
+    let mut largest = 0.0_f64;
+    let mut side: Vec<P3> = Vec::new();
+    for &node in nodes.iter().chain(nodes.first()) {
+        let point = sheet.point(node);
+        side.push(point);
+        if corners.contains(&node) {
+            largest = largest.max(flat::displacement(&side));
+            side.clear();
+            side.push(point);
+        }
+    }
+    if nodes.len() > 4 {
+        let [a, b, c, d] = corners.map(|node| sheet.point(node));
+        let middle = sheet.point(middle(cell));
+        let away = [[a, b, c], [a, c, d]].map(|triangle| flat::distance_to_triangle(middle, triangle));
+        largest = largest.max(away[0].min(away[1]));
+    }
+    largest
+}
+
+/// The node in the middle of a rectangle.
+pub(super) fn middle(cell: Cell) -> Node {
+    [0, 1].map(|c| cell.from[c] + (cell.to[c] - cell.from[c]) / 2)
 }
 
 /// The node at a parameter along an edge.

@@ -12,8 +12,18 @@ pub enum MeshError {
         /// The tolerance.
         value: f64,
     },
+    /// The longest edge or the largest angle is not a positive number.
+    Limit {
+        /// The limit.
+        value: f64,
+    },
     /// A surface is infinite or NaN.
     NotFinite {
+        /// The number of the surface, in the order in which they were added.
+        surface: usize,
+    },
+    /// A surface is a curve or a point, as a whole or in part.
+    Collapsed {
         /// The number of the surface, in the order in which they were added.
         surface: usize,
     },
@@ -44,7 +54,14 @@ impl Display for MeshError {
             Self::Tolerance { value } => {
                 write!(f, "the tolerance {value} is not a positive, finite number in the unit of length")
             }
+            Self::Limit { value } => {
+                write!(f, "the limit {value} of the length of edges or of an angle is not a positive number")
+            }
             Self::NotFinite { surface } => write!(f, "surface {surface} is infinite or NaN"),
+            Self::Collapsed { surface } => write!(
+                f,
+                "surface {surface} is a curve or a point, as a whole or in part, for which no triangles can stand"
+            ),
             Self::Single { position } => {
                 write!(
                     f,

@@ -2,15 +2,34 @@
 
 use alloc::vec::Vec;
 
-use super::cells::{Cell, Node};
+use super::cells::{Cell, Node, middle};
+use crate::Scalar;
+use crate::vector::distance;
+
+/// How a polygon is cut.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Cut {
+    /// With as few triangles as possible.
+    Shortest,
+    /// With triangles that meet in the middle.
+    Middle,
+}
+
+/// Whether corners that are not next to each other may become one point, so that triangles between them would vanish.
+pub(super) fn is_crowded<S: Scalar>(points: &[[S; 3]], reach: S) -> bool {
+    let count = points.len();
+    let apart = |i: usize, j: usize| j - i >= 2 && (i, j) != (0, count - 1);
+    (0..count).any(|i| (i + 1..count).any(|j| apart(i, j) && distance(points[i], points[j]) <= reach))
+}
 
 /// Cuts the polygon of the corners around a rectangle into triangles, counter-clockwise in the parameters.
 ///
 /// Four corners are cut along the diagonal that `shorter` prefers. With one corner more, on a side, all triangles meet
-/// there; with several, in the middle of the rectangle.
+/// there; with several, or if asked for, in the middle of the rectangle.
 pub(super) fn triangles(
     cell: Cell,
     nodes: &[Node],
+    cut: Cut,
     shorter: impl FnOnce([Node; 2], [Node; 2]) -> bool,
     mut emit: impl FnMut([Node; 3]),
 ) {
@@ -20,17 +39,17 @@ pub(super) fn triangles(
             emit([nodes[apex], pair[0], pair[1]]);
         }
     };
-    match nodes.len() {
-        4 => {
+    match (nodes.len(), cut) {
+        (4, Cut::Shortest) => {
             let apex = usize::from(!shorter([nodes[0], nodes[2]], [nodes[1], nodes[3]]));
             fan(apex, &mut emit);
         }
-        5 => {
+        (5, Cut::Shortest) => {
             let is_corner = |n: &Node| (0..2).all(|c| n[c] == cell.from[c] || n[c] == cell.to[c]);
             fan(nodes.iter().position(|n| !is_corner(n)).unwrap_or(0), &mut emit);
         }
-        count => {
-            let middle = [0, 1].map(|c| cell.from[c] + (cell.to[c] - cell.from[c]) / 2);
+        (count, _) => {
+            let middle = middle(cell);
             for k in 0..count {
                 emit([middle, nodes[k], nodes[(k + 1) % count]]);
             }

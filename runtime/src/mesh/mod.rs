@@ -3,6 +3,7 @@
 mod cells;
 mod error;
 mod facets;
+mod flat;
 #[cfg(feature = "gltf")]
 mod gltf;
 mod meet;

@@ -1,6 +1,8 @@
 //! What a mesh asks of a surface, whatever its type.
 
-use crate::{BoundedSurface, Point, Point3, Scalar, Surface};
+use alloc::vec::Vec;
+
+use crate::{BoundedSurface, Point, Point3, Scalar, Surface, SurfacePiece};
 
 /// A surface without its types, on the unit square.
 pub(super) trait Patch<S> {
@@ -8,21 +10,10 @@ pub(super) trait Patch<S> {
     fn point(&self, x: [S; 2]) -> [S; 3];
     /// The unit normal, if there is one.
     fn normal(&self, x: [S; 2]) -> Option<[S; 3]>;
-    /// An upper bound of the distance between the surface and a triangle over the rectangle.
-    fn flatness(&self, from: [S; 2], to: [S; 2]) -> Flatness<S>;
-}
-
-/// How far a flat piece may be from the surface, by the part that each parameter and both together have in it.
-pub(super) struct Flatness<S> {
-    pub(super) u: S,
-    pub(super) both: S,
-    pub(super) v: S,
-}
-
-impl<S: Scalar> Flatness<S> {
-    pub(super) fn distance(&self) -> S {
-        self.u + self.both + self.v
-    }
+    /// The rational Bézier patches of the surface.
+    fn bezier(&self) -> Vec<SurfacePiece>;
+    /// The parameter in one direction of a number between 0 and 1.
+    fn parameter(&self, axis: usize, x: S) -> f64;
 }
 
 impl<T, P> Patch<P::Scalar> for T
@@ -40,12 +31,12 @@ where
         Surface::normal(self, u, v).map(components)
     }
 
-    fn flatness(&self, from: [P::Scalar; 2], to: [P::Scalar; 2]) -> Flatness<P::Scalar> {
-        let ([u0, v0], [u1, v1]) = (parameters(self, from), parameters(self, to));
-        let [uu, uv, vv] = self.second_derivative_bounds([u0, u1], [v0, v1]);
-        let (h, k) = (u1 - u0, v1 - v0);
-        let eighth = P::Scalar::of(0.125);
-        Flatness { u: uu * h * h * eighth, both: (uv + uv) * h * k * eighth, v: vv * k * k * eighth }
+    fn bezier(&self) -> Vec<SurfacePiece> {
+        self.pieces()
+    }
+
+    fn parameter(&self, axis: usize, x: P::Scalar) -> f64 {
+        parameters(self, [x; 2])[axis].to_f64()
     }
 }
 

@@ -1,10 +1,10 @@
 //! From surfaces to one mesh.
 
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Node, on_edge, unit};
-use super::facets::triangles;
+use super::cells::{Cells, Leaf, Limits, Node, Sheet, on_edge, unit};
+use super::facets::{Cut, is_crowded, triangles};
 use super::meet::meet;
 use super::orient::orient;
 use super::patch::Patch;
@@ -15,15 +15,17 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 
 /// Surfaces that become one mesh.
 ///
-/// Every triangle is nearer to its surface than the tolerance, in the middle as at its sides; this is guaranteed by
-/// bounds of the second derivatives ([`BoundedSurface`]) and not only tested at samples. Curved regions get more
-/// triangles than flat ones.
+/// Every point of a triangle is nearer to its surface than the tolerance, and every point of a surface nearer than that
+/// to the mesh; this is proved from the control points over each part ([`BoundedSurface`]) and not only tested at
+/// samples. The distance is that of points, whatever the parameters: flat regions need few triangles, also where the
+/// parameters are uneven, and a cylinder is cut around but not along its axis.
 ///
 /// Two edges that run along each other become a seam, whatever their parameters and directions, and also where a long
 /// edge meets several short ones; so do both ends of a surface that closes on itself. The triangles on both sides share
 /// their positions, and turn the same way. Edges belong together where they are no farther apart than 1/16 of the
 /// tolerance; of a pile of edges that near to each other, only those are joined for which no position moves by more
-/// than 1/8 of the tolerance. An edge that is one point becomes one position, with the normals of all directions.
+/// than 1/8 of the tolerance. An edge that is one point becomes one position, with the normals of all directions. Where
+/// joining would leave a part of a surface without triangles, it is done again with less.
 ///
 /// ```
 /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
@@ -40,20 +42,52 @@ use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 /// ```
 pub struct Tessellation<'a, S> {
     tolerance: S,
+    longest_edge: S,
+    largest_angle: S,
     patches: Vec<&'a dyn Patch<S>>,
 }
 
+/// How often edges are joined again, with a quarter of the distance each time.
+const ROUNDS: usize = 4;
+
 impl<'a, S: Scalar> Tessellation<'a, S> {
-    /// No surfaces yet; the tolerance is the largest distance of a triangle from its surface, in the unit of length.
+    /// No surfaces yet; the tolerance is the largest distance of the mesh from the surfaces, both ways, in the unit of
+    /// length.
     ///
     /// # Errors
     /// When the tolerance is not positive and finite.
     pub fn new(tolerance: S) -> Result<Self, MeshError> {
         if tolerance > S::ZERO && tolerance.is_finite() {
-            Ok(Self { tolerance, patches: Vec::new() })
+            let (longest_edge, largest_angle) = (S::INFINITY, S::INFINITY);
+            Ok(Self { tolerance, longest_edge, largest_angle, patches: Vec::new() })
         } else {
             Err(MeshError::Tolerance { value: tolerance.to_f64() })
         }
+    }
+
+    /// With triangles whose sides are no longer than this, but for diagonals, which are no longer than twice as much.
+    ///
+    /// # Errors
+    /// When the length is not positive.
+    pub fn longest_edge(mut self, length: S) -> Result<Self, MeshError> {
+        if length <= S::ZERO || length.is_nan() {
+            return Err(MeshError::Limit { value: length.to_f64() });
+        }
+        self.longest_edge = length;
+        Ok(self)
+    }
+
+    /// With triangles at whose corners the normals of the surface differ by no more than this angle in radians along
+    /// each side, for smooth shading.
+    ///
+    /// # Errors
+    /// When the angle is not positive.
+    pub fn largest_angle(mut self, angle: S) -> Result<Self, MeshError> {
+        if angle <= S::ZERO || angle.is_nan() {
+            return Err(MeshError::Limit { value: angle.to_f64() });
+        }
+        self.largest_angle = angle;
+        Ok(self)
     }
 
     /// With one surface more.
@@ -70,25 +104,60 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
     /// The mesh of all surfaces; empty without any.
     ///
     /// # Errors
-    /// When a surface is infinite or NaN, or the tolerance is so small that a surface would need millions of triangles.
+    /// When a surface is infinite or NaN, when it is a curve or a point, as a whole or in part, so that no triangles
+    /// can stand for it, or when the tolerance is so small that a surface would need millions of triangles.
     pub fn mesh(&self) -> Result<Mesh<S>, MeshError> {
         // What the seams take of the tolerance is left to them: positions that become one are nowhere farther than that
         // from it.
-        let weld = self.tolerance * S::of(0.0625);
+        let mut weld = self.tolerance * S::of(0.0625);
+        let mut lost = 0;
+        for _ in 0..ROUNDS {
+            match self.welded(weld)? {
+                Ok(mesh) => return Ok(mesh),
+                Err(surface) => lost = surface,
+            }
+            weld = weld * S::of(0.25);
+        }
+        Err(MeshError::Collapsed { surface: lost })
+    }
+
+    /// The mesh with edges joined that are no farther apart than that; or the first surface of which a part is left
+    /// without triangles.
+    fn welded(&self, weld: S) -> Result<Result<Mesh<S>, usize>, MeshError> {
         let reach = weld + weld;
         let patches = &self.patches;
+        let limits = Limits {
+            tolerance: (self.tolerance - reach).to_f64(),
+            weld: weld.to_f64(),
+            edge: self.longest_edge.to_f64(),
+            angle: self.largest_angle.to_f64(),
+        };
+        let sheets: Vec<Sheet<'_, S>> =
+            patches.iter().enumerate().map(|(k, patch)| Sheet::new(*patch, k, limits)).collect();
         let mut cells = Vec::with_capacity(patches.len());
-        for (surface, patch) in patches.iter().enumerate() {
-            cells.push(Cells::new(*patch, self.tolerance - reach, surface)?);
+        for sheet in &sheets {
+            cells.push(Cells::new(sheet)?);
         }
         let found = weld::find(patches, weld);
-        share_parameters(&mut cells, &found.seams);
-        let met = meet(patches, &mut cells, &found, self.tolerance, weld);
-        share_parameters(&mut cells, &found.seams);
+        // Until no rectangle is moved too far by the corners of its neighbours.
+        let met = loop {
+            share_parameters(&mut cells, &found.seams);
+            let met = meet(patches, &mut cells, &found, self.tolerance, weld);
+            share_parameters(&mut cells, &found.seams);
+            let mut changed = false;
+            for (sheet, cells) in sheets.iter().zip(&mut cells) {
+                while cells.refine(sheet)? {
+                    changed = true;
+                }
+            }
+            if !changed {
+                break met;
+            }
+        };
 
         let mut builder = Builder::default();
         for (surface, (patch, cells)) in patches.iter().zip(&cells).enumerate() {
-            builder.facets(surface, *patch, cells)?;
+            builder.facets(surface, *patch, cells, reach)?;
         }
         let mut classes = Classes::new(builder.points.len(), reach);
         for seam in &found.seams {
@@ -108,10 +177,13 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
             builder.join(&mut classes, a, b);
         }
         builder.join_corners(&mut classes, patches.len(), weld);
-        let mut mesh = builder.finish(&mut classes);
+        let mut mesh = match builder.finish(&mut classes) {
+            Ok(mesh) => mesh,
+            Err(surface) => return Ok(Err(surface)),
+        };
         turn(&mut mesh, patches.len());
         shade(&mut mesh);
-        Ok(mesh)
+        Ok(Ok(mesh))
     }
 }
 
@@ -154,9 +226,15 @@ impl<S> Default for Builder<S> {
 }
 
 impl<S: Scalar> Builder<S> {
-    fn facets(&mut self, surface: usize, patch: &dyn Patch<S>, cells: &Cells) -> Result<(), MeshError> {
+    fn facets(
+        &mut self,
+        surface: usize,
+        patch: &dyn Patch<S>,
+        cells: &Cells,
+        reach: S,
+    ) -> Result<(), MeshError> {
         let mut finite = true;
-        for &cell in &cells.leaves {
+        for &Leaf { cell, .. } in &cells.leaves {
             let nodes = cells.around(cell);
             let shorter = |a: [Node; 2], b: [Node; 2]| {
                 let [a, b] = [a, b].map(|ends| {
@@ -165,7 +243,9 @@ impl<S: Scalar> Builder<S> {
                 });
                 a <= b
             };
-            triangles(cell, &nodes, shorter, |triangle| {
+            let points: Vec<[S; 3]> = nodes.iter().map(|node| patch.point(node.map(unit))).collect();
+            let cut = if is_crowded(&points, reach) { Cut::Middle } else { Cut::Shortest };
+            triangles(cell, &nodes, cut, shorter, |triangle| {
                 let triangle = triangle.map(|node| self.vertex(surface, patch, node));
                 finite &= triangle.iter().all(|&v| self.points[v as usize].iter().all(|c| c.is_finite()));
                 self.triangles.push(triangle);
@@ -215,8 +295,9 @@ impl<S: Scalar> Builder<S> {
         }
     }
 
-    /// Numbers the positions and leaves out triangles that have become edges or points.
-    fn finish(self, classes: &mut Classes<S>) -> Mesh<S> {
+    /// Numbers the positions and leaves out triangles that have become edges or points. If nothing else stands for such
+    /// a triangle, the surface that has lost it.
+    fn finish(self, classes: &mut Classes<S>) -> Result<Mesh<S>, usize> {
         let mut positions = Vec::new();
         let mut number = alloc::vec![0_u32; self.points.len()];
         let mut vertices = self.vertices;
@@ -229,13 +310,40 @@ impl<S: Scalar> Builder<S> {
             // A class is known by its smallest member, which has its number already.
             vertex.position = number[class];
         }
-        let mut mesh = Mesh { positions, vertices, triangles: Vec::new() };
-        mesh.triangles = self
-            .triangles
-            .into_iter()
-            .filter(|&triangle| mesh.corners(triangle).is_some_and(|[a, b, c]| a != b && b != c && c != a))
-            .collect();
-        mesh
+        let mut mesh = Mesh { positions, vertices, triangles: Vec::with_capacity(self.triangles.len()) };
+        let mut lost = Vec::new();
+        let mut kept = BTreeSet::new();
+        for triangle in self.triangles {
+            let Some([a, b, c]) = mesh.corners(triangle) else { continue };
+            if a != b && b != c && c != a {
+                mesh.triangles.push(triangle);
+                kept.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
+            } else {
+                lost.push((triangle[0], [a.min(b).min(c), a.max(b).max(c)]));
+            }
+        }
+        let used: BTreeSet<u32> = kept.iter().flatten().copied().collect();
+        // What has become an edge must be one of a triangle, what has become a point must be a corner.
+        for (vertex, [a, b]) in lost {
+            let stands = if a == b { used.contains(&a) } else { kept.contains(&[a, b]) };
+            if !stands {
+                return Err(mesh.vertices[vertex as usize].surface as usize);
+            }
+        }
+        // A surface that is a curve has triangles without area; beside the squares of their sides that is rounding.
+        let mut areas: BTreeMap<u32, [S; 2]> = BTreeMap::new();
+        for &triangle in &mesh.triangles {
+            let Some([a, b, c]) = mesh.corner_positions(triangle) else { continue };
+            let sums = areas.entry(mesh.vertices[triangle[0] as usize].surface).or_insert([S::ZERO; 2]);
+            let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| distance(from, to));
+            let area = area_vector([a, b, c]);
+            sums[0] = sums[0] + distance(area, [S::ZERO; 3]);
+            sums[1] = sides.iter().fold(sums[1], |sum, &side| sum + side * side);
+        }
+        match areas.iter().find(|(_, [area, squares])| *area <= S::of(4.0) * S::EPSILON * *squares) {
+            Some((&surface, _)) => Err(surface as usize),
+            None => Ok(mesh),
+        }
     }
 }
 

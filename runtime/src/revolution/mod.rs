@@ -6,6 +6,7 @@ mod error;
 #[cfg(feature = "alloc")]
 mod rational;
 
+use crate::surface::partials_by_number;
 use crate::vector::{cross, direction, dot, is_finite};
 use crate::{Array, Basis, Curve, Point3, Scalar, Surface};
 #[cfg(feature = "bspline")]
@@ -135,12 +136,6 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
         self.angle == B::Scalar::of(2.0) * B::Scalar::PI
     }
 
-    /// From the centres of the circles to the points of the generatrix.
-    #[cfg(feature = "alloc")]
-    pub(crate) fn radii(&self) -> &Curve<B, P> {
-        &self.radii
-    }
-
     /// The meridian at the angle `v`: the generatrix, turned by that angle.
     pub fn meridian(&self, v: B::Scalar) -> Curve<B, P> {
         let [cos, sin] = circle::direction(v);
@@ -177,6 +172,15 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> Surface for SurfaceOfRevolution<B,
         let [cos, sin] = circle::direction(v);
         self.centres.eval(u).add_scaled(self.radii.eval(u), cos).add_scaled(self.quarters.eval(u), sin)
     }
+
+    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+        let [cos, sin] = circle::direction(v);
+        let [c, s] = [[cos, sin], [-sin, cos], [-cos, -sin], [sin, -cos]][j % 4];
+        let centre = if j == 0 { self.centres.derivative(u, i) } else { P::zero() };
+        centre.add_scaled(self.radii.derivative(u, i), c).add_scaled(self.quarters.derivative(u, i), s)
+    }
+
+    partials_by_number!();
 
     #[inline]
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {

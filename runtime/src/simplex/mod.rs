@@ -74,6 +74,10 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
     /// The name of the family in its spec, with its order.
     const NAME: &'static str;
 
+    /// The proved bounds of the rounding errors of [`values`](Self::values), one for each function; of families that
+    /// were written by hand, and without the feature `rounding`, there are none.
+    const ROUNDING: &'static [crate::Rounding] = &[];
+
     /// The degree of the functions.
     const DEGREE: usize;
 

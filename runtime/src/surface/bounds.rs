@@ -102,6 +102,12 @@ fn quotient<S: Scalar>([point, weight]: [S; 2]) -> S {
     }
 }
 
+/// The largest quotient of two components on the unit square; infinite where the second one is not positive.
+#[cfg(feature = "alloc")]
+pub(crate) fn largest_quotient<S: Scalar>(net: Net<[S; 2]>) -> S {
+    largest(net, quotient)
+}
+
 /// The number of parts of one size that are looked at for each side of a box.
 #[cfg(feature = "alloc")]
 const PARTS: usize = 500;

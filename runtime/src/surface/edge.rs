@@ -209,7 +209,9 @@ fn conormal<A: Surface>(
 where
     A::Point: Point3,
 {
-    let [[point, along_v], [along_u, _]] = surface.eval_with_partials::<2>(u, v);
+    let mut partials = [[A::Point::zero(); 2]; 2];
+    surface.partials_into(u, v, 2, partials.as_flattened_mut());
+    let [[point, along_v], [along_u, _]] = partials;
     let [width_u, width_v] = surface.domain().map(|[lo, hi]| hi - lo);
     let [along, out] = edge.derivatives(along_u.scale(width_u), along_v.scale(width_v));
     // Rounding errors have no direction.

@@ -10,9 +10,9 @@ pub(crate) mod nearest;
 #[cfg(feature = "alloc")]
 mod net;
 mod parts;
-mod rational;
 #[cfg(feature = "alloc")]
-mod second;
+mod pieces;
+mod rational;
 mod tensor;
 mod triangle;
 
@@ -20,9 +20,9 @@ pub use curvature::Curvature;
 pub use edge::{Direction, Edge, EdgeContinuity, edge_continuity};
 pub use join::JoinError;
 pub use parts::BezierPatchOf;
-pub use rational::{RationalPatchOf, RationalSurface};
 #[cfg(feature = "alloc")]
-pub use second::BoundedSurface;
+pub use pieces::{BoundedSurface, SurfacePiece};
+pub use rational::{RationalPatchOf, RationalSurface};
 pub use tensor::TensorSurface;
 
 use crate::vector::{cross, direction, largest_component, safe_unit};
@@ -33,6 +33,21 @@ use limit::{Side, limit_normal, rounding};
 ///
 /// Parameters are not clamped: outside of the rectangle the formula is continued. If a parameter is NaN so is the
 /// point.
+///
+/// A surface of your own provides three functions. All that is not marked `Self: Sized` can be asked of a
+/// `&dyn Surface<Point = P>` too:
+///
+/// ```
+/// use basis_runtime::{BernsteinBasis, Bezier, Surface, SurfaceOfRevolution, TensorSurface};
+///
+/// let linear = BernsteinBasis::<f64, 2>::new();
+/// let plane = TensorSurface::new(linear, linear, [[[0.0; 3], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]]);
+/// let cone = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 0.0], [1.0, 1.0]]), 1.0)?;
+/// let document: [Box<dyn Surface<Point = [f64; 3]>>; 2] = [Box::new(plane), Box::new(cone)];
+/// assert_eq!(document[0].normal(0.5, 0.5), Some([0.0, 0.0, 1.0]));
+/// assert_eq!(document[1].partial(0.5, 0.0, [1, 0]), [1.0, 1.0, 0.0]);
+/// # Ok::<(), basis_runtime::RevolutionError>(())
+/// ```
 pub trait Surface {
     /// The type of the points of the surface.
     type Point: Point;
@@ -43,12 +58,32 @@ pub trait Surface {
     /// The point `S(u, v)`.
     fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point;
 
+    /// The partial derivative `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` of the orders `[i, j]`; the point itself for `[0, 0]`.
+    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> Self::Point;
+
+    /// The partial derivatives `out[i * count + j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < count`; what has
+    /// no partner in `out` is left alone.
+    fn partials_into(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, count: usize, out: &mut [Self::Point]) {
+        if count > 0 {
+            for (n, out) in out.iter_mut().enumerate().take(count.saturating_mul(count)) {
+                *out = self.partial(u, v, [n / count, n % count]);
+            }
+        }
+    }
+
     /// The partial derivatives `[i][j]` = `∂ⁱ⁺ʲ S / ∂uⁱ ∂vʲ` at `(u, v)` for all `i, j < K`; `[0][0]` is the point.
     fn eval_with_partials<const K: usize>(
         &self,
         u: ScalarOf<Self>,
         v: ScalarOf<Self>,
-    ) -> [[Self::Point; K]; K];
+    ) -> [[Self::Point; K]; K]
+    where
+        Self: Sized,
+    {
+        let mut partials = [[Self::Point::zero(); K]; K];
+        self.partials_into(u, v, K, partials.as_flattened_mut());
+        partials
+    }
 
     /// The points of a grid, `out[i * vs.len() + j] = S(us[i], vs[j])`; what has no partner in `out` is left alone.
     ///
@@ -105,11 +140,14 @@ pub trait Surface {
         Self::Point: Point3,
     {
         let widths = self.domain().map(|[lo, hi]| hi - lo);
-        let first = self.eval_with_partials::<2>(u, v);
+        let mut first = [[Self::Point::zero(); 2]; 2];
+        self.partials_into(u, v, 2, first.as_flattened_mut());
         regular_normal(&first, widths).or_else(|| {
             let [u_range, v_range] = self.domain();
             let sides = [Side::of(u, u_range), Side::of(v, v_range)];
-            limit_normal(&self.eval_with_partials::<6>(u, v), widths, sides)
+            let mut partials = [[Self::Point::zero(); 6]; 6];
+            self.partials_into(u, v, 6, partials.as_flattened_mut());
+            limit_normal(&partials, widths, sides)
         })
     }
 
@@ -119,11 +157,38 @@ pub trait Surface {
         Self::Point: Point3,
     {
         let widths = self.domain().map(|[lo, hi]| hi - lo);
-        let partials = self.eval_with_partials::<3>(u, v);
+        let mut partials = [[Self::Point::zero(); 3]; 3];
+        self.partials_into(u, v, 3, partials.as_flattened_mut());
         let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
         Curvature::new(&partials, regular_normal(&first, widths)?)
     }
 }
+
+/// [`Surface::partials_into`] of a type with an `eval_with_partials` of its own: the numbers that normals and
+/// curvatures ask for go through it, others one by one.
+macro_rules! partials_by_number {
+    () => {
+        #[inline]
+        fn partials_into(&self, u: P::Scalar, v: P::Scalar, count: usize, out: &mut [P]) {
+            fn copy<P: Copy>(from: &[P], out: &mut [P]) {
+                for (out, &from) in out.iter_mut().zip(from) {
+                    *out = from;
+                }
+            }
+            match count {
+                2 => copy(self.eval_with_partials::<2>(u, v).as_flattened(), out),
+                3 => copy(self.eval_with_partials::<3>(u, v).as_flattened(), out),
+                6 => copy(self.eval_with_partials::<6>(u, v).as_flattened(), out),
+                _ => {
+                    for (n, out) in out.iter_mut().enumerate().take(count.saturating_mul(count)) {
+                        *out = self.partial(u, v, [n / count, n % count]);
+                    }
+                }
+            }
+        }
+    };
+}
+pub(crate) use partials_by_number;
 
 /// The scalar type of a surface.
 pub type ScalarOf<T> = <<T as Surface>::Point as Point>::Scalar;

@@ -3,8 +3,7 @@
 use alloc::vec::Vec;
 
 use super::TensorSurface;
-use crate::bernstein::{differentiate, restrict, split};
-use crate::domain::unit;
+use crate::bernstein::split;
 use crate::{Basis, Point, Scalar};
 
 /// The control points of a Bézier patch on the unit square, row by row.
@@ -16,6 +15,11 @@ pub(crate) struct Net<P> {
 }
 
 impl<P: Point> Net<P> {
+    /// The patch with these control points, row by row.
+    pub(crate) fn new(points: Vec<P>, columns: usize) -> Self {
+        Self { points, columns }
+    }
+
     /// The surface as a Bézier patch.
     pub(crate) fn of<U, V>(surface: &TensorSurface<U, V, P>) -> Self
     where
@@ -27,60 +31,6 @@ impl<P: Point> Net<P> {
             points.extend_from_slice(row.as_ref());
         }
         Self { points, columns: V::DEGREE + 1 }
-    }
-
-    /// The part of the surface over a rectangle of its domain, as a Bézier patch on the unit square.
-    pub(crate) fn of_part<U, V>(
-        surface: &TensorSurface<U, V, P>,
-        u: [P::Scalar; 2],
-        v: [P::Scalar; 2],
-    ) -> Self
-    where
-        U: Basis<Scalar = P::Scalar>,
-        V: Basis<Scalar = P::Scalar>,
-    {
-        let mut net = Self::of(surface);
-        let [[_, u_from], [_, u_to]] = u.map(|u| unit(U::domain(), u));
-        let [[_, v_from], [_, v_to]] = v.map(|v| unit(V::domain(), v));
-        net.on_columns(|column| restrict(column, u_from, u_to));
-        for row in net.points.chunks_mut(net.columns) {
-            restrict(row, v_from, v_to);
-        }
-        net
-    }
-
-    /// Changes every column, as a vector of its own.
-    fn on_columns(&mut self, mut change: impl FnMut(&mut Vec<P>)) {
-        let columns = self.columns;
-        let mut column = Vec::with_capacity(self.rows());
-        for j in 0..columns {
-            column.clear();
-            column.extend(self.points.iter().skip(j).step_by(columns));
-            change(&mut column);
-            for (entry, &point) in self.points.iter_mut().skip(j).step_by(columns).zip(&column) {
-                *entry = point;
-            }
-        }
-    }
-
-    /// The control points of the derivative of those orders in `u` and `v`, of lower degrees; empty for the zero patch.
-    pub(crate) fn differentiated(&self, orders: [usize; 2]) -> Self {
-        let mut net = self.clone();
-        let (mut rows, mut columns) = (net.rows(), net.columns);
-        for _ in 0..orders[0] {
-            net.on_columns(|column| {
-                differentiate(&mut column[..rows]);
-            });
-            rows = rows.saturating_sub(1);
-        }
-        for _ in 0..orders[1] {
-            for row in net.points.chunks_mut(net.columns) {
-                differentiate(&mut row[..columns]);
-            }
-            columns = columns.saturating_sub(1);
-        }
-        let kept = net.points.chunks(net.columns).take(rows).flat_map(|row| row[..columns].iter().copied());
-        Self { points: kept.collect(), columns: columns.max(1) }
     }
 
     /// The net of the same shape over `of` of each pair of points.

@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use super::partials_by_number;
 use crate::binomial::binomial;
 use crate::{Array, Basis, BernsteinOf, Point, Scalar, Surface, TensorSurface};
 
@@ -116,6 +117,35 @@ where
         }
     }
 
+    #[cfg(not(feature = "alloc"))]
+    fn high_partial(&self, _: P::Scalar, _: P::Scalar, _: [usize; 2]) -> P {
+        P::from_components(|_| P::Scalar::NAN)
+    }
+
+    /// A partial derivative of any order.
+    #[cfg(feature = "alloc")]
+    fn high_partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+        let columns = j + 1;
+        let mut partials = alloc::vec![P::zero(); (i + 1) * columns];
+        let weights: alloc::vec::Vec<P::Scalar> =
+            (0..(i + 1) * columns).map(|n| self.weight.partial(u, v, [n / columns, n % columns])).collect();
+        for n in 0..partials.len() {
+            let (r, c) = (n / columns, n % columns);
+            let mut sum = self.numerator.partial(u, v, [r, c]);
+            for a in 0..=r {
+                for b in 0..=c {
+                    if a + b > 0 {
+                        let ways = binomial::<P::Scalar>(r, a) * binomial::<P::Scalar>(c, b);
+                        let factor = ways * weights[a * columns + b];
+                        sum = sum.add_scaled(partials[(r - a) * columns + c - b], -factor);
+                    }
+                }
+            }
+            partials[n] = P::from_components(|c| sum.component(c) / weights[0]);
+        }
+        partials[i * columns + j]
+    }
+
     /// The control point `P[i][j]` with its weight; `None` outside of the net, and for a point at infinity.
     pub fn control_point(&self, i: usize, j: usize) -> Option<(P, P::Scalar)> {
         let (point, weight) = (self.numerator.control_point(i, j)?, self.weight.control_point(i, j)?);
@@ -141,6 +171,19 @@ where
         let (point, weight) = (self.numerator.eval(u, v), self.weight.eval(u, v));
         P::from_components(|c| point.component(c) / weight)
     }
+
+    /// Orders above 7 need the feature `alloc`; without it they are NaN.
+    fn partial(&self, u: P::Scalar, v: P::Scalar, [i, j]: [usize; 2]) -> P {
+        match i.max(j) {
+            0 => self.eval(u, v),
+            1 => self.eval_with_partials::<2>(u, v)[i][j],
+            2..4 => self.eval_with_partials::<4>(u, v)[i][j],
+            4..8 => self.eval_with_partials::<8>(u, v)[i][j],
+            _ => self.high_partial(u, v, [i, j]),
+        }
+    }
+
+    partials_by_number!();
 
     /// By Leibniz' rule for `N = w S`, solved for the highest derivative of `S`.
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {

@@ -2,6 +2,7 @@
 
 use core::fmt::{self, Debug, Formatter};
 
+use super::partials_by_number;
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
 use crate::{Array, Basis, Curve, Form, Point, Scalar, Surface};
@@ -108,6 +109,16 @@ where
         let weights = self.u_basis.values(u);
         combination(self.rows().iter().map(|row| row.eval(v)).zip(weights.as_ref().iter().copied()))
     }
+
+    fn partial(&self, u: P::Scalar, v: P::Scalar, orders: [usize; 2]) -> P {
+        match orders {
+            [0, 0] => self.eval(u, v),
+            [i, j] => Curve::new(self.u_basis, U::Points::from_fn(|r| self.rows()[r].derivative(v, j)))
+                .derivative(u, i),
+        }
+    }
+
+    partials_by_number!();
 
     #[inline]
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {

@@ -81,8 +81,8 @@ pub(crate) fn dot(a: P3, b: P3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// A point of an edge at a part of its length, the derivative there away from the surface (`sign` 1) or into it (−1), and
-/// the derivative along the edge.
+/// A point of an edge at a part of its length, the derivative there away from the surface (`sign` 1) or into it (−1),
+/// and the derivative along the edge.
 pub(crate) fn at_edge(surface: &BSplineSurface<P3>, edge: Edge, part: f64, sign: f64) -> (P3, P3, P3) {
     let [du, dv] = surface.domain();
     let (across, along) = if edge.across() == Direction::U { (du, dv) } else { (dv, du) };

@@ -3,8 +3,10 @@
 #![allow(unreachable_pub)]
 
 mod hostile;
+mod intersections;
 mod queries;
 #[allow(dead_code)] // shared with other tests
 #[path = "../../../tests/src/random.rs"]
 mod random;
+mod surfaces;
 mod vocabulary;

@@ -17,10 +17,10 @@ fn functions(source: &str, name: &str) -> Vec<String> {
     names.filter(|name| name != "extent").collect()
 }
 
-/// Every function of the trait has a row, every row is one, and an empty cell or a "no" has a reason.
-fn agree(head: &str, source: &str, name: &str) {
+/// Every function of the traits has a row, every row is one, and an empty cell or a "no" has a reason.
+fn agree(head: &str, traits: &[(&str, &str)]) {
     let rows = table(head);
-    assert!(rows.len() > 12, "the table {head} is there");
+    assert!(rows.len() > 8, "the table {head} is there");
     let mut listed = Vec::new();
     for row in &rows[2..] {
         assert_eq!(row.len(), rows[0].len(), "{row:?}");
@@ -30,7 +30,8 @@ fn agree(head: &str, source: &str, name: &str) {
             assert!(cell == "yes" || reason, "{row:?}: {cell}");
         }
     }
-    let mut expected = functions(source, name);
+    let mut expected: Vec<String> =
+        traits.iter().flat_map(|&(source, name)| functions(source, name)).collect();
     listed.sort();
     expected.sort();
     assert_eq!(listed, expected);
@@ -38,5 +39,12 @@ fn agree(head: &str, source: &str, name: &str) {
 
 #[test]
 fn of_curves() {
-    agree("| a curve's", include_str!("../../src/geometry/parametric.rs"), "ParametricCurve");
+    agree("| a curve's", &[(include_str!("../../src/geometry/parametric.rs"), "ParametricCurve")]);
+}
+
+#[test]
+fn of_surfaces() {
+    let [surface, bounded] =
+        [include_str!("../../src/surface/mod.rs"), include_str!("../../src/surface/pieces.rs")];
+    agree("| a surface's", &[(surface, "Surface"), (bounded, "BoundedSurface")]);
 }

@@ -2,7 +2,7 @@
 
 use basis_runtime::{
     BoundedSurface, Curve, Direction, Edge, Mesh, RationalSurface, Surface, SurfaceOfRevolution,
-    TensorSurface, Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
+    SurfacePiece, TensorSurface, Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
@@ -27,7 +27,10 @@ fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
     s.eval_grid(&[a, b, 0.0, 1.0], &[a, b], &mut grid[..3]);
     let _ =
         (s.eval_with_partials::<0>(a, b), s.eval_with_partials::<1>(a, b), s.eval_with_partials::<4>(a, b));
-    let bounds = s.second_derivative_bounds([0.25, 0.75], [0.0, 0.5]);
+    let _ = (s.partial(a, b, [0, 0]), s.partial(a, b, [1, 2]), s.partial(a, b, [9, 0]));
+    if let Some(found) = BoundedSurface::nearest(s, [a, 0.5, b], 1e300) {
+        assert!(found.distance >= found.at_least && found.at_least >= 0.0);
+    }
     let [[lo, hi], [low, high]] = s.domain();
     lo < hi
         && low < high
@@ -39,7 +42,8 @@ fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
                 || !c.gaussian().is_finite()
         })
         && (is_nan(s.eval(a, b)) || !(a.is_nan() && b.is_nan()))
-        && bounds.into_iter().all(is_length)
+        && is_box(BoundedSurface::bounding_box(s))
+        && is_box(BoundedSurface::control_box(s))
 }
 
 const TENSOR: &[Case<Tensor>] = &[
@@ -173,7 +177,18 @@ const MESH: &[Case<Mesh<f64>>] = &[
 ];
 
 /// Of a tessellation, whose functions answer with a mesh or an error, and of the features that write files.
-const OTHERS: &[&str] = &["with", "mesh", "write_obj", "write_stl", "write_gltf"];
+const OTHERS: &[&str] = &[
+    "with",
+    "mesh",
+    "longest_edge",
+    "largest_angle",
+    "write_obj",
+    "write_stl",
+    "write_gltf",
+    "polynomial",
+    "rational",
+    "degrees",
+];
 
 pub(crate) const NAMES: &[&str] = &{
     let mut names = [""; TENSOR.len() + RATIONAL.len() + REVOLVED.len() + MESH.len() + OTHERS.len()];
@@ -277,6 +292,27 @@ fn meshes() {
         }
     }
     assert_eq!(Tessellation::new(1.0).unwrap().mesh(), Ok(Mesh::default()));
+}
+
+#[test]
+fn pieces_and_options() {
+    for net in NETS {
+        let points: [P; 6] = core::array::from_fn(net);
+        for a in crate::NUMBERS {
+            let domain = [[0.0, a], [a, 1.0]];
+            assert!(
+                SurfacePiece::polynomial(domain, 2, &points).is_ok_and(|piece| piece.degrees() == [1, 2])
+            );
+            assert!(SurfacePiece::polynomial(domain, 4, &points).is_err());
+            let rational = SurfacePiece::rational(domain, 3, &points, &[1.0, a, 1.0, 1.0, 2.0, 3.0]);
+            assert_eq!(rational.is_ok(), a > 0.0 && a.is_finite());
+        }
+    }
+    for a in crate::NUMBERS {
+        let tessellation = || Tessellation::new(1.0).unwrap();
+        assert_eq!(tessellation().longest_edge(a).is_ok(), a > 0.0);
+        assert_eq!(tessellation().largest_angle(a).is_ok(), a > 0.0);
+    }
 }
 
 /// Put together by hand, with indices that do not exist and positions that are not numbers.

@@ -290,6 +290,9 @@ impl<S: basis_runtime::Scalar> basis_runtime::Basis for Bell<S> {
 /// # Functions
 ///
 /// ```text
+/// permute b[2, 0, 0] = u^2 + (2 - κ)/2*u*(v + w)
+/// permute b[1, 1, 0] = κ*u*v
+///
 /// b[0,0,2] = 1/2*(2 - κ*u - κ*v)*w
 /// b[0,1,1] = κ*v*w
 /// b[0,2,0] = 1/2*(2 - κ + κ*v)*v

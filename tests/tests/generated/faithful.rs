@@ -1,10 +1,12 @@
-//! The steps of the engine are what the compiled code does: interpreted in `f32` and `f64` they give the same floats, bit
-//! for bit but for the sign of a zero, and exactly they give the functions of the spec.
+//! The steps of the engine are what the compiled code does: interpreted in `f32` and `f64` they give the same floats,
+//! bit for bit but for the sign of a zero, and exactly they give the functions of the spec.
 
 use basis_engine::algebra::rational::Rational;
 use basis_engine::plan::Input;
-use basis_engine::steps::{FamilySteps, Number, Step, Steps};
-use basis_runtime::{Array, Basis, Curve, FUSED_HERE, Scalar};
+use basis_engine::steps::{FamilySteps, JoinSteps, Number, Step, Steps};
+use basis_engine::theorem::theorems;
+use basis_engine::{Disk, Library, Prover, Subject, source};
+use basis_runtime::{Array, Basis, Curve, FUSED_HERE, Scalar, basis};
 use basis_tests::exact::{Reference, fraction};
 use basis_tests::families::Shipped;
 use basis_tests::patches::{ShippedPatch, exact};
@@ -193,6 +195,48 @@ fn steps_do_what_compiled_patches_do() {
     }
 }
 
+basis!(library "quadratic", G1, G2);
+
+/// The steps of a join on scalars in the order of the declaration, and one component of the three points of P.
+fn joins<S: Scalar + Number>(
+    name: &str,
+    scalars: &[&str],
+    compiled: impl Fn(&[S; 3], &[S]) -> Vec<S>,
+    random: &mut Random,
+) {
+    let path = basis_tests::spec("quadratic.basis").to_string_lossy().into_owned();
+    let source = source::read(&Disk, &path, &[]).expect("readable");
+    let library = Library::from_source(&Disk, &Prover, source);
+    let items = theorems(&library);
+    let item = items.iter().find(|item| item.subject.name() == name).expect("a join");
+    let Subject::Theorem(theorem) = &item.subject else { panic!("a join") };
+    let join = JoinSteps::new(theorem).expect("linear in the points");
+    assert_eq!(join.scalars.iter().map(|scalar| scalar.name.as_str()).collect::<Vec<_>>(), scalars);
+    are_tidy(&join.steps);
+    for _ in 0..200 {
+        let points: [S; 3] = core::array::from_fn(|_| random.between(-1.0, 1.0));
+        let shape: Vec<S> = scalars.iter().map(|_| random.between(0.0625, 0.9375)).collect();
+        let given: Vec<S> = join.given.iter().map(|k| points[theorem.points[*k].index[0] as usize]).collect();
+        let inputs = Inputs { shape: &shape, points: &given, ..Inputs::default() };
+        inputs.same(&join.steps, &compiled(&points, &shape), &|| format!("{name} at {shape:?}, {points:?}"));
+    }
+}
+
+#[test]
+fn steps_do_what_compiled_joins_do() {
+    fn both<S: Scalar + Number>() {
+        let random = &mut Random::new(75);
+        let g1 = |p: &[S; 3], x: &[S]| quadratic::g1(p, x[0], x[1], x[2]).expect("finite").to_vec();
+        joins("G1", &["λ1", "λ2", "δ"], g1, random);
+        let g2 = |p: &[S; 3], x: &[S]| quadratic::g2(p, x[0], x[1], x[2], x[3]).expect("finite").to_vec();
+        joins("G2", &["λ1", "λ2", "δ", "c"], g2, random);
+    }
+    if comparable() {
+        both::<f32>();
+        both::<f64>();
+    }
+}
+
 /// The exact inputs that floats are.
 fn exactly<S: Scalar>(inputs: &Inputs<'_, S>, steps: &Steps) -> Vec<Rational> {
     steps.evaluate(|input| fraction(inputs.get(input))).expect("no pole")
@@ -255,13 +299,9 @@ fn steps_mean_the_formulas_of_the_spec() {
 fn steps_of_any_family_mean_its_formulas() {
     let text = "family Odd { domain 1/3 <= t <= 7/5; shape 1/7 <= α <= 3; shape 0 < β;
         b[0] = (7/5 - t)^3*(t - 1/3)*(1/10 + α*t)/(1 + α*β); b[1] = α^2*β*t^5 - 2/3*t; b[2] = 5/9; }";
-    let library = basis_engine::Library::from_source(
-        &basis_engine::Disk,
-        &basis_engine::Prover,
-        basis_engine::Source::text("odd.basis", text),
-    );
+    let library = Library::from_source(&Disk, &Prover, basis_engine::Source::text("odd.basis", text));
     let item = library.item("Odd", &[]).expect("a family");
-    let basis_engine::Subject::Family(family) = item.subject else { panic!("a family") };
+    let Subject::Family(family) = item.subject else { panic!("a family") };
     let reference = Reference { family };
     let steps = FamilySteps::new(&reference.family).expect("it is small");
     let shape = [0.75, 2.5];

@@ -11,6 +11,7 @@ use basis_prover::collections::list::{Listed, Mapped};
 pub(in crate::generate) fn family(
     family: &Family,
     formulas: &[String],
+    rounding: &[String],
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Vec<String> {
@@ -23,6 +24,10 @@ pub(in crate::generate) fn family(
         lines.extend([String::new(), format!("Generated for {}.", values.join(", "))]);
     }
     lines.extend(["", "# Functions", "", "```text"].map(String::from));
+    if !family.written.is_empty() {
+        lines.extend(family.written.iter().cloned());
+        lines.push(String::new());
+    }
     lines.extend(formulas.iter().cloned());
     lines.push(String::from("```"));
     lines.push(String::new());
@@ -36,6 +41,7 @@ pub(in crate::generate) fn family(
     ranges.extend(family.shapes.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
     ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
+    lines.extend(rounding.iter().cloned());
     if !verdicts.is_empty() {
         lines.extend(claims(verdicts, decided));
     }

@@ -13,14 +13,13 @@ use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Constraint;
 use crate::model::formula::numbers::range_of;
-use crate::model::formula::phase::{Linear, is_transcendental};
+use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
+use crate::model::words::{PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
-
-/// The name of the number.
-pub(crate) const PI: [&str; 2] = ["pi", "π"];
+use basis_prover::collections::map::SortedMap;
 
 /// Whether sin, cos, exp and the like, or π, occur in a family, or a shape parameter at an end of the domain.
 pub(super) fn occur(written: &syntax::Family) -> bool {
@@ -83,7 +82,10 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
                 relation.chain.iter().for_each(|(_, side)| with(side));
             }
             StatementKind::Let(def) => with(&def.value),
-            StatementKind::Function(def) | StatementKind::Raise(def) => with(&def.value),
+            StatementKind::Function(def) | StatementKind::Raise(def) => {
+                with(&def.value);
+                def.further.iter().for_each(&mut *with);
+            }
             StatementKind::Base(_, functions) => functions.iter().for_each(|def| with(&def.value)),
             StatementKind::Claim(claim) => match &claim.kind {
                 ClaimKind::Relation(r) => sides(r, with),
@@ -188,25 +190,15 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
     probe.recorded = Some(Vec::new());
-    super::names::plan(&mut probe, written);
-    super::functions::define(&mut probe, written);
-    probe.stage = Stage::Complete;
     let mut places = Vec::new();
-    for statement in &written.statements {
-        let StatementKind::Claim(claim) = &statement.kind else { continue };
-        match &claim.kind {
-            ClaimKind::Relation(relation) => probe_relation(&mut probe, relation),
-            ClaimKind::At(bindings, relations) => {
-                for Binding { name, value, .. } in bindings {
-                    let var = probe.variable(&name.text);
-                    places.extend(var.zip(probe.scalar(value)));
-                }
-                for relation in relations {
-                    probe_relation(&mut probe, relation);
-                }
-            }
-            _ => {}
-        }
+    // The angles are the same on all spans, so that their tangents can be compared.
+    for k in 0..scope.span.map_or(1, |(_, count)| count) {
+        probe.span = scope.span.map(|(_, count)| (k, count));
+        probe.functions = SortedMap::new();
+        probe.planned_functions = SortedMap::new();
+        probe.defined = SortedMap::new();
+        probe.lets = SortedMap::new();
+        probe_claims(&mut probe, written, &mut places);
     }
     let mut uses = Uses::default();
     for Argument { circular, value, span } in probe.recorded.unwrap_or_default() {
@@ -230,6 +222,30 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         }
     }
     uses
+}
+
+/// Evaluates the functions and the claims of a family; the values that `at` gives to variables.
+fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, places: &mut Vec<(Var, Fraction)>) {
+    probe.stage = Stage::Defining;
+    super::names::plan(probe, written);
+    super::functions::define(probe, written);
+    probe.stage = Stage::Complete;
+    for statement in &written.statements {
+        let StatementKind::Claim(claim) = &statement.kind else { continue };
+        match &claim.kind {
+            ClaimKind::Relation(relation) => probe_relation(probe, relation),
+            ClaimKind::At(bindings, relations) => {
+                for Binding { name, value, .. } in bindings {
+                    let var = probe.variable(&name.text);
+                    places.extend(var.zip(probe.scalar(value)));
+                }
+                for relation in relations {
+                    probe_relation(probe, relation);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// Evaluates the sides of a claim for all values of its index variables.
@@ -283,7 +299,9 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     let mut simplex = false;
     for statement in &written.statements {
         match &statement.kind {
-            StatementKind::Domain(decls) => domain.extend(decls.iter().map(|d| (d, &statement.doc[..]))),
+            StatementKind::Domain(decls) => {
+                domain.extend(super::build::of_span(scope, decls).iter().map(|d| (d, &statement.doc[..])));
+            }
             StatementKind::Simplex(_) => simplex = true,
             _ => {}
         }
@@ -646,6 +664,7 @@ fn linear(
         shift: Rational::ZERO,
         low: first.clone(),
         width,
+        limits: [first.clone(), last.clone()],
         ends: [low.text.clone(), high.text.clone()],
         declared: declared(name, limits),
         mirror: Vec::new(),
@@ -818,6 +837,9 @@ fn angle(
         shift,
         low: Fraction::zero(),
         width: one.clone(),
+        limits: [0, 1].map(|k| {
+            limits[k].as_ref().and_then(|l| sum_of(scope, &l.value, count)).unwrap_or_else(Fraction::zero)
+        }),
         ends: [0, 1].map(|k| limits[k].as_ref().map_or_else(String::new, |l| l.text.clone())),
         declared: declared(name, limits),
         mirror: Vec::new(),

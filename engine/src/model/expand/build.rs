@@ -2,12 +2,12 @@
 
 use proc_macro2::Span;
 
-use super::{angles, claims, functions, indices, names, shapes};
+use super::{angles, claims, functions, indices, names, shapes, spans};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Place};
 pub(super) use crate::model::formula::numbers::checked_range;
 use crate::model::formula::numbers::{budget_value, range_of};
 use crate::model::scope::{Scope, Stage};
@@ -24,7 +24,22 @@ pub(crate) fn family<'a>(
     written: &'a syntax::Family,
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
+    match spans::spans(written) {
+        Some(decls) => spans::family(library, (unit, source), written, order, decls),
+        None => piece(library, (unit, source), written, order, None),
+    }
+}
+
+/// Expands a family of one order on one span; `span` is its number among how many.
+pub(super) fn piece<'a>(
+    library: &'a Library<'a>,
+    (unit, source): (usize, SourceId),
+    written: &'a syntax::Family,
+    order: &[i64],
+    span: Option<(usize, usize)>,
+) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
+    scope.span = span;
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).listed();
     scope.order = scope.constants.len();
     names::plan(&mut scope, written);
@@ -87,8 +102,10 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         dependent,
         analytic: scope.analytic.clone(),
         function_name: scope.function_name.clone(),
+        written: lines_of_functions(scope, written, functions.len()),
         functions,
         over,
+        pieces: Vec::new(),
         base: core::mem::take(&mut scope.base),
         obligations: Vec::new(),
         budget,
@@ -107,7 +124,9 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
 fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> Option<Poly> {
     let rational = |f: &Function| scope.is_over_domain(&Fraction::from(f.value.denom().clone()));
     let mut over = Fraction::constant(Rational::ONE);
-    if !functions.iter().any(rational) {
+    // On several spans a function has one factor on all of them.
+    let several = scope.span.is_some() && functions.iter().any(|f| f.value.as_poly().is_none());
+    if !several && !functions.iter().any(rational) {
         return Some(Poly::one());
     }
     for f in functions {
@@ -117,6 +136,11 @@ fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> 
         over = scope.fits(scope.budget.mul(&over, &Fraction::from(rest.numer().clone())), span)?;
     }
     Some(over.numer().normalized())
+}
+
+/// The range of the span that is expanded.
+pub(super) fn of_span<'d>(scope: &Scope<'_>, decls: &'d [RangeDecl]) -> &'d [RangeDecl] {
+    scope.span.and_then(|(k, _)| decls.get(k..=k)).unwrap_or(decls)
 }
 
 /// The independent domain variables, and the last barycentric coordinate of a simplex.
@@ -141,7 +165,10 @@ pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
             continue;
         }
         let domain = match &statement.kind {
-            StatementKind::Domain(decls) => intervals(scope, decls, &statement.doc).map(|list| (list, None)),
+            StatementKind::Domain(decls) => {
+                let decls = of_span(scope, decls);
+                intervals(scope, decls, &statement.doc).map(|list| (list, None))
+            }
             StatementKind::Simplex(names) => simplex(scope, names, &statement.doc),
             _ => None,
         };
@@ -257,4 +284,30 @@ fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
     names::attempt(scope, &mut |scope| {
         range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
     })
+}
+
+/// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its own, or the spec
+/// is no text.
+fn lines_of_functions(scope: &Scope<'_>, written: &syntax::Family, functions: usize) -> Vec<String> {
+    /// More lines explain nothing.
+    const MOST: usize = 40;
+    let defines =
+        |s: &&syntax::Statement| matches!(s.kind, StatementKind::Function(_) | StatementKind::Raise(_));
+    let statements = written.statements.iter().filter(defines).listed();
+    let mut lines = Vec::new();
+    if statements.len() == functions {
+        return lines;
+    }
+    let text = scope.library.sources().get(scope.source).text.as_deref().unwrap_or_default();
+    for statement in statements {
+        let Place::Text(_, range) = scope.place(statement.span) else { return Vec::new() };
+        let statement = text.get(range).unwrap_or_default();
+        for (k, line) in statement.trim_end_matches(';').lines().enumerate() {
+            let line = line.trim();
+            let indent = if k == 0 || line == "}" { "" } else { "    " };
+            lines.push(format!("{indent}{line}"));
+        }
+    }
+    // A fence would end the block in which the lines are shown.
+    if lines.len() > MOST || lines.iter().any(|line| line.contains("```")) { Vec::new() } else { lines }
 }

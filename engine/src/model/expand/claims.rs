@@ -1,8 +1,10 @@
 //! From claims as they are written to exact differences.
 
+use std::rc::Rc;
+
 use proc_macro2::Span;
 
-use super::names;
+use super::{names, spans};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
@@ -24,7 +26,24 @@ pub(crate) fn claims<'a>(
     written: &'a syntax::Family,
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
+    if family.pieces.is_empty() {
+        on_span(library, unit, written, family, None)
+    } else {
+        spans::claims(library, unit, written, family)
+    }
+}
+
+/// The claims of a family on one span, which has a number among those of all.
+pub(super) fn on_span<'a>(
+    library: &'a Library<'a>,
+    unit: usize,
+    written: &'a syntax::Family,
+    family: &Family,
+    spans: Option<(usize, &[Rc<Family>])>,
+) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
+    scope.span = spans.map(|(k, all)| (k, all.len()));
+    scope.siblings = spans.map(|(_, all)| (all.to_vec(), written));
     set_known_factors(family.analytic.denominators());
     names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
@@ -138,6 +157,47 @@ fn property(
             (String::from("partition_of_unity"), ClaimKind::PartitionOfUnity)
         }
         syntax::ClaimKind::Nonnegative => (String::from("nonnegative"), ClaimKind::Nonnegative),
+        syntax::ClaimKind::Symmetric if scope.span.is_some() => {
+            let (k, _) = scope.span?;
+            let pieces = scope.siblings.as_ref().map(|(pieces, _)| &pieces[..])?;
+            if !spans::are_symmetric(pieces) {
+                let error = scope.error(span, "`symmetric` needs spans that are symmetric, without angles");
+                scope.report(error.help("claim equations on the spans"));
+                return None;
+            }
+            if k > 0 {
+                return None; // said on the first span for all
+            }
+            (String::from("symmetric"), ClaimKind::Symmetric)
+        }
+        syntax::ClaimKind::Independent(_) if scope.span.is_some_and(|(k, _)| k > 0) => return None,
+        syntax::ClaimKind::Continuity(..) if scope.span.is_some() => {
+            let error = scope.error(span, "`continuity` is about segments of one span");
+            scope.report(error.help("write `smooth(1)` for continuous derivatives at the inner knots"));
+            return None;
+        }
+        syntax::ClaimKind::Smooth(order) => {
+            let Some((k, _)) = scope.span else {
+                let error = scope.error(span, "`smooth` is about the inner knots of several spans");
+                scope.report(
+                    error.help(
+                        "name the domain variable once for each span: `domain 0 <= x <= 1, 1 <= x <= 3;`",
+                    ),
+                );
+                return None;
+            };
+            let value = scope.whole(order, "the number of continuous derivatives")?;
+            let Some(order) = u32::try_from(value).ok().filter(|k| *k <= crate::model::budget::MAX_DEGREE)
+            else {
+                let error = scope.error(order.span, format!("{value} continuous derivatives make no sense"));
+                scope.report(error.help("write a number from 0 to the degree"));
+                return None;
+            };
+            if k > 0 {
+                return None; // said on the first span for all
+            }
+            (format!("smooth({order})"), ClaimKind::Smooth(order))
+        }
         syntax::ClaimKind::Symmetric | syntax::ClaimKind::Continuity(..) if family.leaves_an_end_out() => {
             let name =
                 if matches!(written, syntax::ClaimKind::Symmetric) { "symmetric" } else { "continuity" };
@@ -158,7 +218,7 @@ fn property(
             (text, ClaimKind::Independent(except))
         }
         syntax::ClaimKind::TotallyPositive => {
-            if family.interval().is_none() {
+            if family.interval().is_none() || scope.span.is_some() {
                 let error = scope.error(span, "`totally_positive` is about functions on one interval");
                 scope.report(error.help("claim it of the factors of functions on a box"));
                 return None;
@@ -190,6 +250,28 @@ fn property(
                 joint = neighbour(scope, family, next, order, span)?;
             }
             (text, ClaimKind::Continuity(joint))
+        }
+        #[cfg(not(any(test, feature = "rounding")))]
+        syntax::ClaimKind::Rounding(_) => {
+            let error = scope.error(
+                span,
+                "claims about rounding need the feature `rounding` of basis-runtime, which is off",
+            );
+            scope
+                .report(error.help(
+                    "switch it on in `Cargo.toml`: `basis-runtime = { …, features = [\"rounding\"] }`",
+                ));
+            return None;
+        }
+        #[cfg(any(test, feature = "rounding"))]
+        syntax::ClaimKind::Rounding(bound) => {
+            let value = scope.number(bound, "a bound of rounding errors")?;
+            if !value.is_positive() {
+                let error = scope.error(bound.span, "a bound of rounding errors is a positive number of ε");
+                scope.report(error.help("`basis explain` shows the bound that can be proved"));
+                return None;
+            }
+            (format!("rounding <= {value}"), ClaimKind::Rounding(value))
         }
         syntax::ClaimKind::Relation(_) | syntax::ClaimKind::At(..) => return None,
     })
@@ -413,6 +495,9 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
             assumable: false,
         };
         let place = scope.place(binding.value.span);
+        if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range) {
+            return None;
+        }
         match value.as_constant() {
             Some(c) if !parameter.range.contains(&c) => {
                 scope.report(inside.outside(&c, place));
@@ -475,6 +560,9 @@ fn fixed_angle(
     };
     let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
     let declared = family.declared(parameter);
+    if scope.is_domain_variable(angle.var) && scope.lies_elsewhere(&y, &parameter.range) {
+        return None;
+    }
     match y.as_constant() {
         Some(c) if !parameter.range.contains(&c) => {
             let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);

@@ -17,7 +17,9 @@ pub(super) fn evaluate(scope: &mut Scope<'_>, index: &[i64]) -> bool {
     let (def, own) = (*def, own.clone());
     let depth = scope.constants.len();
     scope.constants.extend(constants.iter().cloned());
-    let value = scope.scalar(&def.value);
+    // The formula of the span.
+    let further = scope.span.and_then(|(k, _)| def.further.get(k.checked_sub(1)?));
+    let value = scope.scalar(further.unwrap_or(&def.value));
     scope.constants.truncate(depth);
     let Some(value) = value else { return false };
     if def.permute {

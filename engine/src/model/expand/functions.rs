@@ -20,6 +20,7 @@ use basis_prover::collections::sort::sort_by;
 /// those of a lowest order: then a statement sees what those before it define.
 pub(crate) fn define<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) {
     name_functions(scope, written);
+    check_spans(scope, written);
     for (count, def) in names::names(written).enumerate() {
         if !scope.has_room(count, def.name.span) {
             scope.cut_short = true;
@@ -395,4 +396,22 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
         return None;
     }
     Some(indices)
+}
+
+/// Several formulas belong to several spans, and to functions without recursion.
+fn check_spans(scope: &mut Scope<'_>, written: &syntax::Family) {
+    for statement in &written.statements {
+        let (def, plain) = match &statement.kind {
+            StatementKind::Function(def) => (def, true),
+            StatementKind::Raise(def) => (def, false),
+            _ => continue,
+        };
+        if !def.further.is_empty() && (scope.span.is_none() || !plain) {
+            let error = scope.error(def.name.span, "several formulas for one span");
+            scope.report(
+                error.help("name the domain variable once for each span: `domain 0 <= x <= 1, 1 <= x <= 3;`"),
+            );
+            scope.cut_short = true;
+        }
+    }
 }

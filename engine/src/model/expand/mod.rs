@@ -8,5 +8,6 @@ pub(crate) mod claims;
 mod function;
 mod functions;
 mod indices;
-mod names;
+pub(crate) mod names;
 mod shapes;
+pub(crate) mod spans;

@@ -102,6 +102,12 @@ impl Scope<'_> {
                 return None;
             }
         };
+        if !family.pieces.is_empty() {
+            let error =
+                self.error(span, format!("`{name}` has several spans: its functions cannot be named here"));
+            self.report(error.help("write their formulas"));
+            return None;
+        }
         if !family.analytic.is_empty() {
             let error = self.error(
                 span,

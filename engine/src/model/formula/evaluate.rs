@@ -9,11 +9,9 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
 use crate::model::budget::TooLarge;
-use crate::model::expand::angles::PI;
-use crate::model::formula::phase::is_transcendental;
 use crate::model::label;
 use crate::model::scope::{Duty, Needed, Pending, Planned, Scope, Stage};
-use crate::model::words::BUILTINS;
+use crate::model::words::{BUILTINS, PI, is_transcendental};
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -588,6 +586,11 @@ impl Scope<'_> {
     /// The function with arguments in place of the domain variables; they may leave the domain, but not come upon a
     /// zero of its denominator.
     fn at_arguments(&mut self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
+        if self.span.is_some() {
+            let error = self.error(span, "a function on several spans has no argument");
+            self.report(error.help("claim what holds at a point: `at x = 2 { … }`"));
+            return None;
+        }
         let (mut vars, mut values) = (Vec::new(), Vec::new());
         for (var, value) in self.domain.iter().zip(by) {
             let Some(angle) = self.analytic.angle(*var) else {

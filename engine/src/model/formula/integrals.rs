@@ -10,7 +10,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
-use crate::model::scope::Scope;
+use crate::model::expand::names;
+use crate::model::scope::{Scope, Stage};
 use crate::plural::here;
 use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::Listed;
@@ -26,6 +27,12 @@ const LEAVES: &str = "integrals of polynomials are exact; multiply by what stand
 impl Scope<'_> {
     /// integral(f), integral(f, t, a, b).
     pub(crate) fn integral(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        if self.span.is_some()
+            && arguments.len() == 1
+            && (self.siblings.is_some() || self.stage == Stage::Defining)
+        {
+            return self.over_spans(arguments, span);
+        }
         let (f, bounds) = match arguments {
             [f] => (f, None),
             [f, variable, low, high] => (f, Some((self.integrated(variable)?, low, high))),
@@ -92,6 +99,48 @@ impl Scope<'_> {
                 Some(Value::List(result))
             }
         }
+    }
+
+    /// The integral over several spans, the sum of those over each.
+    fn over_spans(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
+        let Some((pieces, written)) = self.siblings.clone() else {
+            let error = self.error(span, "an integral over several spans stands in claims only");
+            self.report(error.help("write the number that it is"));
+            return None;
+        };
+        let mut sum: Option<Value> = None;
+        for (k, piece) in pieces.iter().enumerate() {
+            let mut scope = Scope::of_family(self.library, self.unit, piece);
+            scope.span = Some((k, pieces.len()));
+            scope.constants.clone_from(&self.constants);
+            scope.order = self.order;
+            scope.arguments.clone_from(&self.arguments);
+            names::plan(&mut scope, written);
+            for def in names::names(written) {
+                names::declare(&mut scope, &def.name);
+                names::force(&mut scope, &def.name.text);
+            }
+            let value = scope.integral(arguments, span);
+            for error in scope.diagnostics.into_inner().into_list() {
+                self.report(error);
+            }
+            let value = value?;
+            sum = Some(match (sum, value) {
+                (None, value) => value,
+                (Some(Value::Scalar(a)), Value::Scalar(b)) => {
+                    Value::Scalar(self.fits(self.budget.add(&a, &b), span)?)
+                }
+                (Some(Value::List(a)), Value::List(b)) => {
+                    let mut list = Vec::new();
+                    for ((index, x), (_, y)) in a.into_iter().zip(b) {
+                        list.push((index, self.fits(self.budget.add(&x, &y), span)?));
+                    }
+                    Value::List(list)
+                }
+                _ => return None,
+            });
+        }
+        sum
     }
 
     /// The variable of an integral.

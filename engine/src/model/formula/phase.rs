@@ -10,7 +10,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Kind, multiple_of_pi};
 use crate::model::scope::{Argument, Scope};
-use crate::model::words::{CIRCULAR, HYPERBOLIC};
+use crate::model::words::CIRCULAR;
 use crate::syntax::Expr;
 use basis_prover::collections::list::Mapped;
 
@@ -316,9 +316,4 @@ fn special(name: &str, linear: &Linear) -> Option<Rational> {
         "cos" => sin(sixths + 3),
         _ => None,
     }
-}
-
-/// Whether a name is that of a function that this file is about.
-pub(crate) fn is_transcendental(name: &str) -> bool {
-    CIRCULAR.contains(&name) || HYPERBOLIC.contains(&name)
 }

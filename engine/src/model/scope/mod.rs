@@ -7,17 +7,15 @@ use proc_macro2::Span;
 
 use super::angle::Analytic;
 use super::budget::{Budget, SPLIT, TooLarge};
-use super::expand::angles::PI;
 use super::formula::Value;
 use super::obligation::Obligation;
-use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC};
+use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC, PI, is_transcendental};
 use super::{Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Diagnostics, Place, grouped};
-use crate::model::formula::phase::is_transcendental;
 use crate::source::SourceId;
 use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -131,6 +129,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) dependent: Option<Var>,
     /// What goes beyond quotients of polynomials: angles, π.
     pub(crate) analytic: Analytic,
+    /// Which of several spans is expanded, and how many there are.
+    pub(crate) span: Option<(usize, usize)>,
+    /// The families on all spans, once they are expanded, with the text of the family.
+    pub(crate) siblings: Option<(Vec<std::rc::Rc<Family>>, &'a crate::syntax::Family)>,
     /// The arguments of sin, cos, exp and the like, while only these are looked for.
     pub(crate) recorded: Option<Vec<Argument>>,
     pub(crate) function_name: String,
@@ -411,6 +413,8 @@ impl Scope<'_> {
             ends: Vec::new(),
             dependent: None,
             analytic: Analytic::default(),
+            span: None,
+            siblings: None,
             recorded: None,
             function_name: String::new(),
             functions: SortedMap::new(),

@@ -42,7 +42,8 @@ pub struct Table {
 /// Of shape values in several parts, or in the image of a box, the same is said of the boxes; `None` where an exception
 /// cannot be said with values of their variables.
 pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
-    let Table { rows, symmetries } = coefficient_table(family);
+    let Table { rows, symmetries } =
+        if family.pieces.is_empty() { coefficient_table(family) } else { table_of_spans(family) };
     let first = except.iter().flatten().map(|(var, _)| *var).listed();
     let pieces = family.pieces(&[], &first, true);
     let mut all = Vec::new();
@@ -55,7 +56,7 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
         let region = piece.domain().region;
         let statement = Statement::Independent { rows, except: own, region };
         let of = super::on_part(COEFFICIENTS, number, pieces.len());
-        let stated = Stated { of, statement, symmetries: symmetries.clone() };
+        let stated = Stated { of, statement, symmetries: symmetries.clone(), is_stronger: false };
         all.push(Said { stated, of: String::from(COEFFICIENTS), piece: piece.clone() });
     }
     Some(all)
@@ -92,6 +93,17 @@ fn pulled_back(values: &Values, piece: &Piece) -> Option<Vec<Values>> {
         known = longer;
     }
     Some(known)
+}
+
+/// The tables of all spans beside one another.
+fn table_of_spans(family: &Family) -> Table {
+    let mut rows: Vec<Vec<Poly>> = vec![Vec::new(); family.functions.len()];
+    for piece in &family.pieces {
+        for (row, more) in rows.iter_mut().zip(coefficient_table(piece).rows) {
+            row.extend(more);
+        }
+    }
+    Table { rows, symmetries: Symmetries::new() }
 }
 
 /// The coefficients of the numerators of all functions, one row for each; denominators vanish nowhere. On an

@@ -2,7 +2,11 @@
 
 mod identity;
 mod independent;
+mod ladder;
 mod point;
+#[cfg(any(test, feature = "rounding"))]
+mod rounding;
+mod spans;
 mod total;
 
 use std::rc::Rc;
@@ -29,13 +33,19 @@ pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
 pub use independent::{Table, coefficient_table};
+#[cfg(any(test, feature = "tools"))]
+pub use rounding::point_error;
+#[cfg(any(test, feature = "rounding"))]
+pub use rounding::value_errors;
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     Some(match kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
+        ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
         ClaimKind::Continuity(joint) => identity::continuity(family, joint),
+        ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
             functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
@@ -65,7 +75,9 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     let all = said(family, claim)?.into_iter();
     let counts = |said: &Said| {
         let independent = matches!(said.stated.statement, Statement::Independent { .. });
-        (!independent || said.piece.is_exact()) && !is_wider(family, &said.stated.statement)
+        (!independent || said.piece.is_exact())
+            && !said.stated.is_stronger
+            && !is_wider(family, &said.stated.statement)
     };
     Some(all.filter(counts).map(|said| said.stated).listed())
 }
@@ -73,6 +85,10 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
 /// What a claim says of each part of the points.
 fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     let kind = &claim.kind;
+    if let ClaimKind::Spans(parts) = kind {
+        let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
+        return Some(spans::statements(family, claim, parts)?.into_iter().map(plain).listed());
+    }
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         return independent::said(family, except);
@@ -86,6 +102,11 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
             Rc::make_mut(domain).region.ranges.extend(free.iter().map(|p| (p.var, p.range.clone())));
         }
     }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = kind {
+        let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
+        return Some(rounding::statements(family, epsilons)?.into_iter().map(plain).listed());
+    }
     let comparison = |k: usize| match kind {
         ClaimKind::Nonnegative => Comparison::GreaterEqual,
         ClaimKind::Relation { differences, .. } => differences[k].0,
@@ -96,6 +117,19 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     for (number, part) in parts.iter().enumerate() {
         for (k, (of, value)) in expressions.iter().enumerate() {
             let comparison = comparison(k);
+            let beside = basis_prover::working(family.budget, &mut |work| {
+                Some(ladder::steps(family, of, value, comparison, work))
+            });
+            if let Some(steps) = beside.flatten() {
+                for ladder::Step { of, value, comparison } in steps {
+                    let (of, value) = without_numbers(family, of, value);
+                    let label = on_part(&of, number, parts.len());
+                    let stated = Stated::new(label, compared_on(&value, comparison, part));
+                    let stated = Stated { is_stronger: true, ..stated };
+                    all.push(Said { stated, of, piece: part.0.clone() });
+                }
+                continue;
+            }
             let (of, value) = if comparison == Comparison::Equal {
                 (of.clone(), value.clone())
             } else {
@@ -166,6 +200,13 @@ const WIDER: &str =
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
+    if let ClaimKind::Spans(parts) = &claim.kind {
+        return spans::decide(family, claim, parts);
+    }
+    #[cfg(any(test, feature = "rounding"))]
+    if let ClaimKind::Rounding(epsilons) = &claim.kind {
+        return rounding::decide(family, epsilons);
+    }
     let Some(said) = said(family, claim) else {
         return match claim.kind {
             ClaimKind::TotallyPositive => not_total(family),
@@ -175,10 +216,14 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     };
     let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
     let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
+    let stronger: Vec<String> =
+        said.iter().filter(|s| s.stated.is_stronger).map(|s| s.stated.of.clone()).listed();
     match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
         Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
-        Err((of, Failure::Refuted(found))) if is_wider(family, found.refutation.statement()) => {
+        Err((of, Failure::Refuted(found)))
+            if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
+        {
             Verdict::Undecided(format!("`{of}`: {WIDER}"))
         }
         Err((label, Failure::Refuted(found))) => {
@@ -228,6 +273,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::PartitionOfUnity => "expansion of the sum",
         ClaimKind::Symmetric => "expansion of the moved functions",
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
+        ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
         ClaimKind::Independent(_) => "minors",
         ClaimKind::TotallyPositive => "totally nonnegative conversion to a Bernstein basis",
         _ if equation => "expansion of both sides",
@@ -239,12 +285,22 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 }
 
 /// How the expression of a statement compares with zero, as the claim has it.
-fn stated_comparison(kind: &ClaimKind, of: &str, statement: &Statement, piece: &Piece) -> Option<Comparison> {
+fn stated_comparison(
+    family: &Family,
+    kind: &ClaimKind,
+    of: &str,
+    statement: &Statement,
+    piece: &Piece,
+) -> Option<Comparison> {
     let ClaimKind::Relation { differences, .. } = kind else { return Some(Comparison::Equal) };
     let (Statement::Zero { domain, .. } | Statement::Sign { domain, .. }) = statement else { return None };
     let part = (piece.clone(), Rc::clone(domain));
     let own = |(comparison, d): &&(Comparison, Difference)| {
-        d.text == of && compared_on(&d.value, *comparison, &part) == *statement
+        let (text, value) = match comparison {
+            Comparison::Equal => (d.text.clone(), d.value.clone()),
+            _ => without_numbers(family, d.text.clone(), d.value.clone()),
+        };
+        text == of && compared_on(&value, *comparison, &part) == *statement
     };
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }
@@ -256,13 +312,16 @@ fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample
     }
     let at = named_point(family, found, kind.fixed(), piece);
     // Of the statements of a chain several may be about one expression.
-    let comparison =
-        stated_comparison(kind, &of, found.refutation.statement(), piece).unwrap_or(Comparison::Equal);
+    let comparison = stated_comparison(family, kind, &of, found.refutation.statement(), piece)
+        .unwrap_or(Comparison::Equal);
     let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
     witness.shown = shown(family, found);
+    if matches!(kind, ClaimKind::Smooth(_)) {
+        witness.idle = domain_names(family);
+    }
     if let ClaimKind::Continuity(joint) = kind {
         witness.idle = domain_names(family);
         for p in &joint.free {

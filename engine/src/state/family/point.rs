@@ -13,7 +13,9 @@ use crate::model::chart::Piece;
 
 /// The names of the domain variables.
 pub(super) fn domain_names(family: &Family) -> Vec<String> {
-    family.domain_variables().map(|p| p.name.clone()).listed()
+    let angles = family.domain.iter().filter_map(|p| family.analytic.angle(p.var));
+    let other = angles.flat_map(|a| [a.name.clone(), a.tangent_name()]);
+    family.domain_variables().map(|p| p.name.clone()).chain(other).listed()
 }
 
 /// A counterexample as a point of the names, complete with what `at` fixes and with values for what plays no part.

@@ -59,44 +59,27 @@ where
 }
 
 /// The patch and the parameters in it, from 0 to 1, at which rational Bézier patches are nearest to `point`, up to that
-/// accuracy, and a lower bound of their distance. Each patch has its degrees, and a row of homogeneous control points,
-/// `[w x, w y, …, w]`, for each function of `v`; the weights must be positive.
+/// accuracy, and a lower bound of their distance; `None` if anything is not finite or a weight not positive.
 #[inline]
-#[allow(dead_code)] // for surfaces that are quotients
-pub(crate) fn nearest_of_rational(
-    patches: &[([usize; 2], Vec<f64>)],
+pub(crate) fn nearest_of_pieces(
+    pieces: &[&Piece],
     point: &[f64],
     accuracy: f64,
     epsilon: f64,
 ) -> Option<(usize, [f64; 2], f64)> {
-    let dim = point.len();
     let mut farthest = 0.0_f64;
-    for (_, net) in patches {
-        for p in net.chunks_exact(dim + 1) {
-            if !(p[dim] > 0.0 && p.iter().all(|c| c.is_finite())) {
-                return None;
-            }
-            for (c, &x) in point.iter().enumerate() {
-                farthest = farthest.max((p[c] / p[dim] - x).abs());
-            }
+    for piece in pieces {
+        let here = piece.farthest(point);
+        if !here.is_finite() {
+            return None;
         }
+        farthest = farthest.max(here);
     }
-    if !farthest.is_finite() || !point.iter().all(|c| c.is_finite()) {
+    if !point.iter().all(|c| c.is_finite()) {
         return None;
     }
     let unit = if farthest > 0.0 { farthest } else { 1.0 };
-    let seen: Vec<Piece> = patches
-        .iter()
-        .map(|(degrees, net)| {
-            let mut net = net.clone();
-            for p in net.chunks_exact_mut(dim + 1) {
-                for (c, &x) in point.iter().enumerate() {
-                    p[c] = (p[c] - x * p[dim]) / unit;
-                }
-            }
-            Piece::new(*degrees, dim, net)
-        })
-        .collect();
+    let seen: Vec<Piece> = pieces.iter().map(|piece| piece.seen_from(point, unit)).collect();
     let (place, bound) = search(&seen, (0.5 * accuracy / unit).max(64.0 * epsilon))?;
     Some((place.piece, place.at, (bound * unit * (1.0 - epsilon)).max(0.0)))
 }

@@ -30,6 +30,84 @@ impl Piece {
     }
 
     #[inline]
+    pub(crate) fn degrees(&self) -> [usize; 2] {
+        self.degrees
+    }
+
+    /// The largest value of a component of a control point times a sign; infinite if a weight is not positive.
+    #[inline]
+    pub(crate) fn largest_of_points(&self, c: usize, sign: f64) -> f64 {
+        (0..self.size()).fold(f64::NEG_INFINITY, |largest, n| {
+            let (numerator, weight) = (sign * self.net[n * self.stride + c], self.weight(n));
+            let value = if weight > 0.0 || weight.is_nan() || numerator.is_nan() {
+                numerator / weight
+            } else {
+                f64::INFINITY
+            };
+            if value.is_nan() || largest.is_nan() { f64::NAN } else { largest.max(value) }
+        })
+    }
+
+    /// The patch seen from a point and measured in a unit.
+    #[inline]
+    pub(crate) fn seen_from(&self, origin: &[f64], unit: f64) -> Self {
+        let mut net = self.net.clone();
+        for (n, point) in net.chunks_exact_mut(self.stride).enumerate() {
+            let weight = self.weight(n);
+            for (x, origin) in point.iter_mut().zip(origin) {
+                *x = (*x - origin * weight) / unit;
+            }
+        }
+        Self { net, ..*self }
+    }
+
+    /// The largest difference of a component of a control point from that of a point; infinite if a weight is not
+    /// positive, NaN if anything is not finite.
+    #[inline]
+    pub(crate) fn farthest(&self, origin: &[f64]) -> f64 {
+        let mut farthest = 0.0_f64;
+        for (n, point) in self.net.chunks_exact(self.stride).enumerate() {
+            let weight = self.weight(n);
+            if !point.iter().all(|x| x.is_finite()) {
+                return f64::NAN;
+            }
+            if weight <= 0.0 {
+                return f64::INFINITY;
+            }
+            for (x, origin) in point.iter().zip(origin) {
+                farthest = farthest.max((x / weight - origin).abs());
+            }
+        }
+        farthest
+    }
+
+    /// The part between two places in one direction.
+    #[cfg(feature = "mesh")]
+    #[inline]
+    pub(crate) fn restricted(&self, along: usize, from: f64, to: f64) -> Self {
+        let mut net = self.net.clone();
+        let (rows, columns) = (self.degrees[0] + 1, self.degrees[1] + 1);
+        let (count, others) = if along == 0 { (rows, columns) } else { (columns, rows) };
+        let mut list = vec![0.0; count];
+        for other in 0..others {
+            for c in 0..self.stride {
+                let place = |k: usize| {
+                    let n = if along == 0 { other * rows + k } else { k * rows + other };
+                    n * self.stride + c
+                };
+                for (k, x) in list.iter_mut().enumerate() {
+                    *x = net[place(k)];
+                }
+                crate::bernstein::restrict(&mut list, from, to);
+                for (k, &x) in list.iter().enumerate() {
+                    net[place(k)] = x;
+                }
+            }
+        }
+        Self { net, ..*self }
+    }
+
+    #[inline]
     fn is_rational(&self) -> bool {
         self.stride > self.dim
     }
@@ -45,13 +123,13 @@ impl Piece {
     }
 
     #[inline]
-    fn point(&self, i: usize, j: usize) -> &[f64] {
+    pub(crate) fn point(&self, i: usize, j: usize) -> &[f64] {
         &self.net[(j * (self.degrees[0] + 1) + i) * self.stride..][..self.dim]
     }
 
     /// The weight of a point.
     #[inline]
-    fn weight(&self, n: usize) -> f64 {
+    pub(crate) fn weight(&self, n: usize) -> f64 {
         if self.is_rational() { self.net[n * self.stride + self.dim] } else { 1.0 }
     }
 
@@ -175,7 +253,7 @@ impl Piece {
 
     /// Both halves in that direction, by de Casteljau's algorithm.
     #[inline]
-    pub(super) fn halved(&self, along: usize) -> [Self; 2] {
+    pub(crate) fn halved(&self, along: usize) -> [Self; 2] {
         let degree = self.degrees[along];
         // `count` lists of `degree + 1` entries that are `stride` numbers apart, from `start(n)` on.
         let row = (self.degrees[0] + 1) * self.stride;

@@ -44,7 +44,7 @@ fn check<S: Surface<Point = [f64; 3]>>(
 #[test]
 fn of_surfaces_of_revolution() {
     let random = &mut Random::new(62);
-    for round in 0..8 {
+    for round in 0..4 {
         let mut point = || core::array::from_fn::<f64, 3, _>(|_| random.between(-1.0, 1.0));
         let generatrix = Curve::new(Cubic::new(), core::array::from_fn(|_| point()));
         let (origin, axis) = (point(), point());
@@ -75,7 +75,7 @@ fn of_surfaces_of_revolution() {
 #[test]
 fn of_rational_surfaces() {
     let random = &mut Random::new(63);
-    for _ in 0..20 {
+    for _ in 0..10 {
         let net = core::array::from_fn(|_| {
             core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)))
         });
@@ -101,7 +101,7 @@ fn of_rational_surfaces() {
 #[test]
 fn of_triangular_patches() {
     let random = &mut Random::new(64);
-    for _ in 0..10 {
+    for _ in 0..6 {
         let basis = TriangularII::new(random.between(0.1, 3.0), random.between(0.0, 2.0)).unwrap();
         let patch: TriangularPatch<_, [f64; 3]> = TriangularPatch::new(
             basis,
@@ -114,7 +114,7 @@ fn of_triangular_patches() {
 #[test]
 fn contain_the_surface_and_touch_it() {
     let random = &mut Random::new(61);
-    for _ in 0..20 {
+    for _ in 0..8 {
         let surface = random_surface::<[f64; 3]>(random);
         let ([low, high], [lower, higher]) = (surface.bounding_box(), surface.control_box());
         let (mut least, mut most) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
@@ -176,7 +176,7 @@ basis! {
 #[test]
 fn of_patches_on_boxes() {
     let random = &mut Random::new(63);
-    for _ in 0..10 {
+    for _ in 0..4 {
         let points: [[f64; 2]; 4] =
             core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let patch = BoxPatch::new(Brick::new(), points);

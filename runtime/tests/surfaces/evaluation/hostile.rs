@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use basis_runtime::{
     BernsteinBasis, BoundedSurface, Curve, Edge, MeshError, ScalarOf, Surface, SurfaceOfRevolution,
-    TensorSurface, Tessellation, edge_continuity,
+    SurfacePiece, TensorSurface, Tessellation, edge_continuity,
 };
 
 use crate::families::{QuarticBernstein, random_quartic};
@@ -17,7 +17,7 @@ const COMPONENTS: [f64; 12] =
 #[test]
 fn nets_of_extreme_numbers() {
     let random = &mut Random::new(101);
-    for round in 0..96 {
+    for round in 0..48 {
         // Most nets are finite, and many of moderate size.
         let kinds = [6.0, 8.0, 10.0, 12.0][round % 4];
         let mut component = || COMPONENTS[random.between::<f64>(0.0, kinds) as usize % COMPONENTS.len()];
@@ -48,7 +48,7 @@ fn nets_of_extreme_numbers() {
 #[test]
 fn generatrices_of_extreme_numbers() {
     let random = &mut Random::new(102);
-    for round in 0..60 {
+    for round in 0..24 {
         let kinds = [6.0, 8.0, 10.0, 12.0][round % 4];
         let points = core::array::from_fn(|_| {
             core::array::from_fn(|_| {
@@ -67,7 +67,7 @@ fn generatrices_of_extreme_numbers() {
     }
 }
 
-/// A surface that counts how often it is asked for a bound.
+/// A surface that counts how often it is asked for a point.
 struct Counted<'a, S> {
     surface: &'a S,
     questions: Cell<usize>,
@@ -81,26 +81,18 @@ impl<S: Surface> Surface for Counted<'_, S> {
     }
 
     fn eval(&self, u: ScalarOf<Self>, v: ScalarOf<Self>) -> Self::Point {
+        self.questions.set(self.questions.get() + 1);
         self.surface.eval(u, v)
     }
 
-    fn eval_with_partials<const K: usize>(
-        &self,
-        u: ScalarOf<Self>,
-        v: ScalarOf<Self>,
-    ) -> [[Self::Point; K]; K] {
-        self.surface.eval_with_partials(u, v)
+    fn partial(&self, u: ScalarOf<Self>, v: ScalarOf<Self>, orders: [usize; 2]) -> Self::Point {
+        self.surface.partial(u, v, orders)
     }
 }
 
 impl<S: BoundedSurface> BoundedSurface for Counted<'_, S> {
-    fn second_derivative_bounds(
-        &self,
-        u: [ScalarOf<Self>; 2],
-        v: [ScalarOf<Self>; 2],
-    ) -> [ScalarOf<Self>; 3] {
-        self.questions.set(self.questions.get() + 1);
-        self.surface.second_derivative_bounds(u, v)
+    fn pieces(&self) -> Vec<SurfacePiece> {
+        self.surface.pieces()
     }
 }
 
@@ -126,6 +118,6 @@ fn tolerances_out_of_reach_are_refused_soon() {
         let named =
             matches!(error, MeshError::TooFine { surface: 0, .. } | MeshError::NotFinite { surface: 0 });
         assert!(named, "{error}");
-        assert!(counted.questions.get() < 50_000, "{tolerance}: {}", counted.questions.get());
+        assert!(counted.questions.get() < 150_000, "{tolerance}: {}", counted.questions.get());
     }
 }

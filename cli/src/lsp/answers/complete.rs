@@ -5,11 +5,11 @@ use lsp_types::{
     CompletionItem, CompletionItemKind, CompletionTextEdit, InsertTextFormat, Position, TextEdit,
 };
 
-use super::files::Other;
-use super::server::Text;
+use crate::lsp::files::Other;
+use crate::lsp::workspace::Text;
 
 /// What can be typed at a position; with `snippets` the editor can put the cursor into what is inserted.
-pub(super) fn complete(
+pub(in crate::lsp) fn complete(
     text: &Text,
     others: &[Other],
     snippets: bool,

@@ -3,10 +3,10 @@
 use basis_engine::query::{Document, Entry, SymbolKind as Kind, TokenKind};
 use lsp_types::{DocumentSymbol, FoldingRange, FoldingRangeKind, SymbolKind};
 
-use super::server::Text;
+use crate::lsp::workspace::Text;
 
 /// The items with their statements.
-pub(super) fn outline(text: &Text) -> Vec<DocumentSymbol> {
+pub(in crate::lsp) fn outline(text: &Text) -> Vec<DocumentSymbol> {
     text.document.entries.iter().map(|entry| symbol(text, entry)).collect()
 }
 
@@ -38,7 +38,7 @@ fn kind(document: &Document, entry: &Entry) -> SymbolKind {
 }
 
 /// Items, blocks, lists over several lines, and comments.
-pub(super) fn folds(text: &Text) -> Vec<FoldingRange> {
+pub(in crate::lsp) fn folds(text: &Text) -> Vec<FoldingRange> {
     let document = &text.document;
     let mut all = Vec::new();
     let mut fold = |first: usize, last: usize, kind: Option<FoldingRangeKind>| {

@@ -6,23 +6,27 @@ use std::path::PathBuf;
 use basis_engine::query::{Document, SymbolKind, is_name};
 use lsp_types::{Location, Position, Range, TextEdit, Uri, WorkspaceEdit};
 
-use super::files::{self, Other};
-use super::position::Lines;
-use super::server::{Server, Text};
+use crate::lsp::files::{self, Other};
+use crate::lsp::position::Lines;
+use crate::lsp::workspace::{Text, Workspace};
 
 /// Where the name at a position is declared.
-pub(super) fn definition(server: &Server, text: &Text, position: Position) -> Option<Vec<Location>> {
+pub(in crate::lsp) fn definition(
+    workspace: &Workspace,
+    text: &Text,
+    position: Position,
+) -> Option<Vec<Location>> {
     let offset = text.offset(position);
     let document = &text.document;
     let import = document.imports.iter().find(|i| i.place.start <= offset && offset <= i.place.end);
     if let Some(import) = import {
-        let other = files::visible(&server.files, text.path.as_deref(), core::slice::from_ref(import));
+        let other = files::visible(&workspace.files, text.path.as_deref(), core::slice::from_ref(import));
         let (first, _) = other.split_first().filter(|(_, rest)| !rest.is_empty())?;
         return Some(vec![Location { uri: files::address(first)?, range: Range::default() }]);
     }
     let name = document.at(offset)?;
     let Some(symbol) = name.symbol else {
-        let (other, place) = elsewhere(&server.others(text), document.slice(&name.range))?;
+        let (other, place) = elsewhere(&workspace.others(text), document.slice(&name.range))?;
         return Some(vec![Location { uri: other, range: place }]);
     };
     let symbol_range = |range| vec![Location { uri: text.uri.clone(), range: text.span(range) }];
@@ -57,15 +61,15 @@ fn same_function(document: &Document, symbol: usize, end: usize) -> Option<core:
 }
 
 /// All places at which the name at a position stands, in this spec and in those of the workspace.
-pub(super) fn references(
-    server: &Server,
+pub(in crate::lsp) fn references(
+    workspace: &Workspace,
     text: &Text,
     position: Position,
     with_declaration: bool,
 ) -> Option<Vec<Location>> {
     let (name, kind) = meant(text, position)?;
     let mut all = Vec::new();
-    for (uri, document, places) in occurrences(server, text, position, &name, kind) {
+    for (uri, document, places) in occurrences(workspace, text, position, &name, kind) {
         let lines = Lines::new(&document.text);
         for (place, declared) in places {
             if with_declaration || !declared {
@@ -87,7 +91,7 @@ type Places = Vec<(core::ops::Range<usize>, bool)>;
 
 /// The places of a name in all specs that mean the same thing by it.
 fn occurrences(
-    server: &Server,
+    workspace: &Workspace,
     text: &Text,
     position: Position,
     name: &str,
@@ -110,18 +114,18 @@ fn occurrences(
     let home: Option<PathBuf> = if symbol.is_some() {
         text.path.clone()
     } else {
-        let others = server.others(text);
+        let others = workspace.others(text);
         others.iter().find(|o| o.document.item(name).is_some()).map(|o| o.path.clone())
     };
     let mut all = vec![(text.uri.clone(), text.document.clone(), own(&text.document, symbol))];
     let Some(home) = home else { return all };
-    for path in server.specs() {
+    for path in workspace.specs() {
         if Some(&path) == text.path.as_ref() {
             continue;
         }
-        let Some(document) = server.document(&path) else { continue };
+        let Some(document) = workspace.document(&path) else { continue };
         let uses =
-            files::visible(&server.files, Some(&path), &document.imports).iter().any(|o| o.path == home);
+            files::visible(&workspace.files, Some(&path), &document.imports).iter().any(|o| o.path == home);
         let places = match document.item(name) {
             Some(item) if path == home => own(&document, Some(item)),
             None if uses => own(&document, None),
@@ -135,11 +139,15 @@ fn occurrences(
 }
 
 /// The name that would be renamed.
-pub(super) fn prepare(server: &Server, text: &Text, position: Position) -> Result<Range, String> {
+pub(in crate::lsp) fn prepare(
+    workspace: &Workspace,
+    text: &Text,
+    position: Position,
+) -> Result<Range, String> {
     let name = text.document.at(text.offset(position)).ok_or("there is no name here")?;
     let word = text.document.slice(&name.range);
     if name.symbol.is_none() {
-        let others = server.others(text);
+        let others = workspace.others(text);
         match others.iter().find(|o| o.document.item(word).is_some()) {
             None => return Err(format!("`{word}` is not declared anywhere")),
             Some(other) if other.shipped => {
@@ -153,19 +161,19 @@ pub(super) fn prepare(server: &Server, text: &Text, position: Position) -> Resul
 
 /// The edits that rename what stands at a position.
 #[allow(clippy::mutable_key_type)] // addresses are keys in the protocol's own type, and nothing changes them
-pub(super) fn rename(
-    server: &Server,
+pub(in crate::lsp) fn rename(
+    workspace: &Workspace,
     text: &Text,
     position: Position,
     new: &str,
 ) -> Result<WorkspaceEdit, String> {
-    prepare(server, text, position)?;
+    prepare(workspace, text, position)?;
     if !is_name(new) {
         return Err(format!("`{new}` is not a name: write letters and digits, and no word of the language"));
     }
     let (name, kind) = meant(text, position).ok_or("there is no name here")?;
     let mut changes: HashMap<Uri, Vec<TextEdit>> = HashMap::new();
-    for (uri, document, places) in occurrences(server, text, position, &name, kind) {
+    for (uri, document, places) in occurrences(workspace, text, position, &name, kind) {
         // The new name would mean something else at one of the places.
         for (place, _) in &places {
             if let Some(taken) = document.visible(place.start).find(|s| s.name == new) {

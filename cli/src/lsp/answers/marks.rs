@@ -7,16 +7,16 @@ use lsp_types::{
     InlayHintTooltip, Location, MarkupContent, MarkupKind, Range, Uri,
 };
 
-use super::analysis::{Analysis, Statement};
-use super::files;
-use super::server::Text;
 use crate::check::orders;
+use crate::lsp::analysis::{Analysis, Statement};
+use crate::lsp::files;
+use crate::lsp::workspace::Text;
 
 /// The most characters of a counterexample that stand in the text itself.
 const MAX_LENGTH: usize = 70;
 
 /// The messages about a text.
-pub(super) fn diagnostics(text: &Text, analysis: &Analysis) -> Vec<Diagnostic> {
+pub(in crate::lsp) fn diagnostics(text: &Text, analysis: &Analysis) -> Vec<Diagnostic> {
     let main = analysis.main();
     let mut all = Vec::new();
     for message in analysis.messages() {
@@ -67,11 +67,11 @@ fn location(text: &Text, analysis: &Analysis, place: &Place) -> Option<Location>
     let source = analysis.sources.get(*id);
     let (path, content) = (source.path.as_ref()?, source.text.as_ref()?);
     let uri: Uri = files::uri(path)?;
-    Some(Location { uri, range: super::position::Lines::new(content).span(content, range) })
+    Some(Location { uri, range: crate::lsp::position::Lines::new(content).span(content, range) })
 }
 
 /// A mark at every claim within some bytes.
-pub(super) fn hints(text: &Text, analysis: &Analysis, range: Range) -> Vec<InlayHint> {
+pub(in crate::lsp) fn hints(text: &Text, analysis: &Analysis, range: Range) -> Vec<InlayHint> {
     let range = text.bytes(range);
     let statements = analysis.statements().into_iter();
     let inside = statements.filter(|s| s.place.start <= range.end && range.start <= s.place.end);
@@ -131,7 +131,7 @@ const SIGNS: [(&str, Test); 3] = [
 const MAX_REASONS: usize = 6;
 
 /// Why the claims of a statement hold, or where they fail, in Markdown.
-pub(super) fn reasons(statement: &Statement<'_>) -> String {
+pub(in crate::lsp) fn reasons(statement: &Statement<'_>) -> String {
     let mut lines = Vec::new();
     for (subject, claim, verdict) in statement.decided.iter().take(MAX_REASONS) {
         let about = match (statement.decided.len(), subject.order()) {

@@ -9,12 +9,12 @@ use core::ops::Range;
 use lsp_types::{CodeAction, CodeActionKind, TextEdit, Uri, WorkspaceEdit};
 use serde_json::{Value, json};
 
-use super::analysis::{Analysis, Statement};
-use super::server::{Server, Text};
+use crate::lsp::analysis::{Analysis, Statement};
+use crate::lsp::workspace::{Text, Workspace};
 
 /// The actions for a range of a text. What takes long is worked out when one of them is chosen, if the editor can ask.
-pub(super) fn actions(
-    server: &Server,
+pub(in crate::lsp) fn actions(
+    workspace: &Workspace,
     text: &Text,
     analysis: &Analysis,
     range: lsp_types::Range,
@@ -35,10 +35,10 @@ pub(super) fn actions(
             data: Some(json!({ "uri": text.uri.as_str(), "family": entry.title })),
             ..CodeAction::default()
         };
-        if !server.resolves {
-            action.edit = insert(server, text, &entry.title);
+        if !workspace.resolves {
+            action.edit = insert(workspace, text, &entry.title);
         }
-        if server.resolves || action.edit.is_some() {
+        if workspace.resolves || action.edit.is_some() {
             all.push(action);
         }
     }
@@ -46,10 +46,10 @@ pub(super) fn actions(
 }
 
 /// The action with its edit.
-pub(super) fn resolve(server: &Server, mut action: CodeAction) -> CodeAction {
+pub(in crate::lsp) fn resolve(workspace: &Workspace, mut action: CodeAction) -> CodeAction {
     let word = |name: &str| action.data.as_ref().and_then(|d| d.get(name)).and_then(Value::as_str);
     let edit = match (word("uri"), word("family")) {
-        (Some(uri), Some(family)) => server.text(uri).and_then(|text| insert(server, text, family)),
+        (Some(uri), Some(family)) => workspace.text(uri).and_then(|text| insert(workspace, text, family)),
         _ => None,
     };
     if action.edit.is_none() {
@@ -60,8 +60,8 @@ pub(super) fn resolve(server: &Server, mut action: CodeAction) -> CodeAction {
 }
 
 /// The claims that hold of a family and that it does not make, behind its other statements.
-fn insert(server: &Server, text: &Text, family: &str) -> Option<WorkspaceEdit> {
-    let claims = claims_that_hold(&server.files, &text.source(), family);
+fn insert(workspace: &Workspace, text: &Text, family: &str) -> Option<WorkspaceEdit> {
+    let claims = claims_that_hold(&workspace.files, &text.source(), family);
     let entry = text.document.entries.iter().find(|e| e.title == family)?;
     let body = entry.body.clone()?;
     if claims.is_empty() {

@@ -1,15 +1,14 @@
 //! What the editor shows about the word under the pointer.
 
-use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::query::{FunctionFacts, Symbol, SymbolKind, TokenKind, function_facts, latex, word};
 use basis_engine::{Family, Subject, explain};
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
-use super::analysis::Analysis;
-use super::files::Other;
 use super::marks::reasons;
-use super::server::Text;
 use crate::domain;
+use crate::lsp::analysis::Analysis;
+use crate::lsp::files::Other;
+use crate::lsp::workspace::Text;
 
 /// The most functions that are shown at once.
 const MAX_FUNCTIONS: usize = 8;
@@ -18,7 +17,12 @@ const MAX_FUNCTIONS: usize = 8;
 const MAX_FORMULA: usize = 600;
 
 /// What there is to say about the word at a position.
-pub(super) fn hover(text: &Text, analysis: &Analysis, others: &[Other], position: Position) -> Option<Hover> {
+pub(in crate::lsp) fn hover(
+    text: &Text,
+    analysis: &Analysis,
+    others: &[Other],
+    position: Position,
+) -> Option<Hover> {
     let offset = text.offset(position);
     let (range, value) = match text.document.at(offset) {
         Some(name) => {
@@ -33,7 +37,8 @@ pub(super) fn hover(text: &Text, analysis: &Analysis, others: &[Other], position
             let token = text.document.token(offset)?;
             let known = word(token.text(&text.document.text)).filter(|_| token.kind == TokenKind::Word)?;
             let mut value = format!("`{}`: {}", known.text, known.meaning);
-            let own = |s: &super::analysis::Statement<'_>| s.place.start <= offset && offset <= s.place.end;
+            let own =
+                |s: &crate::lsp::analysis::Statement<'_>| s.place.start <= offset && offset <= s.place.end;
             if let Some(statement) = analysis.statements().iter().find(|s| own(s)) {
                 value += &format!("\n\n{}", reasons(statement));
             }
@@ -122,7 +127,7 @@ fn cut(formula: &str) -> String {
 
 fn shape(text: &Text, family: &Family, symbol: &Symbol) -> String {
     let Some(parameter) = family.shapes.iter().find(|p| p.name == symbol.name) else { return String::new() };
-    let mut value = format!("\n\ndeclared `{}`", parameter.range.display(&parameter.name));
+    let mut value = format!("\n\ndeclared `{}`", family.declared(parameter));
     let position = text.document.symbols.iter().position(|s| s == symbol);
     let uses = position.map_or(0, |s| text.document.places(s).count().saturating_sub(1));
     value += &format!(", named in {}", crate::name::count(uses, "place"));
@@ -139,7 +144,7 @@ fn shape(text: &Text, family: &Family, symbol: &Symbol) -> String {
 }
 
 fn summary(analysis: &Analysis, family: &Family) -> String {
-    let of = |item: &&super::analysis::Checked| matches!(&item.subject, Subject::Family(f) if f.name == family.name);
+    let of = |item: &&crate::lsp::analysis::Checked| matches!(&item.subject, Subject::Family(f) if f.name == family.name);
     let items: Vec<_> = analysis.items.iter().filter(of).collect();
     let claims = || items.iter().flat_map(|item| &item.claims);
     let decided = claims().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
@@ -149,7 +154,7 @@ fn summary(analysis: &Analysis, family: &Family) -> String {
     let mut value =
         format!("\n\n{functions} of degree {} on `{}`", degrees.join(", "), domain::describe(family));
     for shape in &family.shapes {
-        value += &format!(", `{}`", shape.range.display(&shape.name));
+        value += &format!(", `{}`", family.declared(shape));
     }
     if items.len() > 1 {
         value += &format!("; the lowest of {} orders", items.len());

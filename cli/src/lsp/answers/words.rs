@@ -3,7 +3,7 @@
 use basis_engine::query::{SymbolKind, TokenKind, WordKind, word};
 use lsp_types::{SemanticToken, SemanticTokenType, SemanticTokensLegend};
 
-use super::server::Text;
+use crate::lsp::workspace::Text;
 
 const TYPES: [SemanticTokenType; 9] = [
     SemanticTokenType::KEYWORD,
@@ -18,12 +18,12 @@ const TYPES: [SemanticTokenType; 9] = [
 ];
 
 /// The kinds of words, in the order in which the answers count them.
-pub(super) fn legend() -> SemanticTokensLegend {
+pub(in crate::lsp) fn legend() -> SemanticTokensLegend {
     SemanticTokensLegend { token_types: TYPES.to_vec(), token_modifiers: Vec::new() }
 }
 
 /// The words of a text, each relative to the one before it.
-pub(super) fn tokens(text: &Text) -> Vec<SemanticToken> {
+pub(in crate::lsp) fn tokens(text: &Text) -> Vec<SemanticToken> {
     let document = &text.document;
     let mut all = Vec::new();
     let mut last = lsp_types::Position::default();

@@ -1,0 +1,18 @@
+//! Stands for the bounds of rounding errors where the feature `rounding` is off.
+
+use proc_macro2::TokenStream;
+
+use crate::model::Family;
+
+/// No bounds.
+pub(super) fn errors(_: &Family) {}
+
+/// Nothing: the trait has a constant for types without bounds.
+pub(super) fn constant((): &(), _: &TokenStream) -> TokenStream {
+    TokenStream::new()
+}
+
+/// Nothing.
+pub(super) fn lines((): &(), _: &Family) -> Vec<String> {
+    Vec::new()
+}

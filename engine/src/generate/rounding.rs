@@ -1,0 +1,54 @@
+//! The proved bounds of rounding errors in a generated type.
+
+use proc_macro2::TokenStream;
+use quote::quote_spanned;
+
+use super::code::tokens::{float, site};
+use crate::model::Family;
+use crate::rounding::Error;
+use crate::state::value_errors;
+use basis_prover::collections::list::{Listed, Mapped};
+
+/// The proved bounds for all functions; empty where there are none.
+pub(super) fn errors(family: &Family) -> Vec<Option<Error>> {
+    let errors = value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).listed();
+    if errors.iter().all(Option::is_none) { Vec::new() } else { errors }
+}
+
+/// The constant `ROUNDING` of a trait.
+pub(super) fn constant(errors: &[Option<Error>], runtime: &TokenStream) -> TokenStream {
+    if errors.is_empty() {
+        return TokenStream::new();
+    }
+    let bounds = errors.mapped(|error| match error {
+        Some(Error::Relative(bound)) => {
+            let bound = float(bound);
+            quote_spanned!(site()=> #runtime::Rounding::Relative(#bound))
+        }
+        Some(Error::Absolute(bound)) => {
+            let bound = float(bound);
+            quote_spanned!(site()=> #runtime::Rounding::Absolute(#bound))
+        }
+        None => quote_spanned!(site()=> #runtime::Rounding::Unknown),
+    });
+    quote_spanned!(site()=> const ROUNDING: &'static [#runtime::Rounding] = &[#(#bounds),*];)
+}
+
+/// What the documentation says of the bounds. Functions with the same one stand together.
+pub(super) fn lines(errors: &[Option<Error>], family: &Family) -> Vec<String> {
+    if errors.is_empty() {
+        return Vec::new();
+    }
+    let mut groups: Vec<(String, String)> = Vec::new();
+    for (k, error) in errors.iter().enumerate() {
+        let bound = error.as_ref().map_or_else(|| String::from("unknown"), ToString::to_string);
+        let label = family.function_label(k);
+        match groups.iter_mut().find(|(_, other)| *other == bound) {
+            Some((labels, _)) => *labels += &format!(", {label}"),
+            None => groups.push((label, bound)),
+        }
+    }
+    let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
+    let line = format!("Rounding errors of the values, proved to be at most: {}.", texts.join("; "));
+    vec![String::new(), line]
+}

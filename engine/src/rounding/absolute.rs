@@ -1,0 +1,128 @@
+//! Bounds of the error itself, for results that change their sign, and of points relative to the largest control point.
+//!
+//! The shares wₖvₖ that have one sign on a cell are added before their sum is enclosed; any other one lies between −m
+//! and m for a number m. A point is linear in the control points Pᵢ, and so are the shares: with max |Pᵢ| = 1, |wₖvₖ|
+//! is at most the sum of the absolute values of their coefficients.
+
+use std::rc::Rc;
+
+use super::cell::Cell;
+use super::conditions::{Conditions, Shares, common_denominator, over};
+use super::exact::Exact;
+use super::relative::Relative;
+use super::{Part, rest};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::steps::Step;
+
+/// What the error of a result is made of, on any cell.
+pub(super) struct Absolute {
+    output: usize,
+    /// The quotients by a sum, with the errors of the sums.
+    quotients: Vec<(usize, Relative)>,
+    /// The common denominator of all shares.
+    below: Poly,
+    shares: Shares,
+}
+
+impl Absolute {
+    /// Of a step that is linear in some points, if there are any; `None` when the work is spent.
+    pub(super) fn new(exact: &mut Exact<'_>, output: usize, points: &[Var], work: &mut Work) -> Option<Self> {
+        let mut quotients = Vec::new();
+        for k in exact.quotients_by_sums(output) {
+            if let Step::Div(_, divisor) = exact.step(k) {
+                quotients.push((k, Relative::new(exact, *divisor, work)?));
+            }
+        }
+        let shares = exact.shares(output, work)?;
+        let below = common_denominator(&mut shares.iter().map(|(_, share)| share), work)?;
+        let mut grouped = Shares::default();
+        for (k, share) in &shares {
+            for share in coefficients(&over(share, &below)?, points)? {
+                grouped.add(exact, *k, &share, work)?;
+            }
+        }
+        Some(Self { output, quotients, below, shares: grouped })
+    }
+
+    /// The bound on a cell in u, and what it follows from; `None` if there is none.
+    pub(super) fn on(&self, exact: &mut Exact<'_>, cell: &Cell, work: &mut Work) -> Option<(Rational, Part)> {
+        let mut conditions = Conditions { cell, known: Vec::new() };
+        for (k, divisor) in &self.quotients {
+            let (bound, part) = divisor.on(exact, cell, work)?;
+            let last = part.last(&bound);
+            part.conditions.into_iter().chain([last]).for_each(|p| conditions.add(p));
+            exact.set_weight(*k, &bound)?;
+        }
+        let value = conditions.absolute(&self.below, work)?;
+        let (mut signed, mut rest) = (Poly::zero(), Rational::ZERO);
+        for share in &self.shares.groups {
+            let weight = share.weight(exact, &mut conditions, work)?;
+            if weight.is_zero() {
+                continue;
+            }
+            match cell.sign(&share.poly, work) {
+                Some(_) => signed = &signed + &conditions.absolute(&share.poly, work)?.scale(&weight),
+                None => rest += &(&conditions.largest(&share.poly, &value, work)? * &weight),
+            }
+        }
+        let size = size(exact, self.output, &mut conditions, work)?;
+        rest += &rest::of_sum(&exact.depth(self.output), &size)?;
+        let first = cell.ratio(&signed, &value, work)?;
+        let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
+        let part = Part { domain, conditions, value, sum: signed, rest: rest.clone() };
+        Some((&first + &rest, part))
+    }
+}
+
+/// The coefficients of the points in a linear form in them; without points the polynomial itself.
+fn coefficients(share: &Poly, points: &[Var]) -> Option<Vec<Poly>> {
+    if points.is_empty() {
+        return Some(vec![share.clone()]);
+    }
+    let mut coefficients = Vec::new();
+    let mut left = share.clone();
+    for point in points.iter().filter(|point| share.depends_on(**point)) {
+        let coefficient = share.derivative(*point);
+        left = &left - &(&coefficient * &Poly::var(*point));
+        coefficients.push(coefficient);
+    }
+    left.is_zero().then_some(coefficients)
+}
+
+/// A bound of the sum of the absolute values of the products of which a step is the sum.
+fn size(
+    exact: &mut Exact<'_>,
+    of: usize,
+    conditions: &mut Conditions<'_>,
+    work: &mut Work,
+) -> Option<Rational> {
+    let mut sizes: Vec<Option<Rational>> = vec![None; of + 1];
+    for k in exact.reached(of) {
+        let size = |a: &usize| sizes[*a].as_ref();
+        let here = match exact.step(k) {
+            _ if exact.is_leaf(k) => {
+                let value = exact.value(k, work)?;
+                bounded(&value, conditions, work)?
+            }
+            Step::Neg(a) => size(a)?.clone(),
+            Step::Add(a, b) | Step::Sub(a, b) => size(a)? + size(b)?,
+            Step::Mul(a, b) => size(a)? * size(b)?,
+            Step::Div(a, b) => {
+                let inverse = Fraction::constant(Rational::ONE).div_within(&exact.value(*b, work)?, work);
+                size(a)? * &bounded(&inverse.ok()??, conditions, work)?
+            }
+            Step::Input(_) | Step::Constant(_) => return None,
+        };
+        sizes[k] = Some(here);
+    }
+    sizes[of].take()
+}
+
+/// A number that the absolute value of a quotient does not exceed on the cell.
+fn bounded(value: &Fraction, conditions: &mut Conditions<'_>, work: &mut Work) -> Option<Rational> {
+    let below = conditions.absolute(value.denom(), work)?;
+    conditions.largest(value.numer(), &below, work)
+}

@@ -1,0 +1,240 @@
+//! Proved bounds of rounding errors.
+//!
+//! The value that floats give for a function is that of its [`Steps`] in which step k is multiplied by 1 + δₖ, |δₖ| ≤
+//! u, where u = ε/2 is half the distance from 1 to the next float. To first order the error is Σ δₖ·wₖvₖ, with vₖ the
+//! exact value of the step and wₖ the derivative of the result with respect to it. Both are rational functions of the
+//! inputs, so that a bound is a statement like any other one about signs, which the kernel decides:
+//!
+//! - *relative*, κ·u times the value: κ·|v| − Σ|wₖvₖ| ≥ 0; file `relative`;
+//! - *absolute*, c·u, for functions that change their sign: c − Σ|wₖvₖ| ≥ 0; file `absolute`.
+//!
+//! What is of higher order in u is bounded by a number that counts roundings, with u = 2⁻²⁴, that of `f32`; file
+//! `rest`. Steps that do not round are left out: inputs, numbers that are floats, negation, products with powers of
+//! two, and differences a − b with b/2 ≤ a ≤ 2b (Sterbenz), for which the domain is cut into cells.
+//!
+//! A fused multiplication and addition rounds less, so that the bounds hold for fused code, too. They hold as long as
+//! nothing overflows; each product that underflows adds half the smallest float.
+//!
+//! Shape values and the coordinates of a point are exact as they are given. All three or four barycentric coordinates
+//! are inputs: the exact value is that of the formula for these floats, also if they do not quite sum to 1.
+
+mod absolute;
+mod cell;
+mod conditions;
+mod exact;
+mod relative;
+mod rest;
+
+use std::rc::Rc;
+
+use basis_kernel::{Domain, Quotient, Relation, Statement};
+use basis_prover::collections::list::{Listed, Mapped};
+
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::model::Family;
+use crate::plan::Input;
+use crate::steps::FamilySteps;
+use absolute::Absolute;
+use cell::Cell;
+use exact::Exact;
+use relative::Relative;
+
+/// How far a computed value may be from the exact one, in units of ε, the distance from 1 to the next float: 2⁻²³ for
+/// `f32`, 2⁻⁵² for `f64`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// This many ε times the value.
+    Relative(Rational),
+    /// This many ε.
+    Absolute(Rational),
+}
+
+impl Error {
+    /// The number of ε.
+    pub const fn epsilons(&self) -> &Rational {
+        match self {
+            Self::Relative(bound) | Self::Absolute(bound) => bound,
+        }
+    }
+}
+
+impl core::fmt::Display for Error {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        let epsilons = decimal(self.epsilons());
+        match self {
+            _ if self.epsilons().is_zero() => f.write_str("exact"),
+            Self::Relative(_) => write!(f, "{epsilons} ε of the value"),
+            Self::Absolute(_) => write!(f, "{epsilons} ε"),
+        }
+    }
+}
+
+/// A whole number of hundredths as a decimal number.
+pub fn decimal(x: &Rational) -> String {
+    let whole = x.floor();
+    let hundredths = (&(x - &whole) * &Rational::from(100)).to_string();
+    match hundredths.trim_end_matches('0') {
+        "" => whole.to_string(),
+        _ if hundredths.len() == 1 => format!("{whole}.0{hundredths}"),
+        digits => format!("{whole}.{digits}"),
+    }
+}
+
+/// A bound with what it follows from.
+#[derive(Clone, Debug)]
+pub struct Bound {
+    /// The bound, rounded up to hundredths.
+    pub error: Error,
+    cells: Vec<Part>,
+}
+
+/// What a bound takes on one cell of the domain.
+#[derive(Clone, Debug)]
+struct Part {
+    domain: Rc<Domain>,
+    /// Polynomials that are not negative: conditions under which the others say something about the error.
+    conditions: Vec<Poly>,
+    /// With a bound of κ u: (κ − `rest`)·`value` − `sum` is not negative.
+    value: Poly,
+    sum: Poly,
+    rest: Rational,
+}
+
+impl Part {
+    /// What is not negative if the error is at most this many u.
+    fn last(&self, bound: &Rational) -> Poly {
+        &self.value.scale(&(bound - &self.rest)) - &self.sum
+    }
+}
+
+impl Bound {
+    /// The statements from which it follows that the error is at most `epsilons` times ε, relative or absolute as the
+    /// bound is.
+    pub fn statements(&self, epsilons: &Rational) -> Vec<Statement> {
+        let mut all = Vec::new();
+        for part in &self.cells {
+            let last = part.last(&(epsilons * &Rational::from(2)));
+            for poly in part.conditions.iter().chain([&last]) {
+                let (value, domain) = (Quotient::from(poly.clone()), Rc::clone(&part.domain));
+                all.push(Statement::Sign { value, relation: Relation::NonNegative, domain });
+            }
+        }
+        all
+    }
+}
+
+/// Bounds of the errors of the values of all functions; `None` for one without.
+///
+/// `None` in place of a list when the work is spent or the family is too large to be generated.
+pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
+    let steps = FamilySteps::new(family)?.values();
+    basis_prover::working(family.budget, &mut |work| {
+        let inputs = Inputs::of(family, 0);
+        let mut exact = Exact::new(&steps, &inputs)?;
+        Some(steps.outputs.mapped(|output| value(&mut exact, *output, &inputs, work)))
+    })
+}
+
+/// A bound of the error of each component of a point of a curve, with the binding of its control points, relative to
+/// the largest absolute value of that component of a control point.
+///
+/// `None` on simplices and boxes, and when the work is spent or nothing is found.
+pub fn point(family: &Family) -> Option<Bound> {
+    let form = FamilySteps::new(family)?;
+    let steps = form.on_control_points(&form.curve(1)?);
+    basis_prover::working(family.budget, &mut |work| {
+        let inputs = Inputs::of(family, family.functions.len());
+        let mut exact = Exact::new(&steps, &inputs)?;
+        let output = *steps.outputs.first()?;
+        let cuts = |variables: &[Var], count: u32| variables.mapped(|v| (*v, count));
+        let counts = [cuts(&inputs.coordinates, 8), cuts(&inputs.shapes, 4)].concat();
+        let cells = Cell::grid(&inputs.region, &counts);
+        let absolute = Absolute::new(&mut exact, output, &inputs.points, work)?;
+        let parts = on_each(&cells, &mut |cell| absolute.on(&mut exact, cell, work))?;
+        Some(rounded_up(parts, Error::Absolute))
+    })
+}
+
+/// The bound of one value, relative if there is one.
+fn value(exact: &mut Exact<'_>, output: usize, inputs: &Inputs, work: &mut Work) -> Option<Bound> {
+    let cells = |count: u32| Cell::grid(&inputs.region, &inputs.coordinates.mapped(|v| (*v, count)));
+    if let Some(relative) = Relative::new(exact, output, work) {
+        for count in [2, 8] {
+            if let Some(parts) = on_each(&cells(count), &mut |cell| relative.on(exact, cell, work)) {
+                return Some(rounded_up(parts, Error::Relative));
+            }
+        }
+    }
+    let absolute = Absolute::new(exact, output, &[], work)?;
+    let parts = on_each(&cells(16), &mut |cell| absolute.on(exact, cell, work))?;
+    Some(rounded_up(parts, Error::Absolute))
+}
+
+/// A part for each cell, or `None` if one has none.
+fn on_each(
+    cells: &[Cell],
+    part: &mut dyn FnMut(&Cell) -> Option<(Rational, Part)>,
+) -> Option<Vec<(Rational, Part)>> {
+    let mut parts = Vec::new();
+    for cell in cells {
+        parts.push(part(cell)?);
+    }
+    Some(parts)
+}
+
+/// The largest bound, which is in u, in hundredths of ε.
+fn rounded_up(parts: Vec<(Rational, Part)>, error: fn(Rational) -> Error) -> Bound {
+    let mut largest = Rational::ZERO;
+    for (bound, _) in &parts {
+        if *bound > largest {
+            largest = bound.clone();
+        }
+    }
+    let hundredths = -&(-&(&largest * &Rational::from(50))).floor();
+    let error = error(&hundredths * &Rational::new(1, 100));
+    Bound { error, cells: parts.into_iter().map(|(_, part)| part).listed() }
+}
+
+/// The variables that stand for the inputs of steps.
+struct Inputs {
+    /// The ranges of all of them.
+    region: Region,
+    shapes: Vec<Var>,
+    /// On a simplex one more than are independent.
+    coordinates: Vec<Var>,
+    /// One component of each control point, between −1 and 1.
+    points: Vec<Var>,
+}
+
+impl Inputs {
+    fn of(family: &Family, points: usize) -> Self {
+        let mut ranges: Vec<(Var, Range)> = family.shapes.mapped(|p| (p.var, p.range.clone()));
+        let shapes = family.shapes.mapped(|p| p.var);
+        let mut coordinates = Vec::new();
+        for p in family.domain_variables() {
+            ranges.push((p.var, if family.is_simplex() { Range::unit() } else { p.range.clone() }));
+            coordinates.push(p.var);
+        }
+        let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);
+        let points = (first..first + points).map(Var).listed();
+        for point in &points {
+            ranges.push((*point, Range::closed(Rational::from(-1), Rational::ONE)));
+        }
+        Self { region: Region { ranges }, shapes, coordinates, points }
+    }
+
+    fn variable(&self, input: Input) -> Option<Var> {
+        match input {
+            Input::Shape(k) => self.shapes.get(k).copied(),
+            Input::Coordinate(k) => self.coordinates.get(k).copied(),
+            Input::Point(k) => self.points.get(k).copied(),
+            Input::Derivative(_) | Input::Bound(_) => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,123 @@
+//! Claims about families on several spans.
+
+use std::rc::Rc;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::work::Work;
+use crate::claim::{Claim, ClaimKind};
+use crate::model::Family;
+use crate::state::verdict::{Evidence, Stated, Verdict};
+use basis_prover::collections::list::Listed;
+
+/// What a statement is about, with its span.
+fn on(piece: &Family, of: &str) -> String {
+    let spans: Vec<String> = piece.domain.iter().map(|p| piece.declared(p)).listed();
+    format!("{of} on {}", spans.join(", "))
+}
+
+/// The claim on one span.
+fn on_span<'f>(family: &'f Family, claim: &Claim, part: &(usize, ClaimKind)) -> Option<(&'f Family, Claim)> {
+    let piece = family.pieces.get(part.0)?;
+    Some((piece, Claim { kind: part.1.clone(), ..claim.clone() }))
+}
+
+/// What a claim says on all its spans.
+pub(super) fn statements(
+    family: &Family,
+    claim: &Claim,
+    parts: &[(usize, ClaimKind)],
+) -> Option<Vec<Stated>> {
+    let mut all = Vec::new();
+    for part in parts {
+        let (piece, claim) = on_span(family, claim, part)?;
+        for mut stated in super::statements(piece, &claim)? {
+            stated.of = on(piece, &stated.of);
+            all.push(stated);
+        }
+    }
+    Some(all)
+}
+
+/// Decides a claim on all its spans: false if it is on one of them.
+pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)]) -> Verdict {
+    let (mut found, mut steps) = (None, Vec::new());
+    let mut open = None;
+    for part in parts {
+        let Some((piece, claim)) = on_span(family, claim, part) else { continue };
+        match super::decide(piece, &claim) {
+            Verdict::Proved(evidence) => {
+                let (method, proofs) = evidence.into_parts();
+                found = found.or(Some(method));
+                steps.extend(proofs.into_iter().map(|(of, proof)| (on(piece, &of), proof)));
+            }
+            Verdict::Refuted(witness) => {
+                let stated = on(piece, witness.of_statement());
+                return Verdict::Refuted(Box::new(witness.about(&stated)));
+            }
+            Verdict::Undecided(left) => open = open.or(Some(left)),
+        }
+    }
+    match open {
+        Some(left) => Verdict::Undecided(left),
+        None => Verdict::Proved(Evidence::new(found.unwrap_or_default(), steps)),
+    }
+}
+
+/// At each inner knot the derivatives from both sides.
+pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
+    let mut differences = Vec::new();
+    for pair in family.pieces.windows(2) {
+        let knot = pair[0].end_texts()?[1].clone();
+        let at = |piece: &Rc<Family>, k: usize, upper: bool, work: &mut Work| -> Option<Vec<Fraction>> {
+            let (var, low, high) = piece.interval()?;
+            let end = Fraction::constant(if upper { high } else { low }.clone());
+            let mut derivative = piece.functions[k].value.clone();
+            let mut values = Vec::new();
+            for order in 0..=order {
+                if order > 0 {
+                    derivative = piece.derivative_within(&derivative, var, work)?;
+                }
+                values.push(derivative.substitute_within(var, &end, work).ok()??);
+            }
+            Some(values)
+        };
+        for k in 0..family.functions.len() {
+            let (left, right) = (at(&pair[0], k, true, work)?, at(&pair[1], k, false, work)?);
+            for (order, (a, b)) in left.iter().zip(&right).enumerate() {
+                let b_name = family.function_label(k);
+                let name = match order {
+                    0 => b_name,
+                    1 => format!("D({b_name})"),
+                    _ => format!("D({b_name}, {order})"),
+                };
+                let of = format!("{name} before {knot} - {name} after {knot}");
+                differences.push((of, a.sub_within(b, work)?));
+            }
+        }
+    }
+    Some(differences)
+}
+
+/// b[i] on a span is b[n − i] on the span that takes its place when the domain is reversed.
+pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
+    let mut differences = Vec::new();
+    let count = family.functions.len();
+    let one = Fraction::constant(crate::algebra::rational::Rational::ONE);
+    for (piece, mirrored) in family.pieces.iter().zip(family.pieces.iter().rev()) {
+        let (var, low, _) = piece.interval()?;
+        let (other, _, high) = mirrored.interval()?;
+        // The place in the other span of a place in this one, y or t itself.
+        let turned = match piece.analytic.angle(var) {
+            Some(_) => &one - &Fraction::var(var),
+            None => &Fraction::constant(low + high) - &Fraction::var(var),
+        };
+        for k in 0..count {
+            let image =
+                mirrored.functions[count - 1 - k].value.substitute_within(other, &turned, work).ok()??;
+            let (this, that) = (family.function_label(k), family.function_label(count - 1 - k));
+            let of = on(piece, &format!("{this} - {that} reversed"));
+            differences.push((of, piece.functions[k].value.sub_within(&image, work)?));
+        }
+    }
+    Some(differences)
+}

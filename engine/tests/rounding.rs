@@ -1,0 +1,157 @@
+//! Rounding errors beside their proved bounds: no error is larger, on any family of the library.
+
+use basis_engine::algebra::rational::Rational;
+use basis_engine::plan::Input;
+use basis_engine::rounding::{self, Error};
+use basis_engine::steps::{FamilySteps, Steps};
+use basis_engine::{Disk, Family, Library, Prover, Selected, Source, Subject};
+
+/// Numbers that look random and are the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 >> 33
+    }
+
+    /// A float between two others: often an end of the range or next to one.
+    fn between(&mut self, low: f32, high: f32) -> f32 {
+        let inside = low + (high - low) * (self.next() as f32 / (1_u64 << 31) as f32);
+        match self.next() % 8 {
+            0 => low,
+            1 => high,
+            2 => high.next_down(),
+            3 => (low + (high - low) * 0.5f32.powi((self.next() % 12) as i32)).clamp(low, high),
+            _ => inside.clamp(low, high),
+        }
+    }
+}
+
+/// A float as the rational number that it is.
+fn exact(x: f32) -> Rational {
+    let (mut halvings, mut x) = (0, f64::from(x));
+    while x.fract() != 0.0 {
+        x *= 2.0;
+        halvings += 1;
+    }
+    &Rational::from(x as i64) * &Rational::new(1, 2).pow(halvings)
+}
+
+/// Finite ends of a range inside of a declared one.
+fn ends(range: &basis_engine::algebra::range::Range) -> [f32; 2] {
+    let end = |end: Option<&Rational>| end.map(|x| x.to_f64() as f32);
+    match (end(range.low.value()), end(range.high.value())) {
+        (Some(a), Some(b)) => [a, b],
+        (Some(a), None) => [a, a + 8.0],
+        (None, Some(b)) => [b - 8.0, b],
+        (None, None) => [-8.0, 8.0],
+    }
+}
+
+fn inside(random: &mut Random, range: &basis_engine::algebra::range::Range) -> f32 {
+    let [low, high] = ends(range);
+    loop {
+        // No smaller than 2⁻¹⁰, or zero, so that the exact values stay short and nothing underflows.
+        let x = random.between(low, high);
+        let x = if x.abs() < 1.0 / 1024.0 { 0.0 } else { x };
+        if range.contains(&exact(x)) {
+            return x;
+        }
+    }
+}
+
+/// The largest of the ratios of errors and bounds at some random inputs; no error is beyond its bound.
+fn largest_ratio(family: &Family, steps: &Steps, bounds: &[Option<Error>], random: &mut Random) -> f64 {
+    let epsilon = Rational::new(1, 1 << 23);
+    let mut largest = 0.0_f64;
+    for _ in 0..60 {
+        let shapes: Vec<f32> = family.shapes.iter().map(|p| inside(random, &p.range)).collect();
+        let coordinates: Vec<f32> = family.domain_variables().map(|p| inside(random, &p.range)).collect();
+        let points: Vec<f32> = (0..family.functions.len()).map(|_| random.between(-1.0, 1.0)).collect();
+        let points: Vec<f32> =
+            points.into_iter().map(|p| if p.abs() < 1.0 / 1024.0 { 1.0 } else { p }).collect();
+        let input = |input: Input| match input {
+            Input::Shape(k) => shapes[k],
+            Input::Coordinate(k) => coordinates[k],
+            Input::Point(k) => points[k],
+            Input::Derivative(_) | Input::Bound(_) => unreachable!("not an input of values"),
+        };
+        // The bounds are about what does not underflow.
+        let Some(trace) = steps.trace::<f32>(input) else { continue };
+        let exact_trace = steps.trace::<f64>(|i| f64::from(input(i))).unwrap_or_default();
+        if exact_trace.iter().any(|x| *x != 0.0 && x.abs() < f64::from(f32::MIN_POSITIVE)) {
+            continue;
+        }
+        let computed: Vec<f32> = steps.outputs.iter().map(|output| trace[*output]).collect();
+        let Some(values) = steps.evaluate::<Rational>(|i| exact(input(i))) else { continue };
+        for ((computed, value), bound) in computed.iter().zip(&values).zip(bounds) {
+            let Some(bound) = bound else { continue };
+            let error = (&exact(*computed) - value).abs();
+            let allowed = match bound {
+                Error::Relative(k) => &(k * &epsilon) * &value.abs(),
+                Error::Absolute(k) => k * &epsilon,
+            };
+            assert!(
+                error <= allowed,
+                "{}: {computed} for {value}, an error of {}, at {shapes:?}, {coordinates:?}, {points:?}",
+                family.title(),
+                error.to_f64() / epsilon.to_f64()
+            );
+            if !allowed.is_zero() {
+                largest = largest.max(error.to_f64() / allowed.to_f64());
+            }
+        }
+    }
+    largest
+}
+
+#[test]
+fn no_error_is_beyond_its_bound() {
+    let random = &mut Random(7);
+    let mut counts = [0; 3];
+    for (name, text) in basis_specs::SPECS {
+        let library = Library::from_source(&Disk, &Prover, Source::text(&format!("{name}.basis"), text));
+        let mut last = String::new();
+        for item in library.items(Selected::EveryOrder) {
+            let Subject::Family(family) = &item.subject else { continue };
+            if family.name == last {
+                continue;
+            }
+            last.clone_from(&family.name);
+            let Some(steps) = FamilySteps::new(family) else { continue };
+            let bounds: Vec<Option<Error>> = rounding::values(family)
+                .unwrap_or_default()
+                .into_iter()
+                .map(|b| b.map(|b| b.error))
+                .collect();
+            for bound in &bounds {
+                counts[match bound {
+                    Some(Error::Relative(_)) => 0,
+                    Some(Error::Absolute(_)) => 1,
+                    None => 2,
+                }] += 1;
+            }
+            largest_ratio(family, &steps.values(), &bounds, random);
+            if let (Some(bound), Some(curve)) = (rounding::point(family), steps.curve(1)) {
+                largest_ratio(family, &steps.on_control_points(&curve), &[Some(bound.error)], random);
+            }
+        }
+    }
+    let [relative, absolute, none] = counts;
+    assert!(relative > 2 * absolute && none == 0, "{counts:?}");
+}
+
+#[test]
+fn bounds_are_near_the_largest_errors() {
+    let spec = "family Quadratic { domain 0 <= t <= 1; b[0] = (1 - t)^2; b[1] = 2*t*(1 - t); b[2] = t^2; }";
+    let library = Library::from_source(&Disk, &Prover, Source::text("quadratic.basis", spec));
+    let items = library.items(Selected::EveryOrder);
+    let Subject::Family(family) = &items[0].subject else { panic!("a family") };
+    let bounds: Vec<Option<Error>> =
+        rounding::values(family).unwrap().into_iter().map(|b| b.map(|b| b.error)).collect();
+    let steps = FamilySteps::new(family).unwrap().values();
+    let random = &mut Random(1);
+    let largest = (0..40).map(|_| largest_ratio(family, &steps, &bounds, random)).fold(0.0, f64::max);
+    assert!(largest > 0.8, "{largest}");
+}

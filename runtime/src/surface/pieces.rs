@@ -1,0 +1,298 @@
+//! Surfaces as rational Bézier patches in double precision, whatever their type, and what follows from them.
+
+use alloc::vec::Vec;
+
+use super::bounds::largest_quotient;
+use super::nearest::{Piece, nearest_of_pieces};
+use super::net::Net;
+use super::{RationalSurface, ScalarOf, Surface, TensorSurface};
+use crate::vector::distance;
+use crate::{Basis, CurveError, Nearest, Point, Point3, Scalar, SurfaceOfRevolution};
+
+/// One rational Bézier patch of a surface, in double precision: what a [`BoundedSurface`] consists of.
+///
+/// ```text
+/// S(u, v) = Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j] P[i,j] / Σ_i Σ_j B[i,m](x) B[j,n](y) w[i,j]
+/// ```
+///
+/// with `x = (u - lo_u) / (hi_u - lo_u)` and `y` likewise; on a surface of revolution `v` is the angle and `y` the
+/// parameter of a rational quadratic arc, which grows with it.
+#[derive(Clone, Debug)]
+pub struct SurfacePiece {
+    pub(crate) domain: [[f64; 2]; 2],
+    /// Whether `v` is the angle of a circular arc whose parameter is rational.
+    pub(crate) turns: bool,
+    pub(crate) net: Piece,
+}
+
+impl SurfacePiece {
+    /// The polynomial patch over a rectangle with these Bézier control points, row by row; a row belongs to one
+    /// function of `u`, and there are `rows` of them.
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the points cannot be divided into so many equal rows.
+    #[inline]
+    pub fn polynomial<P: Point>(
+        domain: [[P::Scalar; 2]; 2],
+        rows: usize,
+        points: &[P],
+    ) -> Result<Self, CurveError> {
+        let columns = columns(rows, points.len())?;
+        let of = |n: usize, c: usize| points[n].component(c).to_f64();
+        Ok(Self::from_fn(domain, [rows, columns], P::DIM, P::DIM, of))
+    }
+
+    /// The rational patch over a rectangle with these Bézier control points and weights, row by row.
+    ///
+    /// # Errors
+    /// [`CurveError::Length`] if the points cannot be divided into so many equal rows, or there is not one weight for
+    /// each of them, [`CurveError::Weight`] if a weight is not positive and finite.
+    #[inline]
+    pub fn rational<P: Point>(
+        domain: [[P::Scalar; 2]; 2],
+        rows: usize,
+        points: &[P],
+        weights: &[P::Scalar],
+    ) -> Result<Self, CurveError> {
+        let columns = columns(rows, points.len())?;
+        if points.len() != weights.len() {
+            return Err(CurveError::Length { expected: points.len(), found: weights.len() });
+        }
+        for (index, &weight) in weights.iter().enumerate() {
+            if !(weight > P::Scalar::ZERO && weight.is_finite()) {
+                return Err(CurveError::Weight { index, value: weight.to_f64() });
+            }
+        }
+        let of = |n: usize, c: usize| {
+            let weight = weights[n].to_f64();
+            if c == P::DIM { weight } else { points[n].component(c).to_f64() * weight }
+        };
+        Ok(Self::from_fn(domain, [rows, columns], P::DIM, P::DIM + 1, of))
+    }
+
+    /// From the component `c` of the homogeneous point `n`, row by row.
+    #[inline]
+    pub(crate) fn from_fn<S: Scalar>(
+        domain: [[S; 2]; 2],
+        [rows, columns]: [usize; 2],
+        dim: usize,
+        stride: usize,
+        of: impl Fn(usize, usize) -> f64,
+    ) -> Self {
+        let mut net = Vec::with_capacity(rows * columns * stride);
+        for j in 0..columns {
+            for i in 0..rows {
+                net.extend((0..stride).map(|c| of(i * columns + j, c)));
+            }
+        }
+        let domain = domain.map(|ends| ends.map(Scalar::to_f64));
+        Self { domain, turns: false, net: Piece::new([rows - 1, columns - 1], dim, net) }
+    }
+
+    /// The rectangle of parameters.
+    #[inline]
+    pub fn domain(&self) -> [[f64; 2]; 2] {
+        self.domain
+    }
+
+    /// The degrees in both directions.
+    #[inline]
+    pub fn degrees(&self) -> [usize; 2] {
+        self.net.degrees()
+    }
+
+    /// The parameters of the surface at a place of the unit square.
+    #[inline]
+    pub(crate) fn parameters(&self, at: [f64; 2]) -> [f64; 2] {
+        let [u, v] = self.domain;
+        [crate::domain::from_unit(u, at[0]), self.along_v(v, at[1])]
+    }
+
+    #[inline]
+    fn along_v(&self, [lo, hi]: [f64; 2], y: f64) -> f64 {
+        if !self.turns || y <= 0.0 || y >= 1.0 {
+            return crate::domain::from_unit([lo, hi], y);
+        }
+        // y / (1 - y) = sin(φ/2) / sin((δ - φ)/2) for the angle φ in an arc of the angle δ.
+        let (sin, cos) = Scalar::sin_cos(0.5 * (hi - lo));
+        lo + 2.0 * Scalar::atan2(y * sin, (1.0 - y) + y * cos)
+    }
+
+    /// The place in the unit square of a parameter in one direction.
+    #[cfg(feature = "mesh")]
+    #[inline]
+    pub(crate) fn place(&self, axis: usize, t: f64) -> f64 {
+        let [lo, hi] = self.domain[axis];
+        if axis == 0 || !self.turns || t <= lo || t >= hi {
+            return crate::domain::unit([lo, hi], t)[1];
+        }
+        let [before, after] = [t - lo, hi - t].map(|angle| Scalar::sin_cos(0.5 * angle).0);
+        before / (before + after)
+    }
+}
+
+#[inline]
+fn columns(rows: usize, points: usize) -> Result<usize, CurveError> {
+    let columns = points.checked_div(rows).unwrap_or(0);
+    if columns > 0 && rows * columns == points {
+        Ok(columns)
+    } else {
+        Err(CurveError::Length { expected: rows.max(1) * (columns + 1), found: points })
+    }
+}
+
+/// A surface that consists of rational Bézier patches, whose control points bound it.
+///
+/// Boxes, nearest points and meshes follow from the patches; a surface of your own needs to say only these.
+pub trait BoundedSurface: Surface {
+    /// The rational Bézier patches of which the surface consists.
+    fn pieces(&self) -> Vec<SurfacePiece>;
+
+    /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners: cheap, and never
+    /// too small up to rounding errors. Infinite if a weight of the Bézier form is not positive. NaN in a component in
+    /// which a control point is NaN.
+    fn control_box(&self) -> [Self::Point; 2] {
+        let pieces = self.pieces();
+        let side = |c: usize, sign: f64| {
+            let mut extreme = f64::NEG_INFINITY;
+            for piece in &pieces {
+                let largest = piece.net.largest_of_points(c, sign);
+                extreme = if extreme.is_nan() || largest.is_nan() { f64::NAN } else { extreme.max(largest) };
+            }
+            ScalarOf::<Self>::of(sign * extreme)
+        };
+        [Point::from_components(|c| side(c, -1.0)), Point::from_components(|c| side(c, 1.0))]
+    }
+
+    /// The smallest axis-parallel box around the surface, as its two extreme corners, up to rounding errors; found by
+    /// subdivision as [`TensorSurface::bounding_box`]. NaN in a component in which a control point is infinite or NaN.
+    fn bounding_box(&self) -> [Self::Point; 2] {
+        let pieces = self.pieces();
+        let side = |c: usize, sign: f64| {
+            let mut extreme = f64::NEG_INFINITY;
+            for piece in &pieces {
+                let [rows, columns] = piece.degrees().map(|degree| degree + 1);
+                let point = |n: usize| {
+                    let (i, j) = (n / columns, n % columns);
+                    [sign * piece.net.point(i, j)[c], piece.net.weight(j * rows + i)]
+                };
+                let largest = largest_quotient(Net::new((0..rows * columns).map(point).collect(), columns));
+                extreme = if extreme.is_nan() || largest.is_nan() { f64::NAN } else { extreme.max(largest) };
+            }
+            ScalarOf::<Self>::of(sign * extreme)
+        };
+        [Point::from_components(|c| side(c, -1.0)), Point::from_components(|c| side(c, 1.0))]
+    }
+
+    /// The point of the surface that is nearest to `point`, among those with parameters in the domain.
+    ///
+    /// It is a global minimum: its distance exceeds [`at_least`](Nearest::at_least), which no point of the surface is
+    /// nearer than, by no more than `accuracy`. An `accuracy` below some 64 `ε` times the greatest distance of a Bézier
+    /// control point, also zero or NaN, asks for what the scalar type can give. Where very many points are almost
+    /// equally near, such as around the centre of a sphere, the work ends earlier: the point is still a minimum, and
+    /// `at_least` says how much is proved. `None` if the point, the surface or the distance is not finite, or a weight
+    /// of the Bézier form is not positive.
+    fn nearest(
+        &self,
+        point: Self::Point,
+        accuracy: ScalarOf<Self>,
+    ) -> Option<Nearest<Self::Point, [ScalarOf<Self>; 2]>> {
+        let pieces = self.pieces();
+        let components: Vec<f64> = (0..Self::Point::DIM).map(|c| point.component(c).to_f64()).collect();
+        let epsilon = ScalarOf::<Self>::EPSILON.to_f64();
+        let nets: Vec<&Piece> = pieces.iter().map(|piece| &piece.net).collect();
+        let (piece, at, bound) = nearest_of_pieces(&nets, &components, accuracy.to_f64(), epsilon)?;
+        let at = pieces[piece].parameters(at);
+        let ranges = self.domain();
+        let [u, v] = [0, 1].map(|k| {
+            let ([lo, hi], t) = (ranges[k], ScalarOf::<Self>::of(at[k]));
+            if t < lo {
+                lo
+            } else if t > hi {
+                hi
+            } else {
+                t
+            }
+        });
+        let found = self.eval(u, v);
+        let distance = distance(found, point);
+        let at_least = ScalarOf::<Self>::of(bound).min(distance);
+        distance.is_finite().then_some(Nearest { at: [u, v], point: found, distance, at_least })
+    }
+}
+
+/// Answers with the methods of the type, which have the same names.
+macro_rules! forward_boxes {
+    () => {
+        #[inline]
+        fn control_box(&self) -> [P; 2] {
+            self.control_box()
+        }
+
+        #[inline]
+        fn bounding_box(&self) -> [P; 2] {
+            self.bounding_box()
+        }
+    };
+}
+
+impl<U, V, P> BoundedSurface for TensorSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    fn pieces(&self) -> Vec<SurfacePiece> {
+        let net = Net::of(self);
+        let of = |n: usize, c: usize| net.points()[n].component(c).to_f64();
+        let size = [U::DEGREE + 1, V::DEGREE + 1];
+        alloc::vec![SurfacePiece::from_fn(self.domain(), size, P::DIM, P::DIM, of)]
+    }
+
+    #[inline]
+    fn nearest(&self, point: P, accuracy: P::Scalar) -> Option<Nearest<P, [P::Scalar; 2]>> {
+        self.nearest(point, accuracy)
+    }
+
+    forward_boxes!();
+}
+
+impl<U, V, P> BoundedSurface for RationalSurface<U, V, P>
+where
+    U: Basis,
+    V: Basis<Scalar = U::Scalar>,
+    P: Point<Scalar = U::Scalar>,
+{
+    fn pieces(&self) -> Vec<SurfacePiece> {
+        let (points, weights) = (Net::of(self.numerator()), Net::of(self.weight()));
+        // A whole surface of negative weights is that of their opposites.
+        let sign = if weights.corners()[0] < P::Scalar::ZERO { -1.0 } else { 1.0 };
+        let of = |n: usize, c: usize| {
+            sign * if c == P::DIM { weights.points()[n] } else { points.points()[n].component(c) }.to_f64()
+        };
+        let size = [U::DEGREE + 1, V::DEGREE + 1];
+        alloc::vec![SurfacePiece::from_fn(self.domain(), size, P::DIM, P::DIM + 1, of)]
+    }
+
+    forward_boxes!();
+}
+
+impl<B: Basis, P: Point3<Scalar = B::Scalar>> BoundedSurface for SurfaceOfRevolution<B, P> {
+    fn pieces(&self) -> Vec<SurfacePiece> {
+        let arcs = self.to_rational_patches();
+        let mut pieces = Vec::with_capacity(arcs.len());
+        for (k, arc) in arcs.iter().enumerate() {
+            for mut piece in arc.pieces() {
+                let [from, to] = [k, k + 1].map(|k| {
+                    (self.angle() * B::Scalar::from_usize(k) / B::Scalar::from_usize(arcs.len())).to_f64()
+                });
+                piece.domain = [B::domain().map(Scalar::to_f64), [from, to]];
+                piece.turns = true;
+                pieces.push(piece);
+            }
+        }
+        pieces
+    }
+
+    forward_boxes!();
+}
