@@ -118,7 +118,7 @@ fn joins(items: &[Decided]) -> String {
         let proved = item.claims.iter().filter(|c| matches!(c.verdict, Verdict::Proved(_)));
         proved
             .filter_map(|c| match c.claim.kind {
-                ClaimKind::Continuity(order) => Some(order),
+                ClaimKind::Continuity(ref joint) if joint.next.is_empty() => Some(joint.order),
                 _ => None,
             })
             .max()

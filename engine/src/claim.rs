@@ -7,6 +7,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
+use crate::model::Parameter;
 use crate::model::budget::{Run, TooLarge};
 pub use crate::syntax::{Comparison, Expected};
 use crate::theorem::Form;
@@ -53,8 +54,10 @@ pub enum ClaimKind {
     Symmetric,
     /// The functions are linearly independent for all shape values in their ranges except the listed ones.
     Independent(Vec<Values>),
-    /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
-    Continuity(u32),
+    /// Neighbouring segments, control points shifted by one, join with some continuous derivatives.
+    Continuity(Joint),
+    /// All minors of the functions at ascending points are ≥ 0.
+    TotallyPositive,
     /// The derivatives up to this order agree at the inner knots of a domain of several spans.
     Smooth(u32),
     /// Of a domain of several spans: what is claimed on those with these numbers.
@@ -92,6 +95,17 @@ pub enum ClaimKind {
         /// The right side.
         right: Side,
     },
+}
+
+/// How a segment joins its neighbour.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// How many derivatives are continuous.
+    pub order: u32,
+    /// The shape values of the next segment; none where they are those of this one.
+    pub next: Vec<Fraction>,
+    /// The parameters among them that are free, with the numbers of variables of no family.
+    pub free: Vec<Parameter>,
 }
 
 /// Left side minus right side.

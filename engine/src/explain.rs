@@ -224,7 +224,7 @@ struct Signs {
 }
 
 fn function_signs(family: &Family) -> Signs {
-    let domain = state::family_domain(family, &[]);
+    let domain = family.points();
     let (mut numerators, mut denominators) = (Vec::new(), Vec::new());
     let mut region = domain.region.clone();
     for f in &family.functions {
@@ -251,7 +251,7 @@ fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> boo
             End::Included(if upper { x.low().clone() } else { x.high().clone() })
         }
     };
-    let mut domain = state::family_domain(family, &[]);
+    let mut domain = family.points();
     let range = Range { low: end(low, false), high: end(high, true) };
     domain.region = with(&domain.region, shape.var, range);
     let domain = Rc::new(domain);

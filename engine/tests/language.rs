@@ -204,3 +204,197 @@ fn integrals_of_curves() {
     assert!(found[0] == "=" && found[1] == "=" && found[3] == "=", "{found:?}");
     assert_ne!(found[2], "=");
 }
+
+#[test]
+fn ranges_depend_on_other_parameters() {
+    let found = verdicts(
+        "family Pair {
+            domain 0 <= t <= 1;
+            shape 0 < q < p <= 1;
+            b[0] = (p - q)*t; b[1] = q*(1 - t) + 1 - p;
+            prove nonnegative;
+            prove q < 1;
+            prove p - q > 0;
+            prove at p = 1/2 { q < 1/2; b[0] <= t/2; }
+            prove independent;
+            refute p - q >= 1/10;
+            refute q < 1/2;
+            refute at p = 1/2 { q < 1/3; }
+            refute independent except (p = 1/2, q = 1/4);
+        }
+        family Below {
+            domain 0 <= t <= 1;
+            shape -1 <= λ <= 2;
+            shape 0 <= μ <= λ;
+            b[0] = 1 + μ*t; b[1] = λ*t + 1;
+            prove λ >= 0;
+            prove b[1] >= b[0];
+            prove at λ = 0 { b[0] = 1; b[0] = b[1]; }
+            prove at μ = λ { b[0] = b[1]; }
+            prove at μ = 1 { λ >= 1; }
+            refute at μ = 1 { λ > 1; }
+            refute independent except λ = 0, μ = 0;
+        }",
+    );
+    assert_eq!(found[..6], ["="; 6], "{found:?}");
+    let at_q = ["-1/60 at q = 2/3, p = 3/4, t = 1/2", "0 at q = 1/2, p = 3/4, t = 1/2"];
+    assert_eq!(found[6..8], at_q);
+    assert_eq!(found[8], "0 at q = 1/3, p = 1/2, t = 1/2");
+    assert!(found[9].ends_with(" at q = 1/4, p = 1/2"), "{}", found[9]);
+    assert_eq!(found[10..16], ["="; 6], "{found:?}");
+    assert_eq!(found[16..], ["0 at λ = 1, μ = 1, t = 1/2", "16/9 at λ = 4/3, μ = 0"]);
+}
+
+#[test]
+fn counterexamples_are_inside_of_what_is_assumed() {
+    // The quadrilateral has the corners (0, 1/4), (0, 1), (1, 0), (1/2, 0).
+    let found = verdicts(
+        "family Polygon {
+            domain 0 <= t <= 1;
+            shape 0 <= α, 0 <= β <= 1;
+            assume α + β <= 1;
+            assume 1/2 <= α + 2*β;
+            b[0] = 1 - α - β*t;
+            b[1] = α + β*t^2 + t/100;
+            prove nonnegative;
+            prove α <= 1;
+            prove 2*α + β >= 1/4;
+            prove at β = 0 { α >= 1/2; }
+            prove at β = 1 { α = 0; }
+            prove at α = β { 1/6 <= α <= 1/2; }
+            prove independent except α = 1;
+            refute b[0] > 0;
+            refute 2*α + β > 1/4;
+            refute at β = 0 { α > 1/2; }
+            refute at α = β { α < 1/2; }
+            refute independent;
+        }
+        family Line {
+            domain 0 <= t <= 1;
+            shape 0 <= B <= 1, C;
+            assume B + 2*C = 1;
+            b[0] = 1 - B*t; b[1] = C*t + 1;
+            prove C = (1 - B)/2;
+            prove 0 <= C <= 1/2;
+            prove at B = 1 { b[1] = 1; }
+            prove independent;
+            refute C > 0;
+        }",
+    );
+    assert_eq!(found.iter().filter(|v| *v == "=").count(), 11, "{found:?}");
+    assert!(found.iter().all(|v| !v.contains("undecided")), "{found:?}");
+    assert!(found[8].starts_with("0 at α = 0, β = 1/4"), "{}", found[8]);
+}
+
+#[test]
+fn shape_parameters_with_an_index() {
+    let found = verdicts(
+        "family F(n in 2..=3) {
+            domain 0 <= t <= 1;
+            shape -binomial(n, i) <= λ[i] <= binomial(n, i - 1) for i in 1..=n, 0 <= γ;
+            b[i] = (1 + λ[i])*t^i for i in 1..=n;
+            b[0] = 1 - sum(b[i] for i in 1..=n) + γ;
+            prove sum(b) = 1 + γ;
+            prove λ[1] <= 1;
+            prove D(b[1], λ[1]) = t;
+            prove sum(λ) = sum(λ[i] for i in 1..=n);
+            prove at λ = 0 { b[1] = t; b[2] = t^2; }
+            prove at λ[1] = -1 { b[1] = 0; }
+            prove independent except λ[1] = -1, λ[2] = -1, λ[3] = -1 if n == 3;
+            refute λ[n] > -1;
+            refute independent except λ[1] = -1 if n == 2;
+        }",
+    );
+    assert_eq!(found.iter().filter(|v| *v == "=").count(), 15, "{found:?}");
+    assert!(found[7].starts_with("0 at λ[1] = "), "{found:?}");
+}
+
+#[test]
+fn total_positivity() {
+    let found = verdicts(
+        "family Powers { domain 0 <= t <= 1; b[i] = t^i for i in 0..=5; prove totally_positive; }
+        family Quadratic {
+            domain 0 <= t <= 1;
+            shape -2 <= λ <= 1;
+            b[0] = (1 - λ*t) * (1 - t)^2;
+            b[1] = (2 + λ) * (1 - t) * t;
+            b[2] = (1 - λ + λ*t) * t^2;
+            prove totally_positive;
+        }
+        family Conic {
+            domain 0 <= t <= 1;
+            shape 0 < ω;
+            let w = (1 - t)^2 + 2*ω*t*(1 - t) + t^2;
+            b[0] = (1 - t)^2/w; b[1] = 2*ω*t*(1 - t)/w; b[2] = t^2/w;
+            prove totally_positive;
+        }
+        family Raised {
+            domain 0 <= t <= 2;
+            b[0] = (2 - t)^2 + t^2/4; b[1] = t^2;
+            prove totally_positive;
+        }
+        family Below { domain -1 <= t <= 1; b[i] = t^i for i in 0..=2; refute totally_positive; }
+        family Nodes {
+            domain 0 <= t <= 1;
+            b[0] = 2*(t - 1/2)*(t - 1); b[1] = 4*t*(1 - t); b[2] = 2*t*(t - 1/2);
+            refute totally_positive;
+        }
+        family Swapped { domain 0 <= t <= 1; b[0] = t; b[1] = 1 - t; refute totally_positive; }
+        family Third {
+            domain 0 <= t <= 1;
+            b[0] = 1; b[1] = 1 + t; b[2] = 1 + 3*t - t^2;
+            refute totally_positive;
+        }
+        family Depends {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= 1, 0 <= q <= 1;
+            b[0] = 1 + p*t; b[1] = 1 + q*t;
+            refute totally_positive;
+        }
+        family Ordered {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= q <= 1;
+            b[0] = 1 + p*t; b[1] = 1 + q*t;
+            prove totally_positive;
+        }",
+    );
+    assert_eq!(found[..4], ["="; 4], "{found:?}");
+    assert_eq!(found[4], "-1 at ");
+    assert_eq!(found[5..7], ["-1/8 at ", "-1/3 at "]);
+    // 1, 1 + t, 1 + 3t − t² have the determinant −(t₁ − t₀)(t₂ − t₀)(t₂ − t₁).
+    assert!(found[7].starts_with('-'), "{}", found[7]);
+    assert!(found[8].starts_with('-') && found[8].contains("p = "), "{}", found[8]);
+    assert_eq!(found[9], "=");
+}
+
+#[test]
+fn neighbours_have_other_shape_values() {
+    // A segment of a spline with one number for each interval: b[0] ends where its part in the next one begins.
+    let found = verdicts(
+        "family Segment {
+            domain 0 <= t <= 1;
+            shape 0 < a <= 1, 0 < c <= 1;
+            b[0] = (1 - t)*a; b[1] = t*c;
+            prove continuity(0) with a = c;
+            refute continuity(0);
+            refute continuity(1) with a = c;
+            refute continuity(0) with c = a;
+            refute continuity(0) with a = c/2;
+        }
+        family Knots {
+            domain 0 <= t <= 1;
+            shape 0 < d0, 0 < d1, 0 < d2;
+            let s = d1*t;
+            b[0] = (d1 - s)^2/(d1*(d0 + d1));
+            b[2] = s^2/(d1*(d1 + d2));
+            b[1] = 1 - b[0] - b[2];
+            prove continuity(0) with d0 = d1, d1 = d2;
+            refute continuity(0);
+        }",
+    );
+    assert_eq!(found[0], "=");
+    assert!(found[1..5].iter().all(|v| v.contains(" at a = 1/2, c = ")), "{found:?}");
+    assert!(found[3].contains("a' = "), "{}", found[3]);
+    assert_eq!(found[5], "=");
+    assert_ne!(found[6], "=");
+}

@@ -56,6 +56,7 @@ const fn verdict(standing: Standing) -> (Mark, &'static str) {
         Standing::False => (("✗", BAD), "refuted"),
         Standing::True => (("✗", BAD), "proved, declared false"),
         Standing::Undecided => (("?", OPEN), "undecided"),
+        Standing::Open => (("?", OPEN), "conjecture, open"),
     }
 }
 
@@ -153,6 +154,7 @@ pub(crate) struct Summary {
     refuted: usize,
     wrong: usize,
     undecided: usize,
+    open: usize,
     errors: usize,
 }
 
@@ -178,6 +180,7 @@ impl Summary {
                 Standing::Refuted => &mut self.refuted,
                 Standing::False | Standing::True => &mut self.wrong,
                 Standing::Undecided => &mut self.undecided,
+                Standing::Open => &mut self.open,
             } += 1;
         }
     }
@@ -201,6 +204,7 @@ impl Summary {
             (self.refuted, format!("{} refuted as declared", self.refuted), GOOD),
             (self.wrong, format!("{} not as declared", self.wrong), BAD),
             (self.undecided, format!("{} undecided", self.undecided), OPEN),
+            (self.open, count(self.open, "open conjecture"), OPEN),
             (self.errors, count(self.errors, "error"), BAD),
             (self.unreadable, format!("{} unreadable", self.unreadable), BAD),
         ];

@@ -255,9 +255,20 @@ fn sentence(subject: &Subject, claim: &Claim) -> String {
             };
             format!("The functions are linearly independent{end}.")
         }
-        ClaimKind::Continuity(order) => format!(
-            "Neighbouring segments, the control points shifted by one, join with {order} continuous derivatives."
-        ),
+        ClaimKind::Continuity(joint) => {
+            let other = if joint.next.is_empty() {
+                String::new()
+            } else {
+                format!(" where \\texttt{{{}}}", latex::escape(&claim.text))
+            };
+            let order = joint.order;
+            format!(
+                "Neighbouring segments, the control points shifted by one, join with {order} continuous derivatives{other}."
+            )
+        }
+        ClaimKind::TotallyPositive => {
+            format!("The functions are totally positive: no minor of $({b}_j(t_i))$ is negative.")
+        }
         ClaimKind::Relation { at: Some(at), .. } => {
             let range = if claim.statement.range.is_empty() {
                 String::new()

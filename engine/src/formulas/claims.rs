@@ -33,7 +33,10 @@ impl Reader<'_, '_> {
                     self.relation(&scope, relation, Some(&[]), &mut all)?;
                 }
                 syntax::ClaimKind::At(bindings, relations) => {
-                    let fixed = bindings.iter().map(|Binding { name, value }| {
+                    let fixed = bindings.iter().map(|Binding { name, value, indices }| {
+                        if !indices.is_empty() {
+                            return None;
+                        }
                         let var = scope.names.iter().position(|n| *n == name.text)?;
                         let value = self.scalar(&scope, value)?;
                         Some((var, self.number_of(&value).map_or(value, Term::Number)))
@@ -105,11 +108,11 @@ impl Reader<'_, '_> {
                 }
                 all
             }
-            ClaimKind::Continuity(order) => {
+            ClaimKind::Continuity(joint) if joint.next.is_empty() => {
                 let (var, low, high) = family.interval()?;
                 let mut derivatives = calls;
                 let mut all = Vec::new();
-                for k in 0..=*order {
+                for k in 0..=joint.order {
                     if k > 0 {
                         derivatives =
                             derivatives.iter().map(|f| self.differentiated(scope, f, var.0)).collect();

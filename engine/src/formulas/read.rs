@@ -201,6 +201,10 @@ impl Reader<'_, '_> {
             return None;
         }
         let written = self.library.tree(home, position)?;
+        // What is assumed of shape values is not exported.
+        if !family.constraints.is_empty() || !family.determined.is_empty() {
+            return None;
+        }
         let scope = Scope::new(home, &family, written);
         let recursive =
             |s: &syntax::Statement| matches!(s.kind, StatementKind::Base(..) | StatementKind::Raise(_));
@@ -221,7 +225,7 @@ impl Reader<'_, '_> {
                     }
                     self.planned(&scope)?;
                 }
-                StatementKind::Base(Binding { name, value }, functions) => {
+                StatementKind::Base(Binding { name, value, .. }, functions) => {
                     let lowest = self.whole(&scope, value)?;
                     let title = scope.title.borrow().clone();
                     if scope.constant(&name.text)? > lowest {

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Simplex};
 
 use super::angle::Analytic;
+use super::chart::{self, Constraint, Piece};
 use super::obligation::Obligation;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -32,6 +33,10 @@ pub struct Family {
     pub names: Vec<String>,
     /// The shape parameters, variables 0, 1, …
     pub shapes: Vec<Parameter>,
+    /// What is assumed of the shape parameters beside their ranges.
+    pub constraints: Vec<Constraint>,
+    /// The shape parameters that an assumed equation determines, with their values.
+    pub determined: Vec<(String, Fraction)>,
     /// The independent domain variables, the variables after the shape parameters: all variables of a box, all
     /// but the last barycentric coordinate of a simplex.
     pub domain: Vec<Parameter>,
@@ -71,7 +76,8 @@ pub struct Parameter {
     pub place: Place,
     /// The variable.
     pub var: Var,
-    /// The declared range; for a domain variable both ends are finite.
+    /// The declared range; for a domain variable both ends are finite. Of a range that depends on other parameters the
+    /// numbers between which it lies.
     pub range: Range,
 }
 
@@ -177,6 +183,46 @@ impl Family {
         let mut domain = Domain::of(self.shape_region());
         domain.simplices.push(Simplex { variables: self.domain.mapped(|p| p.var), sum: Rational::ONE });
         domain
+    }
+
+    /// The parts of the points that a claim is about, without the variables that are fixed, each as the image of a box;
+    /// the shape parameters alone, or with the domain variables of a box. Those that are `first` depend on no others.
+    pub fn pieces(&self, fixed: &[(Var, Fraction)], first: &[Var], shapes_only: bool) -> Vec<Piece> {
+        let free = |var: &Var| fixed.iter().all(|(v, _)| v != var);
+        let mut ranges: Vec<(Var, Range)> = Vec::new();
+        let rank = |p: &&Parameter| first.contains(&p.var);
+        let (early, late): (Vec<&Parameter>, Vec<&Parameter>) = self.shapes.iter().partition(rank);
+        for p in early.into_iter().chain(late).filter(|p| free(&p.var)) {
+            ranges.push((p.var, p.range.clone()));
+        }
+        ranges.extend(self.analytic.ranges.iter().filter(|(v, _)| free(v)).cloned());
+        let put = |p: &Poly| {
+            let value = fixed.iter().try_fold(Fraction::from(p.clone()), |f, (v, x)| f.substitute(*v, x));
+            // The sign of a quotient is that of the product.
+            value.map_or_else(|| p.clone(), |f| f.numer() * f.denom())
+        };
+        let constraints = self.constraints.mapped(|c| (put(&c.value), c.relation));
+        let mut pieces = chart::pieces(&ranges, &constraints);
+        let domain = if shapes_only || self.is_simplex() { &[] } else { &self.domain[..] };
+        for p in domain.iter().filter(|p| free(&p.var)) {
+            for piece in &mut pieces {
+                piece.ranges.push((p.var, p.range.clone()));
+            }
+        }
+        pieces
+    }
+
+    /// The parts of all points, as boxes and simplices: of the shape parameters alone, or with the domain.
+    pub fn parts(&self, shapes_only: bool) -> Vec<(Piece, Rc<Domain>)> {
+        let whole = |piece: Piece| {
+            let mut domain = piece.domain();
+            if self.is_simplex() && !shapes_only {
+                let variables = self.domain.mapped(|p| p.var);
+                domain.simplices.push(Simplex { variables, sum: Rational::ONE });
+            }
+            (piece, Rc::new(domain))
+        };
+        self.pieces(&[], &[], shapes_only).into_iter().map(whole).listed()
     }
 
     /// Whether a domain variable stands below the fraction line of a function.

@@ -8,6 +8,7 @@
 pub mod angle;
 pub(crate) mod bernstein;
 pub(crate) mod budget;
+pub mod chart;
 mod expand;
 mod family;
 pub(crate) mod formula;
@@ -15,6 +16,7 @@ mod library;
 pub mod obligation;
 pub(crate) mod scope;
 pub(crate) mod tuples;
+mod unused;
 pub(crate) mod words;
 
 pub(crate) use family::label;

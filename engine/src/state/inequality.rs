@@ -7,10 +7,10 @@ use basis_kernel::{Domain, Relation, Simplex, Statement};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
 use crate::claim::Comparison;
 use crate::model::Family;
+use crate::model::chart::Piece;
 
 /// What a comparison of x with zero says: of x, or if it is `negated` of −x.
 pub(super) struct Said {
@@ -47,23 +47,44 @@ pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Dom
     }
 }
 
-/// The points that a claim is about: the declared ranges of the shape parameters and the domain, without the variables
+/// A value, in the variables of a part of the points, compares with zero as stated on that part.
+pub(super) fn compared_on(
+    value: &Fraction,
+    comparison: Comparison,
+    (piece, domain): &(Piece, Rc<Domain>),
+) -> Statement {
+    if piece.steps.is_empty() {
+        return compared(value, comparison, domain);
+    }
+    let domain = Rc::clone(domain);
+    let value = if is_negated(comparison) { -value } else { value.clone() };
+    let value = piece.pull_back_fraction(&value);
+    match said(comparison) {
+        None => Statement::Zero { value, domain },
+        Some(Said { relation, .. }) => Statement::Sign { value, relation, domain },
+    }
+}
+
+/// The points that a claim is about, in parts: the values of the shape parameters and the domain, without the variables
 /// that an `at` block fixes.
-pub(crate) fn domain(family: &Family, fixed: &[(Var, Fraction)]) -> Domain {
+pub(crate) fn parts(family: &Family, fixed: &[(Var, Fraction)]) -> Vec<(Piece, Rc<Domain>)> {
+    let whole = |piece: Piece| {
+        let mut domain = piece.domain();
+        domain.simplices.extend(simplex(family, fixed));
+        (piece, Rc::new(domain))
+    };
+    family.pieces(fixed, &[], false).into_iter().map(whole).listed()
+}
+
+/// What of a simplex is left when some coordinates are fixed.
+fn simplex(family: &Family, fixed: &[(Var, Fraction)]) -> Option<Simplex> {
     let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
-    let parameters = family.shapes.iter().chain(if family.is_simplex() { &[] } else { &family.domain[..] });
-    let mut ranges = parameters.filter(|p| free(&p.var)).map(|p| (p.var, p.range.clone())).listed();
-    ranges.extend(family.analytic.ranges.iter().filter(|(v, _)| free(v)).cloned());
-    let mut domain = Domain::of(Region { ranges });
     let variables: Vec<Var> = if family.is_simplex() {
         family.domain.iter().map(|p| p.var).filter(free).listed()
     } else {
         Vec::new()
     };
-    if !variables.is_empty() {
-        domain.simplices.push(Simplex { variables, sum: left_on_simplex(family, fixed) });
-    }
-    domain
+    (!variables.is_empty()).then(|| Simplex { variables, sum: left_on_simplex(family, fixed) })
 }
 
 /// What fixed barycentric coordinates leave of 1 for the others; 1 where nothing is fixed.

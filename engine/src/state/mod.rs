@@ -25,15 +25,11 @@ pub use family::value_errors;
 pub use family::{Table, coefficient_table, statements as family_statements};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};
-#[cfg(any(test, feature = "tools"))]
-pub(crate) use inequality::domain as family_domain;
 pub use judge::Prover;
 pub use parts::{FEW, Part, Standing, parts};
 pub use report::diagnose;
 pub use run::Run;
 pub use verdict::{Evidence, Stated, Verdict, Witness, WitnessPoints, as_declared, point_text};
-
-use basis_prover::collections::list::Listed;
 
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
@@ -58,13 +54,12 @@ pub fn instances(
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
+        Subject::Family(family) if matches!(claim.kind, crate::claim::ClaimKind::TotallyPositive) => {
+            family::minors(family, given)
+        }
         Subject::Family(family) if given.is_empty() => {
-            let stated =
-                family::statements(family, claim).ok_or("the budget is spent on a common denominator")?;
-            Ok(stated
-                .into_iter()
-                .filter(|s| !s.is_stronger && !family::is_wider(family, &s.statement))
-                .listed())
+            let stated = family::refutable(family, claim);
+            stated.ok_or("the budget is spent on a common denominator")
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),

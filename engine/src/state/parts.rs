@@ -22,17 +22,20 @@ pub enum Standing {
     True,
     /// Neither proved nor refuted.
     Undecided,
+    /// Neither, as a conjecture may be.
+    Open,
 }
 
 impl Standing {
     /// The verdict on a claim beside its declaration.
     pub const fn of(claim: &Claim, verdict: &Verdict) -> Self {
         match (claim.expected, verdict) {
-            (Expected::True, Verdict::Proved(_)) => Self::Proved,
+            (Expected::Open, Verdict::Undecided(_)) => Self::Open,
+            (Expected::True | Expected::Open, Verdict::Proved(_)) => Self::Proved,
             (Expected::False, Verdict::Refuted(_)) => Self::Refuted,
-            (Expected::True, Verdict::Refuted(_)) => Self::False,
+            (Expected::True | Expected::Open, Verdict::Refuted(_)) => Self::False,
             (Expected::False, Verdict::Proved(_)) => Self::True,
-            (_, Verdict::Undecided(_)) => Self::Undecided,
+            (Expected::True | Expected::False, Verdict::Undecided(_)) => Self::Undecided,
         }
     }
 }

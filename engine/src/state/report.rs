@@ -33,15 +33,22 @@ fn contradiction(
     place: &Place,
     verdict: &Verdict,
 ) -> Option<Diagnostic> {
-    if as_declared(expected, verdict) {
+    let is_news = expected == Expected::Open && matches!(verdict, Verdict::Proved(_));
+    if as_declared(expected, verdict) && !is_news {
         return None;
     }
     Some(match verdict {
         Verdict::Refuted(witness) => {
-            let message = format!("{title}: the claim `{text}` is false");
+            let what = if expected == Expected::Open { "conjecture" } else { "claim" };
+            let message = format!("{title}: the {what} `{text}` is false");
             let mut d = Diagnostic::error(place.clone(), message).label("refuted");
             d.notes.clone_from(&witness.notes);
             d.help("correct the formulas or the claim; `refute` declares a claim false")
+        }
+        Verdict::Proved(evidence) if expected == Expected::Open => {
+            let message = format!("{title}: the conjecture `{text}` is true");
+            let d = Diagnostic::error(place.clone(), message).label("proved").warning();
+            d.note(format!("proved by {}", evidence.method())).help("write `prove`")
         }
         Verdict::Proved(evidence) => {
             let message = format!("{title}: the claim `{text}` is declared false, but it is true");

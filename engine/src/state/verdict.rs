@@ -175,10 +175,12 @@ pub fn point_text(place: &[Rational]) -> String {
     format!("({})", parts.join(", "))
 }
 
-/// Whether a verdict is the one that the author of the claim declared.
+/// Whether a verdict is the one that the author of the claim declared; of a conjecture any but that it is false.
 pub const fn as_declared(expected: Expected, verdict: &Verdict) -> bool {
     matches!(
         (expected, verdict),
-        (Expected::True, Verdict::Proved(_)) | (Expected::False, Verdict::Refuted(_))
+        (Expected::True, Verdict::Proved(_))
+            | (Expected::False, Verdict::Refuted(_))
+            | (Expected::Open, Verdict::Undecided(_) | Verdict::Proved(_))
     )
 }

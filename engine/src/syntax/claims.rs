@@ -11,12 +11,21 @@ use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, Loops, Relati
 use crate::advice::did_you_mean;
 
 /// The properties that are claimed by a word.
-const PROPERTIES: [&str; 7] =
-    ["partition_of_unity", "nonnegative", "symmetric", "independent", "continuity", "smooth", "rounding"];
+const PROPERTIES: [&str; 8] = [
+    "partition_of_unity",
+    "nonnegative",
+    "symmetric",
+    "independent",
+    "continuity",
+    "smooth",
+    "totally_positive",
+    "rounding",
+];
 
 /// `prove …` or `refute …` without the final `;`.
 pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
-    let expected = if at_word(input, "refute") { Expected::False } else { Expected::True };
+    let word = input.cursor().ident().map(|(word, _)| word.to_string());
+    let expected = word.and_then(|word| Expected::of(&word)).unwrap_or(Expected::True);
     let keyword = take_word(input)?;
     let start = input.cursor();
     let mut only = Loops::default();
@@ -28,6 +37,7 @@ pub(super) fn claim(input: ParseStream<'_>) -> Result<Claim> {
                 "nonnegative" => ClaimKind::Nonnegative,
                 "symmetric" => ClaimKind::Symmetric,
                 "continuity" => continuity(input, span)?,
+                "totally_positive" => ClaimKind::TotallyPositive,
                 "smooth" => smooth(input, span)?,
                 "rounding" => rounding(input, span)?,
                 _ => ClaimKind::Independent(exceptions(input, span)?),
@@ -86,7 +96,8 @@ fn properties() -> String {
 
 /// `continuity(2)` after its first word.
 fn continuity(input: ParseStream<'_>, word: proc_macro2::Span) -> Result<ClaimKind> {
-    order(input, word, "continuity").map(ClaimKind::Continuity)
+    let order = order(input, word, "continuity")?;
+    Ok(ClaimKind::Continuity(order, neighbours(input)?))
 }
 
 /// `smooth(1)` after its first word.
@@ -111,6 +122,15 @@ fn order(input: ParseStream<'_>, word: proc_macro2::Span, name: &str) -> Result<
         return Err(unexpected(&content, "`)`"));
     }
     Ok(order)
+}
+
+/// `with d0 = d1` after `continuity(2)`.
+fn neighbours(input: ParseStream<'_>) -> Result<Vec<Binding>> {
+    if !at_word(input, "with") {
+        return Ok(Vec::new());
+    }
+    take_word(input)?;
+    bindings(input)
 }
 
 /// `rounding <= 5` after its first word.
@@ -152,8 +172,19 @@ fn exceptions(input: ParseStream<'_>, before: proc_macro2::Span) -> Result<Vec<V
 
 fn binding(input: ParseStream<'_>) -> Result<Binding> {
     let name = name(input)?;
+    let mut indices = Vec::new();
+    if matches!(input.cursor().token_tree(), Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Bracket)
+    {
+        let content;
+        syn::bracketed!(content in input);
+        indices = super::expr::list(&content, 0)?;
+        if indices.is_empty() {
+            let help = format!("write a number, such as `{}[1] = 0`", name.text);
+            return Err(error(name.span, "an index is missing between the brackets", help));
+        }
+    }
     equals(input, &name)?;
-    Ok(Binding { name, value: expr(input)? })
+    Ok(Binding { name, indices, value: expr(input)? })
 }
 
 fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
@@ -168,7 +199,15 @@ fn bindings(input: ParseStream<'_>) -> Result<Vec<Binding>> {
 /// `at t = 0, λ = 1 { b = [1, 0]; D(b) = [-1, 1]; }`
 fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     take_word(input)?;
+    let start = input.fork();
     let fixed = bindings(input).map_err(|e| {
+        // at 0 <= t <= 1/2: a part of the domain.
+        let inequality =
+            expr(&start).is_ok() && comparison(&start).is_ok_and(|sign| sign.is_some_and(|s| s != Comparison::Equal));
+        if inequality {
+            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument: `b[0](t/2)` for `0 <= t <= 1/2`";
+            return error(start.span(), "`at` fixes values, this is a range", help);
+        }
         if !is_missing_semicolon(&e) {
             return e;
         }
@@ -208,11 +247,23 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
     Ok(ClaimKind::At(fixed, relations))
 }
 
+/// What is assumed of shape values: a relation.
+pub(super) fn assumption(input: ParseStream<'_>) -> Result<Relation> {
+    let ahead = input.fork();
+    let left = expr(&ahead)?;
+    if comparison(&ahead)?.is_none() {
+        let found = unexpected(&ahead, "`<=`, `>=`, `<`, `>` or `=`").to_string();
+        let help = "write what is assumed as an inequality, `assume α + β <= 1;`, or a linear equation";
+        return Err(error(if ahead.is_empty() { left.span } else { ahead.span() }, found, help));
+    }
+    relation(input)
+}
+
 /// The most signs of a chain after the first one.
 const MAX_CHAIN: usize = 15;
 
 /// `left = right for i in 0..=n`, with any comparison, or a chain `a <= b <= c`.
-fn relation(input: ParseStream<'_>) -> Result<Relation> {
+pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
     let (start, first) = (input.span(), input.cursor());
     let single = first.ident();
     let left = expr(input)?;

@@ -95,7 +95,7 @@ fn flat<T>(mut parts: Vec<(T, Expr)>, kind: fn(Vec<(T, Expr)>) -> ExprKind) -> E
 
 /// Whether a word begins a claim or another statement, and is nobody's name.
 fn is_statement(word: &str) -> bool {
-    ["prove", "refute", "curve", "surface", "scalar", "assume", "let"].contains(&word)
+    ["prove", "refute", "conjecture", "curve", "surface", "scalar", "assume", "let"].contains(&word)
 }
 
 /// Whether `b[1] = …` follows: a definition, not a factor.
@@ -266,6 +266,10 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
             input.parse::<Literal>()?;
             Ok(Expr { span, kind: ExprKind::Number(number(&literal)?) })
         }
+        Some((TokenTree::Ident(word), _)) if word == "if" => {
+            let help = "conditions choose among the values of index variables, `for i in 0..=n if i != 1`; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2;`";
+            Err(error(span, "a formula has no cases", help))
+        }
         Some((TokenTree::Ident(_), _)) => Ok(Expr { span, kind: ExprKind::Name(name(input)?.text) }),
         Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
             let content;
@@ -407,7 +411,7 @@ fn number(literal: &Literal) -> Result<Rational> {
 }
 
 /// Expressions separated by commas up to the end of the brackets.
-fn list(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
+pub(super) fn list(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
     let mut parts = Vec::new();
     while !content.is_empty() {
         parts.push(sum(content, depth)?);
@@ -449,6 +453,9 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
 fn separator(content: ParseStream<'_>) -> Result<()> {
     if content.peek(Token![,]) {
         content.parse::<Token![,]>()?;
+    } else if content.peek(Token![;]) {
+        let found = unexpected(content, "`,` or an operator").to_string();
+        return Err(error(content.span(), found, "write `,` between arguments, as in `D(b[0], t)`"));
     } else if !content.is_empty() {
         return Err(unexpected(content, "`,` or an operator"));
     }
@@ -473,7 +480,7 @@ pub(super) fn loops(input: ParseStream<'_>) -> Result<Loops> {
                 return Err(error(start, message, "write several statements"));
             }
             result.generators.push(generator);
-            if !input.peek(Token![,]) {
+            if !input.peek(Token![,]) || begins_range(input) {
                 break;
             }
             input.parse::<Token![,]>()?;
@@ -546,6 +553,16 @@ fn compares(tokens: proc_macro2::TokenStream) -> bool {
         TokenTree::Group(g) => g.delimiter() == Delimiter::Parenthesis && compares(g.stream()),
         _ => false,
     })
+}
+
+/// Whether a range of a shape parameter follows after the comma, `, 0 <= μ`, and not another index variable.
+fn begins_range(input: ParseStream<'_>) -> bool {
+    let ahead = input.fork();
+    ahead.parse::<Token![,]>().is_ok()
+        && !ahead.is_empty()
+        && (ahead.cursor().ident().is_none() || !ahead.peek2(Token![in]) && !ahead.peek2(Token![,]))
+        && ahead.call(expr).is_ok()
+        && ahead.call(comparison).is_ok_and(|sign| sign.is_some())
 }
 
 /// `i in low..=high`, or `i, j, k in simplex(n)`.

@@ -111,8 +111,10 @@ pub enum StatementKind {
     Domain(Vec<RangeDecl>),
     /// `domain triangle (u, v, w);`
     Simplex(Vec<Name>),
-    /// `shape -3 <= λ <= 1;`
-    Shape(RangeDecl),
+    /// `shape -3 <= λ <= 1, 0 <= μ[i] for i in 1..=n;`
+    Shape(Vec<ShapeDecl>),
+    /// `assume q < p;`: only these shape values count.
+    Assume(Relation),
     /// `let c = …;` or `let h(x) = …;`
     Let(NameDef),
     /// `b[i] = … for i in 0..=n;`
@@ -156,6 +158,34 @@ pub struct Limit {
     pub value: Expr,
     /// Whether the range contains it.
     pub included: bool,
+}
+
+impl ShapeDecl {
+    /// The names in the chain, those with an index without it.
+    pub fn names(&self) -> Vec<&str> {
+        let mut names = Vec::new();
+        for part in &self.parts {
+            let named = match &part.kind {
+                ExprKind::Index(base, _) => base,
+                _ => part,
+            };
+            if let ExprKind::Name(name) = &named.kind {
+                names.push(name.as_str());
+            }
+        }
+        names
+    }
+}
+
+/// A chain that declares shape parameters, such as `0 < q < p <= 1`.
+#[derive(Debug)]
+pub struct ShapeDecl {
+    /// What stands in the chain, in ascending order: names, perhaps with an index, and ends of ranges.
+    pub parts: Vec<Expr>,
+    /// Whether two neighbours may be equal.
+    pub included: Vec<bool>,
+    /// What the index variables run over.
+    pub loops: Loops,
 }
 
 /// Claims about curves and surfaces over families, as they are written.
@@ -303,7 +333,7 @@ pub struct FunctionDef {
 }
 
 /// `for i in 0..=n, j in 0..=n if i != j`.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Loops {
     /// What the names run over, the first slowest.
     pub generators: Vec<Generator>,
@@ -312,7 +342,7 @@ pub struct Loops {
 }
 
 /// What must hold of index variables, such as `i != j && !(i == 0 || j == 0)`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Condition {
     /// Two numbers compare in this way.
     Compare(Expr, Comparison, Expr),
@@ -336,7 +366,7 @@ impl Condition {
 }
 
 /// What one or several index variables run over.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Generator {
     /// `i in low..=high`.
     Range(IndexRange),
@@ -345,7 +375,7 @@ pub enum Generator {
 }
 
 /// `i in low..=high`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct IndexRange {
     /// The name.
     pub name: Name,
@@ -410,14 +440,22 @@ pub enum Expected {
     True,
     /// `refute`: the claim is false.
     False,
+    /// `conjecture`: the claim is believed to be true, and may be undecided.
+    Open,
 }
 
 impl Expected {
+    /// What a keyword declares.
+    pub fn of(keyword: &str) -> Option<Self> {
+        [Self::True, Self::False, Self::Open].into_iter().find(|expected| expected.keyword() == keyword)
+    }
+
     /// The keyword.
     pub const fn keyword(self) -> &'static str {
         match self {
             Self::True => "prove",
             Self::False => "refute",
+            Self::Open => "conjecture",
         }
     }
 }
@@ -434,7 +472,10 @@ pub enum ClaimKind {
     /// The functions are linearly independent, except at the listed shape values.
     Independent(Vec<Vec<Binding>>),
     /// Neighbouring segments, control points shifted by one, join with this many continuous derivatives.
-    Continuity(Expr),
+    /// With bindings, the shape values of the next segment.
+    Continuity(Expr, Vec<Binding>),
+    /// All minors of the functions at ascending points are ≥ 0.
+    TotallyPositive,
     /// The derivatives up to this order agree at the inner knots of a domain of several spans.
     Smooth(Expr),
     /// `rounding <= 5`
@@ -445,11 +486,13 @@ pub enum ClaimKind {
     At(Vec<Binding>, Vec<Relation>),
 }
 
-/// `name = value`.
+/// `name = value`, or with an index, `λ[1] = value`.
 #[derive(Debug)]
 pub struct Binding {
     /// The name.
     pub name: Name,
+    /// Its indices, if it has any.
+    pub indices: Vec<Expr>,
     /// The value.
     pub value: Expr,
 }
@@ -478,7 +521,7 @@ pub struct Relation {
 }
 
 /// An expression and where it stands.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Expr {
     /// Where it stands.
     pub span: Span,
@@ -505,7 +548,7 @@ pub enum Role {
 }
 
 /// The kinds of expressions. Sums and products are flat, so that long formulas do not nest deeply.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum ExprKind {
     /// An exact number.
     Number(Rational),

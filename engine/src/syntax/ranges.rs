@@ -5,9 +5,9 @@ use syn::parse::ParseStream;
 use syn::{Error, Result};
 
 use super::error::error;
-use super::expr::{comparison, expr};
+use super::expr::{comparison, expr, loops};
 use super::words::at_word;
-use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl};
+use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};
 
 /// What the range of a parameter may look like.
 pub(super) const SHAPE_HELP: &str =
@@ -20,9 +20,53 @@ pub(super) fn range(input: ParseStream<'_>, help: &str) -> Result<RangeDecl> {
     Ok(RangeDecl { name: Name { text, span: target.span }, low, high })
 }
 
+/// Ranges of shape parameters in one chain, such as `0 < q < p <= 1`.
+pub(super) fn shapes(input: ParseStream<'_>) -> Result<ShapeDecl> {
+    let help = SHAPE_HELP;
+    let (parts, included) = chain(input, help)?;
+    if !parts.iter().any(is_target) {
+        let part = parts.get(usize::from(parts.len() > 2)).unwrap_or(&parts[0]);
+        return Err(no_target(part.span, help));
+    }
+    Ok(ShapeDecl { parts, included, loops: loops(input)? })
+}
+
+/// Whether an expression is a name, or a name with an index.
+fn is_target(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Name(_) => true,
+        ExprKind::Index(base, _) => matches!(base.kind, ExprKind::Name(_)),
+        _ => false,
+    }
+}
+
 /// A range as papers write it, whose name may have an index, `-3 < γ[1]`.
 pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
     let start = input.span();
+    let (parts, included) = chain(input, help)?;
+    let target = |e: Expr| if is_target(&e) { Ok(e) } else { Err(no_target(e.span, help)) };
+    let limit = |value, included: &bool| Some(Limit { value, included: *included });
+    let mut parts = parts.into_iter();
+    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
+        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
+        (Some(a), Some(b), None, [i]) => {
+            if is_target(&b) {
+                Ok(Bounds { target: b, low: limit(a, i), high: None })
+            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
+                target(b).map(|target| Bounds { target, low: limit(a, i), high: None })
+            } else {
+                Ok(Bounds { target: target(a)?, low: None, high: limit(b, i) })
+            }
+        }
+        (Some(a), Some(b), Some(c), [i, j]) => {
+            Ok(Bounds { target: target(b)?, low: limit(a, i), high: limit(c, j) })
+        }
+        _ => Err(error(start, "a range has at most two ends", help)),
+    }
+}
+
+/// Expressions with inequalities between them, in ascending order, and whether neighbours may be equal.
+fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
     let mut parts = vec![expr(input)?];
     let mut signs = Vec::new();
     loop {
@@ -52,30 +96,7 @@ pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
             _ => return Err(error(*span, format!("`{}` does not fit in this range", sign.symbol()), help)),
         });
     }
-    let is_target = |e: &Expr| match &e.kind {
-        ExprKind::Name(_) => true,
-        ExprKind::Index(base, _) => matches!(base.kind, ExprKind::Name(_)),
-        _ => false,
-    };
-    let target = |e: Expr| if is_target(&e) { Ok(e) } else { Err(no_target(e.span, help)) };
-    let limit = |value, included: &bool| Some(Limit { value, included: *included });
-    let mut parts = parts.into_iter();
-    match (parts.next(), parts.next(), parts.next(), included.as_slice()) {
-        (Some(only), None, None, []) => Ok(Bounds { target: target(only)?, low: None, high: None }),
-        (Some(a), Some(b), None, [i]) => {
-            if is_target(&b) {
-                Ok(Bounds { target: b, low: limit(a, i), high: None })
-            } else if !is_target(&a) && matches!(a.kind, ExprKind::Number(_)) {
-                target(b).map(|target| Bounds { target, low: limit(a, i), high: None })
-            } else {
-                Ok(Bounds { target: target(a)?, low: None, high: limit(b, i) })
-            }
-        }
-        (Some(a), Some(b), Some(c), [i, j]) => {
-            Ok(Bounds { target: target(b)?, low: limit(a, i), high: limit(c, j) })
-        }
-        _ => Err(error(start, "a range has at most two ends", help)),
-    }
+    Ok((parts, included))
 }
 
 fn no_target(span: Span, help: &str) -> Error {

@@ -7,15 +7,26 @@ use syn::{Result, Token};
 use super::claims::claim;
 use super::error::{error, is_missing_semicolon};
 use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
-use super::ranges::{SHAPE_HELP, range};
+use super::ranges::{self, range};
 use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};
 use super::{Binding, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
 use crate::advice::did_you_mean;
 use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
-pub(super) const STATEMENTS: [&str; 9] =
-    ["domain", "shape", "let", "permute", "base", "raise", "prove", "refute", "budget"];
+pub(super) const STATEMENTS: [&str; 11] = [
+    "domain",
+    "shape",
+    "assume",
+    "let",
+    "permute",
+    "base",
+    "raise",
+    "prove",
+    "refute",
+    "conjecture",
+    "budget",
+];
 
 /// The most spans of a domain.
 pub(crate) const MAX_SPANS: usize = 64;
@@ -64,6 +75,11 @@ pub(super) fn family(input: ParseStream<'_>, doc: Vec<String>, errors: &mut Synt
                 errors.push(e);
                 if !goes_on {
                     skip_statement(&content);
+                    // The other case of a formula with cases.
+                    while at_word(&content, "else") {
+                        skip_statement(&content);
+                        let _ = content.parse::<Option<Token![;]>>();
+                    }
                 }
                 if about_functions {
                     names_between(&start, &content, &mut unread);
@@ -81,7 +97,8 @@ fn begins_claim(input: ParseStream<'_>) -> bool {
     let _ = doc(&ahead, Doc::Outer);
     let Some((word, _)) = ahead.cursor().ident() else { return false };
     let word = word.to_string();
-    ["prove", "refute", "budget"].contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
+    ["prove", "refute", "conjecture", "budget"]
+        .contains(&crate::advice::closest(&word, &STATEMENTS).unwrap_or(&word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<Statement> {
@@ -107,13 +124,22 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         }
         "shape" => {
             take_word(input)?;
-            StatementKind::Shape(range(input, SHAPE_HELP)?)
+            let mut shapes = vec![ranges::shapes(input)?];
+            while input.peek(Token![,]) {
+                input.parse::<Token![,]>()?;
+                shapes.push(ranges::shapes(input)?);
+            }
+            StatementKind::Shape(shapes)
+        }
+        "assume" => {
+            take_word(input)?;
+            StatementKind::Assume(super::claims::assumption(input)?)
         }
         "let" => {
             take_word(input)?;
             StatementKind::Let(definition(input)?)
         }
-        "prove" | "refute" => {
+        "prove" | "refute" | "conjecture" => {
             let claim = claim(input)?;
             StatementKind::Claim(claim)
         }
@@ -154,7 +180,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
     let help = did_you_mean(text, &STATEMENTS, &|| {
         String::from(
-            "statements are `domain`, `shape`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute` and `budget`",
+            "statements are `domain`, `shape`, `assume`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute`, `conjecture` and `budget`",
         )
     });
     error(word.span(), format!("`{text}` does not begin a statement"), help)
@@ -173,9 +199,6 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         _ => {}
     }
     let help = match kind {
-        Some(StatementKind::Shape(_)) if input.peek(Token![,]) => {
-            "every shape parameter has a statement of its own: `shape 0 <= λ <= 1; shape 0 <= μ <= 1;`"
-        }
         Some(StatementKind::Claim(_)) if at_word(input, "except") => {
             "`except` belongs to `independent`; for other claims narrow the range of the parameter"
         }
@@ -283,7 +306,7 @@ fn base(input: ParseStream<'_>) -> Result<StatementKind> {
         functions.push(FunctionDef { permute, ..function(&content)? });
         semicolon(&content, None)?;
     }
-    Ok(StatementKind::Base(Binding { name, value }, functions))
+    Ok(StatementKind::Base(Binding { name, indices: Vec::new(), value }, functions))
 }
 
 /// `triangle (u, v, w)` or `tetrahedron (u, v, w, x)`; `None` when something else follows.

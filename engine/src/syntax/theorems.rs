@@ -16,8 +16,19 @@ use crate::advice::did_you_mean;
 use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
-const STATEMENTS: [&str; 10] =
-    ["curve", "surface", "patch", "scalar", "assume", "let", "dimension", "prove", "refute", "budget"];
+const STATEMENTS: [&str; 11] = [
+    "curve",
+    "surface",
+    "patch",
+    "scalar",
+    "assume",
+    "let",
+    "dimension",
+    "prove",
+    "refute",
+    "conjecture",
+    "budget",
+];
 
 /// What can be assumed.
 pub(crate) const ASSUME_HELP: &str = "`assume` narrows the range of one scalar by numbers, `assume a > 0;`; where a > b is meant, let their difference be the scalar: `scalar 0 < d;` and `let a = b + d;`";
@@ -78,7 +89,7 @@ pub(super) fn theorem(
 fn declares(input: ParseStream<'_>) -> bool {
     let ahead = input.fork();
     let _ = doc(&ahead, Doc::Outer);
-    !["prove", "refute", "dimension", "budget"].iter().any(|word| at_word(&ahead, word))
+    !["prove", "refute", "conjecture", "dimension", "budget"].iter().any(|word| at_word(&ahead, word))
 }
 
 fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
@@ -124,8 +135,8 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
         }
         "dimension" => TheoremStatementKind::Dimension(expr(input)?),
         "budget" => TheoremStatementKind::Budget(expr(input)?),
-        "prove" | "refute" => {
-            let expected = if word == "prove" { Expected::True } else { Expected::False };
+        "prove" | "refute" | "conjecture" => {
+            let expected = Expected::of(&word).unwrap_or(Expected::True);
             TheoremStatementKind::Claim(assertion(input, expected)?)
         }
         _ => {

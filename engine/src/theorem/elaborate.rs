@@ -14,6 +14,7 @@ use crate::algebra::range::{Range, Region};
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::Library;
+use crate::model::chart::Piece;
 use crate::model::formula::numbers::{budget_value, range_of};
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Scope, Subject};
@@ -115,7 +116,7 @@ impl Elaboration<'_> {
             return None;
         }
         let whole = Rc::new(Domain::of(region.clone()));
-        self.scope.settle(&region, &whole, budget);
+        self.scope.settle(&|_| vec![(Piece::default(), Rc::clone(&whole))], budget);
         let silent: Vec<Var> = self.implicit.iter().filter(|p| !p.mentioned).map(|p| p.var).listed();
         self.scalars.retain(|p| !silent.contains(&p.var));
         let theorem = Theorem {

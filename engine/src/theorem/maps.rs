@@ -166,7 +166,7 @@ impl Elaboration<'_> {
             ExprKind::Name(_) | ExprKind::Index(..) => self.target_name(variable)?,
             _ => String::new(),
         };
-        let Some(var) = self.scope.variable(&name) else {
+        let Some(var) = self.scope.variable(&name).filter(|_| !name.is_empty()) else {
             if name.is_empty() || !self.scope.is_mistaken(&name) {
                 let error =
                     self.scope.error(variable.span, "expected the variable of the integral, a scalar");

@@ -321,6 +321,8 @@ impl Elaboration<'_> {
             self.scope.must_stay_inside(inside, place);
             values.push(value);
         }
+        let span = factor.shapes.first().map_or_else(Span::call_site, |expr| expr.span);
+        self.scope.must_satisfy(&factor.family, &values, span)?;
         Some(values)
     }
 

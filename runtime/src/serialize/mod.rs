@@ -47,6 +47,12 @@ macro_rules! __serialize_shape {
             Self::new($($field),+).map_err($crate::__private::shape_error)
         }, deserializer);
     };
+    ($name:ident, $title:literal, [$($field:ident $label:literal),+], ($($argument:expr),+)) => {
+        $crate::__serialize_shape!(@impl $name, $title, [$($field $label),+], {
+            let [$($field),+] = $crate::__private::read_shape(deserializer, $title, &[$($label),+])?;
+            Self::new($($argument),+).map_err($crate::__private::shape_error)
+        }, deserializer);
+    };
     (@impl $name:ident, $title:literal, [$($field:ident $label:literal),*], $read:block, $deserializer:ident) => {
         impl<S: $crate::Scalar + $crate::__private::serde::Serialize> $crate::__private::serde::Serialize for $name<S> {
             fn serialize<Z: $crate::__private::serde::Serializer>(

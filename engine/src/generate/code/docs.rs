@@ -39,6 +39,7 @@ pub(in crate::generate) fn family(
         ranges.extend(family.domain.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
     }
     ranges.extend(family.shapes.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
+    ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
     lines.extend(rounding.iter().cloned());
     if !verdicts.is_empty() {
@@ -81,7 +82,7 @@ fn reasons(alike: &[&Verdict]) -> String {
                 let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
                 format!("refuted: `{}` is {}{place}", witness.of, witness.value)
             }
-            Verdict::Undecided(left) => format!("undecided: {left}"),
+            Verdict::Undecided(left) => format!("open: {left}"), // of a conjecture; others stop the build
         };
         if !all.contains(&reason) {
             all.push(reason);

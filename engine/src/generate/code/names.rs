@@ -1,5 +1,6 @@
 //! Names of the spec as names of Rust: ASCII, no keywords, none twice.
 
+use basis_prover::collections::list::Listed as _;
 use proc_macro2::Ident;
 
 use super::tokens::site;
@@ -160,6 +161,45 @@ pub(in crate::generate) fn plain(ident: &Ident) -> String {
     ident.to_string().trim_start_matches("r#").to_string()
 }
 
+/// The name of a shape parameter in Rust; `λ[1]` becomes `lambda_1`.
+fn field(name: &str) -> String {
+    let parts: Vec<&str> = name.split(['[', ']', ',']).filter(|part| !part.is_empty()).listed();
+    ascii(&parts.join("_"))
+}
+
+/// Shape parameters that a constructor takes as one argument: with an index and of one name, as an array, or one alone.
+pub(in crate::generate) struct Argument {
+    /// The name of the argument and of the method that returns it.
+    pub(in crate::generate) name: Ident,
+    /// The name as the spec has it.
+    pub(in crate::generate) written: String,
+    /// The places of the parameters.
+    pub(in crate::generate) places: core::ops::Range<usize>,
+    /// Whether they come as an array.
+    pub(in crate::generate) is_array: bool,
+}
+
+/// The arguments of a constructor, from the names of the fields.
+pub(in crate::generate) fn arguments(family: &Family, fields: &[Ident]) -> Vec<Argument> {
+    let mut all: Vec<Argument> = Vec::new();
+    for (k, (shape, field)) in family.shapes.iter().zip(fields).enumerate() {
+        match shape.name.split_once('[') {
+            None => {
+                let (name, written) = (field.clone(), shape.name.clone());
+                all.push(Argument { name, written, places: k..k + 1, is_array: false });
+            }
+            Some((base, _)) => match all.last_mut() {
+                Some(last) if last.is_array && last.written == base => last.places.end = k + 1,
+                _ => {
+                    let name = ident(&ascii(base)).unwrap_or_else(|| field.clone());
+                    all.push(Argument { name, written: base.to_string(), places: k..k + 1, is_array: true });
+                }
+            },
+        }
+    }
+    all
+}
+
 /// The names of the shape parameters as fields, arguments and methods.
 ///
 /// # Errors
@@ -168,16 +208,22 @@ pub(in crate::generate) fn fields(family: &Family) -> Result<Vec<Ident>, Vec<Dia
     let mut fields: Vec<Ident> = Vec::new();
     let mut errors = Vec::new();
     for (k, shape) in family.shapes.iter().enumerate() {
-        let name = ascii(&shape.name);
+        let name = field(&shape.name);
+        // Of parameters with an index the array has the name without one.
+        let (base, indexed) =
+            shape.name.split_once('[').map_or((&*shape.name, false), |(base, _)| (base, true));
         let error = |message: String| Diagnostic::error(shape.place.clone(), message);
         let help = "choose another name for the parameter";
-        if METHODS.contains(&name.as_str()) {
+        if METHODS.contains(&ascii(base).as_str()) {
             let message = format!(
                 "the shape parameter `{}` has the name of a method of the generated type",
                 shape.name
             );
             errors.push(error(message).help(help));
-        } else if let Some(other) = family.shapes[..k].iter().find(|other| ascii(&other.name) == name) {
+        } else if let Some(other) = family.shapes[..k]
+            .iter()
+            .find(|other| field(&other.name) == name || indexed && field(&other.name) == ascii(base))
+        {
             let message = format!(
                 "the shape parameters `{}` and `{}` are both called `{name}` in Rust",
                 other.name, shape.name

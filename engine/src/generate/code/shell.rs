@@ -1,13 +1,16 @@
 //! What all generated types share: the definition, the constructor that checks shape values, their accessors.
 
+use basis_kernel::Relation;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote_spanned;
 
-use super::tokens::{doc, float, site};
+use super::names::arguments;
+use super::tokens::{doc, float, number, site};
 use crate::algebra::range::{DisplayRange as _, End};
 use crate::algebra::rational::Rational;
 use crate::generate::rust::{self, Body, Surroundings};
 use crate::model::Family;
+use crate::model::chart::Constraint;
 use crate::plan::{Input, Plan};
 use basis_prover::collections::list::Mapped;
 
@@ -70,6 +73,19 @@ impl Shell<'_> {
                 }
             }
         });
+        // Where `new` takes arrays, how they are made of the fields.
+        let all = arguments(self.family, fields);
+        let order = all.iter().any(|a| a.is_array).then(|| {
+            let parts = all.iter().map(|a| {
+                let own = &fields[a.places.clone()];
+                if a.is_array {
+                    quote_spanned!(site()=> [#(#own),*])
+                } else {
+                    quote_spanned!(site()=> #(#own),*)
+                }
+            });
+            quote_spanned!(site()=> , (#(#parts),*))
+        });
         quote_spanned! {site()=>
             #(#docs)*
             #[derive(#core::clone::Clone, #core::marker::Copy, #core::fmt::Debug, #core::cmp::PartialEq)]
@@ -84,7 +100,7 @@ impl Shell<'_> {
 
             #default
 
-            #runtime::__serialize_shape!(#name, #title, [#(#fields #labels),*]);
+            #runtime::__serialize_shape!(#name, #title, [#(#fields #labels),*] #order);
 
             #traits
         }
@@ -113,13 +129,48 @@ impl Shell<'_> {
                 #field: #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
             }
         });
-        let arguments = fields.iter().map(|f| quote_spanned!(site()=> #f: S));
+        let all = arguments(family, fields);
+        let declared = all.iter().map(|a| {
+            let (name, len) = (&a.name, a.places.len());
+            if a.is_array {
+                quote_spanned!(site()=> #name: [S; #len])
+            } else {
+                quote_spanned!(site()=> #name: S)
+            }
+        });
+        let taken = all.iter().filter(|a| a.is_array).map(|a| {
+            let (name, fields) = (&a.name, &fields[a.places.clone()]);
+            quote_spanned!(site()=> let [#(#fields),*] = #name;)
+        });
         let new = doc(&format!(
             "The family `{title}` with shape values in the declared ranges: `{}`.",
             ranges.join("`, `")
         ));
-        let accessors = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
-            let mut lines = vec![format!("The shape parameter `{}`, `{range}`.", p.name)];
+        let (assumed, assumptions) = self.assumptions(core);
+        let accessors = all.iter().map(|argument| {
+            let (field, p) = (&argument.name, &family.shapes[argument.places.start]);
+            let own = ranges[argument.places.clone()].join("`, `");
+            let mut lines = vec![if argument.is_array {
+                format!("The shape parameters `{}`: `{own}`.", argument.written)
+            } else {
+                format!("The shape parameter `{}`, `{own}`.", p.name)
+            }];
+            if argument.is_array {
+                let (fields, len) = (&fields[argument.places.clone()], argument.places.len());
+                if !p.doc.is_empty() {
+                    lines.push(String::new());
+                    lines.extend(p.doc.iter().cloned());
+                }
+                let docs = lines.iter().map(|line| doc(line));
+                return quote_spanned! {site()=>
+                    #(#docs)*
+                    #[inline]
+                    #[must_use]
+                    pub fn #field(&self) -> [S; #len] {
+                        [#(self.#fields),*]
+                    }
+                };
+            }
             if !p.doc.is_empty() {
                 lines.push(String::new());
                 lines.extend(p.doc.iter().cloned());
@@ -136,15 +187,49 @@ impl Shell<'_> {
         });
         quote_spanned! {site()=>
             #new
+            #assumed
             ///
             /// # Errors
             /// When a value is outside of its declared range, infinite, or NaN.
             #[inline]
-            pub fn new(#(#arguments),*) -> #core::result::Result<Self, #runtime::ShapeError> {
+            pub fn new(#(#declared),*) -> #core::result::Result<Self, #runtime::ShapeError> {
+                #(#taken)*
+                #(#assumptions)*
                 #core::result::Result::Ok(Self { #(#checks),* })
             }
             #(#accessors)*
         }
+    }
+
+    /// What is assumed of the shape values, as documentation, and its checks.
+    fn assumptions(&self, core: &TokenStream) -> (TokenStream, Vec<TokenStream>) {
+        let Self { fields, runtime, family, .. } = self;
+        let title = family.title();
+        let mut docs = TokenStream::new();
+        if !family.constraints.is_empty() {
+            let texts = family.constraints.mapped(|c| c.text.clone());
+            let line = doc(&format!("They satisfy `{}`.", texts.join("`, `")));
+            docs = quote_spanned!(site()=> #[doc = ""] #line);
+        }
+        let check = |c: &Constraint| {
+            let terms = c.value.terms().map(|(m, coefficient)| {
+                let mut term = number(coefficient);
+                for (shape, field) in family.shapes.iter().zip(fields) {
+                    for _ in 0..m.exponent(shape.var) {
+                        term = quote_spanned!(site()=> #term * #field);
+                    }
+                }
+                term
+            });
+            let (of, text) = (c.value.display(&family.names).to_string(), &c.text);
+            let zero = End::Included(Rational::ZERO);
+            let low = if c.relation == Relation::Positive { End::Excluded(Rational::ZERO) } else { zero };
+            let (low, high) = (bound(&low, core), bound(&End::Infinite, core));
+            quote_spanned! {site()=>
+                #runtime::__private::check_shape(#title, #of, #(#terms)+*, #low, #high, #text)?;
+            }
+        };
+        (docs, family.constraints.mapped(check))
     }
 }
 

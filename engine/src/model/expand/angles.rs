@@ -4,12 +4,14 @@
 use proc_macro2::Span;
 
 use super::build::{Domain, variable};
+use super::shapes::Shapes;
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
+use crate::model::chart::Constraint;
 use crate::model::formula::numbers::range_of;
 use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
@@ -26,31 +28,35 @@ pub(super) fn occur(written: &syntax::Family) -> bool {
     found && !written.statements.iter().any(|s| declares_pi(&s.kind))
 }
 
+/// Whether one of some names stands in an expression.
+fn has_name(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
+    matches!(&expr.kind, ExprKind::Name(name) if declared(name))
+        || parts(expr).into_iter().any(|part| has_name(part, declared))
+}
+
 /// Whether a shape parameter stands at an end of the domain.
 fn parametric_ends(written: &syntax::Family) -> bool {
     let declared = |name: &String| {
         written
             .statements
             .iter()
-            .any(|s| matches!(&s.kind, StatementKind::Shape(decl) if decl.name.text == *name))
+            .any(|s| matches!(&s.kind, StatementKind::Shape(decls) if decls.iter().any(|d| d.names().contains(&&**name))))
     };
     let decls = written.statements.iter().flat_map(|s| match &s.kind {
         StatementKind::Domain(decls) => decls.as_slice(),
         _ => &[],
     });
-    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| names_one(&limit.value, &declared))
-}
-
-/// Whether an expression contains one of some names.
-fn names_one(expr: &Expr, wanted: &dyn Fn(&String) -> bool) -> bool {
-    matches!(&expr.kind, ExprKind::Name(name) if wanted(name))
-        || parts(expr).into_iter().any(|part| names_one(part, wanted))
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| has_name(&limit.value, &declared))
 }
 
 fn declares_pi(kind: &StatementKind) -> bool {
     let is_pi = |name: &syntax::Name| PI.contains(&name.text.as_str());
     match kind {
-        StatementKind::Shape(decl) => is_pi(&decl.name),
+        // Beside another name it is the number at the end of a range.
+        StatementKind::Shape(decls) => decls.iter().any(|d| {
+            let names = d.names();
+            !names.is_empty() && names.iter().all(|name| PI.contains(name))
+        }),
         StatementKind::Domain(decls) => decls.iter().any(|d| is_pi(&d.name)),
         StatementKind::Let(def) => is_pi(&def.name),
         _ => false,
@@ -67,7 +73,14 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Domain(decls) => decls.iter().for_each(|decl| range(decl, with)),
-            StatementKind::Shape(decl) => range(decl, with),
+            StatementKind::Shape(decls) => {
+                decls.iter().flat_map(|d| &d.parts).for_each(&mut *with);
+            }
+            StatementKind::Assume(relation) => {
+                with(&relation.left);
+                with(&relation.right);
+                relation.chain.iter().for_each(|(_, side)| with(side));
+            }
             StatementKind::Let(def) => with(&def.value),
             StatementKind::Function(def) | StatementKind::Raise(def) => {
                 with(&def.value);
@@ -222,7 +235,7 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, places: 
         match &claim.kind {
             ClaimKind::Relation(relation) => probe_relation(probe, relation),
             ClaimKind::At(bindings, relations) => {
-                for Binding { name, value } in bindings {
+                for Binding { name, value, .. } in bindings {
                     let var = probe.variable(&name.text);
                     places.extend(var.zip(probe.scalar(value)));
                 }
@@ -279,16 +292,13 @@ impl Tangent {
 }
 
 /// The shape parameters and the domain variables of a family with angles.
-pub(super) fn declare<'a>(
-    scope: &mut Scope<'a>,
-    written: &'a syntax::Family,
-) -> Option<(Vec<Parameter>, Domain)> {
-    let mut shapes: Vec<(&RangeDecl, &[String])> = Vec::new();
+pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<(Shapes, Domain)> {
+    let (owned, order) = chains(scope, written)?;
+    let shapes: Vec<(&RangeDecl, &[String])> = owned.iter().map(|(decl, doc)| (decl, *doc)).listed();
     let mut domain: Vec<(&RangeDecl, &[String])> = Vec::new();
     let mut simplex = false;
     for statement in &written.statements {
         match &statement.kind {
-            StatementKind::Shape(decl) => shapes.push((decl, &statement.doc)),
             StatementKind::Domain(decls) => {
                 domain.extend(super::build::of_span(scope, decls).iter().map(|d| (d, &statement.doc[..])));
             }
@@ -360,12 +370,16 @@ pub(super) fn declare<'a>(
     }
     exponential(scope, &uses, &all, &limits);
     let mut parameters = Vec::new();
+    let mut constraints: Vec<Constraint> = Vec::new();
     for (k, (decl, doc)) in shapes.iter().chain(&domain).enumerate() {
+        if k == shape_count {
+            constraints = assumed(scope, written, &order, &slots[..k], &all, &parameters)?;
+        }
         let at = Place { slot: slots[k], itself: itself(k), is_domain: k >= shape_count };
         let range = match &all[k] {
             Some(of) => angle(scope, decl, &at, of, &limits[k], (&all, count, &parameters)),
             None if at.is_domain && limits[k].iter().flatten().any(|l| !l.value.parts.is_empty()) => {
-                linear(scope, decl, &at, &limits[k], count, &parameters)
+                linear(scope, decl, &at, &limits[k], count, (&parameters, &constraints))
             }
             None => plain(scope, decl, &at, &limits[k], written.incomplete),
         };
@@ -388,7 +402,115 @@ pub(super) fn declare<'a>(
         scope.report(error.help("write `domain 0 <= t <= 1;`"));
         return None;
     }
-    Some((parameters, own.unwrap_or((domain, None))))
+    Some((Shapes { parameters, constraints }, own.unwrap_or((domain, None))))
+}
+
+/// Two parameters of a chain that follow one another: the places of the lower and of the upper one, whether they may be
+/// equal, and the condition as it is written.
+type Order = (usize, usize, bool, String);
+
+/// A range with its doc comment.
+type Documented<'a> = (RangeDecl, &'a [String]);
+
+/// The ranges of the shape parameters, each alone, with the order of those in one chain.
+fn chains<'a>(scope: &Scope<'_>, written: &'a syntax::Family) -> Option<(Vec<Documented<'a>>, Vec<Order>)> {
+    let (mut all, mut order): (Vec<Documented<'a>>, Vec<Order>) = (Vec::new(), Vec::new());
+    for statement in &written.statements {
+        let StatementKind::Shape(decls) = &statement.kind else { continue };
+        for decl in decls {
+            let is_name = |e: &Expr| matches!(e.kind, ExprKind::Name(_));
+            let indexed = |e: &&Expr| matches!(&e.kind, ExprKind::Index(base, _) if matches!(&base.kind, ExprKind::Name(_)));
+            if let Some(part) = decl.parts.iter().find(indexed) {
+                let error = scope.error(part.span, "a shape parameter with an index stands beside angles, or ends of the domain that are parameters");
+                scope.report(error.help("give each of them a name of its own"));
+                return None;
+            }
+            let end = |from: usize, above: bool| {
+                let mut included = true;
+                let mut k = from;
+                loop {
+                    let next =
+                        if above { Some(k + 1).filter(|k| *k < decl.parts.len()) } else { k.checked_sub(1) }?;
+                    included &= decl.included[k.min(next)];
+                    k = next;
+                    if !is_name(&decl.parts[k]) || PI.iter().any(|pi| names(&decl.parts[k]) == Some(*pi)) {
+                        return Some(syntax::Limit { value: decl.parts[k].clone(), included });
+                    }
+                }
+            };
+            let mut before: Option<(usize, usize)> = None;
+            for (k, part) in decl.parts.iter().enumerate() {
+                let Some(text) = names(part).filter(|name| !PI.contains(name)) else { continue };
+                let place = match all.iter().position(|(d, _)| d.name.text == text) {
+                    // Only in a chain with others a name can be one that is declared before.
+                    Some(known) if decl.names().len() > 1 => known,
+                    _ => {
+                        let name = syntax::Name { text: text.to_string(), span: part.span };
+                        all.push((
+                            RangeDecl { name, low: end(k, false), high: end(k, true) },
+                            &statement.doc,
+                        ));
+                        all.len() - 1
+                    }
+                };
+                if let Some((at, lower)) = before.filter(|(at, _)| at + 1 == k) {
+                    let sign = if decl.included[at] { "<=" } else { "<" };
+                    let text = format!("{} {sign} {text}", all[lower].0.name.text);
+                    order.push((lower, place, decl.included[at], text));
+                }
+                before = Some((k, place));
+            }
+        }
+    }
+    Some((all, order))
+}
+
+/// The name that an expression is.
+fn names(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        _ => None,
+    }
+}
+
+/// What is assumed of shape parameters that are no angles.
+fn assumed(
+    scope: &mut Scope<'_>,
+    written: &syntax::Family,
+    order: &[Order],
+    slots: &[Var],
+    uses: &[Option<Use>],
+    parameters: &[Parameter],
+) -> Option<Vec<Constraint>> {
+    let mut shapes = Shapes { parameters: parameters.to_vec(), constraints: Vec::new() };
+    for (lower, upper, included, text) in order {
+        let value = &Poly::var(slots[*upper]) - &Poly::var(slots[*lower]);
+        let relation =
+            if *included { basis_kernel::Relation::NonNegative } else { basis_kernel::Relation::Positive };
+        shapes.constraints.push(Constraint { value, relation, text: text.clone() });
+    }
+    let mut span = None;
+    for statement in &written.statements {
+        if let StatementKind::Assume(relation) = &statement.kind {
+            span = Some(relation.span);
+            if !super::shapes::assume(scope, relation, &mut shapes) {
+                return None;
+            }
+        }
+    }
+    let plain = |v: &Var| slots.iter().position(|slot| slot == v).is_some_and(|k| uses[k].is_none());
+    let angle = shapes.constraints.iter().find(|c| !c.value.variables().iter().all(plain));
+    let first = written.statements.iter().find(|s| matches!(s.kind, StatementKind::Shape(_)));
+    let span = span.or(first.map(|s| s.span)).unwrap_or_else(Span::call_site);
+    if let Some(constraint) = angle {
+        let message = format!("`{}` is about an angle, or about `pi`", constraint.text);
+        scope.report(scope.error(span, message).help("ranges of angles depend on no others"));
+        return None;
+    }
+    if !super::shapes::has_values(scope, &shapes, span) {
+        return None;
+    }
+    Some(shapes.constraints)
 }
 
 /// Where a variable stands.
@@ -513,7 +635,7 @@ fn linear(
     at: &Place,
     limits: &Limits,
     count: usize,
-    known: &[Parameter],
+    (known, constraints): (&[Parameter], &[Constraint]),
 ) -> Option<Range> {
     let name = &decl.name.text;
     let [Some(low), Some(high)] = limits else {
@@ -524,7 +646,7 @@ fn linear(
     let (first, last) = (sum_of(scope, &low.value, count)?, sum_of(scope, &high.value, count)?);
     let width = &last - &first;
     let region = Region { ranges: known.mapped(|p| (p.var, p.range.clone())) };
-    if let Err(text) = scope.is_positive(&width, &region) {
+    if let Err(text) = scope.is_positive(&width, &region, constraints) {
         let message = format!("the ends of the domain of `{name}` are not in order");
         let error = scope.error(decl.name.span, message).label(text);
         scope.report(

@@ -1,15 +1,14 @@
 //! Expands a family as it is written into exact functions.
 
-use std::rc::Rc;
-
 use proc_macro2::Span;
 
-use super::{angles, claims, functions, indices, names, spans};
+use super::{angles, claims, functions, indices, names, shapes, spans};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostics, Place};
+pub(super) use crate::model::formula::numbers::checked_range;
 use crate::model::formula::numbers::{budget_value, range_of};
 use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library, Parameter};
@@ -61,7 +60,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
             None => return None,
         }
     } else {
-        (shapes(scope, written), domain(scope, written))
+        (shapes::shapes(scope, written), domain(scope, written))
     };
     let budget = budget(scope, written);
     scope.cut_short |= written.incomplete;
@@ -96,7 +95,9 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         source: scope.source,
         place: scope.place(written.name.span),
         names: scope.names.clone(),
-        shapes,
+        shapes: shapes.parameters,
+        constraints: shapes.constraints,
+        determined: scope.determined.clone(),
         domain,
         dependent,
         analytic: scope.analytic.clone(),
@@ -109,7 +110,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         obligations: Vec::new(),
         budget,
     };
-    scope.settle(&family.shape_region(), &Rc::new(family.points()), family.budget);
+    scope.settle(&|shapes_only| family.parts(shapes_only), family.budget);
     family.obligations = core::mem::take(&mut scope.obligations);
     if whole && scope.diagnostics.borrow().is_empty() {
         return Some(family);
@@ -135,25 +136,6 @@ fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> 
         over = scope.fits(scope.budget.mul(&over, &Fraction::from(rest.numer().clone())), span)?;
     }
     Some(over.numer().normalized())
-}
-
-/// The shape parameters become variables 0, 1, …
-fn shapes(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Vec<Parameter>> {
-    let mut shapes = Vec::new();
-    let mut complete = true;
-    for statement in &written.statements {
-        let StatementKind::Shape(decl) = &statement.kind else { continue };
-        let range = range(scope, decl);
-        match (range, variable(scope, &decl.name)) {
-            (Some(range), Some(var)) => {
-                let (name, doc) = (decl.name.text.clone(), statement.doc.clone());
-                let place = scope.place(decl.name.span);
-                shapes.push(Parameter { name, doc, place, var, range });
-            }
-            _ => complete = false,
-        }
-    }
-    complete.then_some(shapes)
 }
 
 /// The range of the span that is expanded.

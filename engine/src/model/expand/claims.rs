@@ -8,14 +8,14 @@ use super::{names, spans};
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::claim::{Claim, ClaimKind, Difference, Statement};
+use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::angle::Angle;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Family, Library, Parameter};
+use crate::model::{Family, Library, Parameter, chart, label};
 use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -47,7 +47,6 @@ pub(super) fn on_span<'a>(
     set_known_factors(family.analytic.denominators());
     names::plan(&mut scope, written);
     scope.inherit(&family.obligations);
-    let (region, whole) = (family.region(), Rc::new(family.points()));
     let mut all = Vec::new();
     for f in &family.functions {
         // What the scope has copied.
@@ -65,7 +64,7 @@ pub(super) fn on_span<'a>(
                 scope.budget.refill();
                 let first = all.len();
                 one(&mut scope, family, claim, (number, statement), &mut all);
-                if !scope.settle(&region, &whole, family.budget) {
+                if !scope.settle(&|shapes_only| family.parts(shapes_only), family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
                 }
                 for claim in &mut all[first..] {
@@ -118,8 +117,8 @@ fn one(
         syntax::ClaimKind::At(bindings, relations) => {
             let Some(fixed) = fixed(scope, family, bindings) else { return };
             let printer = Printer { constants: &scope.constants, component: None };
-            let parts: Vec<String> =
-                bindings.mapped(|b| format!("{} = {}", b.name.text, printer.print(&b.value)));
+            let part = |b: &Binding| format!("{} = {}", bound_text(&printer, b), printer.print(&b.value));
+            let parts: Vec<String> = bindings.mapped(part);
             let at = parts.join(", ");
             for (equation, relation) in relations.iter().enumerate() {
                 let (text, range) = (relation.text.clone(), relation.range.clone());
@@ -172,7 +171,7 @@ fn property(
             (String::from("symmetric"), ClaimKind::Symmetric)
         }
         syntax::ClaimKind::Independent(_) if scope.span.is_some_and(|(k, _)| k > 0) => return None,
-        syntax::ClaimKind::Continuity(_) if scope.span.is_some() => {
+        syntax::ClaimKind::Continuity(..) if scope.span.is_some() => {
             let error = scope.error(span, "`continuity` is about segments of one span");
             scope.report(error.help("write `smooth(1)` for continuous derivatives at the inner knots"));
             return None;
@@ -199,7 +198,7 @@ fn property(
             }
             (format!("smooth({order})"), ClaimKind::Smooth(order))
         }
-        syntax::ClaimKind::Symmetric | syntax::ClaimKind::Continuity(_) if family.leaves_an_end_out() => {
+        syntax::ClaimKind::Symmetric | syntax::ClaimKind::Continuity(..) if family.leaves_an_end_out() => {
             let name =
                 if matches!(written, syntax::ClaimKind::Symmetric) { "symmetric" } else { "continuity" };
             let error = scope.error(span, format!("`{name}` is about a domain with both ends"));
@@ -218,7 +217,15 @@ fn property(
             };
             (text, ClaimKind::Independent(except))
         }
-        syntax::ClaimKind::Continuity(order) => {
+        syntax::ClaimKind::TotallyPositive => {
+            if family.interval().is_none() || scope.span.is_some() {
+                let error = scope.error(span, "`totally_positive` is about functions on one interval");
+                scope.report(error.help("claim it of the factors of functions on a box"));
+                return None;
+            }
+            (String::from("totally_positive"), ClaimKind::TotallyPositive)
+        }
+        syntax::ClaimKind::Continuity(order, next) => {
             let value = scope.whole(order, "the number of continuous derivatives")?;
             let Some(order) = u32::try_from(value).ok().filter(|k| *k <= crate::model::budget::MAX_DEGREE)
             else {
@@ -234,7 +241,15 @@ fn property(
                 scope.report(error.help("claim in a `theorem` how two patches join"));
                 return None;
             }
-            (format!("continuity({order})"), ClaimKind::Continuity(order))
+            let mut text = format!("continuity({order})");
+            let mut joint = Joint { order, next: Vec::new(), free: Vec::new() };
+            if !next.is_empty() {
+                let printer = Printer { constants: &scope.constants, component: None };
+                let part = |b: &Binding| format!("{} = {}", bound_text(&printer, b), printer.print(&b.value));
+                text += &format!(" with {}", next.mapped(part).join(", "));
+                joint = neighbour(scope, family, next, order, span)?;
+            }
+            (text, ClaimKind::Continuity(joint))
         }
         #[cfg(not(any(test, feature = "rounding")))]
         syntax::ClaimKind::Rounding(_) => {
@@ -262,6 +277,72 @@ fn property(
     })
 }
 
+/// A name that gets a value, as text.
+fn bound_text(printer: &Printer<'_>, binding: &Binding) -> String {
+    let indices = binding.indices.mapped(|i| printer.print(i)).join(",");
+    let name = &binding.name.text;
+    if indices.is_empty() { name.clone() } else { format!("{name}[{indices}]") }
+}
+
+/// The shape values of the next segment: those that are given, and free ones.
+fn neighbour(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    next: &[Binding],
+    order: u32,
+    span: Span,
+) -> Option<Joint> {
+    if !family.constraints.is_empty() {
+        let error =
+            scope.error(span, "a neighbour with other shape values is not among those that are assumed");
+        scope.report(error.help("state the joint in a `theorem`, or for equal shape values"));
+        return None;
+    }
+    let mut given: Vec<(Var, Fraction)> = Vec::new();
+    for binding in next {
+        let name = bound_name(scope, binding)?;
+        let Some(shape) = family.shapes.iter().find(|s| s.name == name) else {
+            let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
+            let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
+            scope.report(error.help(format!("the next segment has {}", crate::plural::list(&known))));
+            return None;
+        };
+        if given.iter().any(|(v, _)| *v == shape.var) {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is given twice")));
+            return None;
+        }
+        let value = scope.scalar(&binding.value)?;
+        if let Some(var) = scope.domain.iter().find(|v| value.depends_on(**v)) {
+            let message = format!("the value contains the domain variable `{}`", scope.names[var.0]);
+            let error = scope.error(binding.value.span, message);
+            scope.report(error.help("shape values of the next segment are made of those of this one"));
+            return None;
+        }
+        let inside =
+            Inside { value: value.clone(), name, range: shape.range.clone(), family: None, assumable: false };
+        let place = scope.place(binding.value.span);
+        match value.as_constant() {
+            Some(c) if !shape.range.contains(&c) => {
+                scope.report(inside.outside(&c, place));
+                return None;
+            }
+            Some(_) => {}
+            None => scope.must_stay_inside(inside, place),
+        }
+        given.push((shape.var, value));
+    }
+    let mut joint = Joint { order, next: Vec::new(), free: Vec::new() };
+    for shape in &family.shapes {
+        let own = given.iter().find(|(v, _)| *v == shape.var).map(|(_, value)| value.clone());
+        joint.next.push(own.unwrap_or_else(|| {
+            let var = Var(family.names.len() + joint.free.len());
+            joint.free.push(Parameter { name: format!("{}'", shape.name), var, ..shape.clone() });
+            Fraction::var(var)
+        }));
+    }
+    Some(joint)
+}
+
 fn describe_values(values: &[(Var, Rational)], names: &[String]) -> String {
     let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", names[v.0]));
     if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(", ")) }
@@ -277,7 +358,8 @@ fn exceptions(
     for exception in written {
         let mut values: Vec<(Var, Rational)> = Vec::new();
         for binding in exception {
-            let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == binding.name.text;
+            let name = bound_name(scope, binding)?;
+            let named = |s: &&Parameter| scope.names[scope.itself(s.var).0] == name;
             let found = family.shapes.iter().find(named);
             let angle = found.and_then(|s| family.analytic.angle(s.var)).cloned();
             let value = match &angle {
@@ -295,12 +377,11 @@ fn exceptions(
                 None => scope.number(&binding.value, "an exceptional value")?,
             };
             let Some(shape) = found else {
-                if scope.is_mistaken(&binding.name.text) {
+                if scope.is_mistaken(&name) {
                     return None;
                 }
                 let known: Vec<String> = family.shapes.mapped(|s| scope.names[scope.itself(s.var).0].clone());
-                let error = scope
-                    .error(binding.name.span, format!("`{}` is not a shape parameter", binding.name.text));
+                let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
                 scope.report(if known.is_empty() {
                     error.help("the family has no shape parameters")
                 } else {
@@ -330,18 +411,59 @@ fn exceptions(
             }
             values.push((shape.var, value));
         }
+        let fixed = values.mapped(|(v, x)| (*v, Fraction::constant(x.clone())));
+        if let (Some(first), true) = (exception.first(), family.pieces(&fixed, &[], true).is_empty()) {
+            assumed_away(scope, family, first.name.span, "an exception has values that are not assumed");
+            return None;
+        }
         all.push(values);
     }
     Some(all)
 }
 
+/// The name that gets a value, indices as numbers.
+fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
+    if binding.indices.is_empty() {
+        return Some(binding.name.text.clone());
+    }
+    let mut index = Vec::new();
+    for i in &binding.indices {
+        index.push(scope.whole(i, "the index of a shape parameter")?);
+    }
+    Some(label(&binding.name.text, &index))
+}
+
+/// Reports values that what is assumed rules out.
+fn assumed_away(scope: &Scope<'_>, family: &Family, span: Span, message: &str) {
+    let texts = chart::texts(&family.constraints);
+    let error = scope.error(span, message).note(format!("assumed is {}", texts.join(", ")));
+    scope
+        .report(error.help("claims are about the shape values that are declared and assumed; choose others"));
+}
+
 /// The values that an `at` block fixes.
 fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option<Vec<(Var, Fraction)>> {
     let mut fixed: Vec<(Var, Fraction)> = Vec::new();
+    let pending = scope.pending.len();
+    let mut all: Vec<(&Binding, String)> = Vec::new();
     for binding in bindings {
-        let name = &binding.name.text;
+        let name = bound_name(scope, binding)?;
+        if binding.indices.is_empty() && scope.variable(&name).is_none() && scope.is_list_of_shapes(&name) {
+            // A name without an index stands for all of its parameters.
+            let own = scope.shapes_of(&name).into_iter().filter(|(_, value)| value.as_var().is_some());
+            all.extend(own.map(|(index, _)| (binding, label(&name, &index))));
+        } else {
+            all.push((binding, name));
+        }
+    }
+    for (binding, name) in &all {
         let Some(var) = scope.variable(name) else {
-            if scope.taken(name).is_some() {
+            let determined = scope.determined.iter().any(|(n, _)| n == name);
+            if determined {
+                let error =
+                    scope.error(binding.name.span, format!("`{name}` is determined by an assumption"));
+                scope.report(error.help("fix the parameters on which it depends"));
+            } else if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
                 scope.report(
                     error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
@@ -396,14 +518,26 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
     }
     let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
     let fixed = independent(scope, fixed, span)?;
-    for (k, (var, _)) in fixed.iter().enumerate() {
-        if fixed.iter().any(|(_, value)| value.depends_on(*var)) {
+    for (k, (var, value)) in fixed.iter().enumerate() {
+        if let Some((user, _)) = fixed.iter().find(|(_, value)| value.depends_on(*var)) {
             let name = scope.names[var.0].clone();
-            let span = bindings.get(k).map_or(span, |b| b.name.span);
-            scope
-                .report(scope.error(span, format!("`{name}` is fixed and used as a value at the same time")));
+            let span = all.get(k).map_or(span, |(b, _)| b.name.span);
+            let error = scope.error(span, format!("`{name}` is fixed and used as a value at the same time"));
+            // at α = β, β = γ: the value of β is known.
+            let end = value.display(&scope.names);
+            let (user, own) = (&scope.names[user.0], user == var);
+            scope.report(error.help(if own {
+                String::from("write a value in which it does not occur")
+            } else {
+                format!("write `{user} = …` with the value of `{name}`, which is {end}")
+            }));
             return None;
         }
+    }
+    if !family.constraints.is_empty() && family.pieces(&fixed, &[], true).is_empty() {
+        scope.pending.truncate(pending);
+        assumed_away(scope, family, span, "the block fixes values that are not assumed");
+        return None;
     }
     Some(fixed)
 }

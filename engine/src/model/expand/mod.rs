@@ -1,7 +1,6 @@
-//! From a family as it is written to the family itself: its ranges (`build`, with angles `angles`), its functions
-//! (`functions`, by loops and by recursion, `function` a single one), all of them in any order (`names`), whether their
-//! indices leave a gap
-//! (`indices`), and what is claimed (`claims`).
+//! From a family as it is written to the family itself: its domain (`build`, with angles `angles`), its shape parameters
+//! (`shapes`), its functions (`functions`, by loops and by recursion, `function` a single one), all of them in any order
+//! (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
 
 pub(crate) mod angles;
 pub(crate) mod build;
@@ -10,4 +9,5 @@ mod function;
 mod functions;
 mod indices;
 pub(crate) mod names;
+mod shapes;
 pub(crate) mod spans;

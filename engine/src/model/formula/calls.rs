@@ -6,7 +6,8 @@ use proc_macro2::Span;
 use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::model::scope::{Inside, Scope};
+use crate::model::Family;
+use crate::model::scope::{Condition, Duty, Inside, Pending, Scope};
 use crate::plural::{count, here};
 use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -63,6 +64,19 @@ impl Scope<'_> {
         }
         let value = self.family(name, orders, shapes, Some(arguments), Some(&only), span)?;
         self.entry(&value, &only, span)
+    }
+
+    /// Notes that shape values must satisfy what a family assumes of them.
+    pub(crate) fn must_satisfy(&mut self, family: &Family, by: &[Fraction], span: Span) -> Option<()> {
+        for constraint in &family.constraints {
+            let value = Fraction::from(constraint.value.clone());
+            let vars: Vec<Var> = family.shapes.mapped(|p| p.var);
+            let value = self.put(&value, &vars, by, span)?;
+            let (relation, text) = (constraint.relation, constraint.text.clone());
+            let condition = Condition { value, relation, text, family: family.title() };
+            self.pending.push(Pending { duty: Duty::Holds(condition), place: self.place(span) });
+        }
+        Some(())
     }
 
     /// The functions of another family, in this family's domain variables or with arguments in place of its own.
@@ -190,6 +204,7 @@ impl Scope<'_> {
             }
             by.push(value);
         }
+        self.must_satisfy(&family, &by, span)?;
         if let Some(arguments) = arguments {
             let mut values = Vec::new();
             for argument in arguments {

@@ -5,6 +5,7 @@ use proc_macro2::Span;
 use super::Value;
 use crate::advice::along_edges;
 use crate::algebra::poly::Var;
+use crate::model::label;
 use crate::model::scope::Scope;
 use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -19,9 +20,20 @@ impl Scope<'_> {
         let mut steps: Vec<(Var, i64)> = Vec::new();
         for argument in rest {
             let name = match &argument.kind {
-                ExprKind::Name(name) if self.constant(name).is_none() => Some(name),
+                ExprKind::Name(name) if self.constant(name).is_none() => Some(name.clone()),
+                ExprKind::Index(base, indices) => match &base.kind {
+                    ExprKind::Name(name) if self.is_list_of_shapes(name) => {
+                        let mut index = Vec::new();
+                        for i in indices {
+                            index.push(self.whole(i, "the index of a shape parameter")?);
+                        }
+                        Some(label(name, &index))
+                    }
+                    _ => None,
+                },
                 _ => None,
             };
+            let name = name.as_deref();
             match (name, steps.last_mut()) {
                 (Some(name), _) => match self.variable_called(name) {
                     Some(var) if self.dependent == Some(var) => {

@@ -140,6 +140,12 @@ impl Scope<'_> {
             let value = if dependent { self.barycentric(self.domain.len()) } else { Fraction::var(var) };
             return Some(Value::Scalar(value));
         }
+        if let Some((_, value)) = self.determined.iter().find(|(n, _)| n == name) {
+            return self.copy(&Value::Scalar(value.clone()), span);
+        }
+        if self.is_list_of_shapes(name) {
+            return Some(Value::List(self.shapes_of(name)));
+        }
         if name == self.function_name && !name.is_empty() {
             if let Some(index) = self.planned_functions.keys().next() {
                 self.waits_for = Some((Needed::Function(index.clone()), span));
@@ -361,6 +367,20 @@ impl Scope<'_> {
                 }
                 None => error.help("a formula may use functions that are defined before it"),
             });
+            return None;
+        }
+        if let ExprKind::Name(name) = &base.kind
+            && self.arguments.iter().all(|(n, _)| n != name)
+            && self.is_list_of_shapes(name)
+        {
+            let all = self.shapes_of(name);
+            if let Some((_, value)) = all.iter().find(|(i, _)| *i == index) {
+                return Some(Value::Scalar(value.clone()));
+            }
+            let error = self.error(span, format!("there is no shape parameter `{}`", label(name, &index)));
+            let last = all.last().or(all.first()).map(|(i, _)| label(name, i)).unwrap_or_default();
+            let first = all.first().map(|(i, _)| label(name, i)).unwrap_or_default();
+            self.report(error.help(format!("they run from `{first}` to `{last}`")));
             return None;
         }
         let value = match &base.kind {

@@ -1,9 +1,10 @@
 //! Loops over index variables.
 
+use crate::algebra::rational::Rational;
 use crate::model::budget::SPLIT;
 use crate::model::scope::Scope;
 use crate::model::tuples::multi_indices;
-use crate::syntax::{Comparison, Condition, Generator, Loops, Name};
+use crate::syntax::{Comparison, Condition, Expr, Generator, Loops, Name};
 use basis_prover::collections::list::Listed;
 
 /// Loops that run longer than this are refused.
@@ -33,8 +34,8 @@ impl Scope<'_> {
     fn holds(&mut self, condition: &Condition) -> Option<bool> {
         match condition {
             Condition::Compare(a, sign, b) => {
-                let x = self.number(a, "a side of a condition");
-                let y = self.number(b, "a side of a condition");
+                let x = self.condition_side(a);
+                let y = self.condition_side(b);
                 let (x, y) = (x?, y?);
                 Some(match sign {
                     Comparison::Equal => x == y,
@@ -49,6 +50,18 @@ impl Scope<'_> {
             Condition::Any(parts) => self.first(parts, true),
             Condition::Not(inner) => Some(!self.holds(inner)?),
         }
+    }
+
+    /// The number that a side of a condition is.
+    fn condition_side(&mut self, side: &Expr) -> Option<Rational> {
+        let value = self.scalar(side)?;
+        if value.as_constant().is_none() {
+            let error = self.error(side.span, "a side of a condition must be a number");
+            self.report(error.label("this contains a variable").help(
+                "conditions choose among the values of index variables; a formula has no cases on parts of the domain",
+            ));
+        }
+        value.as_constant()
     }
 
     /// Whether some part is as `wanted`, for `||`; the other way round for `&&`.

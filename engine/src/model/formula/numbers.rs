@@ -93,6 +93,16 @@ pub(crate) fn range_of(
     };
     let (low, high) = (end(scope, low), end(scope, high));
     let range = Range { low: low?, high: high? };
+    checked_range(scope, span, range, name)
+}
+
+/// A range with points; of one without any that is reported.
+pub(crate) fn checked_range(
+    scope: &Scope<'_>,
+    span: Span,
+    range: Range,
+    name: &dyn Fn() -> String,
+) -> Option<Range> {
     if !range.is_empty() {
         return Some(range);
     }

@@ -1,7 +1,7 @@
 //! What must hold everywhere on the declared ranges for a formula to mean something: denominators do not vanish, and
 //! values that are put in place of a parameter stay in its range.
 
-use basis_prover::collections::list::Listed;
+use basis_prover::collections::list::{Listed, Mapped};
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -13,8 +13,9 @@ use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::model::budget::{SPLIT, TooLarge};
+use crate::model::chart::{self, Constraint, Piece};
 use crate::model::obligation::{Goal, Obligation, Open};
-use crate::model::scope::{Duty, Inside, Pending, Scope, Subject};
+use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Subject};
 
 impl Scope<'_> {
     /// Notes that a value must stay in the range of a parameter.
@@ -46,10 +47,13 @@ impl Scope<'_> {
     }
 
     /// Has what has been noted decided; reports what fails, and whether everything holds. What no domain variable
-    /// occurs in is decided on a box, anything else on the whole domain.
-    pub(crate) fn settle(&mut self, region: &Region, whole: &Rc<Domain>, budget: u32) -> bool {
+    /// occurs in is decided on the parts of the shape values, anything else on those of the whole domain.
+    pub(crate) fn settle(&mut self, parts: &dyn Fn(bool) -> Vec<(Piece, Rc<Domain>)>, budget: u32) -> bool {
         let mut fine = true;
-        let shapes = Rc::new(Domain::of(region.clone()));
+        if self.pending.is_empty() {
+            return true;
+        }
+        let (shapes, whole) = (parts(true), parts(false));
         for Pending { duty, place } in core::mem::take(&mut self.pending) {
             if self.settled.contains(&duty) {
                 continue;
@@ -61,12 +65,17 @@ impl Scope<'_> {
             let whole_domain = match &duty {
                 Duty::Nonzero(p) => self.is_over_domain(&Fraction::from(p.clone())),
                 Duty::Inside(inside) => self.is_over_domain(&inside.value),
+                Duty::Holds(condition) => self.is_over_domain(&condition.value),
             };
-            let domain = if whole_domain { whole } else { &shapes };
-            let error = match &duty {
-                Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, domain, budget),
-                Duty::Inside(inside) => self.check_inside(inside, place, domain, budget),
-            };
+            let mut error = None;
+            for part in if whole_domain { &whole } else { &shapes } {
+                let place = place.clone();
+                error = error.or_else(|| match &duty {
+                    Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, part, budget),
+                    Duty::Inside(inside) => self.check_inside(inside, place, part, budget),
+                    Duty::Holds(condition) => self.check_condition(condition, place, part, budget),
+                });
+            }
             let spent = (basis_prover::spent() - before) / u64::from(budget.max(1));
             if let Err(TooLarge::Run(message)) = self.budget.run().decision(spent) {
                 self.report(Diagnostic::error(at, message).help(SPLIT));
@@ -85,15 +94,26 @@ impl Scope<'_> {
     ///
     /// # Errors
     /// The point as text.
-    pub(crate) fn is_positive(&mut self, value: &Fraction, region: &Region) -> Result<(), String> {
-        let domain = Rc::new(Domain::of(region.clone()));
-        let statement = Statement::Sign { value: value.quotient(), relation: Relation::Positive, domain };
-        let of = format!("{} > 0", value.display(&self.names));
-        match self.judge(of, Goal::Holds(statement), 1) {
-            Ok(()) => Ok(()),
-            Err(Open::Fails(point)) => Err(format!("at {}", self.own(value.numer(), &point))),
-            Err(Open::Undecided(left)) => Err(left),
+    pub(crate) fn is_positive(
+        &mut self,
+        value: &Fraction,
+        region: &Region,
+        constraints: &[Constraint],
+    ) -> Result<(), String> {
+        let constraints = constraints.mapped(|c| (c.value.clone(), c.relation));
+        for piece in chart::pieces(&region.ranges, &constraints) {
+            let (domain, relation) = (Rc::new(piece.domain()), Relation::Positive);
+            let statement = Statement::Sign { value: piece.pull_back_fraction(value), relation, domain };
+            let of = format!("{} > 0", value.display(&self.names));
+            match self.judge(of, Goal::Holds(statement), 1) {
+                Ok(()) => {}
+                Err(Open::Fails(point)) => {
+                    return Err(format!("at {}", self.own(value.numer(), &piece.image(&point))));
+                }
+                Err(Open::Undecided(left)) => return Err(left),
+            }
         }
+        Ok(())
     }
 
     /// Has a goal decided; what the error is about if it does not hold.
@@ -108,16 +128,17 @@ impl Scope<'_> {
         &mut self,
         divisor: &Poly,
         place: Place,
-        domain: &Rc<Domain>,
+        (piece, domain): &(Piece, Rc<Domain>),
         budget: u32,
     ) -> Option<Diagnostic> {
         let mut shown = divisor.display(&self.names).to_string();
         if shown.starts_with('-') && self.domain.iter().any(|v| divisor.depends_on(*v)) {
             shown = (-divisor).display(&self.names).to_string(); // as it stands below a quotient in lowest terms
         }
-        let goal = Goal::Nonzero(divisor.clone(), Rc::clone(domain));
+        let goal = Goal::Nonzero(piece.pull_back(divisor), Rc::clone(domain));
         Some(match self.judge(format!("{shown} != 0"), goal, budget) {
             Err(Open::Fails(point)) => {
+                let point = piece.image(&point);
                 // A value at which the denominator is zero, whatever the others are, says it best.
                 let alone = point.iter().find_map(|(var, c)| match c {
                     Coordinate::Rational(x) if divisor.at(*var, x).is_zero() => Some((*var, x)),
@@ -189,7 +210,7 @@ impl Scope<'_> {
         &mut self,
         inside: &Inside,
         place: Place,
-        domain: &Rc<Domain>,
+        (piece, domain): &(Piece, Rc<Domain>),
         budget: u32,
     ) -> Option<Diagnostic> {
         let Inside { value, name, range, .. } = inside;
@@ -209,7 +230,8 @@ impl Scope<'_> {
             let distance = if above { -&distance } else { distance };
             let sign = distance.numer() * distance.denom();
             let domain = Rc::clone(domain);
-            let goal = Goal::Holds(Statement::Sign { value: distance.quotient(), relation, domain });
+            let value = piece.pull_back_fraction(&distance);
+            let goal = Goal::Holds(Statement::Sign { value, relation, domain });
             let symbol = match (above, relation) {
                 (true, Relation::NonNegative) => "<=",
                 (true, Relation::Positive) => "<",
@@ -218,6 +240,7 @@ impl Scope<'_> {
             };
             match self.judge(format!("{shown} {symbol} {bound}"), goal, budget) {
                 Err(Open::Fails(point)) => {
+                    let point = piece.image(&point);
                     return Some(
                         Diagnostic::error(
                             place,
@@ -243,6 +266,38 @@ impl Scope<'_> {
             }
         }
         None
+    }
+
+    /// A condition on the shape values of another family must hold.
+    fn check_condition(
+        &mut self,
+        condition: &Condition,
+        place: Place,
+        (piece, domain): &(Piece, Rc<Domain>),
+        budget: u32,
+    ) -> Option<Diagnostic> {
+        let Condition { value, relation, text, family } = condition;
+        let message = format!("the shape values do not satisfy `{text}` of `{family}`");
+        let help = "choose values that satisfy it, narrow the ranges, or `assume` it here";
+        let sign = value.numer() * value.denom();
+        let statement = Statement::Sign {
+            value: piece.pull_back_fraction(value),
+            relation: *relation,
+            domain: Rc::clone(domain),
+        };
+        match self.judge(format!("{text} of {family}"), Goal::Holds(statement), budget) {
+            Ok(()) => None,
+            Err(Open::Fails(point)) => {
+                let at = self.own(&sign, &piece.image(&point));
+                let error = Diagnostic::error(place, message);
+                Some(if at.is_empty() { error } else { error.label(format!("at {at}")) }.help(help))
+            }
+            Err(Open::Undecided(left)) => {
+                let message =
+                    format!("it is undecided whether the shape values satisfy `{text}` of `{family}`");
+                Some(Diagnostic::error(place, message).note(left).help(help))
+            }
+        }
     }
 
     /// The coordinates of a point that a polynomial depends on, as text.

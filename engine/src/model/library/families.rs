@@ -12,6 +12,7 @@ use crate::model::Family;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::expand::{build, claims};
 use crate::model::scope::Scope;
+use crate::model::unused;
 use crate::subject::{Item, Subject};
 use crate::syntax;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -194,6 +195,7 @@ impl Library<'_> {
                 continue;
             }
             let Some(orders) = self.orders(MAIN, family) else { continue };
+            let before = items.len();
             for order in &orders {
                 if self.run.is_stopped() {
                     return items;
@@ -201,6 +203,12 @@ impl Library<'_> {
                 if let Ok(item) = self.item(&family.name.text, order) {
                     items.push(item);
                 }
+            }
+            if items.len() == before + orders.len() {
+                let source = self.units[MAIN].source;
+                let mut warnings = Diagnostics::default();
+                warnings.extend(unused::warnings(family, &|span| self.place(source, span)));
+                self.report_all(warnings);
             }
         }
         items

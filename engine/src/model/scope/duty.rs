@@ -1,5 +1,7 @@
 //! What is still to be decided before a formula is used.
 
+use basis_kernel::Relation;
+
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::{DisplayRange as _, End, Range};
@@ -20,6 +22,20 @@ pub(crate) enum Duty {
     Nonzero(Poly),
     /// This value of a parameter stays in its range.
     Inside(Inside),
+    /// The shape values of another family satisfy what it assumes.
+    Holds(Condition),
+}
+
+/// What another family assumes, about the values that its parameters get here.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Condition {
+    /// What has the sign.
+    pub(crate) value: Fraction,
+    pub(crate) relation: Relation,
+    /// As the family has it.
+    pub(crate) text: String,
+    /// The family.
+    pub(crate) family: String,
 }
 
 /// A value for a parameter.
@@ -81,6 +97,9 @@ impl Duty {
     pub(crate) fn replace(&self, with: &dyn Fn(&Fraction) -> Option<Fraction>) -> Option<Self> {
         match self {
             Self::Nonzero(p) => Some(Self::Nonzero(with(&Fraction::from(p.clone()))?.numer().clone())),
+            Self::Holds(condition) => {
+                Some(Self::Holds(Condition { value: with(&condition.value)?, ..condition.clone() }))
+            }
             Self::Inside(inside) => {
                 Some(Self::Inside(Inside { value: with(&inside.value)?, ..inside.clone() }))
             }

@@ -20,10 +20,11 @@ use crate::source::SourceId;
 use crate::syntax::{Expr, FunctionDef, Name};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
+use basis_prover::collections::sort::sort_by;
 
 mod duty;
 
-pub(crate) use duty::{Duty, Inside, Pending};
+pub(crate) use duty::{Condition, Duty, Inside, Pending};
 
 /// The most names that `let` gives in a family, and curves, surfaces and `let` in a theorem.
 const MAX_NAMES: usize = 5_000;
@@ -100,6 +101,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) subject: Subject,
     /// Index parameters and index variables of loops, the innermost last.
     pub(crate) constants: Vec<(String, i64)>,
+    /// Shape parameters that an assumed equation determines, with their values.
+    pub(crate) determined: Vec<(String, Fraction)>,
+    /// Where something is assumed that holds for no shape values.
+    pub(crate) impossible: Option<Span>,
     /// The number of those that are the index parameters of the family.
     pub(crate) order: usize,
     /// What `let` defined; `None` when that went wrong.
@@ -193,6 +198,25 @@ impl Scope<'_> {
         self.names.iter().position(|n| n == name).map(Var)
     }
 
+    /// Whether a name stands for shape parameters with an index, such as `λ` for `λ[1]`, `λ[2]`.
+    pub(crate) fn is_list_of_shapes(&self, name: &str) -> bool {
+        self.subject == Subject::Family && !self.shapes_of(name).is_empty()
+    }
+
+    /// The shape parameters with an index that have a name, with their indices; also those that `assume` determines.
+    pub(crate) fn shapes_of(&self, name: &str) -> Vec<(Vec<i64>, Fraction)> {
+        let index = |n: &str| -> Option<Vec<i64>> {
+            let inner = n.strip_prefix(name)?.strip_prefix('[')?.strip_suffix(']')?;
+            inner.split(',').map(|i| i.parse().ok()).collect()
+        };
+        let variables = self.names.iter().enumerate().map(|(k, n)| (n, Fraction::var(Var(k))));
+        let determined = self.determined.iter().map(|(n, value)| (n, value.clone()));
+        let mut all: Vec<(Vec<i64>, Fraction)> =
+            variables.chain(determined).filter_map(|(n, value)| Some((index(n)?, value))).listed();
+        sort_by(&mut all, |a, b| a.0.cmp(&b.0));
+        all
+    }
+
     /// Whether a variable belongs to the domain.
     pub(crate) fn is_domain_variable(&self, var: Var) -> bool {
         let angle = self.analytic.angles.iter().find(|a| a.itself == var);
@@ -248,6 +272,10 @@ impl Scope<'_> {
             } else {
                 "a shape parameter"
             })
+        } else if self.determined.iter().any(|(n, _)| n == name) {
+            Some("a shape parameter that `assume` determines")
+        } else if self.is_list_of_shapes(name) {
+            Some("a list of shape parameters")
         } else if self.function_name == name {
             Some("the name of the basis functions")
         } else {
@@ -371,6 +399,8 @@ impl Scope<'_> {
             source,
             subject: Subject::Family,
             constants: Vec::new(),
+            determined: Vec::new(),
+            impossible: None,
             order: 0,
             lets: SortedMap::new(),
             planned: SortedMap::new(),
@@ -408,6 +438,7 @@ impl Scope<'_> {
         let mut scope = Self::new(library, unit, family.source);
         scope.constants.clone_from(&family.order);
         scope.order = scope.constants.len();
+        scope.determined.clone_from(&family.determined);
         scope.names.clone_from(&family.names);
         scope.domain = family.domain.mapped(|p| p.var);
         scope.ends = family.ends();

@@ -7,7 +7,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::claim::ClaimKind;
+use crate::claim::{ClaimKind, Joint};
 use crate::model::Family;
 use crate::plural::abbreviated;
 use crate::state::verdict::Witness;
@@ -206,7 +206,7 @@ fn motions(family: &Family) -> Vec<Motion> {
 /// Neighbouring segments over control points P[0], P[1], … and P[1], P[2], … have the same derivatives of every order
 /// up to `order` where they meet: b[i] at the lower end is b[i + 1] at the upper end, and what has no partner
 /// vanishes.
-pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)> {
+pub(super) fn continuity(family: &Family, joint: &Joint) -> Vec<(String, Fraction)> {
     let mut differences = Vec::new();
     let Some((var, low, high)) = family.interval() else { return differences };
     let len = family.functions.len();
@@ -227,12 +227,26 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
             _ => format!("D({b}, {order})({end})"),
         }
     };
-    for order in 0..=order {
+    // The next segment may have other shape values.
+    let aside = joint.free.iter().map(|p| p.var.0 + 1).max().unwrap_or(0).max(family.names.len());
+    let next = |mut f: Fraction| {
+        for (k, shape) in family.shapes.iter().enumerate() {
+            f = f.substitute(shape.var, &Fraction::var(Var(aside + k)))?;
+        }
+        for (k, by) in joint.next.iter().enumerate() {
+            f = f.substitute(Var(aside + k), by)?;
+        }
+        Some(f)
+    };
+    let next_at = |k: usize, order: u32| {
+        at(k, order, low).and_then(|f| if joint.next.is_empty() { Some(f) } else { next(f) })
+    };
+    for order in 0..=joint.order {
         for k in 0..=len {
             let mut difference = Fraction::zero();
             let mut parts = Vec::new();
             // A denominator vanishes nowhere on the domain, so that there is a value at its ends.
-            if let Some(f) = k.checked_sub(1).and_then(|k| at(k, order, low)) {
+            if let Some(f) = k.checked_sub(1).and_then(|k| next_at(k, order)) {
                 difference = f;
                 parts.push(name(k - 1, order, &low_text));
             }
@@ -251,12 +265,18 @@ pub(super) fn continuity(family: &Family, order: u32) -> Vec<(String, Fraction)>
 pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec<String> {
     let of = &witness.of;
     let here = witness.point();
-    let value = match witness.refutation().statement() {
-        Statement::Zero { value, .. } => Fraction::new(value.numerator.clone(), value.denominator.clone()),
-        _ => return vec![format!("`{of}` is {} at {here}", witness.value_text())],
-    };
-    let difference = value.unwrap_or_else(Fraction::zero);
-    let shown = abbreviated(&difference.display(&family.names));
+    if !matches!(witness.refutation().statement(), Statement::Zero { .. }) {
+        return vec![format!("`{of}` is {} at {here}", witness.value_text())];
+    }
+    let expressions =
+        basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
+    let own = expressions.unwrap_or_default().into_iter().find(|(label, _)| label == of);
+    let difference = own.map_or_else(Fraction::zero, |(_, value)| value);
+    let mut names = family.names.clone();
+    if let ClaimKind::Continuity(joint) = kind {
+        names.extend(joint.free.iter().map(|p| p.name.clone()));
+    }
+    let shown = abbreviated(&difference.display(&names));
     match kind {
         ClaimKind::PartitionOfUnity => {
             let one = Fraction::constant(Rational::ONE);
@@ -271,8 +291,8 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
                 },
             ]
         }
-        ClaimKind::Continuity(order) => {
-            let all = continuity(family, *order);
+        ClaimKind::Continuity(joint) => {
+            let all = continuity(family, joint);
             let k = all.iter().position(|(label, _)| label == of).unwrap_or(0);
             let order = k / (family.functions.len() + 1);
             vec![

@@ -6,13 +6,20 @@ use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
 use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
 
+use super::Said;
 use super::point::{domain_names, named_point};
+use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
-use crate::model::Family;
 use crate::model::angle::Angle;
 use crate::model::bernstein::{bernstein_table, graded_table};
+use crate::model::chart::Piece;
+use crate::model::{Family, Parameter};
 use crate::state::verdict::{Stated, Witness};
+
+/// Why nothing is said of exceptions that are no values of the variables of a box.
+pub(super) const NOT_IN_PARTS: &str =
+    "an exception cannot be separated from the other values that satisfy what is assumed";
 
 /// What the claim is about, in place of an expression.
 const COEFFICIENTS: &str = "table of coefficients";
@@ -31,11 +38,61 @@ pub struct Table {
 
 /// Independence on the declared ranges except for the listed shape values; at each of these the functions must be
 /// dependent.
-pub(super) fn stated(family: &Family, except: &[Values]) -> Stated {
+///
+/// Of shape values in several parts, or in the image of a box, the same is said of the boxes; `None` where an exception
+/// cannot be said with values of their variables.
+pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
     let Table { rows, symmetries } =
         if family.pieces.is_empty() { coefficient_table(family) } else { table_of_spans(family) };
-    let statement = Statement::Independent { rows, except: except.to_vec(), region: family.shape_region() };
-    Stated { of: String::from(COEFFICIENTS), statement, symmetries, is_stronger: false }
+    let first = except.iter().flatten().map(|(var, _)| *var).listed();
+    let pieces = family.pieces(&[], &first, true);
+    let mut all = Vec::new();
+    for (number, piece) in pieces.iter().enumerate() {
+        let mut own = Vec::new();
+        for values in except {
+            own.extend(pulled_back(values, piece)?);
+        }
+        let rows = rows.mapped(|row| row.mapped(|p| piece.pull_back(p)));
+        let region = piece.domain().region;
+        let statement = Statement::Independent { rows, except: own, region };
+        let of = super::on_part(COEFFICIENTS, number, pieces.len());
+        let stated = Stated { of, statement, symmetries: symmetries.clone(), is_stronger: false };
+        all.push(Said { stated, of: String::from(COEFFICIENTS), piece: piece.clone() });
+    }
+    Some(all)
+}
+
+/// Values of parameters as values of the variables of a box, in as many ways as there are; `None` where they are not of
+/// this kind.
+fn pulled_back(values: &Values, piece: &Piece) -> Option<Vec<Values>> {
+    let mut known: Vec<Values> = vec![Vec::new()];
+    // Each parameter after those on which it depends.
+    let order = piece.ranges.iter().filter_map(|(var, _)| values.iter().find(|(v, _)| v == var));
+    for (var, x) in order {
+        let difference = &piece.pull_back(&Poly::var(*var)) - &Poly::constant(x.clone());
+        let mut longer = Vec::new();
+        for values in &known {
+            let rest = values.iter().fold(difference.clone(), |p, (v, x)| p.at(*v, x));
+            if let Some(c) = rest.as_constant() {
+                longer.extend(c.is_zero().then(|| values.clone()));
+                continue;
+            }
+            let (_, factors) = basis_prover::working(1, &mut |work| checked_factor(&rest, work))?;
+            for (factor, _) in factors {
+                let [only] = factor.variables()[..] else { return None };
+                let slope = factor.derivative(only).as_constant()?;
+                let root = -&(&factor.at(only, &Rational::ZERO).as_constant()? * &slope.recip()?);
+                let range = piece.ranges.iter().find(|(v, _)| *v == only).map(|(_, range)| range);
+                if range.is_none_or(|range| range.contains(&root)) {
+                    let mut values = values.clone();
+                    values.push((only, root));
+                    longer.push(values);
+                }
+            }
+        }
+        known = longer;
+    }
+    Some(known)
 }
 
 /// The tables of all spans beside one another.
@@ -149,17 +206,22 @@ fn exchanges(family: &Family, columns: &[Vec<u16>]) -> Symmetries {
 }
 
 /// The combination of the functions that vanishes at a point, or the exception at which they are independent.
-pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample) -> Witness {
-    let at = named_point(family, found, &[]);
+pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample, piece: &Piece) -> Witness {
+    let at = named_point(family, found, &[], piece);
     let refutation = found.refutation.clone();
-    let described: Vec<String> = found
-        .point
+    let point: Vec<(Var, Coordinate)> = if piece.steps.is_empty() {
+        found.point.clone()
+    } else {
+        let own =
+            |p: &Parameter| at.iter().find(|(name, _)| *name == p.name).map(|(_, c)| (p.var, c.clone()));
+        family.shapes.iter().filter_map(own).listed()
+    };
+    let described: Vec<String> = point
         .iter()
         .filter(|(v, _)| family.shapes.iter().any(|s| s.var == *v))
         .map(|(v, c)| c.describe(&family.names[v.0]))
         .listed();
-    let rational: Option<Vec<Rational>> = found
-        .point
+    let rational: Option<Vec<Rational>> = point
         .iter()
         .map(|(_, c)| match c {
             Coordinate::Rational(x) => Some(x.clone()),
@@ -169,7 +231,15 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
     let here = if described.is_empty() { String::new() } else { format!(" at {}", described.join(", ")) };
     let (of, value, note) = match (found.refutation.witness(), rational) {
         (basis_kernel::Witness::Independent(_, number), _) => {
-            let values = except.get(*number).map(Vec::as_slice).unwrap_or_default();
+            // Of an exception there may be several in the box.
+            let mut left = *number;
+            let own = except.iter().find(|values| {
+                let count = pulled_back(values, piece).map_or(0, |all| all.len());
+                let found = left < count;
+                left = left.saturating_sub(count);
+                found
+            });
+            let values = own.map(Vec::as_slice).unwrap_or_default();
             let parts: Vec<String> = values.mapped(|(v, x)| format!("{} = {x}", family.names[v.0]));
             let exception = match &parts[..] {
                 [only] => only.clone(),
@@ -178,10 +248,10 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
             let note = format!("the functions are independent{here}, so {exception} is no exception");
             (String::from(SQUARES), squares(found), note)
         }
-        (basis_kernel::Witness::Dependent(_, factors), Some(point)) => {
+        (basis_kernel::Witness::Dependent(_, factors), Some(rational)) => {
             // The rows are multiples of the functions.
             let mut coordinates = vec![Rational::ZERO; family.names.len()];
-            for ((var, _), x) in found.point.iter().zip(point) {
+            for ((var, _), x) in point.iter().zip(rational) {
                 if let Some(slot) = coordinates.get_mut(var.0) {
                     *slot = x;
                 }

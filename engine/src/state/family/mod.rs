@@ -7,12 +7,13 @@ mod point;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 mod spans;
+mod total;
 
 use std::rc::Rc;
 
 use basis_prover::{Coordinate, Counterexample, Failure, Method, Shown};
 
-use super::inequality::{self, compared};
+use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
 use basis_kernel::Statement;
@@ -21,8 +22,9 @@ use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::claim::{Claim, ClaimKind, Comparison, Difference};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
 use crate::model::Family;
+use crate::model::chart::Piece;
 use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
@@ -42,8 +44,8 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
         ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
+        ClaimKind::Continuity(joint) => identity::continuity(family, joint),
         ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
-        ClaimKind::Continuity(order) => identity::continuity(family, *order),
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
             functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
@@ -55,49 +57,95 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
     })
 }
 
+/// A statement of a claim, with what it is about and the part of the points of which it says that.
+struct Said {
+    stated: Stated,
+    /// The expression; of several parts the label of the statement says more.
+    of: String,
+    piece: Piece,
+}
+
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
+    Some(said(family, claim)?.into_iter().map(|said| said.stated).listed())
+}
+
+/// The statements of a claim one of which may be false: of independence only those whose points all count.
+pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
+    let all = said(family, claim)?.into_iter();
+    let counts = |said: &Said| {
+        let independent = matches!(said.stated.statement, Statement::Independent { .. });
+        (!independent || said.piece.is_exact())
+            && !said.stated.is_stronger
+            && !is_wider(family, &said.stated.statement)
+    };
+    Some(all.filter(counts).map(|said| said.stated).listed())
+}
+
+/// What a claim says of each part of the points.
+fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
     let kind = &claim.kind;
     if let ClaimKind::Spans(parts) = kind {
-        return spans::statements(family, claim, parts);
+        let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
+        return Some(spans::statements(family, claim, parts)?.into_iter().map(plain).listed());
     }
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
-        return Some(vec![independent::stated(family, except)]);
+        return independent::said(family, except);
+    }
+    if let ClaimKind::TotallyPositive = kind {
+        return basis_prover::working(family.budget, &mut |work| total::said(family, work));
+    }
+    let mut parts = inequality::parts(family, kind.fixed());
+    if let ClaimKind::Continuity(Joint { free, .. }) = kind {
+        for (_, domain) in &mut parts {
+            Rc::make_mut(domain).region.ranges.extend(free.iter().map(|p| (p.var, p.range.clone())));
+        }
     }
     #[cfg(any(test, feature = "rounding"))]
     if let ClaimKind::Rounding(epsilons) = kind {
-        return rounding::statements(family, epsilons);
+        let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
+        return Some(rounding::statements(family, epsilons)?.into_iter().map(plain).listed());
     }
-    let domain = Rc::new(inequality::domain(family, kind.fixed()));
     let comparison = |k: usize| match kind {
         ClaimKind::Nonnegative => Comparison::GreaterEqual,
         ClaimKind::Relation { differences, .. } => differences[k].0,
         _ => Comparison::Equal,
     };
-    let expressions =
-        basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?.into_iter();
+    let expressions = basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?;
     let mut all = Vec::new();
-    for (k, (of, value)) in expressions.enumerate() {
-        let comparison = comparison(k);
-        let beside = basis_prover::working(family.budget, &mut |work| {
-            Some(ladder::steps(family, &of, &value, comparison, work))
-        });
-        if let Some(steps) = beside.flatten() {
-            for ladder::Step { of, value, comparison } in steps {
-                let (of, value) = without_numbers(family, of, value);
-                let stated = Stated::new(of, compared(&value, comparison, &domain));
-                all.push(Stated { is_stronger: true, ..stated });
+    for (number, part) in parts.iter().enumerate() {
+        for (k, (of, value)) in expressions.iter().enumerate() {
+            let comparison = comparison(k);
+            let beside = basis_prover::working(family.budget, &mut |work| {
+                Some(ladder::steps(family, of, value, comparison, work))
+            });
+            if let Some(steps) = beside.flatten() {
+                for ladder::Step { of, value, comparison } in steps {
+                    let (of, value) = without_numbers(family, of, value);
+                    let label = on_part(&of, number, parts.len());
+                    let stated = Stated::new(label, compared_on(&value, comparison, part));
+                    let stated = Stated { is_stronger: true, ..stated };
+                    all.push(Said { stated, of, piece: part.0.clone() });
+                }
+                continue;
             }
-            continue;
+            let (of, value) = if comparison == Comparison::Equal {
+                (of.clone(), value.clone())
+            } else {
+                without_numbers(family, of.clone(), value.clone())
+            };
+            let stated =
+                Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part));
+            all.push(Said { stated, of, piece: part.0.clone() });
         }
-        let (of, value) = match comparison {
-            Comparison::Equal => (of, value),
-            _ => without_numbers(family, of, value),
-        };
-        all.push(Stated::new(of, compared(&value, comparison, &domain)));
     }
     Some(all)
+}
+
+/// The label of a statement about one of several parts of the points.
+fn on_part(of: &str, number: usize, parts: usize) -> String {
+    if parts == 1 { String::from(of) } else { format!("{of} [part {}]", number + 1) }
 }
 
 /// A value without the powers of π and exp(r) that are its factors: they are positive and play no part in its sign.
@@ -159,25 +207,62 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
     }
-    let Some(statements) = statements(family, claim) else {
-        return Verdict::Undecided(String::from(TOO_LONG));
+    let Some(said) = said(family, claim) else {
+        return match claim.kind {
+            ClaimKind::TotallyPositive => not_total(family),
+            ClaimKind::Independent(_) => Verdict::Undecided(String::from(independent::NOT_IN_PARTS)),
+            _ => Verdict::Undecided(String::from(TOO_LONG)),
+        };
     };
-    let stronger: Vec<String> = statements.iter().filter(|s| s.is_stronger).map(|s| s.of.clone()).listed();
-    match all(statements, family.budget) {
+    let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
+    let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
+    let stronger: Vec<String> =
+        said.iter().filter(|s| s.stated.is_stronger).map(|s| s.stated.of.clone()).listed();
+    match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
+        Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
             Verdict::Undecided(format!("`{of}`: {WIDER}"))
         }
-        Err((of, Failure::Refuted(found))) => {
-            Verdict::Refuted(Box::new(witness(family, &claim.kind, of, &found)))
+        Err((label, Failure::Refuted(found))) => {
+            let Some((_, of, piece)) = find(&label) else { return Verdict::Undecided(label) };
+            if matches!(claim.kind, ClaimKind::Independent(_)) && !piece.is_exact() {
+                return Verdict::Undecided(String::from(
+                    "the functions are dependent at values that what is assumed may rule out",
+                ));
+            }
+            let witness = witness(family, &claim.kind, of.clone(), &found, piece);
+            Verdict::Refuted(Box::new(if *of == label { witness } else { witness.about(&label) }))
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
             ClaimKind::Independent(_) => left,
             _ => format!("`{of}`: {left}"),
         }),
     }
+}
+
+/// What is known of functions whose total positivity is not proved.
+fn not_total(family: &Family) -> Verdict {
+    match total::refutation(family) {
+        Some(witness) => Verdict::Refuted(Box::new(witness)),
+        None if family.functions.len() > total::MAX_FUNCTIONS => {
+            Verdict::Undecided(String::from(total::TOO_MANY))
+        }
+        None => Verdict::Undecided(String::from(total::OPEN)),
+    }
+}
+
+/// The minors of a family that `given` names, each of which has to be ≥ 0.
+///
+/// # Errors
+/// When it names none.
+pub(in crate::state) fn minors(
+    family: &Family,
+    given: &[Vec<Rational>],
+) -> Result<Vec<Stated>, &'static str> {
+    total::instances(family, given)
 }
 
 /// How a claim was proved, in a few words.
@@ -190,6 +275,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
         ClaimKind::Continuity(_) => "expansion of the derivatives at the ends",
         ClaimKind::Smooth(_) => "expansion of the derivatives at the knots",
         ClaimKind::Independent(_) => "minors",
+        ClaimKind::TotallyPositive => "totally nonnegative conversion to a Bernstein basis",
         _ if equation => "expansion of both sides",
         _ => {
             let hardest = shown.iter().map(|(_, shown)| shown.method).max();
@@ -204,35 +290,44 @@ fn stated_comparison(
     kind: &ClaimKind,
     of: &str,
     statement: &Statement,
+    piece: &Piece,
 ) -> Option<Comparison> {
     let ClaimKind::Relation { differences, .. } = kind else { return Some(Comparison::Equal) };
     let (Statement::Zero { domain, .. } | Statement::Sign { domain, .. }) = statement else { return None };
+    let part = (piece.clone(), Rc::clone(domain));
     let own = |(comparison, d): &&(Comparison, Difference)| {
         let (text, value) = match comparison {
             Comparison::Equal => (d.text.clone(), d.value.clone()),
             _ => without_numbers(family, d.text.clone(), d.value.clone()),
         };
-        text == of && compared(&value, *comparison, domain) == *statement
+        text == of && compared_on(&value, *comparison, &part) == *statement
     };
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }
 
 /// The witness that a counterexample is.
-fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample) -> Witness {
+fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample, piece: &Piece) -> Witness {
     if let ClaimKind::Independent(except) = kind {
-        return independent::witness(family, except, found);
+        return independent::witness(family, except, found, piece);
     }
-    let at = named_point(family, found, kind.fixed());
+    let at = named_point(family, found, kind.fixed(), piece);
     // Of the statements of a chain several may be about one expression.
-    let comparison =
-        stated_comparison(family, kind, &of, found.refutation.statement()).unwrap_or(Comparison::Equal);
+    let comparison = stated_comparison(family, kind, &of, found.refutation.statement(), piece)
+        .unwrap_or(Comparison::Equal);
     let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
     witness.shown = shown(family, found);
-    if matches!(kind, ClaimKind::Continuity(_) | ClaimKind::Smooth(_)) {
+    if matches!(kind, ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
+    }
+    if let ClaimKind::Continuity(joint) = kind {
+        witness.idle = domain_names(family);
+        for p in &joint.free {
+            let known = found.point.iter().find(|(v, _)| *v == p.var).map(|(_, c)| c.clone());
+            witness.at.extend(known.map(|c| (p.name.clone(), c)));
+        }
     }
     witness.notes = identity::notes(family, kind, &witness);
     witness

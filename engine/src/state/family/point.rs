@@ -1,13 +1,15 @@
 //! Counterexamples as points of the names of a family.
 
+use basis_kernel::Quotient;
 use basis_prover::collections::list::Listed;
 use basis_prover::{Coordinate, Counterexample, typical};
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Var;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use crate::model::angle::Angle;
+use crate::model::chart::Piece;
 
 /// The names of the domain variables.
 pub(super) fn domain_names(family: &Family) -> Vec<String> {
@@ -21,7 +23,19 @@ pub(super) fn named_point(
     family: &Family,
     found: &Counterexample,
     fixed: &[(Var, Fraction)],
+    piece: &Piece,
 ) -> Vec<(String, Coordinate)> {
+    // What plays no part in the image of a box has a value, too.
+    let absent = |var: &Var| found.point.iter().all(|(v, _)| v != var);
+    let idle = piece.ranges.iter().filter(|(var, _)| absent(var)).map(|(var, r)| (*var, typical(r))).listed();
+    let image = |value: &Fraction| {
+        let put = |p: Poly| idle.iter().fold(p, |p, (var, x)| p.at(*var, x));
+        let quotient = piece.pull_back_fraction(value);
+        found.evaluate(&Quotient {
+            numerator: put(quotient.numerator),
+            denominator: put(quotient.denominator),
+        })
+    };
     // On a simplex no more than what is left.
     let mut left = Rational::ONE;
     let mut all: Vec<(String, Coordinate)> = Vec::new();
@@ -34,7 +48,11 @@ pub(super) fn named_point(
         if on_simplex {
             last = &last - &fixed_value.cloned().unwrap_or_else(|| Fraction::var(var));
         }
-        let known = given.or_else(|| found.evaluate(&fixed_value?.quotient()));
+        let known = if piece.steps.is_empty() {
+            given.or_else(|| found.evaluate(&fixed_value?.quotient()))
+        } else {
+            image(fixed_value.unwrap_or(&Fraction::var(var)))
+        };
         let value = known.unwrap_or_else(|| {
             let simple = typical(&parameter.range);
             let simple = if on_simplex { simple.min(left.clone()) } else { simple };

@@ -1,0 +1,203 @@
+//! What is written for nothing: shape parameters that nothing depends on, claims that are written twice.
+
+use proc_macro2::Span;
+
+use super::words::PI;
+use crate::diagnostic::{Diagnostic, Place};
+use crate::syntax::{
+    self, Binding, ClaimKind, Condition, Expr, ExprKind, Generator, Loops, Relation, StatementKind,
+};
+
+/// The warnings about a family without errors.
+pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) -> Vec<Diagnostic> {
+    let mut all = Vec::new();
+    let mut used: Vec<&str> = Vec::new();
+    let mut declared: Vec<(&str, Span)> = Vec::new();
+    for statement in &written.statements {
+        match &statement.kind {
+            StatementKind::Shape(decls) => {
+                for decl in decls {
+                    in_loops(&decl.loops, &mut used);
+                    for part in &decl.parts {
+                        // Beside another name π is the number.
+                        let pi = |n: &str| PI.contains(&n) && decl.names().len() > 1;
+                        match name(part).filter(|n| !pi(n)) {
+                            Some(known) if declared.iter().all(|(other, _)| *other != known) => {
+                                declared.push((known, part.span));
+                                if let ExprKind::Index(_, indices) = &part.kind {
+                                    for index in indices {
+                                        names(index, &mut used);
+                                    }
+                                }
+                            }
+                            _ => names(part, &mut used),
+                        }
+                    }
+                }
+            }
+            StatementKind::Domain(decls) => {
+                for limit in decls.iter().flat_map(|d| d.low.iter().chain(&d.high)) {
+                    names(&limit.value, &mut used);
+                }
+            }
+            StatementKind::Assume(relation) => in_relation(relation, &mut used),
+            StatementKind::Let(def) => names(&def.value, &mut used),
+            StatementKind::Function(def) | StatementKind::Raise(def) => {
+                names(&def.value, &mut used);
+                for formula in &def.further {
+                    names(formula, &mut used);
+                }
+                in_loops(&def.loops, &mut used);
+            }
+            StatementKind::Base(_, functions) => {
+                for def in functions {
+                    names(&def.value, &mut used);
+                }
+            }
+            StatementKind::Claim(claim) => in_claim(&claim.kind, &mut used),
+            StatementKind::Budget(_) | StatementKind::Simplex(_) => {}
+        }
+    }
+    // What is given by `let` has the name, if a parameter and a name were alike that would be an error.
+    for (name, span) in declared {
+        if !used.contains(&name) {
+            let warning =
+                Diagnostic::error(place(span), format!("the shape parameter `{name}` is never used"));
+            all.push(warning.warning().help("leave it out, or use it in a formula"));
+        }
+    }
+    let mut claims: Vec<(String, Span)> = Vec::new();
+    for statement in &written.statements {
+        let StatementKind::Claim(claim) = &statement.kind else { continue };
+        let spaceless: String = claim.text.chars().filter(|c| !c.is_whitespace()).collect();
+        let text = format!("{} {spaceless}", claim.expected.keyword());
+        match claims.iter().find(|(known, _)| *known == text) {
+            Some((_, first)) => {
+                let warning = Diagnostic::error(place(statement.span), "the claim is written twice");
+                let warning = warning.label("written again here").also(place(*first), "first written here");
+                all.push(warning.warning().help("leave one of them out"));
+            }
+            None => claims.push((text, statement.span)),
+        }
+    }
+    all
+}
+
+/// The name that an expression is, also with an index.
+fn name(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        ExprKind::Index(base, _) => match &base.kind {
+            ExprKind::Name(name) => Some(name),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Adds the names in an expression.
+fn names<'e>(expr: &'e Expr, used: &mut Vec<&'e str>) {
+    match &expr.kind {
+        ExprKind::Number(_) => {}
+        ExprKind::Name(name) => {
+            if !used.contains(&name.as_str()) {
+                used.push(name);
+            }
+        }
+        ExprKind::Neg(inner) => names(inner, used),
+        ExprKind::Sum(parts) => {
+            for (_, part) in parts {
+                names(part, used);
+            }
+        }
+        ExprKind::Product(parts) => {
+            for (_, part) in parts {
+                names(part, used);
+            }
+        }
+        ExprKind::Power(base, exponent) => {
+            names(base, used);
+            names(exponent, used);
+        }
+        ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
+            names(base, used);
+            for part in rest {
+                names(part, used);
+            }
+        }
+        ExprKind::List(parts) | ExprKind::Tuple(parts) => {
+            for part in parts {
+                names(part, used);
+            }
+        }
+        ExprKind::Each(body, loops) => {
+            names(body, used);
+            in_loops(loops, used);
+        }
+    }
+}
+
+fn in_loops<'e>(loops: &'e Loops, used: &mut Vec<&'e str>) {
+    for generator in &loops.generators {
+        match generator {
+            Generator::Range(range) => {
+                names(&range.low, used);
+                names(&range.high, used);
+            }
+            Generator::Simplex(_, sum) => names(sum, used),
+        }
+    }
+    if let Some(condition) = &loops.condition {
+        in_condition(condition, used);
+    }
+}
+
+fn in_condition<'e>(condition: &'e Condition, used: &mut Vec<&'e str>) {
+    match condition {
+        Condition::Compare(a, _, b) => {
+            names(a, used);
+            names(b, used);
+        }
+        Condition::All(parts) | Condition::Any(parts) => {
+            for part in parts {
+                in_condition(part, used);
+            }
+        }
+        Condition::Not(inner) => in_condition(inner, used),
+    }
+}
+
+fn in_relation<'e>(relation: &'e Relation, used: &mut Vec<&'e str>) {
+    names(&relation.left, used);
+    names(&relation.right, used);
+    for (_, side) in &relation.chain {
+        names(side, used);
+    }
+    in_loops(&relation.loops, used);
+}
+
+fn in_bindings<'e>(bindings: &'e [Binding], used: &mut Vec<&'e str>) {
+    for binding in bindings {
+        used.push(&binding.name.text);
+        names(&binding.value, used);
+    }
+}
+
+fn in_claim<'e>(claim: &'e ClaimKind, used: &mut Vec<&'e str>) {
+    match claim {
+        ClaimKind::Independent(exceptions) => {
+            for e in exceptions {
+                in_bindings(e, used);
+            }
+        }
+        ClaimKind::Continuity(_, next) => in_bindings(next, used),
+        ClaimKind::Relation(relation) => in_relation(relation, used),
+        ClaimKind::At(bindings, relations) => {
+            in_bindings(bindings, used);
+            for relation in relations {
+                in_relation(relation, used);
+            }
+        }
+        _ => {}
+    }
+}
