@@ -111,7 +111,7 @@ fn no_error_is_beyond_its_bound() {
     let random = &mut Random(7);
     let mut counts = [0; 3];
     for (name, text) in basis_specs::SPECS {
-        let library = Library::from_source(&Disk, &Prover, Source::text(&format!("{name}.basis"), text));
+        let library = Library::from_source(&Disk, &Prover, Source::text(format!("{name}.basis"), text));
         let mut last = String::new();
         for item in library.items(Selected::EveryOrder) {
             let Subject::Family(family) = &item.subject else { continue };
@@ -139,7 +139,8 @@ fn no_error_is_beyond_its_bound() {
         }
     }
     let [relative, absolute, none] = counts;
-    assert!(relative > 2 * absolute && none == 0, "{counts:?}");
+    // Some functions with shape values in a denominator and without end have none.
+    assert!(relative > 10 * absolute && relative > 20 * none, "{counts:?}");
 }
 
 #[test]

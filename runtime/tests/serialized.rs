@@ -16,7 +16,7 @@ use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError,
     CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Meeting, MeetingKind,
     Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting, RationalSurface,
-    RevolutionError, RevolutionPatch, Samples, ShapeError, SimplexIndex, SimplexPatch, Surface,
+    RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, Surface,
     SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
     TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
 };
@@ -247,6 +247,7 @@ fn all_else_is_shared() {
     shared::<Samples<P, EndpointForm<P, 3>>>();
     shared::<CurvePiece>();
     shared::<SurfacePiece>();
+    shared::<Rounding>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

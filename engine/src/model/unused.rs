@@ -8,6 +8,9 @@ use crate::syntax::{
     self, Binding, ClaimKind, Condition, Expr, ExprKind, Generator, Loops, Relation, StatementKind,
 };
 
+/// Claims that are written twice are shown up to this number.
+const MOST: usize = 10;
+
 /// The warnings about a family without errors.
 pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) -> Vec<Diagnostic> {
     let mut all = Vec::new();
@@ -58,27 +61,34 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             StatementKind::Budget(_) | StatementKind::Simplex(_) => {}
         }
     }
+    used.sort_unstable();
     // What is given by `let` has the name, if a parameter and a name were alike that would be an error.
     for (name, span) in declared {
-        if !used.contains(&name) {
+        if used.binary_search(&name).is_err() {
             let warning =
                 Diagnostic::error(place(span), format!("the shape parameter `{name}` is never used"));
             all.push(warning.warning().help("leave it out, or use it in a formula"));
         }
     }
-    let mut claims: Vec<(String, Span)> = Vec::new();
-    for statement in &written.statements {
-        let StatementKind::Claim(claim) = &statement.kind else { continue };
-        let spaceless: String = claim.text.chars().filter(|c| !c.is_whitespace()).collect();
-        let text = format!("{} {spaceless}", claim.expected.keyword());
-        match claims.iter().find(|(known, _)| *known == text) {
-            Some((_, first)) => {
-                let warning = Diagnostic::error(place(statement.span), "the claim is written twice");
-                let warning = warning.label("written again here").also(place(*first), "first written here");
-                all.push(warning.warning().help("leave one of them out"));
-            }
-            None => claims.push((text, statement.span)),
+    let mut claims: Vec<(String, usize)> = Vec::new();
+    for (k, statement) in written.statements.iter().enumerate() {
+        if let StatementKind::Claim(claim) = &statement.kind {
+            let spaceless: String = claim.text.chars().filter(|c| !c.is_whitespace()).collect();
+            claims.push((format!("{} {spaceless}", claim.expected.keyword()), k));
         }
+    }
+    claims.sort_unstable();
+    // Each with the first of its kind, in the order of the text.
+    let mut twice: Vec<(usize, usize)> = Vec::new();
+    for same in claims.chunk_by(|(a, _), (b, _)| a == b) {
+        twice.extend(same[1..].iter().map(|(_, k)| (*k, same[0].1)));
+    }
+    twice.sort_unstable();
+    for (again, first) in twice.into_iter().take(MOST) {
+        let at = |k: usize| place(written.statements[k].span);
+        let warning = Diagnostic::error(at(again), "the claim is written twice");
+        let warning = warning.label("written again here").also(at(first), "first written here");
+        all.push(warning.warning().help("leave one of them out"));
     }
     all
 }
@@ -100,9 +110,7 @@ fn names<'e>(expr: &'e Expr, used: &mut Vec<&'e str>) {
     match &expr.kind {
         ExprKind::Number(_) => {}
         ExprKind::Name(name) => {
-            if !used.contains(&name.as_str()) {
-                used.push(name);
-            }
+            used.push(name);
         }
         ExprKind::Neg(inner) => names(inner, used),
         ExprKind::Sum(parts) => {

@@ -38,7 +38,9 @@ impl Conditions<'_> {
         };
         for both in either {
             if both.iter().all(|p| self.cell.sign(p, work) == Some(true)) {
-                both.into_iter().for_each(|p| self.add(p));
+                for p in both {
+                    self.add(p);
+                }
                 return Some(true);
             }
         }

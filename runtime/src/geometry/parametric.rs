@@ -348,7 +348,7 @@ pub trait ParametricCurve {
     /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve};
     ///
     /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
-    /// let line = Bezier::from_points([[-1.0, 0.25], [1.0, 0.25]]);
+    /// let line = Bezier::from_points([[-1.0_f64, 0.25], [1.0, 0.25]]);
     /// let found = parabola.intersections(&line, 1e-9).unwrap();
     /// assert!(found.iter().all(|meeting| meeting.kind == MeetingKind::Crossing));
     /// let [left, right] = found.try_into().unwrap();

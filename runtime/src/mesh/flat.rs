@@ -5,8 +5,8 @@
 //!
 //! - The distance from `K` is a convex function, so that the surface is nowhere farther from `K` than a control point.
 //! - The nearest point of `K` is a continuous function of the point of the surface. Every point of `K` is its value
-//! somewhere, but for those between a side and the curve along it; these are no farther from the curve than its control
-//! points are from the side.
+//!   somewhere, but for those between a side and the curve along it; these are no farther from the curve than its
+//!   control points are from the side.
 //!
 //! So with the largest distance of the control points from the triangles, or from the side to which they belong, plus
 //! `t`, every point of the surface is that near to the triangles, and every point of these to the surface. Nothing is
