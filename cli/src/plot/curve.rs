@@ -44,7 +44,7 @@ pub(super) fn curve(scene: &Scene, samples: &[Sampled], left: f64, top: f64, siz
     (group, left + size + 20.0)
 }
 
-/// Σ b[i] P[i].
+/// `Σ b[i] P[i]`.
 fn through(points: &[[f64; 2]], sample: &Sampled) -> Vec<[Option<f64>; 2]> {
     let point = |values: &Vec<Option<f64>>| {
         [0, 1].map(|axis| values.iter().zip(points).map(|(b, p)| b.map(|b| b * p[axis])).sum::<Option<f64>>())

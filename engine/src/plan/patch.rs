@@ -22,7 +22,7 @@ pub struct PatchPlans<'a> {
     pub family: &'a Family,
     /// The form of the functions, or of those of the lowest order.
     pub form: PatchForm,
-    /// How often these are raised by b[I] = Σ_j x_j b[I − e_j].
+    /// How often these are raised by `b[I] = Σ_j x_j b[I − e_j]`.
     pub steps: u32,
 }
 

@@ -10,7 +10,7 @@ use super::{SimplexBasis, TriangularBasis, finish, partial};
 use crate::{Array, CountError, Curve, Point, Point3, Scalar};
 
 /// A triangular patch `S(u, v, w) = Σ b[i,j,k](u, v, w) P[i,j,k]`, `u + v + w = 1`, over control points `P[i,j,k]` in
-/// lexicographic order, see [`TriangleIndex`].
+/// lexicographic order, see [`SimplexIndex`](crate::SimplexIndex).
 ///
 /// ```
 /// use basis_runtime::{TriangleIndex, TriangularPatch, basis};
