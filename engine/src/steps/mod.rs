@@ -14,6 +14,7 @@
 mod build;
 mod evaluate;
 mod family;
+#[cfg(any(test, feature = "tools"))]
 mod join;
 mod lower;
 mod runtime;
@@ -24,6 +25,7 @@ use crate::plan::Input;
 pub use build::Builder;
 pub use evaluate::Number;
 pub use family::{EndSteps, FamilySteps};
+#[cfg(any(test, feature = "tools"))]
 pub use join::JoinSteps;
 pub use lower::lower;
 
