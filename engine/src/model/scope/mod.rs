@@ -331,6 +331,7 @@ impl Scope<'_> {
         known.push(&self.function_name);
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
+        let glued = self.glued(name);
         let help = match name {
             _ if ELSEWHERE.contains(&name) => String::from(
                 "functions are quotients of polynomials, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh` and `exp`",
@@ -338,7 +339,7 @@ impl Scope<'_> {
             "pi" | "π" => String::from("numbers are rational in theorems: write a fraction such as 22/7"),
             "e" => String::from("write `exp(1)`"),
             _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
-            _ if let Some(help) = self.glued(name) => help,
+            _ if glued.is_some() => glued.unwrap_or_default(),
             _ => did_you_mean(name, &known, &|| {
                 if self.subject == Subject::Theorem {
                     return format!(
