@@ -26,7 +26,7 @@ use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
 use crate::plan::form::IntervalForm;
 use crate::plan::patch_form::{PatchForm, factored_text};
-use crate::state;
+use crate::{rounding, state};
 
 /// The work for the factors of denominators.
 const DENOMINATORS: u64 = 1_000_000;
@@ -377,16 +377,11 @@ fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
 ///
 /// ε is the distance from 1 to the next float. Functions with the same bound share a line.
 pub fn rounding(family: &Family) -> Vec<(String, String)> {
-    let mut lines: Vec<(String, String)> = Vec::new();
-    for (k, bound) in state::value_errors(family).iter().enumerate() {
-        let text =
-            bound.as_ref().map_or_else(|| String::from("no bound found"), |(error, _)| error.to_string());
-        let label = family.function_label(k);
-        match lines.iter_mut().find(|(_, known)| *known == text) {
-            Some((labels, _)) => *labels += &format!(", {label}"),
-            None => lines.push((label, text)),
-        }
-    }
+    let errors = state::value_errors(family)
+        .into_iter()
+        .map(|known| known.map(|(error, _)| error))
+        .collect::<Vec<_>>();
+    let mut lines = rounding::grouped(&errors, family, "no bound found");
     if let Some((error, _)) = state::point_error(family) {
         let text = format!("{error} times the largest control point, in each coordinate");
         lines.push((String::from("C(t)"), text));

@@ -5,7 +5,7 @@ use quote::quote_spanned;
 
 use super::code::tokens::{float, site};
 use crate::model::Family;
-use crate::rounding::Error;
+use crate::rounding::{Error, grouped};
 use crate::state::value_errors;
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -39,15 +39,7 @@ pub(super) fn lines(errors: &[Option<Error>], family: &Family) -> Vec<String> {
     if errors.is_empty() {
         return Vec::new();
     }
-    let mut groups: Vec<(String, String)> = Vec::new();
-    for (k, error) in errors.iter().enumerate() {
-        let bound = error.as_ref().map_or_else(|| String::from("unknown"), ToString::to_string);
-        let label = family.function_label(k);
-        match groups.iter_mut().find(|(_, other)| *other == bound) {
-            Some((labels, _)) => *labels += &format!(", {label}"),
-            None => groups.push((label, bound)),
-        }
-    }
+    let groups = grouped(errors, family, "unknown");
     let texts = groups.mapped(|(labels, bound)| format!("`{labels}`: {bound}"));
     let line = format!("Rounding errors of the values, proved to be at most: {}.", texts.join("; "));
     vec![String::new(), line]

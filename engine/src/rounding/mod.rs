@@ -83,6 +83,21 @@ pub fn decimal(x: &Rational) -> String {
     }
 }
 
+/// The bounds of all functions of a family as text, each with the functions that have it, in the order of the first;
+/// `unknown` where there is none.
+pub(crate) fn grouped(errors: &[Option<Error>], family: &Family, unknown: &str) -> Vec<(String, String)> {
+    let mut groups: Vec<(String, String)> = Vec::new();
+    for (k, error) in errors.iter().enumerate() {
+        let bound = error.as_ref().map_or_else(|| String::from(unknown), ToString::to_string);
+        let label = family.function_label(k);
+        match groups.iter_mut().find(|(_, other)| *other == bound) {
+            Some((labels, _)) => *labels += &format!(", {label}"),
+            None => groups.push((label, bound)),
+        }
+    }
+    groups
+}
+
 /// A bound with what it follows from.
 #[derive(Clone, Debug)]
 pub struct Bound {

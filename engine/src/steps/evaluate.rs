@@ -49,35 +49,9 @@ impl Steps {
     }
 }
 
-macro_rules! floats {
-    ($($float:ident)+) => {$(
-        impl Number for $float {
-            fn constant(value: &Rational) -> Self {
-                value.to_f64() as $float
-            }
-            fn neg(&self) -> Self {
-                -self
-            }
-            fn add(&self, other: &Self) -> Self {
-                self + other
-            }
-            fn sub(&self, other: &Self) -> Self {
-                self - other
-            }
-            fn mul(&self, other: &Self) -> Self {
-                self * other
-            }
-            fn div(&self, other: &Self) -> Option<Self> {
-                Some(self / other)
-            }
-        }
-    )+};
-}
-floats!(f32 f64);
-
-macro_rules! exact {
-    ($($exact:ident: $constant:expr;)+) => {$(
-        impl Number for $exact {
+macro_rules! numbers {
+    ($($number:ident: $constant:expr, $quotient:expr;)+) => {$(
+        impl Number for $number {
             fn constant(value: &Rational) -> Self {
                 $constant(value)
             }
@@ -94,12 +68,14 @@ macro_rules! exact {
                 self * other
             }
             fn div(&self, other: &Self) -> Option<Self> {
-                self.checked_div(other)
+                $quotient(self, other)
             }
         }
     )+};
 }
-exact! {
-    Rational: Rational::clone;
-    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone()));
+numbers! {
+    f32: |value: &Rational| value.to_f64() as f32, |a: &f32, b: &f32| Some(a / b);
+    f64: Rational::to_f64, |a: &f64, b: &f64| Some(a / b);
+    Rational: Rational::clone, Rational::checked_div;
+    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div;
 }
