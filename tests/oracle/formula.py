@@ -48,6 +48,10 @@ class Dual:
         return Dual(-self.a, -self.b)
 
 
+def to_float(x):
+    return mpmath.mpf(x.numerator) / x.denominator if isinstance(x, Fraction) else x
+
+
 FUNCTIONS = {
     'sin': (mpmath.sin, lambda x: call('cos', x)),
     'cos': (mpmath.cos, lambda x: -call('sin', x)),
@@ -60,7 +64,7 @@ FUNCTIONS = {
 def call(name, x):
     if isinstance(x, Dual):
         return Dual(call(name, x.a), x.b * FUNCTIONS[name][1](x.a))
-    return FUNCTIONS[name][0](mpmath.mpf(x.numerator) / x.denominator if isinstance(x, Fraction) else x)
+    return FUNCTIONS[name][0](x)
 
 
 class Formula:
@@ -88,7 +92,7 @@ class Number(Formula):
         return str(self.x) if self.x >= 0 and self.x.denominator == 1 else f'({self.x})'
 
     def eval(self, env):
-        return self.x
+        return env['float'](self.x) if 'float' in env else self.x
 
 
 class Name(Formula):
@@ -111,10 +115,6 @@ class Binary(Formula):
 
     def eval(self, env):
         a, b = self.a.eval(env), self.b.eval(env)
-        if isinstance(a, mpmath.mpf) and isinstance(b, Fraction):
-            b = mpmath.mpf(b.numerator) / b.denominator
-        elif isinstance(b, mpmath.mpf) and isinstance(a, Fraction):
-            a = mpmath.mpf(a.numerator) / a.denominator
         if self.op == '+':
             return a + b
         if self.op == '-':
@@ -130,7 +130,7 @@ class Power(Formula):
         return f'{self.a.text() if isinstance(self.a, Name) else "(" + self.a.text() + ")"}^{self.n}'
 
     def eval(self, env):
-        a, result = self.a.eval(env), Fraction(1)
+        a, result = self.a.eval(env), 1
         for _ in range(self.n):
             result = a * result
         return result
@@ -172,8 +172,8 @@ class Derivative(Formula):
         return f'D({self.f.text()}{", " + self.written if self.written else ""})'
 
     def eval(self, env):
-        x = self.f.eval({**env, self.variable: Dual(env[self.variable], Fraction(1))})
-        return x.b if isinstance(x, Dual) else Fraction(0)
+        x = self.f.eval({**env, self.variable: Dual(env[self.variable], 1)})
+        return x.b if isinstance(x, Dual) else 0
 
 
 def formula(x):
