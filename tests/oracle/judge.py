@@ -580,7 +580,7 @@ def judge_claim(own, claim, answer, r):
                 try:
                     x = f.eval(env)
                 except ZeroDivisionError:
-                    return f'a denominator vanishes at {env}'
+                    continue  # in lower terms there is a value; `vanishing` looks for other zeros
                 if not holds(relation, x):
                     return f'the value is {x} at {env}'
         return None
@@ -610,7 +610,10 @@ def judge_claim(own, claim, answer, r):
         for span in range(len(own.knots) - 1) if own.kind == 'spans' else [None]:
             if span is not None and not own.knots[span] <= env['t'] <= own.knots[span + 1]:
                 continue
-            values.append((relation, f.eval(floats(own, {**env, 'span': span}))))
+            try:
+                values.append((relation, f.eval(floats(own, {**env, 'span': span}))))
+            except ZeroDivisionError:
+                return NOT_READ  # in lower terms there is a value
     said = witness.get('value')
     for relation, x in values:
         if isinstance(x, mpmath.mpf):
@@ -805,10 +808,19 @@ def main():
 
 
 def vanishing(own, r):
-    """The denominator of an accepted family has one sign wherever it is looked at."""
+    """The denominators of an accepted family, in lowest terms, have one sign wherever they are looked at."""
     values = [own.denominator.eval(own.sample(r)) for _ in range(60)]
-    if any(v == 0 for v in values) or any(v > 0 for v in values) and any(v < 0 for v in values):
-        return 'a denominator that changes its sign is accepted'
+    if all(v > 0 for v in values) or all(v < 0 for v in values):
+        return None
+    symbols = {n: sympy.Symbol(n) for n in [*own.domain, *own.shapes]}
+    for f in own.functions.values():
+        below = sympy.fraction(sympy.cancel(f.eval(symbols)))[1]
+        values = []
+        for _ in range(60):
+            at = {symbols[n]: sympy.Rational(str(x)) for n, x in own.sample(r).items()}
+            values.append(sympy.sympify(below).subs(at))
+        if not (all(v > 0 for v in values) or all(v < 0 for v in values)):
+            return 'a denominator that changes its sign is accepted'
     return None
 
 

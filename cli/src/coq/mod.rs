@@ -9,12 +9,14 @@ mod formula;
 mod frame;
 mod independence;
 mod names;
+mod quotients;
 mod theorem;
 
 use std::fs;
 use std::path::Path;
 
 use basis_engine::formulas::{Definition, Formulas};
+use basis_engine::model::obligation::Obligation;
 use basis_engine::plural::count;
 use basis_engine::{Family, Subject};
 use basis_kernel::Proof;
@@ -77,6 +79,14 @@ impl Export {
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
             };
+            let obligations: Vec<&Obligation> =
+                family.obligations.iter().chain(&decided.obligations).collect();
+            // On a simplex one of the coordinates is expressed by the others.
+            if !family.is_simplex() && quotients::cancel(family, formulas, &obligations) {
+                let why = "a quotient that is brought into lowest terms";
+                self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
+                continue;
+            }
             let mut text = Text::new(outcome, decided, family, formulas);
             for (claim, why) in text.claims(outcome, decided, family, formulas) {
                 self.missing.push(missing(&decided.claims[claim], why));
