@@ -33,6 +33,7 @@ pub const SPECS: &[(&str, &str)] = specs![
     "elements/beams"
     "elements/boxes"
     "hermite"
+    "joins/blends"
     "kernels/statistics"
     "kernels/wavelets"
     "kochanek_bartels"
