@@ -42,6 +42,7 @@
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
 //! | B-splines | [`bspline`] |
+//! | finite elements: quadrature, gradients at many points, nodes, functions of edges and faces | [`Quadrature`], [`SimplexBasis::tabulate`], [`SimplexBasis::nodes`], [`Entities`] |
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
 //! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
 //!
@@ -114,6 +115,7 @@
 //! | `rounding` | yes | proved bounds of the rounding errors of generated functions, as constants and in claims; implies `macros` |
 //! | `geometry` | yes | what all types of curves answer, `ParametricCurve`, and what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |
 //! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `geometry` |
+//! | `elements` | yes | finite elements: rules of quadrature, [`Quadrature`], functions at many points, [`Tabulation`], nodes, and what belongs to corners, edges and faces, [`Entities`]; implies `alloc` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `geometry` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
@@ -132,6 +134,7 @@
         feature = "macros",
         feature = "geometry",
         feature = "bspline",
+        feature = "elements",
         feature = "mesh"
     )),
     allow(rustdoc::broken_intra_doc_links)
@@ -161,6 +164,8 @@ pub mod bspline;
 mod convert;
 mod curve;
 mod domain;
+#[cfg(feature = "elements")]
+mod elements;
 mod error;
 mod form;
 pub mod generated;
@@ -203,6 +208,8 @@ pub use boxes::{BoxBasis, BoxPatch};
 #[cfg(feature = "alloc")]
 pub use curve::PiecewiseCurve;
 pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
+#[cfg(feature = "elements")]
+pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]

@@ -14,11 +14,12 @@ use basis_runtime::bspline::{
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError,
-    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Meeting, MeetingKind,
-    Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting, RationalSurface,
-    RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, Surface,
-    SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
-    TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
+    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Entities, Entity, Frame, JoinError, Joint,
+    Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting,
+    Quadrature, QuadratureError, RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples,
+    ShapeError, SimplexIndex, SimplexPatch, Surface, SurfaceOfRevolution, SurfacePiece, Tabulation,
+    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -248,6 +249,11 @@ fn all_else_is_shared() {
     shared::<CurvePiece>();
     shared::<SurfacePiece>();
     shared::<Rounding>();
+    error::<QuadratureError>();
+    shared::<Quadrature<P>>();
+    shared::<Tabulation<f64, [usize; 2]>>();
+    shared::<Entities>();
+    shared::<Entity>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any
