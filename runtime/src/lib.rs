@@ -35,6 +35,7 @@
 //! | --- | --- |
 //! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
 //! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
+//! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
 //! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
 //! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
 //! | a patch on a triangle, a tetrahedron, a box | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`] |
@@ -50,7 +51,8 @@
 //!
 //! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
 //! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
-//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve). Lists of curves of several types are
+//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), and [`Path`], which holds segments of
+//! several types and answers like `NurbsCurve`. Lists of curves of several types are
 //! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
@@ -67,6 +69,8 @@
 //! | boxes: `bounding_box`, `control_box` | yes | yes | yes | yes | yes |
 //! | special points: `extrema`, `inflections` | yes | yes | yes | yes | yes |
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
+//! | the first point with that value of a component: `first_where` | yes | yes | yes | yes | yes |
+//! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes |
 //! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
@@ -168,6 +172,8 @@ mod domain;
 mod elements;
 mod error;
 mod form;
+#[cfg(any(feature = "elements", feature = "geometry"))]
+mod gauss;
 pub mod generated;
 #[cfg(feature = "geometry")]
 mod geometry;
@@ -177,6 +183,8 @@ pub mod laws;
 mod mesh;
 #[cfg(feature = "alloc")]
 mod nearest;
+#[cfg(feature = "geometry")]
+mod path;
 mod point;
 mod revolution;
 mod scalar;
@@ -213,11 +221,13 @@ pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
-pub use geometry::{CurvePiece, CurveScalar, Meeting, MeetingKind, ParametricCurve, PlaneMeeting};
+pub use geometry::{CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting};
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 #[cfg(feature = "alloc")]
 pub use nearest::Nearest;
+#[cfg(feature = "geometry")]
+pub use path::{Path, PathSegment, SvgError, SvgMistake, to_svg};
 pub use point::Point;
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;

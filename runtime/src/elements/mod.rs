@@ -2,7 +2,6 @@
 //! once, nodes, and which functions belong to which corner, edge or face.
 
 mod entities;
-mod gauss;
 mod nodes;
 mod quadrature;
 mod symmetric;

@@ -4,8 +4,8 @@ use alloc::vec::Vec;
 use core::error::Error;
 use core::fmt::{self, Display, Formatter};
 
-use super::gauss::jacobi;
 use super::symmetric;
+use crate::gauss::jacobi;
 use crate::{Point, Scalar};
 
 /// Rules of a higher degree are refused.

@@ -12,7 +12,7 @@ use crate::Scalar;
 /// of Sturm's sequence; the weights are `μ / Σ p_k(x)²` over the orthonormal polynomials, so that they are positive (G.
 /// H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", Mathematics of Computation 23, 1969).
 #[inline]
-pub(super) fn jacobi(count: usize, power: usize) -> Vec<[f64; 2]> {
+pub(crate) fn jacobi(count: usize, power: usize) -> Vec<[f64; 2]> {
     let alpha = power as f64;
     // x p_k = √b[k+1] p_(k+1) + a[k] p_k + √b[k] p_(k-1) on -1 <= x <= 1, with the weight (1 - x)^α.
     let recurrence: Vec<[f64; 2]> = (0..count)
