@@ -59,8 +59,10 @@ pub(crate) enum Command {
     ///
     /// Of a family: the functions in factored and expanded form; the derivatives of a curve at both ends as
     /// combinations of its control points; the shape values at which the functions are linearly dependent; which
-    /// control points C1, G1, C2 and G2 contact with another curve determines at either end, as formulas; and the
-    /// largest ranges of the shape parameters on which all functions stay nonnegative.
+    /// control points C1, G1, C2 and G2 contact with another curve determines at either end, as formulas; the matrices
+    /// to and from the Bernstein basis, of degree elevation, mass and stiffness, and the moments; zeros and extrema of
+    /// functions that are negative somewhere; the verdicts of its claims; and the largest ranges of the shape parameters
+    /// on which all functions stay nonnegative.
     ///
     /// Of a join or theorem: its curves, surfaces and scalars with their ranges, the control points that it determines
     /// as formulas in the given ones, and its claims, each with its verdict and the reason.
@@ -392,6 +394,9 @@ pub(crate) struct ExplainArguments {
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
     /// the file, families in their lowest orders
     pub(crate) name: Option<String>,
+    /// Also print the matrices that convert the family into another one that the spec knows, and back
+    #[arg(long, value_name = "FAMILY", requires = "name")]
+    pub(crate) to: Option<String>,
 }
 
 const EXPLAIN_HELP: &str = "\
@@ -403,6 +408,7 @@ Examples:
   basis explain quartic.basis
   basis explain library:papers/quartic
   basis explain bernstein.basis 'Bernstein(n=3)'
+  basis explain quartic.basis QuarticBernstein --to 'Bernstein(4)'
   basis explain quadratic.basis G1
   basis explain quartic.basis --format latex > quartic.tex && pdflatex quartic.tex
   basis explain papers/quartic.basis | less";

@@ -156,7 +156,7 @@ fn series(x: &Rational, sign: i64) -> (Rational, Rational) {
     let mut k = 0_i64;
     while k < 8 || term.abs() > tiny {
         let signed = if k % 4 >= 2 { &term * &Rational::from(sign) } else { term.clone() };
-        let slot = if k % 2 == 0 { 1 } else { 0 };
+        let slot = usize::from(k % 2 == 0);
         sums[slot] = &sums[slot] + &signed;
         k += 1;
         term = rounded(&(&(&term * x) * &Rational::new(1, k)));

@@ -78,7 +78,7 @@ pub(super) struct Record {
 #[serde(untagged)]
 pub(super) enum Json {
     /// Of one point.
-    One(Record),
+    One(Box<Record>),
     /// Of several.
     Several { points: Vec<Record> },
 }
@@ -172,7 +172,7 @@ impl Report {
     /// Fractions as strings, by function; what is not rational as a decimal.
     pub(super) fn json(&self) -> Json {
         match self.rows.as_slice() {
-            [one] if self.single => Json::One(one.record(false)),
+            [one] if self.single => Json::One(Box::new(one.record(false))),
             rows => Json::Several { points: rows.iter().map(|row| row.record(true)).collect() },
         }
     }
