@@ -25,7 +25,8 @@
 //!
 //! # Domains
 //!
-//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a
+//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]; one with
+//! denominators implements [`RationalBasis`] and makes a [`RationalCurve`]. A family on a
 //! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
 //! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
@@ -41,6 +42,7 @@
 //! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
+//! | a curve over a family with denominators | [`RationalCurve`] over a [`RationalBasis`]; its Bézier form [`RationalBezier`] |
 //! | B-splines | [`bspline`] |
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
 //! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
@@ -49,7 +51,8 @@
 //!
 //! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
 //! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
-//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve). Lists of curves of several types are
+//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`] and [`RationalBezier`],
+//! which answer all that is in the column of `dyn`, and have parts. Lists of curves of several types are
 //! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
@@ -173,6 +176,7 @@ mod mesh;
 #[cfg(feature = "alloc")]
 mod nearest;
 mod point;
+mod rational;
 mod revolution;
 mod scalar;
 #[cfg(feature = "serde")]
@@ -212,6 +216,9 @@ pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 #[cfg(feature = "alloc")]
 pub use nearest::Nearest;
 pub use point::Point;
+#[cfg(feature = "geometry")]
+pub use rational::RationalBezier;
+pub use rational::{Chart, RationalBasis, RationalCurve};
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};
