@@ -7,6 +7,8 @@ use super::series::{derivative, derivatives_into};
 use super::{Chart, RationalBasis, RationalCurve};
 use crate::bernstein;
 use crate::curve::{divisible, nonempty};
+#[cfg(feature = "serde")]
+use crate::serialize::{Read, Written};
 use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
 
 /// How often a piece is halved until all of its weights are positive.
@@ -32,6 +34,9 @@ const HALVINGS: u32 = 12;
 /// # Ok::<(), basis_runtime::CurveError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(try_from = "crate::serialize::rational::bezier::Bezier<P>"))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
 pub struct RationalBezier<P: Point> {
     domain: [P::Scalar; 2],
     numerator: Vec<P>,

@@ -28,7 +28,7 @@ pub(crate) fn derivatives<P: Point>(
     out: &mut [P],
 ) {
     let Room { curve, weight, map } = room;
-    let [_, x] = chart.coordinates(t);
+    let x = chart.place(t);
     taylor(numerator, x, curve);
     taylor(denominator, x, weight);
     for k in 0..curve.len() {

@@ -10,6 +10,7 @@ pub(crate) mod bspline;
 #[cfg(feature = "mesh")]
 pub(crate) mod mesh;
 mod patches;
+pub(crate) mod rational;
 pub(crate) mod revolution;
 
 use core::fmt::{self, Formatter};
