@@ -42,6 +42,7 @@ pub(crate) mod bezier {
     //! The Bernstein coefficients of numerator and denominator.
 
     use alloc::vec::Vec;
+    use core::cmp::Ordering;
 
     use serde::Deserialize;
 
@@ -65,7 +66,7 @@ pub(crate) mod bezier {
                 let expected = numerator.len().max(1);
                 return Err(CurveError::Length { expected, found: weights.len() });
             }
-            if !(lo < hi) {
+            if lo.partial_cmp(&hi) != Some(Ordering::Less) {
                 return Err(CurveError::EmptyRange { at: lo.to_f64() });
             }
             let wrong = |w: &P::Scalar| !w.is_finite();
