@@ -17,5 +17,6 @@ mod piece;
 
 pub use intersect::MeetingKind;
 pub use meeting::{Meeting, PlaneMeeting};
+pub(crate) use parametric::clamped;
 pub use parametric::{CurveScalar, ParametricCurve};
 pub use piece::CurvePiece;
