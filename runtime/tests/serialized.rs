@@ -14,12 +14,13 @@ use basis_runtime::bspline::{
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Contact, CountError, Curvature, Curve,
-    CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Meeting,
-    MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting, RationalBezier,
-    RationalCurve, RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError,
-    SimplexIndex, SimplexPatch, Surface, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation,
-    TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root,
-    edge_continuity,
+    CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, Enclosed, EndpointForm, Entities, Entity, Frame,
+    JoinError, Joint, Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, Path, PathSegment,
+    PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve,
+    RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
+    SimplexPatch, Surface, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation,
+    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -106,6 +107,11 @@ fn bases_forms_and_curves() {
     let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
     let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
     again(MeetingKind::Crossing);
+    let disk = Path::<[f64; 2]>::circle([1.0, 2.0], 3.0);
+    again(disk.enclosed().unwrap());
+    again(disk.segments()[0].clone());
+    again(PathSegment::line([0.0, 1.0], [2.0, 3.0]));
+    again(disk);
     meetings.into_iter().for_each(again);
     met.into_iter().for_each(again);
     again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
@@ -260,6 +266,14 @@ fn all_else_is_shared() {
     shared::<CurvePiece>();
     shared::<SurfacePiece>();
     shared::<Rounding>();
+    error::<QuadratureError>();
+    error::<SvgError>();
+    shared::<SvgMistake>();
+    shared::<Enclosed<P>>();
+    shared::<Quadrature<P>>();
+    shared::<Tabulation<f64, [usize; 2]>>();
+    shared::<Entities>();
+    shared::<Entity>();
     shared::<Chart<f64>>();
 }
 
