@@ -25,7 +25,8 @@
 //!
 //! # Domains
 //!
-//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a
+//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]; one with
+//! denominators implements [`RationalBasis`] and makes a [`RationalCurve`]. A family on a
 //! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
 //! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
@@ -42,6 +43,7 @@
 //! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
+//! | a curve over a family with denominators | [`RationalCurve`] over a [`RationalBasis`]; its Bézier form [`RationalBezier`] |
 //! | B-splines | [`bspline`] |
 //! | finite elements: quadrature, gradients at many points, nodes, functions of edges and faces | [`Quadrature`], [`SimplexBasis::tabulate`], [`SimplexBasis::nodes`], [`Entities`] |
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
@@ -51,8 +53,9 @@
 //!
 //! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
 //! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
-//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), and [`Path`], which holds segments of
-//! several types and answers like `NurbsCurve`. Lists of curves of several types are
+//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`], [`RationalBezier`],
+//! and [`Path`], which holds segments of several types. The last three answer all that is in the column of `dyn`, and have
+//! parts. Lists of curves of several types are
 //! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
@@ -186,6 +189,7 @@ mod nearest;
 #[cfg(feature = "geometry")]
 mod path;
 mod point;
+mod rational;
 mod revolution;
 mod scalar;
 #[cfg(feature = "serde")]
@@ -229,6 +233,9 @@ pub use nearest::Nearest;
 #[cfg(feature = "geometry")]
 pub use path::{Path, PathSegment, SvgError, SvgMistake, to_svg};
 pub use point::Point;
+#[cfg(feature = "geometry")]
+pub use rational::RationalBezier;
+pub use rational::{Chart, RationalBasis, RationalCurve};
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};

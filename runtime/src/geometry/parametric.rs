@@ -14,6 +14,7 @@ use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
 
 /// A curve `C(t)`, `lo <= t <= hi`, of any type: [`Curve`](crate::Curve) over a family, Bézier curve,
+/// [`RationalCurve`](crate::RationalCurve), [`RationalBezier`](crate::RationalBezier),
 /// [`PiecewiseCurve`](crate::PiecewiseCurve), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 ///
 /// Every question has one name and one signature for all of them. What a type answers faster by itself it has as a

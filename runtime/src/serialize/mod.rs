@@ -12,6 +12,7 @@ pub(crate) mod mesh;
 mod patches;
 #[cfg(feature = "geometry")]
 pub(crate) mod path;
+pub(crate) mod rational;
 pub(crate) mod revolution;
 
 use core::fmt::{self, Formatter};
