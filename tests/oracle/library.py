@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Recomputes the verdicts of specs without the engine: an own reader of the language, SymPy and mpmath.
 
-    python3 specs/verify.py specs/curves specs/trigonometric --command target/debug/basis
+    tests/oracle/library.py specs/curves specs/trigonometric --command target/debug/basis
 
 Equations, inequalities, sums, symmetry, joints and minors are evaluated with 40 digits at points of the domain and shape values,
 ends included; independence is a rank. A claim that is declared false is looked for in the same way, and otherwise evaluated at the
@@ -24,7 +24,7 @@ import sympy as sp
 
 mpmath.mp.dps = 40
 SMALL = mpmath.mpf(10) ** -25
-SPECS = pathlib.Path(__file__).resolve().parent
+SPECS = pathlib.Path(__file__).resolve().parents[2] / "specs"
 TOKEN = re.compile(r"\s+|//[^\n]*|/\*.*?\*/|(\d+\.\d+|\d+(?!\.\d)|[^\W\d]\w*|\.\.=|\.\.|<=|>=|==|!=|&&|\|\||\"[^\"]*\"|.)", re.S)
 
 
