@@ -12,6 +12,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::model::angle::Angle;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
 use crate::model::obligation::{Goal, Obligation, Open};
@@ -140,7 +141,14 @@ impl Scope<'_> {
             shown = (-divisor).display(&self.names).to_string(); // as it stands below a quotient in lowest terms
         }
         let goal = piece.pull_back(divisor).map(|p| Goal::Nonzero(p, Rc::clone(domain)));
-        Some(match self.judge(format!("{shown} != 0"), goal, budget) {
+        let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
+        let beside_itself = |a: &Angle| divisor.depends_on(a.itself) && divisor.depends_on(a.var);
+        if matches!(judged, Err(Open::Fails(_))) && self.analytic.angles.iter().any(beside_itself) {
+            // The point need not be one: the variable and its tangent were taken apart.
+            let why = "a variable stands beside its own sine or exponential in it";
+            judged = Err(Open::Undecided(String::from(why)));
+        }
+        Some(match judged {
             Err(Open::Fails(point)) => {
                 let point = piece.image(&point);
                 // A value at which the denominator is zero, whatever the others are, says it best.
