@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
 /// Methods that every generated type has.
-const METHODS: [&str; 12] = [
+const METHODS: [&str; 14] = [
     "partials",
     "new",
     "values",
@@ -16,6 +16,8 @@ const METHODS: [&str; 12] = [
     "coefficients",
     "bernstein_coefficients",
     "to_bernstein",
+    "mass_matrix",
+    "stiffness_matrix",
     "bind",
     "start_points",
     "end_points",
