@@ -181,3 +181,19 @@ pub fn table<S: Scalar, const N: usize, const T: usize, const L: usize>(
 macro_rules! __serialize_shape {
     ($($shape:tt)*) => {};
 }
+
+/// The items, where there is an allocator.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_alloc {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Nothing, without an allocator.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_alloc {
+    ($($item:tt)*) => {};
+}

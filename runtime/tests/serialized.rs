@@ -13,12 +13,14 @@ use basis_runtime::bspline::{
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
-    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError,
-    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Meeting, MeetingKind,
-    Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting, RationalSurface,
-    RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, Surface,
-    SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
-    TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
+    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Contact, CountError, Curvature, Curve,
+    CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, Enclosed, EndpointForm, Entities, Entity, Frame,
+    JoinError, Joint, Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, Path, PathSegment,
+    PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve,
+    RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
+    SimplexPatch, Surface, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation,
+    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -26,6 +28,8 @@ use serde::de::DeserializeOwned;
 basis!("../../specs/quartic.basis");
 basis!("../../specs/triangular.basis", TriangularII(3));
 basis!("../../specs/lagrange.basis", Bilinear, TetrahedralLagrange(1));
+
+basis!("../../specs/rational/bezier.basis", Conic);
 
 type P = [f64; 3];
 
@@ -89,11 +93,25 @@ fn bases_forms_and_curves() {
     refused(&curve(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
     refused(&EndpointForm::new([0.0, 4.0], [12.0, 1.0]), |json| json["inner"] = serde_json::json!([1.0]));
 
+    let conic: RationalCurve<Conic, P> =
+        Conic::new(0.5).unwrap().curve([[0.0; 3], [1.0; 3], [2.0, 0.0, 1.0]]);
+    again(conic);
+    refused(&conic, |json| json["basis"]["omega"] = serde_json::json!(0.0));
+    let bezier: RationalBezier<P> = conic.to_rational_bezier();
+    again(bezier.clone());
+    refused(&bezier, |json| drop(json["weights"].as_array_mut().unwrap().pop()));
+    refused(&bezier, |json| json["domain"] = serde_json::json!([1.0, 1.0]));
+
     let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);
     let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
     let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
     again(MeetingKind::Crossing);
+    let disk = Path::<[f64; 2]>::circle([1.0, 2.0], 3.0);
+    again(disk.enclosed().unwrap());
+    again(disk.segments()[0].clone());
+    again(PathSegment::line([0.0, 1.0], [2.0, 3.0]));
+    again(disk);
     meetings.into_iter().for_each(again);
     met.into_iter().for_each(again);
     again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
@@ -248,6 +266,15 @@ fn all_else_is_shared() {
     shared::<CurvePiece>();
     shared::<SurfacePiece>();
     shared::<Rounding>();
+    error::<QuadratureError>();
+    error::<SvgError>();
+    shared::<SvgMistake>();
+    shared::<Enclosed<P>>();
+    shared::<Quadrature<P>>();
+    shared::<Tabulation<f64, [usize; 2]>>();
+    shared::<Entities>();
+    shared::<Entity>();
+    shared::<Chart<f64>>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

@@ -78,6 +78,27 @@ impl IntervalForm {
     }
 }
 
+/// All functions of a family with a denominator in the domain variable, as quotients of polynomials of one degree.
+#[derive(Clone, Debug)]
+pub struct RationalForm {
+    /// The numerators over the common denominator.
+    pub numerators: IntervalForm,
+    /// The common denominator.
+    pub denominator: FunctionForm,
+}
+
+impl RationalForm {
+    /// The form of a family; `None` when it has several domain variables.
+    pub fn new(family: &Family) -> Option<Self> {
+        let (var, low, high) = family.interval()?;
+        let degree = family.degree(var).max(family.over.degree(var));
+        let form = |p: &Poly| FunctionForm::new(p, &Poly::one(), var, low, high, degree);
+        let functions = family.numerators().mapped(form);
+        let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
+        Some(Self { numerators, denominator: form(&family.over) })
+    }
+}
+
 impl FunctionForm {
     fn new(numer: &Poly, denom: &Poly, var: Var, low: &Rational, high: &Rational, degree: u32) -> Self {
         let terms = degree as usize + 1;

@@ -85,6 +85,31 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
         partial::<Self, _>(weights.as_mut(), at, orders)
     }
 
+    /// The values of all functions at many points, and their derivatives up to that order in the coordinates: what
+    /// [`values`](Self::values) and [`partials`](Self::partials) give, with everything that does not depend on the
+    /// points computed once.
+    #[cfg(feature = "elements")]
+    fn tabulate(
+        &self,
+        at: &[Self::Coordinates],
+        order: usize,
+    ) -> crate::Tabulation<Self::Scalar, Self::Orders> {
+        crate::elements::tabulate_box(self, at, order)
+    }
+
+    /// Which functions belong to which corner, edge or face, or to the inside.
+    #[cfg(feature = "elements")]
+    fn entities(&self) -> crate::Entities {
+        crate::elements::in_box(self.bernstein_weights().as_ref(), Self::DEGREES)
+    }
+
+    /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
+    /// rounding errors; `None` if there are none, or if the functions do not span the coordinates.
+    #[cfg(feature = "elements")]
+    fn nodes(&self) -> Option<Self::Points<Self::Coordinates>> {
+        crate::elements::box_nodes(self)
+    }
+
     /// The control points of the same patch in the tensor product Bernstein basis of the same degrees:
     /// `Σ_i c[α][i] points[i]` with the [`bernstein_weights`](Self::bernstein_weights) `c`.
     fn to_bernstein<P: Point<Scalar = Self::Scalar>>(&self, points: &Self::Points<P>) -> Self::Bernstein<P> {

@@ -6,6 +6,7 @@
 
 mod bounds;
 mod curves;
+mod enclosed;
 mod flatten;
 mod intersect;
 mod length;
@@ -15,6 +16,7 @@ mod nearest;
 mod parametric;
 mod piece;
 
+pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub use meeting::{Meeting, PlaneMeeting};
 pub use parametric::{CurveScalar, ParametricCurve};

@@ -3,7 +3,9 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::{CurvePiece, Meeting, PlaneMeeting, bounds, flatten, length, local, meeting, nearest};
+use super::{
+    CurvePiece, Enclosed, Meeting, PlaneMeeting, bounds, enclosed, flatten, length, local, meeting, nearest,
+};
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
 use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
@@ -12,6 +14,7 @@ use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
 
 /// A curve `C(t)`, `lo <= t <= hi`, of any type: [`Curve`](crate::Curve) over a family, Bézier curve,
+/// [`RationalCurve`](crate::RationalCurve), [`RationalBezier`](crate::RationalBezier),
 /// [`PiecewiseCurve`](crate::PiecewiseCurve), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 ///
 /// Every question has one name and one signature for all of them. What a type answers faster by itself it has as a
@@ -335,6 +338,74 @@ pub trait ParametricCurve {
         distance.is_finite().then_some(Nearest { at, point: found, distance, at_least })
     }
 
+    /// The first point whose component of that index has that value; `None` if there is none, no such component, or
+    /// anything is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// // `cubic-bezier(0.25, 0.1, 0.25, 1)` of CSS: how far a motion is after 30 % of its time.
+    /// let ease = Bezier::from_points([[0.0_f64, 0.0], [0.25, 0.1], [0.25, 1.0], [1.0, 1.0]]);
+    /// let [_, progress] = ease.first_where(0, 0.3).unwrap();
+    /// assert!((progress - 0.513_3).abs() < 1e-4);
+    /// ```
+    fn first_where(&self, component: usize, value: CurveScalar<Self>) -> Option<Self::Point> {
+        let of = |x: CurveScalar<Self>| {
+            Self::Point::from_components(|d| if d == component { x } else { CurveScalar::<Self>::ZERO })
+        };
+        let found = meeting::of_plane(self, of(value), of(CurveScalar::<Self>::ONE))?;
+        found.first().map(|meeting| meeting.point)
+    }
+
+    /// Area, centre of mass and moments of what a closed curve in the plane encloses. An open curve is closed by a
+    /// straight line, each contour of a curve that jumps by one of its own.
+    ///
+    /// Exact for polynomial pieces, and to about the last digits for rational ones, both up to rounding errors. Parts
+    /// around which the curve runs clockwise count negative, so that a contour in the other direction is a hole.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// let arch = Bezier::from_points([[1.0_f64, 0.0], [0.0, 2.0], [-1.0, 0.0]]); // y = 1 - x²
+    /// let enclosed = arch.enclosed()?;
+    /// assert!((enclosed.area - 4.0 / 3.0).abs() < 1e-15);
+    /// assert!((enclosed.centroid.unwrap()[1] - 0.4).abs() < 1e-15);
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Dimension`] if the points have not two components, [`CurveError::NotFinite`] if a control point is
+    /// infinite or NaN.
+    fn enclosed(&self) -> Result<Enclosed<Self::Point>, CurveError> {
+        let pieces = in_the_plane::<Self::Point>(self.pieces())?;
+        if pieces.iter().all(CurvePiece::is_finite) {
+            Ok(enclosed::of(&pieces))
+        } else {
+            Err(CurveError::NotFinite)
+        }
+    }
+
+    /// How often the curve, closed as by [`enclosed`](Self::enclosed), goes round a point, anticlockwise; 0 outside.
+    /// `None` if the point lies on it up to rounding errors, or anything is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{ParametricCurve, Path};
+    ///
+    /// let circle = Path::<[f64; 2]>::circle([0.0, 0.0], 1.0);
+    /// assert_eq!(circle.winding([0.5, 0.5])?, Some(1));
+    /// assert_eq!(circle.reversed().winding([0.5, 0.5])?, Some(-1));
+    /// assert_eq!(circle.winding([0.8, 0.8])?, Some(0));
+    /// assert_eq!(circle.winding([0.6, 0.8])?, None);
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Dimension`] if the points have not two components.
+    fn winding(&self, point: Self::Point) -> Result<Option<i32>, CurveError> {
+        let pieces = in_the_plane::<Self::Point>(self.pieces())?;
+        Ok(enclosed::winding(&pieces, &[0, 1].map(|d| point.component(d).to_f64())))
+    }
+
     /// All places at which the curve meets another one, in the order of its own parameter.
     ///
     /// None is missed: every pair of parameters at which the curves have a point in common lies in one of the answers,
@@ -401,6 +472,11 @@ pub trait ParametricCurve {
 fn sample<S: Scalar>(domain: [S; 2], index: usize, count: usize) -> S {
     let steps = S::from_usize(count.saturating_sub(1).max(1));
     crate::domain::from_unit(domain, S::from_usize(index) / steps)
+}
+
+/// The pieces of a curve in the plane.
+fn in_the_plane<P: Point>(pieces: Vec<CurvePiece>) -> Result<Vec<CurvePiece>, CurveError> {
+    if P::DIM == 2 { Ok(pieces) } else { Err(CurveError::Dimension { expected: 2, found: P::DIM }) }
 }
 
 /// An accuracy for the search in double precision: what is not positive asks for the best.

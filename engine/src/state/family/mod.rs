@@ -179,12 +179,8 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
     match statement {
         // Nobody knows whether π and exp(1) are independent of one another.
         Statement::Zero { value, .. } => {
-            family
-                .analytic
-                .numbers()
-                .iter()
-                .all(|v| value.numerator.depends_on(*v) || value.denominator.depends_on(*v))
-                && family.analytic.numbers().len() > 1
+            let occurs = |v: &Var| value.numerator.depends_on(*v) || value.denominator.depends_on(*v);
+            family.analytic.numbers().into_iter().filter(occurs).count() > 1
         }
         Statement::Sign { value, .. } => of(&value.numerator) || of(&value.denominator),
         Statement::Products { value, .. } => of(value),
