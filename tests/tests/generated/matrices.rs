@@ -87,9 +87,9 @@ fn agree_with_exact_integrals() {
         let sheet = Sheet::new(k).expect("inside of the range");
         compare("Sheet", k, sheet.mass_matrix(), sheet.stiffness_matrix());
     }
-    let solid = Solid::new();
+    let solid = Solid::<f64>::new();
     compare("Solid", 0.0, solid.mass_matrix(), solid.stiffness_matrix());
-    let constant = Constant::new();
+    let constant = Constant::<f64>::new();
     assert_eq!((constant.mass_matrix(), constant.stiffness_matrix()), ([[2.0]], [[0.0]]));
 }
 
@@ -100,6 +100,9 @@ fn of_linear_functions_on_a_triangle() {
         family Linear { domain triangle (u, v, w); b[0] = u; b[1] = v; b[2] = w; }
     }
     let (m, o) = (1.0 / 12.0, 1.0 / 24.0);
-    assert_eq!(Linear::new().mass_matrix(), [[m, o, o], [o, m, o], [o, o, m]]);
-    assert_eq!(Linear::new().stiffness_matrix(), [[0.5, 0.0, -0.5], [0.0, 0.5, -0.5], [-0.5, -0.5, 1.0]]);
+    assert_eq!(Linear::<f64>::new().mass_matrix(), [[m, o, o], [o, m, o], [o, o, m]]);
+    assert_eq!(
+        Linear::<f64>::new().stiffness_matrix(),
+        [[0.5, 0.0, -0.5], [0.0, 0.5, -0.5], [-0.5, -0.5, 1.0]]
+    );
 }
