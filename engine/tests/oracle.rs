@@ -101,6 +101,7 @@ fn shipped() -> Vec<Entry> {
                         let own = text::witness_text(refutation.witness());
                         put(refutation.statement(), Offer::Witness(own));
                     }
+                    Verdict::Undecided(_) if claim.expected.keyword() == "conjecture" => {}
                     Verdict::Undecided(left) => panic!("{}: {left}", claim.text),
                 }
             }
