@@ -21,5 +21,6 @@ pub use closest::Closest;
 pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub use meeting::{Meeting, PlaneMeeting};
+pub(crate) use parametric::clamped;
 pub use parametric::{CurveScalar, ParametricCurve};
 pub use piece::CurvePiece;
