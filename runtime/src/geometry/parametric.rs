@@ -441,7 +441,7 @@ pub trait ParametricCurve {
     ) -> Option<Closest<Self::Point>> {
         let epsilon = CurveScalar::<Self>::EPSILON.to_f64();
         let (at, bound) = closest::closest(&self.pieces(), &other.pieces(), floor(accuracy), epsilon)?;
-        let at = [back(self.domain(), at[0]), back(other.domain(), at[1])];
+        let at = [self.parameter_of(at[0]), other.parameter_of(at[1])];
         let points = [self.eval(at[0]), other.eval(at[1])];
         let distance = distance(points[0], points[1]);
         distance.is_finite().then(|| Closest::new(at, points, distance, bound))

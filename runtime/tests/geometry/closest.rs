@@ -64,6 +64,36 @@ fn in_closed_form() {
     assert!((a.closest(&point, 1e-9).unwrap().distance - 1.0).abs() <= 1e-9);
 }
 
+/// The parameter of a curve with sines is not the one in which it is rational.
+#[cfg(feature = "macros")]
+#[test]
+fn of_a_curve_with_another_parameter() {
+    basis_runtime::basis! {
+        family Quarter {
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t);
+            b[1] = sin(t);
+        }
+    }
+    let arc = basis_runtime::RationalCurve::new(Quarter::new(), [[1.0, 0.0], [0.0, 1.0]]);
+    let angle = 0.4_f64;
+    let beside = Bezier::from_points([[3.0 * angle.cos(), 3.0 * angle.sin()]]);
+    let found = arc.closest(&beside, 1e-12).unwrap();
+    assert!((found.at[0] - angle).abs() < 1e-5 && (found.distance - 2.0).abs() < 1e-12, "{found:?}");
+    let [x, y] = arc.first_where(0, 0.25).unwrap();
+    assert!((x - 0.25).abs() < 1e-15 && (y - 0.9375_f64.sqrt()).abs() < 1e-15);
+    // A quarter of a disk less the triangle below its chord.
+    let area = arc.enclosed().unwrap().area;
+    assert!((area - (std::f64::consts::FRAC_PI_4 - 0.5)).abs() < 1e-14);
+    let turned = arc.map(|[x, y]| [-y, x]);
+    assert!(apart(turned.eval(0.3), [-0.3_f64.sin(), 0.3_f64.cos()]) < 1e-15);
+    let path = Path::from_curve(&arc);
+    assert!(path.samples(20).all(|[x, y]| (x.hypot(y) - 1.0).abs() < 1e-15));
+    let moved = arc.subsegment(0.2..0.9).unwrap().map(|[x, y]| [2.0 * x + 1.0, y - 3.0]);
+    let ends: [[f64; 2]; 2] = [0.2_f64, 0.9].map(|t| [2.0 * t.cos() + 1.0, t.sin() - 3.0]);
+    assert!(apart(moved.start(), ends[0]) < 1e-14 && apart(moved.end(), ends[1]) < 1e-14);
+}
+
 #[test]
 fn of_any_size() {
     let arch = Bezier::from_points([[-1.0, 0.0], [0.0, 2.0], [1.0, 0.0]]);
