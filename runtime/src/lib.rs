@@ -183,6 +183,7 @@ pub mod generated;
 mod geometry;
 #[cfg(feature = "laws")]
 pub mod laws;
+mod matrices;
 #[cfg(feature = "mesh")]
 mod mesh;
 #[cfg(feature = "alloc")]

@@ -9,6 +9,7 @@ pub use net::box_sum;
 
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
+use crate::matrices::{self, Kind};
 use crate::{Array, CountError, Point, Scalar};
 use net::{differentiate, finish};
 
@@ -118,6 +119,23 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
             let used = points.as_ref().iter().copied().zip(row.as_ref().iter().copied());
             combination(used.filter(|(_, weight)| *weight != Self::Scalar::ZERO))
         })
+    }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the box, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        let ([low, high], weights) = (Self::domain(), self.bernstein_weights());
+        matrices::on_box(Kind::Mass, weights.as_ref(), Self::DEGREES, low.as_ref(), high.as_ref())
+    }
+
+    /// The stiffness matrix: the integrals `∫ ∇b[i] · ∇b[j]` over the box, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        let ([low, high], weights) = (Self::domain(), self.bernstein_weights());
+        matrices::on_box(Kind::Stiffness, weights.as_ref(), Self::DEGREES, low.as_ref(), high.as_ref())
     }
 }
 

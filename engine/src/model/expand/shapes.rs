@@ -177,7 +177,18 @@ fn one(
                     low: hull(&parts, decl, k, false, shapes),
                     high: hull(&parts, decl, k, true, shapes),
                 };
-                let range = checked_range(scope, name.span, range, &|| name.text.clone());
+                let range = match range.finite() {
+                    // Of a chain, `2 < q < p <= 1`, the ends stand in one line.
+                    Some((a, b)) if a > b && parts.len() > 3 => {
+                        let error = scope.error(name.span, format!("the range of `{}` is empty", name.text));
+                        let label = format!("{a} is above {b}");
+                        scope.report(
+                            error.label(label).help("write the chain from the smallest to the greatest"),
+                        );
+                        None
+                    }
+                    _ => checked_range(scope, name.span, range, &|| name.text.clone()),
+                };
                 let var = variable(scope, name);
                 let (range, var) = (range?, var?);
                 let (name, place, doc) = (name.text.clone(), scope.place(name.span), doc.to_vec());

@@ -2,6 +2,7 @@
 //! values that are put in place of a parameter stay in its range.
 
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_by;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -12,6 +13,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::model::angle::Angle;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
 use crate::model::obligation::{Goal, Obligation, Open};
@@ -139,8 +141,18 @@ impl Scope<'_> {
         if shown.starts_with('-') && self.domain.iter().any(|v| divisor.depends_on(*v)) {
             shown = (-divisor).display(&self.names).to_string(); // as it stands below a quotient in lowest terms
         }
+        let known = self.library.text_at(&place).is_some_and(|text| says_the_same(text, &shown));
+        let label = if known { String::new() } else { format!("this is {shown}") };
+        let labelled = |error: Diagnostic| error.label(label.clone());
         let goal = piece.pull_back(divisor).map(|p| Goal::Nonzero(p, Rc::clone(domain)));
-        Some(match self.judge(format!("{shown} != 0"), goal, budget) {
+        let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
+        let beside_itself = |a: &Angle| divisor.depends_on(a.itself) && divisor.depends_on(a.var);
+        if matches!(judged, Err(Open::Fails(_))) && self.analytic.angles.iter().any(beside_itself) {
+            // The point need not be one: the variable and its tangent were taken apart.
+            let why = "a variable stands beside its own sine or exponential in it";
+            judged = Err(Open::Undecided(String::from(why)));
+        }
+        Some(match judged {
             Err(Open::Fails(point)) => {
                 let point = piece.image(&point);
                 // A value at which the denominator is zero, whatever the others are, says it best.
@@ -158,15 +170,13 @@ impl Scope<'_> {
                         String::from("narrow the declared ranges so that they leave this value out"),
                     ),
                 };
-                Diagnostic::error(place, format!("the denominator vanishes at {at}"))
-                    .label(format!("this is {shown}"))
+                labelled(Diagnostic::error(place.clone(), format!("the denominator vanishes at {at}")))
                     .help(help)
             }
-            Err(Open::Undecided(left)) => Diagnostic::error(
-                place,
+            Err(Open::Undecided(left)) => labelled(Diagnostic::error(
+                place.clone(),
                 "it is undecided whether the denominator vanishes on the declared ranges",
-            )
-            .label(format!("this is {shown}"))
+            ))
             .note(left)
             .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
             Ok(()) => return None,
@@ -306,5 +316,70 @@ impl Scope<'_> {
         let own = point.iter().filter(|(v, _)| p.depends_on(*v));
         let parts: Vec<String> = own.map(|(v, c)| c.describe(&self.names[v.0])).listed();
         parts.join(", ")
+    }
+}
+
+/// Whether a sum that is written has the terms of a polynomial as it is shown, or their negatives, in whatever order: it
+/// need not be shown then.
+fn says_the_same(written: &str, shown: &str) -> bool {
+    let (Some(mut a), Some(mut b)) = (terms(written), terms(shown)) else { return false };
+    for (negative, _) in &mut b {
+        *negative = !*negative;
+    }
+    let turned = b.clone();
+    for (negative, _) in &mut b {
+        *negative = !*negative;
+    }
+    let mut same = |mut b: Vec<(bool, Vec<String>)>| {
+        sort_by(&mut b, Ord::cmp);
+        sort_by(&mut a, Ord::cmp);
+        a == b
+    };
+    same(b) || same(turned)
+}
+
+/// The terms of a sum without brackets, each with its sign and its factors in order.
+fn terms(text: &str) -> Option<Vec<(bool, Vec<String>)>> {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let text = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(&text);
+    if text.contains(['(', ')', '[']) {
+        return None;
+    }
+    let mut all: Vec<(bool, String)> = Vec::new();
+    for c in text.chars() {
+        match c {
+            '+' | '-' => all.push((c == '-', String::new())),
+            _ => {
+                if all.is_empty() {
+                    all.push((false, String::new()));
+                }
+                all.last_mut()?.1.push(c);
+            }
+        }
+    }
+    let factors = |term: &String| {
+        let mut factors: Vec<String> = term.split('*').map(String::from).listed();
+        sort_by(&mut factors, Ord::cmp);
+        factors
+    };
+    Some(all.iter().map(|(negative, term)| (*negative, factors(term))).listed())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::says_the_same;
+
+    #[test]
+    fn sums_that_need_not_be_shown_again() {
+        for (written, shown) in
+            [("2*t-1", "1 - 2*t"), ("(t + λ)", "λ + t"), ("1 - t*2", "1 - 2*t"), ("t^2 - 1", "-1 + t^2")]
+        {
+            assert!(says_the_same(written, shown), "{written}");
+        }
+        for (written, shown) in
+            [("2*t - 1", "1 + 2*t"), ("w", "1 - 2*t"), ("(1 - t)*(1 - t)", "1 - 2*t + t^2"), ("t - t", "0")]
+        {
+            assert!(!says_the_same(written, shown), "{written}");
+        }
     }
 }
