@@ -74,6 +74,7 @@
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
 //! | the first point with that value of a component: `first_where` | yes | yes | yes | yes | yes |
 //! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes |
+//! | where it and another curve are nearest to each other: `closest` | yes | yes | yes | yes | yes |
 //! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
@@ -129,7 +130,7 @@
 //! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree. `lyon_geom` implies `std` |
 //! | `gltf`, `obj`, `stl` | no | meshes are written as binary glTF, Wavefront OBJ, binary STL; imply `std` and `mesh` |
 //! | `laws` | no | checks of the laws that families keep, for families of your own: `laws` |
-//! | `serde` | no | public data can be written and read; what is read is checked as by the constructors |
+//! | `serde` | no | public data can be written and read; what is read is checked as by the constructors. `serde_json` reads numbers up to the last digit only with its own feature `float_roundtrip`: without it a knot can come back changed by one unit of its last digit, and a repeated knot as two |
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -226,7 +227,9 @@ pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
-pub use geometry::{CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting};
+pub use geometry::{
+    Closest, CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting,
+};
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 #[cfg(feature = "alloc")]

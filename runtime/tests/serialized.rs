@@ -13,7 +13,7 @@ use basis_runtime::bspline::{
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
-    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Contact, CountError, Curvature, Curve,
+    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Closest, Contact, CountError, Curvature, Curve,
     CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, Enclosed, EndpointForm, Entities, Entity, Frame,
     JoinError, Joint, Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, Path, PathSegment,
     PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve,
@@ -273,6 +273,7 @@ fn all_else_is_shared() {
     error::<ConstructionError>();
     shared::<SvgMistake>();
     shared::<Enclosed<P>>();
+    shared::<Closest<P>>();
     shared::<Quadrature<P>>();
     shared::<Tabulation<f64, [usize; 2]>>();
     shared::<Entities>();

@@ -24,7 +24,8 @@ pub struct Root<S> {
 ///
 /// A piece whose coefficients have one sign holds no zero, one with a single change of sign holds exactly one; the
 /// others are halved (Descartes' rule in Bernstein form). A piece on which the polynomial is as small as its rounding
-/// error counts as one zero: so a zero of even order is found, once. None for the zero polynomial, and none if a
+/// error counts as one zero: so a zero of even order is found, once, where the derivative has its zero, to the last digits.
+/// None for the zero polynomial, and none if a
 /// coefficient is not finite.
 ///
 /// ```
@@ -55,26 +56,57 @@ pub fn roots<S: Scalar>(coefficients: &[S]) -> Vec<Root<S>> {
 }
 
 /// Zeros between which the polynomial never leaves its rounding error are one.
-fn merged<S: Scalar>(coefficients: &[S], zeros: &[S], noise: S) -> Vec<S> {
-    let mut groups: Vec<[S; 2]> = Vec::new();
+fn merged<S: Scalar>(coefficients: &[S], zeros: &[[S; 2]], noise: S) -> Vec<S> {
+    let middle = |[from, to]: [S; 2]| from + (to - from) * S::of(0.5);
+    let mut groups: Vec<[[S; 2]; 2]> = Vec::new();
     let mut between = coefficients.to_vec();
-    for &x in zeros {
+    for &zero in zeros {
         if let Some([_, last]) = groups.last_mut() {
             between.copy_from_slice(coefficients);
-            restrict(&mut between, *last, x);
+            restrict(&mut between, middle(*last), middle(zero));
             if between.iter().all(|c| c.abs() <= S::of(4.0) * noise) {
-                *last = x;
+                *last = zero;
                 continue;
             }
         }
-        groups.push([x; 2]);
+        groups.push([zero; 2]);
     }
-    let centre = |[first, last]: [S; 2]| match (first == S::ZERO, last == S::ONE) {
-        (true, _) => first,
-        (_, true) => last,
-        _ => first + (last - first) * S::of(0.5),
+    let centre = |[first, last]: [[S; 2]; 2]| match [first, last].map(middle) {
+        [x, _] if x == S::ZERO => x,
+        [_, x] if x == S::ONE => x,
+        ends => multiple(coefficients, [first[0], last[1]], noise).unwrap_or(middle(ends)),
     };
     groups.into_iter().map(centre).collect()
+}
+
+/// The multiple zero of a polynomial in an interval on which it is zero up to rounding: the simple zero of the first
+/// derivative that has one there, whose place the rounding errors of the coefficients hardly move.
+fn multiple<S: Scalar>(coefficients: &[S], [from, to]: [S; 2], mut noise: S) -> Option<S> {
+    let width = to - from;
+    if width <= S::ZERO {
+        return None;
+    }
+    let [low, high] = [(from - width).max(S::ZERO), (to + width).min(S::ONE)];
+    let mut derivative = coefficients.to_vec();
+    while derivative.len() > 2 {
+        noise = noise * S::of(2.0) * S::from_usize(derivative.len() - 1);
+        let len = super::differentiate(&mut derivative).len();
+        derivative.truncate(len);
+        let mut part = derivative.clone();
+        restrict(&mut part, low, high);
+        for c in &mut part {
+            if c.abs() <= noise {
+                *c = S::ZERO;
+            }
+        }
+        let ends = [part[0], part[part.len() - 1]];
+        if ends.contains(&S::ZERO) || changes_of_sign(&part) != 1 {
+            continue;
+        }
+        let x = low + (high - low) * simple_root(&part);
+        return (x >= from && x <= to).then_some(x);
+    }
+    None
 }
 
 /// Marks at which zeros the sign changes, from the values between them.
@@ -94,7 +126,8 @@ fn crossings<S: Scalar>(coefficients: &[S], zeros: &[S]) -> Vec<Root<S>> {
 }
 
 struct Found<S> {
-    zeros: Vec<S>,
+    /// Intervals, most of them of length 0.
+    zeros: Vec<[S; 2]>,
     /// An interval of neighbouring pieces on which the polynomial is zero up to rounding.
     cluster: Option<[S; 2]>,
 }
@@ -102,8 +135,8 @@ struct Found<S> {
 impl<S: Scalar> Found<S> {
     fn add(&mut self, x: S) {
         self.close_cluster();
-        if self.zeros.last() != Some(&x) {
-            self.zeros.push(x);
+        if self.zeros.last() != Some(&[x; 2]) {
+            self.zeros.push([x; 2]);
         }
     }
 
@@ -118,9 +151,7 @@ impl<S: Scalar> Found<S> {
     }
 
     fn close_cluster(&mut self) {
-        if let Some([from, to]) = self.cluster.take() {
-            self.zeros.push(from + (to - from) * S::of(0.5));
-        }
+        self.zeros.extend(self.cluster.take());
     }
 }
 
@@ -304,9 +335,36 @@ mod tests {
 
     #[test]
     fn multiple_roots_count_once() {
-        assert_roots(&[0.5, 0.5], &[(0.5, false)], 1e-7);
-        assert_roots(&[0.5, 0.5, 0.5], &[(0.5, true)], 1e-4);
-        assert_roots(&[0.25, 0.25, 0.25, 0.25, 0.75], &[(0.25, false), (0.75, true)], 1e-3);
+        assert_roots(&[0.5, 0.5], &[(0.5, false)], 1e-15);
+        assert_roots(&[0.5, 0.5, 0.5], &[(0.5, true)], 1e-15);
+        assert_roots(&[0.25, 0.25, 0.25, 0.25, 0.75], &[(0.25, false), (0.75, true)], 1e-12);
+    }
+
+    #[test]
+    fn multiple_roots_to_the_last_digits() {
+        let [root] = roots(&[25.0_f64, -35.0, 49.0]).try_into().unwrap(); // (5 - 12 x)²
+        assert!((root.x - 5.0 / 12.0).abs() < 1e-16 && !root.crosses);
+        let single: [Root<f32>; 1] = roots(&[25.0_f32, -35.0, 49.0]).try_into().unwrap();
+        assert!((single[0].x - 5.0 / 12.0).abs() < 6e-8);
+        // (a (1 - x) - b x)² (c (1 - x) - d x), three times, so that all coefficients are whole numbers.
+        for (a, b, c, d) in
+            [(5.0, 7.0, 1.0, 9.0), (1.0, 2.0, 3.0, 1.0), (13.0, 4.0, 2.0, 11.0), (3.0, 17.0, 6.0, 5.0)]
+        {
+            let square: [f64; 3] = [a * a, -a * b, b * b];
+            let cubic = [
+                3.0 * square[0] * c,
+                2.0 * square[1] * c - square[0] * d,
+                square[2] * c - 2.0 * square[1] * d,
+                -3.0 * square[2] * d,
+            ];
+            let mut expected = [(a / (a + b), false), (c / (c + d), true)];
+            expected.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let found = roots(&cubic);
+            assert_eq!(found.len(), 2, "{cubic:?}: {found:?}");
+            for (root, (x, crosses)) in found.iter().zip(expected) {
+                assert!((root.x - x).abs() < 1e-15 && root.crosses == crosses, "{cubic:?}: {found:?}");
+            }
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! marked `#[inline]` so that they are compiled where a question is asked, and not with this crate for everybody.
 
 mod bounds;
+mod closest;
 mod curves;
 mod enclosed;
 mod flatten;
@@ -16,6 +17,7 @@ mod nearest;
 mod parametric;
 mod piece;
 
+pub use closest::Closest;
 pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub use meeting::{Meeting, PlaneMeeting};

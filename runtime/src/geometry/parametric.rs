@@ -4,7 +4,8 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::{
-    CurvePiece, Enclosed, Meeting, PlaneMeeting, bounds, enclosed, flatten, length, local, meeting, nearest,
+    Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, bounds, closest, enclosed, flatten, length, local,
+    meeting, nearest,
 };
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
@@ -418,6 +419,32 @@ pub trait ParametricCurve {
     fn winding(&self, point: Self::Point) -> Result<Option<i32>, CurveError> {
         let pieces = in_the_plane::<Self::Point>(self.pieces())?;
         Ok(enclosed::winding(&pieces, &[0, 1].map(|d| point.component(d).to_f64())))
+    }
+
+    /// The points of this curve and another one that are nearest to each other, with a lower bound of the distance of all
+    /// pairs: `distance - at_least` is at most about `accuracy`, or some 64 `ε` times the size of the curves. `None` if a
+    /// control point is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]); // y = x²
+    /// let line = Bezier::from_points([[0.0, -1.0], [2.0_f64, 1.0]]); // y = x - 1
+    /// let found = parabola.closest(&line, 1e-9).unwrap();
+    /// assert!((found.distance - 0.75 / 2.0_f64.sqrt()).abs() < 1e-9); // from (1/2, 1/4)
+    /// assert!(found.distance - found.at_least <= 1e-9);
+    /// ```
+    fn closest(
+        &self,
+        other: &dyn ParametricCurve<Point = Self::Point>,
+        accuracy: CurveScalar<Self>,
+    ) -> Option<Closest<Self::Point>> {
+        let epsilon = CurveScalar::<Self>::EPSILON.to_f64();
+        let (at, bound) = closest::closest(&self.pieces(), &other.pieces(), floor(accuracy), epsilon)?;
+        let at = [self.parameter_of(at[0]), other.parameter_of(at[1])];
+        let points = [self.eval(at[0]), other.eval(at[1])];
+        let distance = distance(points[0], points[1]);
+        distance.is_finite().then(|| Closest::new(at, points, distance, bound))
     }
 
     /// All places at which the curve meets another one, in the order of its own parameter.

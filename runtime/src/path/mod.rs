@@ -60,7 +60,9 @@ impl<P: Point> Path<P> {
         if segments.is_empty() { Err(CurveError::NoSegments) } else { Ok(Self { segments }) }
     }
 
-    /// Any curve, exactly but for rounding: one segment for each of its Bézier [`pieces`](ParametricCurve::pieces).
+    /// Any curve, exactly but for rounding: one segment for each of its Bézier [`pieces`](ParametricCurve::pieces). Of a
+    /// curve that is rational in another parameter than its own, see [`Chart`](crate::Chart), the points stay and the
+    /// parameter changes.
     pub fn from_curve(curve: &(impl ParametricCurve<Point = P> + ?Sized)) -> Self {
         Self { segments: curve.pieces().iter().map(PathSegment::of_piece).collect() }
     }

@@ -87,6 +87,17 @@ impl<P: Point> RationalBezier<P> {
         self.numerator.iter().zip(&self.weights).map(point).collect()
     }
 
+    /// The image under an affine map, with the same weights; control points at infinity go to infinity in the image of
+    /// their direction.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> RationalBezier<Q> {
+        // With f(x) = A x + b the numerator A N + w b is f(N) + (w - 1) f(0).
+        let origin = image(P::zero());
+        let all = self.numerator.iter().zip(&self.weights);
+        let numerator = all.map(|(&n, &w)| image(n).add_scaled(origin, w - P::Scalar::ONE)).collect();
+        RationalBezier { domain: self.domain, numerator, weights: self.weights.clone() }
+    }
+
     /// The weights.
     #[inline]
     pub fn weights(&self) -> &[P::Scalar] {

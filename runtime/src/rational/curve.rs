@@ -7,7 +7,7 @@ use super::{Chart, RationalBasis};
 use crate::basis::combination;
 use crate::binomial::row;
 use crate::curve::inside;
-use crate::{CurveError, Point, Scalar};
+use crate::{Array, CountError, CurveError, Point, Scalar};
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]` and rational functions `b[i]`.
 ///
@@ -44,6 +44,30 @@ pub struct RationalCurve<B: RationalBasis, P: Point<Scalar = B::Scalar>> {
 }
 
 impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
+    /// The curve over control points in a slice, one for each basis function.
+    ///
+    /// # Errors
+    /// If the number of points is not the number of functions.
+    pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
+        if points.len() != B::LEN {
+            return Err(CountError::new(B::NAME, B::LEN, points.len()));
+        }
+        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+    }
+
+    /// The curve over the same control points with other shape values.
+    #[must_use]
+    pub fn with_basis(&self, basis: B) -> Self {
+        Self::new(basis, self.points)
+    }
+
+    /// The curve over the images of all control points: the image under an affine map if the functions sum to 1, and
+    /// always under a linear one.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> RationalCurve<B, Q> {
+        RationalCurve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
+    }
+
     /// The curve of that basis over these control points, one for each basis function.
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         let chart = basis.chart();

@@ -2,6 +2,7 @@
 #![cfg(all(feature = "std", feature = "bspline"))]
 #![allow(unreachable_pub)]
 
+mod closest;
 mod hostile;
 mod intersections;
 mod queries;

@@ -8,13 +8,21 @@ fn table(head: &str) -> Vec<Vec<String>> {
     rows.map(|row| row.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()).collect()
 }
 
-/// The functions of a trait, from its source.
+/// The functions of a trait, from its source, but for those that its documentation hides.
 fn functions(source: &str, name: &str) -> Vec<String> {
     let body = source.split(&format!("pub trait {name}")).nth(1).expect("the trait is there");
     let body = body.split("\n}").next().expect("it ends");
-    let heads = body.lines().filter_map(|line| line.strip_prefix("    fn "));
-    let names = heads.map(|head| head.split(['(', '<']).next().unwrap_or_default().to_owned());
-    names.filter(|name| name != "extent").collect()
+    let (mut names, mut hidden) = (Vec::new(), false);
+    for line in body.lines() {
+        hidden |= line == "    #[doc(hidden)]";
+        if let Some(head) = line.strip_prefix("    fn ") {
+            if !hidden {
+                names.push(head.split(['(', '<']).next().unwrap_or_default().to_owned());
+            }
+            hidden = false;
+        }
+    }
+    names
 }
 
 /// Every function of the traits has a row, every row is one, and an empty cell or a "no" has a reason.

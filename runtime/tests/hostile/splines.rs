@@ -235,6 +235,7 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
     ("NurbsCurve::merged", |c, _, _| c.merged(c).is_ok()),
     ("NurbsCurve::reversed", |c, _, _| c.reversed().domain() == c.domain()),
     ("NurbsCurve::to_bezier", |c, _, _| c.to_bezier().len() == 2),
+    ("NurbsCurve::to_rational_bezier", |c, _, _| c.to_rational_bezier().len() == 2),
     ("NurbsSurface::revolved", |c, a, b| {
         let turned = NurbsSurface::revolved(c, [a, 0.0, 0.0], [0.0, b, 1.0], a);
         turned.map_or(true, |surface| surface.degrees() == [2, 2])
