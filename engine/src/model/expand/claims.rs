@@ -221,7 +221,11 @@ fn property(
         syntax::ClaimKind::TotallyPositive => {
             if family.interval().is_none() || scope.span.is_some() {
                 let error = scope.error(span, "`totally_positive` is about functions on one interval");
-                scope.report(error.help("claim it of the factors of functions on a box"));
+                scope.report(error.help(if scope.span.is_some() {
+                    "of functions on several spans it is not decided; claim it of a family on one of them"
+                } else {
+                    "claim it of the factors of functions on a box"
+                }));
                 return None;
             }
             (String::from("totally_positive"), ClaimKind::TotallyPositive)
