@@ -426,7 +426,7 @@ class Family:
                 self.indices[name] = sp.Integer(n)
                 new = {}
                 rule = [s for s in body if s[0] == "raise"]
-                self.raised = found
+                self.raised = self.table = found
                 for _, target, pieces, loops in rule:
                     self.name = target[1][1]
                     variables = [a[1] for a in target[2]]

@@ -76,7 +76,7 @@ impl Scope<'_> {
             for part in if whole_domain { &whole } else { &shapes } {
                 let place = place.clone();
                 error = error.or_else(|| match &duty {
-                    Duty::Nonzero(divisor) => self.decide_divisor(divisor, place, part, budget),
+                    Duty::Nonzero(divisor) => self.decide_divisor(divisor, &place, part, budget),
                     Duty::Inside(inside) => self.check_inside(inside, place, part, budget),
                     Duty::Holds(condition) => self.check_condition(condition, place, part, budget),
                 });
@@ -133,7 +133,7 @@ impl Scope<'_> {
     fn decide_divisor(
         &mut self,
         divisor: &Poly,
-        place: Place,
+        place: &Place,
         (piece, domain): &(Piece, Rc<Domain>),
         budget: u32,
     ) -> Option<Diagnostic> {
@@ -141,7 +141,7 @@ impl Scope<'_> {
         if shown.starts_with('-') && self.domain.iter().any(|v| divisor.depends_on(*v)) {
             shown = (-divisor).display(&self.names).to_string(); // as it stands below a quotient in lowest terms
         }
-        let known = self.library.text_at(&place).is_some_and(|text| says_the_same(text, &shown));
+        let known = self.library.text_at(place).is_some_and(|text| says_the_same(text, &shown));
         let label = if known { String::new() } else { format!("this is {shown}") };
         let labelled = |error: Diagnostic| error.label(label.clone());
         let goal = piece.pull_back(divisor).map(|p| Goal::Nonzero(p, Rc::clone(domain)));
