@@ -83,8 +83,11 @@ impl Printer {
             let attribute = matches!((&all[k], k.checked_sub(1).and_then(|k| all.get(k))),
                 (TokenTree::Group(group), Some(TokenTree::Punct(hash)))
                     if group.delimiter() == Delimiter::Bracket && hash.as_char() == '#');
-            if attribute || matches!(&all[k], TokenTree::Punct(p) if p.as_char() == ';' || p.as_char() == ',')
-            {
+            let ends = match &all[k] {
+                TokenTree::Punct(p) => p.as_char() == ';' || p.as_char() == ',' && self.angles() == 0,
+                _ => attribute,
+            };
+            if ends {
                 self.end_line();
             }
             k += 1;
