@@ -46,8 +46,8 @@ for (const spec of library.specs) {
   if (errors.length) throw new Error(`${spec.name}: ${errors[0].message}`);
   const sum = (key) => statements.reduce((all, s) => all + s[key], 0);
   specs.push({ name: spec.name, title: title(spec.name, spec.text), proved: sum('proved'), refuted: sum('refuted') });
-  if (spec.name.startsWith('papers/')) {
-    const wrong = ask({ ask: 'published', text: spec.text }).statements.filter((s) => s.verdict === 'refuted');
+  const wrong = ask({ ask: 'published', text: spec.text }).statements.filter((s) => s.verdict === 'refuted');
+  if (wrong.length) {
     papers.push({ name: spec.name, title: title(spec.name, spec.text), wrong: wrong.map(({ id, statement, remark }) => ({ id, statement, remark })) });
   }
 }

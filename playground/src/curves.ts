@@ -168,6 +168,8 @@ export class Curves {
     });
     this.plane.append(svg('path', { d: Curves.path(through, on), class: 'curve' }));
     const few = places.length <= 16;
+    // Names stand at the side of the point that is turned away from the others.
+    const [mx, my] = on(places.reduce((sum, p) => sum + p[0], 0) / places.length, places.reduce((sum, p) => sum + p[1], 0) / places.length);
     places.forEach((p, k) => {
       const name = this.drawing.labels[k]!.replace(/^[^[]*/, 'P');
       const [px, py] = on(...p);
@@ -175,7 +177,9 @@ export class Curves {
       dot.addEventListener('keydown', (e) => this.key(e, k));
       dot.addEventListener('pointerdown', (e) => this.drag(e, k));
       this.plane.append(dot);
-      if (few) this.plane.append(svg('text', { x: px, y: py - 13, 'text-anchor': 'middle', class: 'name' }, name));
+      const far = Math.hypot(px - mx, py - my) || 1;
+      const [dx, dy] = far < 2 ? [0, -1] : [(px - mx) / far, (py - my) / far];
+      if (few) this.plane.append(svg('text', { x: px + 22 * dx, y: py + 18 * dy + 4, 'text-anchor': 'middle', class: 'name' }, name));
       if (focus === String(k)) dot.focus();
     });
   }

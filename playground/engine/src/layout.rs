@@ -27,12 +27,24 @@ impl Printer {
     fn end_line(&mut self) {
         let line = self.line.trim();
         if !line.is_empty() {
+            // An empty line after each function.
+            let starts = ["///", "#[", "pub fn ", "fn "].iter().any(|word| line.starts_with(word));
+            if starts && self.done.lines().next_back().is_some_and(|last| last.trim() == "}") {
+                self.done.push('\n');
+            }
             self.done += &INDENT.repeat(self.depth);
             self.done += line;
             self.done.push('\n');
         }
         self.line.clear();
         self.tight = false;
+    }
+
+    /// How many `<` of the line have no `>`.
+    fn angles(&self) -> usize {
+        let line = self.line.replace("->", "").replace("=>", "");
+        let count = |c| line.matches(c).count();
+        usize::saturating_sub(count('<'), count('>'))
     }
 
     fn word(&mut self, word: &str, before: bool) {
@@ -71,8 +83,11 @@ impl Printer {
             let attribute = matches!((&all[k], k.checked_sub(1).and_then(|k| all.get(k))),
                 (TokenTree::Group(group), Some(TokenTree::Punct(hash)))
                     if group.delimiter() == Delimiter::Bracket && hash.as_char() == '#');
-            if attribute || matches!(&all[k], TokenTree::Punct(p) if p.as_char() == ';' || p.as_char() == ',')
-            {
+            let ends = match &all[k] {
+                TokenTree::Punct(p) => p.as_char() == ';' || p.as_char() == ',' && self.angles() == 0,
+                _ => attribute,
+            };
+            if ends {
                 self.end_line();
             }
             k += 1;
