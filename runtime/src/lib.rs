@@ -26,7 +26,7 @@
 //! # Domains
 //!
 //! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]; one with
-//! denominators implements [`RationalBasis`] and makes a [`RationalCurve`]. A family on a
+//! denominators, angles or exponentials implements [`RationalBasis`] and makes a [`RationalCurve`]. A family on a
 //! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
 //! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
@@ -115,7 +115,7 @@
 //! | feature | default | |
 //! | --- | --- | --- |
 //! | `std` | yes | fused multiply-add, and vector instructions where the processor has them; implies `alloc`. Without it the crate is `no_std` |
-//! | `libm` | no | square roots and angles without `std`; with `std` it changes nothing |
+//! | `libm` | no | square roots, angles and exponentials without `std`; with `std` it changes nothing |
 //! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |

@@ -24,7 +24,7 @@ use quote::quote_spanned;
 
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::Family;
+use crate::model::{Family, Function};
 use crate::plan::form::{IntervalForm, RationalForm};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
@@ -68,35 +68,32 @@ pub fn family(
 
 /// Why no steps of evaluators are known of a family of any size; `None` where they are.
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    if is_plainly_rational(family) {
-        let message = "only Rust code is generated for families with denominators in the domain variable yet";
-        let error = Diagnostic::error(family.place.clone(), message);
-        return Some(
-            error.help("use `basis!` or `--to rust`, or take the numerators as a family of their own"),
-        );
+    let error = no_type(family);
+    if error.is_some() || !is_rational(family) {
+        return error;
     }
-    no_type(family)
+    let message = "only Rust code is generated yet for families with denominators, angles or exponentials";
+    let error = Diagnostic::error(family.place.clone(), message);
+    Some(error.help("use `basis!` or `--to rust`, or take the numerators as a family of their own"))
 }
 
-/// Whether a family consists of quotients of polynomials on a closed interval, and has no further peculiarity.
-fn is_plainly_rational(family: &Family) -> bool {
-    family.is_rational()
-        && family.pieces.is_empty()
-        && family.analytic.is_empty()
-        && !family.leaves_an_end_out()
-        && family.interval().is_some()
+/// Whether the functions are evaluated as quotients.
+fn is_rational(family: &Family) -> bool {
+    family.is_rational() || !family.analytic.is_empty()
 }
 
 /// Why no type is generated for a family of any size; `None` where one is.
 fn no_type(family: &Family) -> Option<Diagnostic> {
+    let mixed = || {
+        let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
+        family.functions.iter().any(of)
+    };
     let message = if !family.pieces.is_empty() {
         "no code is generated for families on several spans yet"
-    } else if family.analytic.is_transcendental() {
-        "no code is generated for families with sin, cos, exp or pi yet"
-    } else if !family.analytic.is_empty() {
-        "no code is generated for families with shape parameters at the ends of the domain yet"
-    } else if family.is_rational() && family.interval().is_none() {
-        "no code is generated for families with denominators in several domain variables yet"
+    } else if mixed() {
+        "no code is generated for families with the domain variable beside its sine or exponential yet"
+    } else if is_rational(family) && family.interval().is_none() {
+        "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
     } else if family.leaves_an_end_out() {
         "no code is generated for families on a domain without its ends yet"
     } else {
@@ -142,9 +139,9 @@ pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &s
     Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
 }
 
-/// The quotients of a family with denominators in its only domain variable.
+/// The quotients of a family that is evaluated by them.
 fn rational_form(family: &Family) -> Option<RationalForm> {
-    if family.is_rational() { RationalForm::new(family) } else { None }
+    if is_rational(family) { RationalForm::new(family) } else { None }
 }
 
 /// The type of a family, with its documentation and evaluators.

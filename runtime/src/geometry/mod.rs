@@ -19,5 +19,6 @@ mod piece;
 pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub use meeting::{Meeting, PlaneMeeting};
+pub(crate) use parametric::clamped;
 pub use parametric::{CurveScalar, ParametricCurve};
 pub use piece::CurvePiece;

@@ -54,7 +54,9 @@ pub trait ParametricCurve {
     /// is that of the later piece; at the end of the domain that of the last one.
     fn derivatives_into(&self, t: CurveScalar<Self>, derivatives: &mut [Self::Point]);
 
-    /// The rational Bézier pieces of which the curve consists, in the order of their domains, which meet.
+    /// The rational Bézier pieces of which the curve consists, in the order of their domains, which meet. Where a curve is
+    /// rational in another parameter than its own, as one over a family with sines is, they are pieces in that one: see
+    /// [`Chart`](crate::Chart).
     fn pieces(&self) -> Vec<CurvePiece>;
 
     /// The parts before and after `t`, over domains of their own.
@@ -79,6 +81,18 @@ pub trait ParametricCurve {
     fn reversed(&self) -> Self::Part
     where
         Self: Sized;
+
+    /// The parameter of the curve that belongs to one of its pieces, inside of the domain.
+    #[doc(hidden)]
+    fn parameter_of(&self, place: f64) -> CurveScalar<Self> {
+        back(self.domain(), place)
+    }
+
+    /// The parameter of the pieces that belongs to one of the curve.
+    #[doc(hidden)]
+    fn place_of(&self, t: CurveScalar<Self>) -> f64 {
+        t.to_f64()
+    }
 
     /// The point at the lower end of the domain.
     fn start(&self) -> Self::Point {
@@ -150,7 +164,7 @@ pub trait ParametricCurve {
         if speed > CurveScalar::<Self>::EPSILON.sqrt() * (size + self.extent()) {
             return direction(first[1]);
         }
-        let heading = local::heading(&self.pieces(), t.to_f64())?;
+        let heading = local::heading(&self.pieces(), self.place_of(t))?;
         direction(Self::Point::from_components(|d| CurveScalar::<Self>::of(heading[d])))
     }
 
@@ -197,7 +211,7 @@ pub trait ParametricCurve {
         self.derivatives_into(t, &mut derivatives);
         let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
         let pieces = self.pieces();
-        let bend = local::piece_at(&pieces, t.to_f64()).map_or(f64::NAN, |piece| {
+        let bend = local::piece_at(&pieces, self.place_of(t)).map_or(f64::NAN, |piece| {
             let [lo, hi] = piece.domain();
             let degree = piece.degree() as f64;
             degree * (degree - 1.0).max(0.0) / (hi - lo) / (hi - lo) * piece.largest()
@@ -244,7 +258,7 @@ pub trait ParametricCurve {
     /// NaN.
     fn inv_arclen(&self, length: CurveScalar<Self>, accuracy: CurveScalar<Self>) -> CurveScalar<Self> {
         let found = length::parameters(&self.pieces(), &[length.to_f64()], floor(accuracy));
-        back(self.domain(), found[0])
+        self.parameter_of(found[0])
     }
 
     /// The parameters of `count` points at equal distances along the curve, both ends included; each as in
@@ -256,7 +270,7 @@ pub trait ParametricCurve {
         let lengths: Vec<f64> = (0..count).map(|i| total * (i as f64 / steps)).collect();
         let mut found: Vec<CurveScalar<Self>> = length::parameters(&pieces, &lengths, floor(accuracy))
             .into_iter()
-            .map(|t| back(self.domain(), t))
+            .map(|t| self.parameter_of(t))
             .collect();
         if let [first, rest @ ..] = &mut found[..]
             && !total.is_nan()
@@ -283,7 +297,7 @@ pub trait ParametricCurve {
     /// point is infinite or NaN, [`CurveError::TooManyPoints`] if more than 2²⁴ corners would be needed.
     fn flatten(&self, tolerance: CurveScalar<Self>) -> Result<Vec<Self::Point>, CurveError> {
         let corners = flatten::corners(&self.pieces(), tolerance.to_f64())?;
-        Ok(corners.into_iter().map(|t| self.eval(back(self.domain(), t))).collect())
+        Ok(corners.into_iter().map(|t| self.eval(self.parameter_of(t))).collect())
     }
 
     /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap,
@@ -303,7 +317,7 @@ pub trait ParametricCurve {
     ///
     /// A component that is constant up to rounding errors has none. None if a control point is infinite or NaN.
     fn extrema(&self) -> Vec<CurveScalar<Self>> {
-        bounds::extrema(&self.pieces()).into_iter().map(|t| back(self.domain(), t)).collect()
+        bounds::extrema(&self.pieces()).into_iter().map(|t| self.parameter_of(t)).collect()
     }
 
     /// The parameters inside of the domain at which a curve in the plane changes from turning left to turning right or
@@ -317,7 +331,7 @@ pub trait ParametricCurve {
         if Self::Point::DIM != 2 {
             return Err(CurveError::Dimension { expected: 2, found: Self::Point::DIM });
         }
-        Ok(bounds::inflections(&self.pieces()).into_iter().map(|t| back(self.domain(), t)).collect())
+        Ok(bounds::inflections(&self.pieces()).into_iter().map(|t| self.parameter_of(t)).collect())
     }
 
     /// The point of the curve nearest to `point`, among those with a parameter in the domain.
@@ -331,7 +345,7 @@ pub trait ParametricCurve {
         let components: Vec<f64> = (0..Self::Point::DIM).map(|d| point.component(d).to_f64()).collect();
         let epsilon = CurveScalar::<Self>::EPSILON.to_f64();
         let (t, bound) = nearest::nearest(&self.pieces(), &components, accuracy.to_f64(), epsilon)?;
-        let at = back(self.domain(), t);
+        let at = self.parameter_of(t);
         let found = self.eval(at);
         let distance = distance(found, point);
         let at_least = CurveScalar::<Self>::of(bound).min(distance);

@@ -5,12 +5,20 @@ use core::ops::Range;
 
 use super::series::{derivative, derivatives_into};
 use super::{RationalBasis, RationalBezier, RationalCurve};
-use crate::{CurveError, CurvePiece, ParametricCurve, Point};
+use crate::curve::{divisible, nonempty};
+use crate::geometry::clamped;
+use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
 
 impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
-    /// The same curve in Bézier form over its own domain.
+    /// The same curve in Bézier form; over its own domain if the map from there is affine.
     fn bezier(&self) -> RationalBezier<P> {
-        self.to_rational_bezier().with_domain(self.domain())
+        let curve = self.to_rational_bezier();
+        if self.chart().is_affine() { curve.with_domain(self.domain()) } else { curve }
+    }
+
+    /// The parameter of the Bézier form; errors are those of the curve.
+    fn bezier_parameter(&self, t: P::Scalar) -> P::Scalar {
+        if self.chart().is_affine() { t } else { self.chart().place(t) }
     }
 }
 
@@ -59,16 +67,28 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> ParametricCurve for Rationa
         derivative(numerator.as_mut(), weights.as_mut(), &self.chart(), t, order)
     }
 
+    fn parameter_of(&self, place: f64) -> P::Scalar {
+        let place = P::Scalar::of(place);
+        let t = if self.chart().is_affine() { place } else { self.chart().parameter(place) };
+        clamped(self.domain(), t)
+    }
+
+    fn place_of(&self, t: P::Scalar) -> f64 {
+        self.bezier_parameter(t).to_f64()
+    }
+
     fn pieces(&self) -> Vec<CurvePiece> {
         self.bezier().pieces()
     }
 
     fn split(&self, t: P::Scalar) -> Result<[RationalBezier<P>; 2], CurveError> {
-        self.bezier().split(t)
+        divisible(self.domain(), t)?;
+        self.bezier().split(self.bezier_parameter(t))
     }
 
     fn subsegment(&self, range: Range<P::Scalar>) -> Result<RationalBezier<P>, CurveError> {
-        self.bezier().subsegment(range)
+        nonempty(self.domain(), &range)?;
+        self.bezier().subsegment(self.bezier_parameter(range.start)..self.bezier_parameter(range.end))
     }
 
     fn reversed(&self) -> RationalBezier<P> {

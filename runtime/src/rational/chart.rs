@@ -69,7 +69,7 @@ impl<S: Scalar> Chart<S> {
         let ends = turn.map(|end| two + decay(end));
         let factors = ends.map(|end| end / width);
         // dx/dψ = 1 / (cosh² ψ (tanh ψ1 - tanh ψ0)), and cosh ψ1 / cosh ψ0 = exp(Δ) ends[1] / ends[0].
-        let falls = S::ONE - width;
+        let falls = falling(turn[1] - turn[0]);
         let last = two * factors[0] / ends[1] * falls;
         let slopes = [two * factors[1] / ends[0], (S::ONE + falls) / width, last].map(|slope| slope * rate);
         Self { domain, tails: [S::ZERO; 2], kind: Kind::Hyperbolic(Turn { rate, factors, slopes }) }
@@ -92,8 +92,14 @@ impl<S: Scalar> Chart<S> {
         self.domain
     }
 
-    /// Coordinates `[s, x]` of `t`, proportional to `1 - x` and `x`: their sum is 1 where the map is affine, and some
-    /// positive number otherwise. Each has a small relative error where it is small, and is 0 at the end.
+    /// Whether the map is affine.
+    #[inline]
+    pub fn is_affine(&self) -> bool {
+        matches!(self.kind, Kind::Affine)
+    }
+
+    /// Coordinates `[s, x]` of `t`, proportional to `1 - x` and `x`: their sum is 1 where the map is affine and at both ends,
+    /// and some positive number otherwise. Each has a small relative error where it is small, and is 0 at the end.
     #[inline]
     pub fn coordinates(&self, t: S) -> [S; 2] {
         let turn = match self.kind {
@@ -102,15 +108,18 @@ impl<S: Scalar> Chart<S> {
         };
         let [lo, hi] = self.domain;
         // An end is what its float stands for.
-        let after = if t == lo { S::ZERO } else { turn.rate * ((t - lo) - self.tails[0]) };
-        let before = if t == hi { S::ZERO } else { turn.rate * ((hi - t) + self.tails[1]) };
+        if t == lo || t == hi {
+            return if t == lo { [S::ONE, S::ZERO] } else { [S::ZERO, S::ONE] };
+        }
+        let after = turn.rate * ((t - lo) - self.tails[0]);
+        let before = turn.rate * ((hi - t) + self.tails[1]);
         let [first, second] = turn.factors;
         if matches!(self.kind, Kind::Circular(_)) {
             return [before.sin_cos().0 * first, after.sin_cos().0 * second];
         }
         let two = S::of(2.0);
         let [a, b] = [after, before].map(|x| (-(two * x)).exp_m1());
-        [-b * (S::ONE + a) * first, -a * second]
+        [-b * falling(after) * first, -a * second]
     }
 
     /// The place `0 <= x <= 1` of `t`.
@@ -179,4 +188,11 @@ impl<S: Scalar> Chart<S> {
             series[k] = sum / S::from_usize(k);
         }
     }
+}
+
+/// `exp(-2x)`, with a small relative error.
+#[inline]
+fn falling<S: Scalar>(x: S) -> S {
+    // Not the sum of 1 and the exponential of a negative number, which cancel.
+    S::ONE / (S::ONE + (S::of(2.0) * x).exp_m1())
 }

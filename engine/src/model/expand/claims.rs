@@ -12,6 +12,7 @@ use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::angle::Angle;
 use crate::model::formula::Value;
+use crate::model::formula::phase::Linear;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
@@ -557,6 +558,8 @@ fn fixed_angle(
     let span = binding.value.span;
     let y = match scope.angle_at(angle, &value, span) {
         Ok(y) => y?,
+        // Half a turn from the middle of one span lies in another, or in none, which is said where all are known.
+        Err(_) if scope.span.is_some() && Linear::of(&value, scope.analytic.pi).is_some() => return None,
         Err((message, help)) => {
             scope.report(scope.error(span, message).help(help));
             return None;

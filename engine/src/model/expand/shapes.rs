@@ -509,7 +509,8 @@ fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
             Relation::NonNegative => Relation::Positive,
             Relation::Positive => Relation::NonNegative,
         };
-        let value = basis_kernel::Quotient::from(-&piece.pull_back(p));
+        let Some(p) = piece.pull_back(p) else { return false };
+        let value = basis_kernel::Quotient::from(-&p);
         let never = Goal::Holds(Proposition::Sign { value, relation: other, domain: Rc::clone(&domain) });
         // Where proofs are checked later, nothing is known.
         matches!(scope.library.judge().judge(&never, 1), Ok(Some(_)))

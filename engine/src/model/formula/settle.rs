@@ -13,10 +13,14 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::model::angle::Angle;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
 use crate::model::obligation::{Goal, Obligation, Open};
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Subject};
+
+/// What is left where a value has too many terms in the variables of a box.
+const TOO_LONG: &str = "ranges that depend on one another make the formula too long";
 
 impl Scope<'_> {
     /// Notes that a value must stay in the range of a parameter.
@@ -104,9 +108,9 @@ impl Scope<'_> {
         let constraints = constraints.mapped(|c| (c.value.clone(), c.relation));
         for piece in chart::pieces(&region.ranges, &constraints) {
             let (domain, relation) = (Rc::new(piece.domain()), Relation::Positive);
-            let statement = Statement::Sign { value: piece.pull_back_fraction(value), relation, domain };
+            let goal = |value| Goal::Holds(Statement::Sign { value, relation, domain });
             let of = format!("{} > 0", value.display(&self.names));
-            match self.judge(of, Goal::Holds(statement), 1) {
+            match self.judge(of, piece.pull_back_fraction(value).map(goal), 1) {
                 Ok(()) => {}
                 Err(Open::Fails(point)) => {
                     return Err(format!("at {}", self.own(value.numer(), &piece.image(&point))));
@@ -117,8 +121,9 @@ impl Scope<'_> {
         Ok(())
     }
 
-    /// Has a goal decided; what the error is about if it does not hold.
-    fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Open> {
+    /// Has a goal decided, if it can be said; what the error is about if it does not hold.
+    fn judge(&mut self, of: String, goal: Option<Goal>, budget: u32) -> Result<(), Open> {
+        let goal = goal.ok_or_else(|| Open::Undecided(String::from(TOO_LONG)))?;
         let proof = self.library.judge().judge(&goal, budget)?;
         self.inherit(&[Obligation { of, goal, proof }]);
         Ok(())
@@ -139,9 +144,15 @@ impl Scope<'_> {
         let known = self.library.text_at(&place).is_some_and(|text| says_the_same(text, &shown));
         let label = if known { String::new() } else { format!("this is {shown}") };
         let labelled = |error: Diagnostic| error.label(label.clone());
-        let goal = Goal::Nonzero(piece.pull_back(divisor), Rc::clone(domain));
-        let verdict = self.judge(format!("{shown} != 0"), goal, budget);
-        Some(match verdict {
+        let goal = piece.pull_back(divisor).map(|p| Goal::Nonzero(p, Rc::clone(domain)));
+        let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
+        let beside_itself = |a: &Angle| divisor.depends_on(a.itself) && divisor.depends_on(a.var);
+        if matches!(judged, Err(Open::Fails(_))) && self.analytic.angles.iter().any(beside_itself) {
+            // The point need not be one: the variable and its tangent were taken apart.
+            let why = "a variable stands beside its own sine or exponential in it";
+            judged = Err(Open::Undecided(String::from(why)));
+        }
+        Some(match judged {
             Err(Open::Fails(point)) => {
                 let point = piece.image(&point);
                 // A value at which the denominator is zero, whatever the others are, says it best.
@@ -232,8 +243,8 @@ impl Scope<'_> {
             let distance = if above { -&distance } else { distance };
             let sign = distance.numer() * distance.denom();
             let domain = Rc::clone(domain);
-            let value = piece.pull_back_fraction(&distance);
-            let goal = Goal::Holds(Statement::Sign { value, relation, domain });
+            let goal = |value| Goal::Holds(Statement::Sign { value, relation, domain });
+            let goal = piece.pull_back_fraction(&distance).map(goal);
             let symbol = match (above, relation) {
                 (true, Relation::NonNegative) => "<=",
                 (true, Relation::Positive) => "<",
@@ -282,12 +293,9 @@ impl Scope<'_> {
         let message = format!("the shape values do not satisfy `{text}` of `{family}`");
         let help = "choose values that satisfy it, narrow the ranges, or `assume` it here";
         let sign = value.numer() * value.denom();
-        let statement = Statement::Sign {
-            value: piece.pull_back_fraction(value),
-            relation: *relation,
-            domain: Rc::clone(domain),
-        };
-        match self.judge(format!("{text} of {family}"), Goal::Holds(statement), budget) {
+        let (relation, domain) = (*relation, Rc::clone(domain));
+        let goal = |value| Goal::Holds(Statement::Sign { value, relation, domain });
+        match self.judge(format!("{text} of {family}"), piece.pull_back_fraction(value).map(goal), budget) {
             Ok(()) => None,
             Err(Open::Fails(point)) => {
                 let at = self.own(&sign, &piece.image(&point));
