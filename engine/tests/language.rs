@@ -286,6 +286,58 @@ fn counterexamples_are_inside_of_what_is_assumed() {
     assert!(found[8].starts_with("0 at α = 0, β = 1/4"), "{}", found[8]);
 }
 
+/// √2 = 1.41421…, the largest value of α + β on the unit disk.
+#[test]
+fn assumptions_that_are_no_part_of_a_box() {
+    let found = verdicts(
+        "family Disk {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = 1 + α*t + β*(1 - t);
+            b[1] = 2 - (α + β)^2;
+            b[2] = 1 - 2*α*β*t;
+            b[3] = 1 - α^2 - t*β^2;
+            prove nonnegative;
+            prove α + β <= 3/2;
+            prove α + β < 1415/1000;
+            prove t*(α + β) <= 3/2;
+            prove (α + β)/(1 + t) <= 3/2;
+            refute b[0] > 0;
+            refute α + β <= 139/100;
+            refute b[3] >= 1/10;
+        }
+        family Ellipse {
+            domain 0 <= t <= 1;
+            shape λ, μ;
+            assume λ^2 + 4*μ^2 <= 4;
+            b[0] = 2 + λ*t;
+            prove nonnegative;
+            prove -2 <= λ <= 2;
+            prove μ <= 1;
+            refute μ <= 99/100;
+            refute λ < 2;
+        }
+        family Open {
+            domain 0 <= t <= 1;
+            shape 0 < p <= 4, 0 < q <= 4;
+            assume p*q > 1;
+            b[0] = p*t + q;
+            prove q > 1/4;
+            refute q >= 1/2;
+            refute p + q >= 21/10;
+        }",
+    );
+    let proved = [0, 1, 2, 3, 4, 8, 9, 10, 13];
+    for (k, verdict) in found.iter().enumerate() {
+        if proved.contains(&k) {
+            assert_eq!(verdict, "=", "{k}: {found:?}");
+        } else {
+            assert!(verdict.contains(" at "), "{k}: {found:?}");
+        }
+    }
+}
+
 #[test]
 fn shape_parameters_with_an_index() {
     let found = verdicts(

@@ -40,7 +40,7 @@ const fn entry(text: &'static str, kind: WordKind, rest: &'static str, meaning: 
 use WordKind::{Connective, EitherStatement, Function, Item, Property, Statement, TheoremStatement};
 
 /// All words.
-pub const WORDS: [Word; 55] = [
+pub const WORDS: [Word; 59] = [
     entry(
         "family",
         Item,
@@ -89,12 +89,18 @@ pub const WORDS: [Word; 55] = [
     ),
     entry("prove", EitherStatement, " $0;", "a claim that is declared true"),
     entry("refute", EitherStatement, " $0;", "a claim that is declared false"),
+    entry(
+        "conjecture",
+        EitherStatement,
+        " $0;",
+        "a claim that is fine while undecided; refuted it is an error, proved a warning to write `prove`",
+    ),
     entry("budget", EitherStatement, " $0;", "how many times the usual work may be spent on each claim"),
     entry(
         "assume",
-        TheoremStatement,
+        EitherStatement,
         " $0;",
-        "a condition on shape parameters or scalars under which the claims are meant",
+        "a condition on shape parameters or scalars under which the claims are meant: `assume α^2 + β^2 <= 1;`",
     ),
     entry(
         "curve",
@@ -138,12 +144,30 @@ pub const WORDS: [Word; 55] = [
     ),
     entry("smooth", Property, "($0);", "derivatives up to this order agree at all inner knots"),
     entry(
+        "totally_positive",
+        Property,
+        ";",
+        "no minor of (b[j](t_i)) is negative, for all t_0 < t_1 < … and all shape values",
+    ),
+    entry(
+        "rounding",
+        Property,
+        " <= $0;",
+        "the values that are computed are within this many ε of the exact ones",
+    ),
+    entry(
         "at",
         Connective,
         " $0 {  }",
         "fixed values at which equations and inequalities hold: `at t = 0 { b[0] = 1; }`",
     ),
     entry("except", Connective, " $0", "the shape values at which the functions are dependent"),
+    entry(
+        "with",
+        Connective,
+        " $0",
+        "the shape values of the next segment in terms of those of this one: `continuity(1) with d0 = d1`",
+    ),
     entry("for", Connective, " $0 in 0..=n", "one for each value of index variables"),
     entry("in", Connective, " ", "what an index variable runs over"),
     entry("if", Connective, " $0", "a condition on index variables and orders"),

@@ -170,11 +170,10 @@ impl Scope<'_> {
                         String::from("narrow the declared ranges so that they leave this value out"),
                     ),
                 };
-                labelled(Diagnostic::error(place.clone(), format!("the denominator vanishes at {at}")))
-                    .help(help)
+                labelled(Diagnostic::error(place, format!("the denominator vanishes at {at}"))).help(help)
             }
             Err(Open::Undecided(left)) => labelled(Diagnostic::error(
-                place.clone(),
+                place,
                 "it is undecided whether the denominator vanishes on the declared ranges",
             ))
             .note(left)

@@ -4,6 +4,7 @@ mod identity;
 mod independent;
 mod ladder;
 mod point;
+mod premises;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 mod spans;
@@ -67,12 +68,12 @@ struct Said {
 
 /// What a claim says; `None` when the budget of the family does not suffice to expand it.
 pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
-    Some(said(family, claim)?.into_iter().map(|said| said.stated).listed())
+    Some(said(family, claim, true)?.into_iter().map(|said| said.stated).listed())
 }
 
 /// The statements of a claim one of which may be false: of independence only those whose points all count.
 pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
-    let all = said(family, claim)?.into_iter();
+    let all = said(family, claim, false)?.into_iter();
     let counts = |said: &Said| {
         let independent = matches!(said.stated.statement, Statement::Independent { .. });
         (!independent || said.piece.is_exact())
@@ -82,8 +83,8 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     Some(all.filter(counts).map(|said| said.stated).listed())
 }
 
-/// What a claim says of each part of the points.
-fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
+/// What a claim says of each part of the points; what is `enough` for it where that says more.
+fn said(family: &Family, claim: &Claim, enough: bool) -> Option<Vec<Said>> {
     let kind = &claim.kind;
     if let ClaimKind::Spans(parts) = kind {
         let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
@@ -135,8 +136,11 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
             } else {
                 without_numbers(family, of.clone(), value.clone())
             };
-            let stated =
+            let mut stated =
                 Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
+            if let Some(statement) = premises::without(&stated.statement).filter(|_| enough) {
+                stated = Stated { statement, is_stronger: true, ..stated };
+            }
             all.push(Said { stated, of, piece: part.0.clone() });
         }
     }
@@ -195,6 +199,9 @@ const TOO_LONG: &str =
 const WIDER: &str =
     "it is not seen from bounds for pi, exp, or for a variable beside its sine or exponential";
 
+/// What is left where a claim is false of more points than are assumed.
+const ASSUMED: &str = "it is not seen to follow from what is assumed";
+
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Spans(parts) = &claim.kind {
@@ -204,13 +211,30 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
     }
-    let Some(said) = said(family, claim) else {
+    let Some(mut said) = said(family, claim, true) else {
         return match claim.kind {
             ClaimKind::TotallyPositive => not_total(family),
             ClaimKind::Independent(_) => Verdict::Undecided(String::from(independent::NOT_IN_PARTS)),
             _ => Verdict::Undecided(String::from(TOO_LONG)),
         };
     };
+    // Where what is assumed is no part of a box, the claim itself is looked at if what would be enough is not proved.
+    let assumed = said.iter().any(|s| !s.piece.is_exact());
+    if assumed {
+        let stated = said.iter().map(|s| s.stated.clone()).listed();
+        if let Ok(shown) = all(stated, family.budget) {
+            return Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)));
+        }
+        said = self::said(family, claim, false).unwrap_or(said);
+        let found = basis_prover::working(family.budget, &mut |work| {
+            said.iter().find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
+        });
+        if let Some((s, found)) = found.filter(|(_, found)| !is_wider(family, found.refutation.statement())) {
+            let witness = witness(family, &claim.kind, s.of.clone(), &found, &s.piece);
+            let whole = s.of == s.stated.of;
+            return Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) }));
+        }
+    }
     let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
     let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
     let stronger: Vec<String> =
@@ -235,6 +259,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
             ClaimKind::Independent(_) => left,
+            _ if assumed => format!("`{of}`: {ASSUMED}"),
             _ => format!("`{of}`: {left}"),
         }),
     }
