@@ -1,4 +1,4 @@
-//! The library of polynomial basis families: the texts of the spec files in this package, by name.
+//! The library of basis families: the texts of the spec files in this package, by name.
 //!
 //! A name is the path of the file without its ending: `quartic` is `quartic.basis`, `papers/quartic` is the file
 //! `papers/quartic.basis` with every claim of a paper. What each family is, where it comes from and what is proved of
@@ -34,6 +34,8 @@ pub const SPECS: &[(&str, &str)] = specs![
     "elements/boxes"
     "hermite"
     "joins/blends"
+    "joins/easing"
+    "kernels/soft"
     "kernels/statistics"
     "kernels/wavelets"
     "kochanek_bartels"
@@ -44,6 +46,7 @@ pub const SPECS: &[(&str, &str)] = specs![
     "papers/revolution"
     "papers/triangular"
     "polynomials/chebyshev"
+    "polynomials/discrete"
     "polynomials/orthogonal"
     "polynomials/sequences"
     "quadratic"
@@ -60,8 +63,10 @@ pub const SPECS: &[(&str, &str)] = specs![
     "splines/kernels"
     "splines/segments"
     "splines/tension"
+    "splines/uniform"
     "triangles/elements"
     "triangles/patches"
+    "triangles/shape"
     "triangular"
     "trigonometric/end_angle"
     "trigonometric/han"

@@ -117,6 +117,19 @@ fn quarter_turns() {
 }
 
 #[test]
+fn a_denominator_with_an_angle_beside_its_sine_has_no_false_zero() {
+    // α - sin(α) is positive; as a polynomial in α and tan(α/2), taken apart, it has zeros.
+    let spec = "family Beside {
+        shape 0 < α < pi;
+        domain 0 <= t <= α;
+        b[0] = cos(t/2)/(α - sin(α));
+        prove b[0] >= 0;
+    }";
+    let run = Folder::with("s.basis", spec).run(&["check", "s.basis"]);
+    assert!(!run.stderr.contains("the denominator vanishes at"), "{}", run.stderr);
+}
+
+#[test]
 fn the_angle_as_a_multiple_of_the_variable() {
     let table = checked(UNIT);
     // The value is exact, with pi.

@@ -137,7 +137,7 @@ fn read() -> Atlas {
             let id = text(&statement["id"]);
             let lines = spec.statement(id);
             let Some(&line) = lines.first() else { continue };
-            let refuted = lines.iter().find_map(|line| {
+            let refuted = lines.iter().rev().find_map(|line| {
                 let about = spec.about(*line);
                 items
                     .iter()
@@ -215,7 +215,7 @@ impl<'a> Spec<'a> {
     /// The paragraphs with a year or a title of the family's comment; without any, of the file's.
     fn source(&self, family: &str) -> String {
         let begins = |line: &&str| line.strip_prefix("family ").is_some_and(|rest| name(rest) == family);
-        let at = self.0.iter().position(|line| begins(&line)).expect("a family of this file");
+        let at = self.0.iter().position(begins).expect("a family of this file");
         let comment = |prefix: &str, lines: &[&str]| -> Vec<String> {
             let lines: Vec<&str> =
                 lines.iter().map_while(|line| line.strip_prefix(prefix)).map(str::trim).collect();
@@ -281,6 +281,12 @@ fn tables() -> String {
         }
         put(format_args!(""));
     }
+    put(format_args!("## Six of them\n"));
+    for (file, family, shape) in PICTURES {
+        let shape = shape.iter().map(|value| format!("`{value}`")).collect::<Vec<_>>().join(", ");
+        let with = if shape.is_empty() { String::new() } else { format!(", {shape}") };
+        put(format_args!("![{family} of {file}]({})\n\n{family} of `{file}`{with}\n", picture(family)));
+    }
     put(format_args!("## What the literature has wrong\n"));
     put(format_args!(
         "Published or customary claims, as recalled here, that are false as they stand, each with an exact counterexample and with what\n\
@@ -300,6 +306,43 @@ fn tables() -> String {
         ));
     }
     page
+}
+
+/// Pictures of families beyond polynomials: the file, the family, and its shape values.
+const PICTURES: [(&str, &str, &[&str]); 6] = [
+    ("rational/bezier", "Conic", &["ω=1/4..4"]),
+    ("rational/tension", "RationalTension", &["r=0..12"]),
+    ("trigonometric/shape", "QuadraticTwoParameters", &["m=-1..1", "n=0"]),
+    ("trigonometric/end_angle", "CBezierQuadratic", &["tan(α/2)=2"]),
+    ("splines/kernels", "Keys", &["a=-3..0"]),
+    ("kernels/wavelets", "ChuiWang", &[]),
+];
+
+/// The name of the file of a picture, as seen from the library.
+fn picture(family: &str) -> String {
+    format!("pictures/{}.svg", family.to_lowercase())
+}
+
+#[test]
+fn the_pictures_are_current() {
+    for (file, family, shape) in PICTURES {
+        let name = format!("{file}.basis");
+        let mut arguments = vec!["plot", &name, family, "-o", "-"];
+        for value in shape {
+            arguments.extend(["--shape", value]);
+        }
+        let drawn = String::from_utf8(basis(&arguments)).expect("UTF-8");
+        let path = Path::new(ROOT).join("specs").join(picture(family));
+        if std::env::var_os("BASIS_TESTS").is_some_and(|mode| mode == "overwrite") {
+            std::fs::create_dir_all(path.parent().expect("a folder")).expect("it can be made");
+            std::fs::write(&path, &drawn).expect("the picture can be written");
+        }
+        let kept = std::fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            kept == drawn,
+            "{family} is drawn otherwise: BASIS_TESTS=overwrite cargo test -p basis-cli --test atlas"
+        );
+    }
 }
 
 /// Compares what stands in a file after a line, up to another line, with what is current; or writes it.

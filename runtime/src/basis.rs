@@ -5,6 +5,7 @@ use core::fmt::Debug;
 use crate::curve::{End, eliminate, touching};
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
+use crate::matrices::{self, Kind};
 use crate::{
     BernsteinBasis, Contact, Curve, CurveError, Point, Scalar, TriangularBasis, TriangularBernsteinBasis,
 };
@@ -156,6 +157,21 @@ pub trait Basis: Copy + PartialEq + Debug {
             let weights = coefficients.as_ref()[j];
             combination(points.as_ref().iter().copied().zip(weights.as_ref().iter().copied()))
         })
+    }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the domain, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        matrices::interval(Kind::Mass, self.bernstein_weights().as_ref(), Self::domain())
+    }
+
+    /// The stiffness matrix: the integrals `∫ b'[i] b'[j]` over the domain, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        matrices::interval(Kind::Stiffness, self.bernstein_weights().as_ref(), Self::domain())
     }
 
     /// The control points of a curve with the derivatives `[C, C', …]` at the start of the domain: the first points, as

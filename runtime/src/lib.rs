@@ -184,6 +184,7 @@ pub mod generated;
 mod geometry;
 #[cfg(feature = "laws")]
 pub mod laws;
+mod matrices;
 #[cfg(feature = "mesh")]
 mod mesh;
 #[cfg(feature = "alloc")]

@@ -6,10 +6,10 @@
 mod sources;
 
 use basis_runtime::bspline::{
-    BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, Continuity,
-    Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint, JointMeasure, KnotError,
-    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam, Spacing,
-    Splice, SpliceError, SpliceOptions, SplineError, splice,
+    BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, ConstructionError,
+    Continuity, Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint,
+    JointMeasure, KnotError, KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface,
+    PointConstraint, Seam, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
@@ -125,11 +125,13 @@ fn bases_forms_and_curves() {
     let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
     let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
     again(MeetingKind::Crossing);
-    let disk = Path::<[f64; 2]>::circle([1.0, 2.0], 3.0);
-    again(disk.enclosed().unwrap());
-    again(disk.segments()[0].clone());
+    let mut square = Path::rectangle([[1.0, 2.0], [3.0, 4.0]]);
+    again(square.enclosed().unwrap());
+    let arc = PathSegment::rational([[1.0, 2.0], [3.0, 2.0], [3.0, 4.0]], [1.0, 0.5, 2.0]).unwrap();
+    again(arc.clone());
+    square.push(arc);
     again(PathSegment::line([0.0, 1.0], [2.0, 3.0]));
-    again(disk);
+    again(square);
     meetings.into_iter().for_each(again);
     met.into_iter().for_each(again);
     again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
@@ -220,7 +222,7 @@ fn splines() {
     again(rational.clone());
     let weight = |json: &mut serde_json::Value| json["points"][0]["weight"] = serde_json::json!(-1.0);
     refused(&rational, |json| weight(&mut json["homogeneous"]));
-    again(NurbsSurface::from_homogeneous(spline().map_points(|p| Homogeneous::new(p, 0.5))).unwrap());
+    again(NurbsSurface::from_homogeneous(spline().map(|p| Homogeneous::new(p, 0.5))).unwrap());
 }
 
 #[test]
@@ -286,6 +288,7 @@ fn all_else_is_shared() {
     shared::<Rounding>();
     error::<QuadratureError>();
     error::<SvgError>();
+    error::<ConstructionError>();
     shared::<SvgMistake>();
     shared::<Enclosed<P>>();
     shared::<Quadrature<P>>();

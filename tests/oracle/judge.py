@@ -262,8 +262,14 @@ def family(r, name):
     elif kind == 'angle':
         names, own.floats = own.shape(r, 1), True
         own.domain['t'] = r.choice([Range(Fraction(0), 'pi/2'), Range(Fraction(0), 'pi'), Range('-pi/2', 'pi/2')])
-        s, c = Call('sin', Name('t')), Call('cos', Name('t'))
+        # Multiples of the angle; and the angle itself, for which inequalities are proved by their derivatives.
+        t = r.choice([Name('t'), Name('t'), Name('t') * 2])
+        if own.domain['t'].high == 'pi' and r.random() < 0.3:
+            t = Name('t') / 2
+        s, c = Call('sin', t), Call('cos', t)
         parts = [s, c, formula(1) - s, formula(1) - c, s * c] + [formula(1) + Name(k) * s for k in names]
+        if r.random() < 0.4:
+            parts = [s, c, Name('t'), Name('t') - s, formula(1) - c, Name('t') ** 2]
         for i in range(n):
             own.functions[(i,)] = r.choice(parts) * r.choice(parts) + number(r) * r.choice([0, 1])
     elif kind == 'exp':
@@ -271,6 +277,8 @@ def family(r, name):
         own.domain['t'] = Range(Fraction(0), Fraction(r.randint(1, 2)))
         t = Name('t')
         parts = [Call('exp', t), Call('cosh', t) - 1, Call('sinh', t), formula(2)] + [Name(k) for k in names]
+        if r.random() < 0.4:
+            parts = [Call('exp', t), Call('exp', t) - 1 - t, t, formula(1) + t, Call('sinh', t) - t]
         for i in range(n):
             own.functions[(i,)] = r.choice(parts) * number(r) + r.choice(parts) * r.choice(parts)
     elif kind == 'spans':
@@ -522,7 +530,7 @@ def witness_point(own, at):
         if re.fullmatch(r'-?\d+(/\d+)?', text):
             value = Fraction(text)
         elif match := re.fullmatch(r'root of (.*) between (\S+) and (\S+)', text):
-            bare = match[1]
+            bare = match[1].replace(name, 'zz')
             letters = sorted(set(re.findall(r'[A-Za-z]\w*', bare)))
             if len(letters) != 1:
                 return None
@@ -543,8 +551,8 @@ def witness_point(own, at):
                 value *= mpmath.tanh(mpmath.mpf(int(match[4])) / int(match[5]))
             value = (mpmath.atan if match[1] == 'tan' else mpmath.atanh)(value) * int(match[3] or 1)
             name = match[2]
-        elif match := re.fullmatch(r'tan\(\((\w+) - pi/2\)/(\d+)\)', name):
-            value = mpmath.pi / 2 + mpmath.atan(to_float(value)) * int(match[2])
+        elif match := re.fullmatch(r'tan\(\((\w+) - pi(?:/(\d+))?\)(?:/(\d+))?\)', name):
+            value = mpmath.pi / int(match[2] or 1) + mpmath.atan(to_float(value)) * int(match[3] or 1)
             name = match[1]
         env[name] = value
     return env

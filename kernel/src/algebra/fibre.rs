@@ -310,11 +310,17 @@ mod tests {
         let p = [r(3, 2), r(-1, 3), r(0, 1), r(5, 1), r(-7, 6), r(1, 1)];
         let (low, high) = (r(-2, 3), r(3, 1));
         let all = [on_interval(&low, &high), upwards(&low), downwards(&high), lower_half(), upper_part()];
-        for steps in all.iter().chain([&vec![Shift(r(1, 2))], &vec![Shift(r(1 << 40, 1))]]) {
+        for steps in all.iter().chain([
+            &vec![Shift(r(-1, 2)), Powers(r(2, 3)), Reverse, Shift(r(3, 4))],
+            &vec![Shift(r(1 << 40, 1))],
+        ]) {
             let (mut short, mut long) = (p.to_vec(), p.iter().map(|c| c * &huge).collect::<Vec<_>>());
             apply(steps, &mut short);
             apply(steps, &mut long);
             assert_eq!(short.iter().map(|c| c * &huge).collect::<Vec<_>>(), long, "{steps:?}");
         }
+        let (mut form, x) = (p.to_vec(), r(5, 7));
+        apply(&[Shift(r(-1, 2)), Powers(r(2, 3))], &mut form);
+        assert_eq!(power_sum(&form, &x), power_sum(&p, &(&(&x * &r(2, 3)) - &r(1, 2))));
     }
 }

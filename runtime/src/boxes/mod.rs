@@ -9,6 +9,7 @@ pub use net::box_sum;
 
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
+use crate::matrices::{self, Kind};
 use crate::{Array, CountError, Point, Scalar};
 use net::{differentiate, finish};
 
@@ -119,6 +120,23 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
             combination(used.filter(|(_, weight)| *weight != Self::Scalar::ZERO))
         })
     }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the box, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        let ([low, high], weights) = (Self::domain(), self.bernstein_weights());
+        matrices::on_box(Kind::Mass, weights.as_ref(), Self::DEGREES, low.as_ref(), high.as_ref())
+    }
+
+    /// The stiffness matrix: the integrals `∫ ∇b[i] · ∇b[j]` over the box, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        let ([low, high], weights) = (Self::domain(), self.bernstein_weights());
+        matrices::on_box(Kind::Stiffness, weights.as_ref(), Self::DEGREES, low.as_ref(), high.as_ref())
+    }
 }
 
 /// The partial derivative of these orders of a net, at a point of the box.
@@ -184,6 +202,13 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
     /// The patch over these control points, one for each function.
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         Self { basis, points, net: basis.to_bernstein(&points) }
+    }
+
+    /// The patch over the images of all control points: the image under an affine map if the functions sum to 1, and always
+    /// under a linear one.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> BoxPatch<B, Q> {
+        BoxPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
     /// The same from a slice.

@@ -69,6 +69,12 @@ impl<P: Point> NurbsCurve<P> {
         Self { homogeneous }
     }
 
+    /// The image under an affine map: the curve with the images of all control points and the same weights.
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> NurbsCurve<Q> {
+        let homogeneous = self.homogeneous.map(|p| Homogeneous::new(image(p.project()), p.weight));
+        NurbsCurve { homogeneous }
+    }
+
     /// The same curve over homogeneous points.
     #[inline]
     pub fn homogeneous(&self) -> &BSplineCurve<Homogeneous<P>> {

@@ -22,7 +22,7 @@ impl<P: Point> Path<P> {
     /// use basis_runtime::Path;
     ///
     /// let circle = Path::<[f64; 2]>::circle([0.0, 0.0], 1.0).to_cubics(1e-3)?;
-    /// assert_eq!(circle.segments().len(), 8);
+    /// assert_eq!(circle.segments().len(), 16);
     /// # Ok::<(), basis_runtime::CurveError>(())
     /// ```
     ///

@@ -23,6 +23,7 @@ pub(crate) use net::simplex_sum;
 pub use patch::{SimplexPatch, TriangularPatch};
 
 use crate::basis::combination;
+use crate::matrices::{self, Kind};
 use crate::{Array, Form, Point, Scalar};
 use net::contract;
 
@@ -162,6 +163,33 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
             let used = points.as_ref().iter().copied().zip(row.as_ref().iter().copied());
             combination(used.filter(|(_, weight)| *weight != Self::Scalar::ZERO))
         })
+    }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the reference triangle `u, v, 1 - u - v >= 0` of the area 1/2, or
+    /// the reference tetrahedron of the volume 1/6, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        matrix::<Self>(Kind::Mass, self)
+    }
+
+    /// The stiffness matrix: the integrals `∫ ∂b[i]/∂u ∂b[j]/∂u + ∂b[i]/∂v ∂b[j]/∂v` over the reference triangle, or those
+    /// with the three derivatives over the reference tetrahedron, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        matrix::<Self>(Kind::Stiffness, self)
+    }
+}
+
+/// A matrix on the reference triangle or tetrahedron.
+fn matrix<B: SimplexBasis>(kind: Kind, basis: &B) -> B::Points<B::Values> {
+    let weights = basis.bernstein_weights();
+    if <B::Coordinates as Array<B::Scalar>>::LEN == 3 {
+        matrices::simplex::<_, _, 3>(kind, weights.as_ref(), B::DEGREE)
+    } else {
+        matrices::simplex::<_, _, 4>(kind, weights.as_ref(), B::DEGREE)
     }
 }
 

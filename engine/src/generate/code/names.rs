@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
 /// Methods that every generated type has.
-const METHODS: [&str; 13] = [
+const METHODS: [&str; 15] = [
     "curve",
     "partials",
     "new",
@@ -17,6 +17,8 @@ const METHODS: [&str; 13] = [
     "coefficients",
     "bernstein_coefficients",
     "to_bernstein",
+    "mass_matrix",
+    "stiffness_matrix",
     "bind",
     "start_points",
     "end_points",

@@ -121,17 +121,20 @@ fn arc<P: Point>(segment: &PathSegment<P>) -> Option<String> {
         return None;
     }
     // On a circle the direction of the axes says nothing.
-    let round = spread <= 1e-12 * (xx + yy);
+    let epsilon = P::Scalar::EPSILON.to_f64();
+    let round = spread <= 64.0 * epsilon * (xx + yy);
     let angle = if round { 0.0 } else { 0.5 * Scalar::atan2(2.0 * xy, xx - yy) };
     let mut text = String::from("A");
     let mut add = |x: f64| {
         // Without the digits that carry rounding errors only.
-        let rounded = alloc::format!("{x:.13e}").parse().unwrap_or(x);
+        let digits = if epsilon > 1e-10 { 5 } else { 13 };
+        let rounded = alloc::format!("{x:.digits$e}").parse().unwrap_or(x);
         let number = shortest(P::Scalar::of(rounded));
         separate(&mut text, &number);
     };
-    add(long);
-    add(if round { long } else { short });
+    let mean = f64::midpoint(long, short);
+    add(if round { mean } else { long });
+    add(if round { mean } else { short });
     add(angle.to_degrees());
     // The arc of a positive weight is the smaller part of the ellipse. From P0 to P2 by way of P1 it turns like these.
     let turn = (p1[0] - p0[0]) * (p2[1] - p1[1]) - (p1[1] - p0[1]) * (p2[0] - p1[0]);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Recomputes the verdicts of specs without the engine: an own reader of the language, SymPy and mpmath.
 
-    python3 specs/verify.py specs/curves specs/trigonometric --command target/debug/basis
+    tests/oracle/library.py specs/curves specs/trigonometric --command target/debug/basis
 
 Equations, inequalities, sums, symmetry, joints and minors are evaluated with 40 digits at points of the domain and shape values,
 ends included; independence is a rank. A claim that is declared false is looked for in the same way, and otherwise evaluated at the
@@ -24,7 +24,7 @@ import sympy as sp
 
 mpmath.mp.dps = 40
 SMALL = mpmath.mpf(10) ** -25
-SPECS = pathlib.Path(__file__).resolve().parent
+SPECS = pathlib.Path(__file__).resolve().parents[2] / "specs"
 TOKEN = re.compile(r"\s+|//[^\n]*|/\*.*?\*/|(\d+\.\d+|\d+(?!\.\d)|[^\W\d]\w*|\.\.=|\.\.|<=|>=|==|!=|&&|\|\||\"[^\"]*\"|.)", re.S)
 
 
@@ -1045,7 +1045,7 @@ class Checker:
                 for size in (1, 2, 3):
                     for r in itertools.combinations(range(len(rows)), size):
                         for c in itertools.combinations(range(len(functions)), size):
-                            if mpmath.det(mpmath.matrix([[rows[i][j] for j in c] for i in r])) < -SMALL:
+                            if determinant([[rows[i][j] for j in c] for i in r]) < -SMALL:
                                 return False
         return True
 
@@ -1066,11 +1066,13 @@ class Checker:
                 point[symbol(name)] = value
         if claim[0] == "independent":
             return self.dependent({s: point.get(s, v) for s, v in self.shape_values(1)[0].items()})
-        if claim[0] == "at":
-            return None
         nodes = []
         if claim[0] == "compare":
             nodes = [(claim[1], env) for env in f.rounds(claim[2], {})]
+        if claim[0] == "at":
+            nodes = [(node, env) for outer in f.rounds(claim[3], {}) for node, loops in claim[2] for env in f.rounds(loops, outer)]
+            if any(k in point and sp.sympify(point[k] - v) != 0 for k, v in self.fixed(claim[1]).items()):
+                return None
         for node, env in nodes:
             parts = node[1]
             for s in range(f.count):
@@ -1099,6 +1101,13 @@ def COMPARE_NUMBER(values, ops, point):
 
 def flat_all(x):
     return [z for y in x for z in (flat_all(y) if isinstance(y, list) else [y])]
+
+
+def determinant(rows):
+    if len(rows) == 1:
+        return rows[0][0]
+    rest = [row[1:] for row in rows]
+    return sum((-1) ** i * row[0] * determinant(rest[:i] + rest[i + 1:]) for i, row in enumerate(rows))
 
 
 def all_of(verdicts):
@@ -1160,7 +1169,7 @@ def main():
                             found = None
                             for key, witness in witnesses.items():
                                 if key[0] == str(path) and key[1] == source["name"] and json.loads(key[2]) == order:
-                                    if claim[0] == "compare" or key[3] == claim[0]:
+                                    if claim[0] in ("compare", "at") or key[3] == claim[0]:
                                         try:
                                             found = found or checker.at_witness(witness, claim)
                                         except (KeyError, IndexError, TypeError, AttributeError):
