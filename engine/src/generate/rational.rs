@@ -169,7 +169,7 @@ impl Emitter<'_> {
             return (Ident::new("RationalBasis", site()), code);
         }
         let count = Literal::usize_unsuffixed(self.spans.len());
-        let charts = self.spans.mapped(|span| span.chart());
+        let charts = self.spans.mapped(OnSpan::chart);
         let values = self.on_each(&|span| span.values());
         let (numerators, denominators) =
             (self.on_each(&|span| span.numerators()), self.on_each(&|span| span.denominator()));
