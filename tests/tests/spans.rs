@@ -108,7 +108,7 @@ fn knots_may_be_shape_values() {
 fn spans_may_hold_angles() {
     let bump = Bump::<f64>::new();
     for t in [-3.0, -1.0, -1e-9, 0.0, 0.5, 3.1] {
-        let [exact, slope] = [(1.0 + f64::cos(t)) / 2.0, -f64::sin(t) / 2.0];
+        let [exact, slope] = [0.5 + 0.5 * f64::cos(t), -0.5 * f64::sin(t)];
         assert!((bump.values(t)[0] - exact).abs() < 1e-15, "{t}");
         assert!((bump.derivatives(t, 1)[0] - slope).abs() < 1e-14, "{t}");
     }
