@@ -90,7 +90,7 @@ fn what_cannot_be_written_is_an_error() {
         (
             vec!["rational.basis"],
             1,
-            "no code is generated for families with denominators in several domain variables",
+            "no code is generated yet for families with denominators, angles or exponentials in several domain variables",
         ),
         (vec!["theorem.basis", "T"], 2, "`T` is a theorem, which computes nothing"),
         (vec!["none.basis"], 2, "there is no spec file `none.basis`"),

@@ -26,7 +26,8 @@
 //! # Domains
 //!
 //! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]; one with
-//! denominators, angles or exponentials implements [`RationalBasis`] and makes a [`RationalCurve`]. A family on a
+//! denominators, angles or exponentials implements [`RationalBasis`] and makes a [`RationalCurve`], one on
+//! several spans [`SpannedBasis`] and a [`SpannedCurve`]. A family on a
 //! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
 //! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
@@ -44,6 +45,7 @@
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
 //! | a curve over a family with denominators | [`RationalCurve`] over a [`RationalBasis`]; its Bézier form [`RationalBezier`] |
+//! | a curve over a family on several spans | [`SpannedCurve`] over a [`SpannedBasis`]; its Bézier form [`RationalSpline`] |
 //! | B-splines | [`bspline`] |
 //! | finite elements: quadrature, gradients at many points, nodes, functions of edges and faces | [`Quadrature`], [`SimplexBasis::tabulate`], [`SimplexBasis::nodes`], [`Entities`] |
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
@@ -237,9 +239,9 @@ pub use nearest::Nearest;
 #[cfg(feature = "geometry")]
 pub use path::{Path, PathSegment, SvgError, SvgMistake, to_svg};
 pub use point::Point;
+pub use rational::{Chart, RationalBasis, RationalCurve, SpanOf, SpannedBasis, SpannedCurve};
 #[cfg(feature = "geometry")]
-pub use rational::RationalBezier;
-pub use rational::{Chart, RationalBasis, RationalCurve};
+pub use rational::{RationalBezier, RationalSpline};
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};

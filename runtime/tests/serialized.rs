@@ -16,11 +16,11 @@ use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Closest, Contact, CountError, Curvature, Curve,
     CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, Enclosed, EndpointForm, Entities, Entity, Frame,
     JoinError, Joint, Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, Path, PathSegment,
-    PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve,
+    PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
     RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
-    SimplexPatch, Surface, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation,
-    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
-    bernstein::Root, edge_continuity,
+    SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Surface, SurfaceOfRevolution, SurfacePiece, SvgError,
+    SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
+    TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -30,6 +30,15 @@ basis!("../../specs/triangular.basis", TriangularII(3));
 basis!("../../specs/lagrange.basis", Bilinear, TetrahedralLagrange(1));
 
 basis!("../../specs/rational/bezier.basis", Conic);
+basis! {
+    /// Two parabolas that meet at a knot.
+    family Hat {
+        shape 0 < d;
+        domain 0 <= x <= 1, 1 <= x <= 1 + d;
+        b[0] = x^2 | ((1 + d - x)/d)^2;
+        b[1] = 1 - b[0];
+    }
+}
 
 type P = [f64; 3];
 
@@ -101,6 +110,15 @@ fn bases_forms_and_curves() {
     again(bezier.clone());
     refused(&bezier, |json| drop(json["weights"].as_array_mut().unwrap().pop()));
     refused(&bezier, |json| json["domain"] = serde_json::json!([1.0, 1.0]));
+
+    let hat: SpannedCurve<Hat, P> = Hat::new(0.5).unwrap().curve([[0.0; 3], [1.0, 2.0, 4.0]]);
+    again(hat);
+    refused(&hat, |json| json["basis"]["d"] = serde_json::json!(-1.0));
+    let span: SpanOf<Hat> = hat.basis().span(1);
+    again(span);
+    let spline: RationalSpline<P> = hat.to_rational_spline();
+    again(spline.clone());
+    refused(&spline, |json| json["curves"] = serde_json::json!([]));
 
     let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);

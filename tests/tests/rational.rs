@@ -216,3 +216,31 @@ fn nurbs_and_families_are_the_same_curves() {
     assert!(matches!(RationalBezier::new([[0.0, 0.0]], [0.0]), Err(CurveError::Weight { index: 0, .. })));
     assert!(matches!(RationalBezier::new([[0.0, 0.0]], [1.0, 1.0]), Err(CurveError::Length { .. })));
 }
+
+/// Curves over rational families continue curves of any type.
+#[test]
+fn contacts() {
+    use basis_runtime::Contact;
+
+    let first = Conic::new(0.5_f64.sqrt()).expect("positive").curve([[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    let family = RationalCubic::new(1.0, 2.0, 0.5, 3.0).expect("positive");
+    let free = [[0.0, 0.0], [0.0, 0.0], [-2.0, 0.5], [-3.0, 1.0]];
+    let near = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).abs() + (p[1] - q[1]).abs() < 1e-12;
+    for f in [0.5, 1.0, 3.0] {
+        let next = family.curve_after(&first, Contact::Tangent { f }, free).expect("it is determined");
+        let ([end, arriving], [start, leaving]) = (first.eval_with_derivs(1.0), next.eval_with_derivs(0.0));
+        assert!(near(start, end) && near(leaving.map(|x| f * x), arriving), "{f}");
+        assert_eq!(next.control_points()[2..], free[2..]);
+    }
+    // A circle that goes on has the same curvature.
+    let next =
+        family.curve_after(&first, Contact::Curvature { f: 1.0, c: 0.0 }, free).expect("it is determined");
+    assert!((next.curvature(0.0) - 1.0).abs() < 1e-10, "{}", next.curvature(0.0));
+    let before =
+        family.curve_before(&next, Contact::Parametric { order: 2 }, free).expect("it is determined");
+    for (own, other) in before.eval_with_derivs::<3>(1.0).into_iter().zip(next.eval_with_derivs::<3>(0.0)) {
+        assert!(near(own, other), "{own:?} {other:?}");
+    }
+    let order = family.curve_after(&first, Contact::Parametric { order: 4 }, free);
+    assert!(matches!(order, Err(CurveError::Contact { most: 3, found: 4, .. })));
+}

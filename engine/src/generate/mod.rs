@@ -72,35 +72,36 @@ pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
     if error.is_some() || !is_rational(family) {
         return error;
     }
-    let message = "only Rust code is generated yet for families with denominators, angles or exponentials";
+    let message = "only Rust code is generated yet for families with denominators, angles, exponentials, spans or open ends";
     let error = Diagnostic::error(family.place.clone(), message);
     Some(error.help("use `basis!` or `--to rust`, or take the numerators as a family of their own"))
 }
 
-/// Whether the functions are evaluated as quotients.
+/// Whether the functions are evaluated as quotients, or span by span.
 fn is_rational(family: &Family) -> bool {
-    family.is_rational() || !family.analytic.is_empty()
+    family.is_rational()
+        || !family.analytic.is_empty()
+        || !family.pieces.is_empty()
+        || family.interval().is_some() && family.leaves_an_end_out()
 }
 
 /// Why no type is generated for a family of any size; `None` where one is.
 fn no_type(family: &Family) -> Option<Diagnostic> {
-    let mixed = || {
+    let mixed = |family: &Family| {
         let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
         family.functions.iter().any(of)
     };
-    let message = if !family.pieces.is_empty() {
-        "no code is generated for families on several spans yet"
-    } else if mixed() {
+    let message = if mixed(family) || family.pieces.iter().any(|piece| mixed(piece)) {
         "no code is generated for families with the domain variable beside its sine or exponential yet"
     } else if is_rational(family) && family.interval().is_none() {
         "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
-    } else if family.leaves_an_end_out() {
-        "no code is generated for families on a domain without its ends yet"
+    } else if family.leaves_an_end_out() && family.interval().is_none() {
+        "no code is generated for families on a domain of several variables without its ends yet"
     } else {
         return None;
     };
     let error = Diagnostic::error(family.place.clone(), message);
-    let help = "its claims are proved, `basis explain` and `basis eval` know it; for code, take the numerators as a family on the closed domain";
+    let help = "its claims are proved, and `basis explain` and `basis eval` know it; for code, leave such functions out";
     Some(error.help(help))
 }
 
@@ -130,8 +131,8 @@ pub(crate) fn beyond_floats(family: &Family, steps: &crate::steps::FamilySteps<'
 /// one string a line. `decided` says when the claims were decided. `None` when the family is too large.
 #[cfg(any(test, feature = "tools"))]
 pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &str) -> Option<Vec<String>> {
-    let formulas = match (rational_form(family), IntervalForm::new(family)) {
-        (Some(form), _) => rational::formulas(family, &form),
+    let formulas = match (rational_forms(family), IntervalForm::new(family)) {
+        (Some(forms), _) => rational::formulas(family, &forms),
         (_, Some(form)) => interval::formulas(family, &form),
         _ => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
     };
@@ -139,9 +140,16 @@ pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &s
     Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
 }
 
-/// The quotients of a family that is evaluated by them.
-fn rational_form(family: &Family) -> Option<RationalForm> {
-    if is_rational(family) { RationalForm::new(family) } else { None }
+/// The quotients of a family that is evaluated by them, one for each span.
+fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {
+    if !is_rational(family) {
+        return None;
+    }
+    if family.pieces.is_empty() {
+        Some(vec![RationalForm::new(family, 0)?])
+    } else {
+        RationalForm::of_spans(family)
+    }
 }
 
 /// The type of a family, with its documentation and evaluators.
@@ -160,8 +168,8 @@ pub(crate) fn definition(
     let fields = names::fields(family)?;
     let Options { runtime, decided, .. } = options;
     let shell = Shell { family, name, fields, runtime, decided };
-    let code = match (rational_form(family), IntervalForm::new(family)) {
-        (Some(form), _) => rational::emit(&shell, &form, verdicts),
+    let code = match (rational_forms(family), IntervalForm::new(family)) {
+        (Some(forms), _) => rational::emit(&shell, &forms, verdicts),
         (_, Some(form)) => interval::emit(&shell, &form, verdicts),
         _ => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
     };
@@ -194,11 +202,7 @@ pub fn no_floats(items: &[Item]) -> Vec<Diagnostic> {
     let mut left = TERMS;
     for item in items {
         let Subject::Family(family) = &item.subject else { continue };
-        if family.name == last
-            || family.is_rational()
-            || !family.analytic.is_empty()
-            || !floats::of_family(family)
-        {
+        if family.name == last || is_rational(family) || !floats::of_family(family) {
             continue;
         }
         let mut error = floats::direct(family);

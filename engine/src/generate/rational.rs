@@ -2,7 +2,7 @@
 //! at the ends: values, the tables of numerators and denominator, and the map of the domain to the unit interval.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote_spanned;
+use quote::{ToTokens, quote_spanned};
 
 use super::code::docs;
 use super::code::shell::Shell;
@@ -16,40 +16,59 @@ use crate::model::angle::{Analytic, Angle, Kind};
 use crate::plan::form::RationalForm;
 use crate::plan::{Input, Plan, rational};
 use crate::state::Verdict;
-use basis_prover::collections::list::Listed;
+use basis_prover::collections::list::{Listed, Mapped};
 
-/// The type of a rational family on an interval.
-pub(super) fn emit(shell: &Shell<'_>, form: &RationalForm, verdicts: &[(Claim, Verdict)]) -> TokenStream {
+/// The type of a family that is evaluated by quotients, one form for each span.
+pub(super) fn emit(shell: &Shell<'_>, forms: &[RationalForm], verdicts: &[(Claim, Verdict)]) -> TokenStream {
     let Shell { family, name, runtime, .. } = shell;
-    let emitter = Emitter { shell, family, form, runtime };
-    let basis = emitter.basis(&shell.core());
+    let spans = if family.pieces.is_empty() {
+        vec![OnSpan { shell, family, form: &forms[0], runtime }]
+    } else {
+        let pieces = family.pieces.iter().zip(forms);
+        pieces.map(|(piece, form)| OnSpan { shell, family: piece, form, runtime }).listed()
+    };
+    let emitter = Emitter { shell, spans };
+    let (which, basis) = emitter.basis(&shell.core());
     let traits = quote_spanned! {site()=>
         #[allow(clippy::all, clippy::pedantic)]
-        impl<S: #runtime::Scalar> #runtime::RationalBasis for #name<S> {
+        impl<S: #runtime::Scalar> #runtime::#which for #name<S> {
             #basis
         }
     };
-    let docs = docs::family(family, &formulas(family, form), &[], verdicts, shell.decided);
+    let docs = docs::family(family, &formulas(family, forms), &[], verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 
-/// The functions as products over the common denominator, for reading.
-pub(super) fn formulas(family: &Family, form: &RationalForm) -> Vec<String> {
-    if !family.analytic.is_empty() {
-        let text = |k: usize| {
-            format!("{} = {}", family.function_label(k), family.functions[k].value.display(&family.names))
-        };
-        return (0..family.functions.len()).map(text).listed();
+/// The functions, as products over the common denominator where they are quotients of polynomials, for reading.
+pub(super) fn formulas(family: &Family, forms: &[RationalForm]) -> Vec<String> {
+    let labels = (0..family.functions.len()).map(|k| (k, family.function_label(k)));
+    if !family.pieces.is_empty() {
+        let text = |k: usize, piece: &Family| piece.functions[k].value.display(&piece.names);
+        let on_all = |k: usize| family.pieces.iter().map(|piece| text(k, piece)).listed().join(" | ");
+        return labels.map(|(k, label)| format!("{label} = {}", on_all(k))).listed();
     }
+    if !family.is_rational() || !family.analytic.is_empty() {
+        return labels
+            .map(|(k, label)| format!("{label} = {}", family.functions[k].value.display(&family.names)))
+            .listed();
+    }
+    let form = &forms[0];
     let text = |f| factored(family, &form.numerators, f);
-    let functions = form.numerators.functions.iter().enumerate();
     let mut lines = vec![format!("w = {}", text(&form.denominator))];
-    lines.extend(functions.map(|(k, f)| format!("{} = {}/w", family.function_label(k), text(f))));
+    lines.extend(labels.map(|(k, label)| format!("{label} = {}/w", text(&form.numerators.functions[k]))));
     lines
 }
 
 struct Emitter<'a> {
     shell: &'a Shell<'a>,
+    /// At least one.
+    spans: Vec<OnSpan<'a>>,
+}
+
+/// A span of the domain.
+struct OnSpan<'a> {
+    shell: &'a Shell<'a>,
+    /// The functions on the span.
     family: &'a Family,
     form: &'a RationalForm,
     runtime: &'a TokenStream,
@@ -57,18 +76,14 @@ struct Emitter<'a> {
 
 impl Emitter<'_> {
     fn len(&self) -> Literal {
-        Literal::usize_unsuffixed(self.form.numerators.len())
-    }
-
-    fn terms(&self) -> Literal {
-        Literal::usize_unsuffixed(self.form.numerators.degree as usize + 1)
+        Literal::usize_unsuffixed(self.shell.family.functions.len())
     }
 
     /// The methods that users call; the trait has the same for generic code.
     fn methods(&self) -> TokenStream {
-        let Self { runtime, form, family, .. } = self;
+        let Shell { runtime, family, .. } = self.shell;
         let len = self.len();
-        let names: Vec<String> = (0..form.numerators.len()).map(|k| family.function_label(k)).listed();
+        let names: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).listed();
         let all = if names.len() > 6 {
             format!("{}, …, {}", names[0], names[names.len() - 1])
         } else {
@@ -77,17 +92,21 @@ impl Emitter<'_> {
         let t = family.domain.first().map_or("t", |p| family.name_of(p));
         let values_doc = doc(&format!("The values `[{all}]` at `{t}`."));
         let derivatives_doc = doc(&format!("The derivatives of the given order in `{t}` of `[{all}]`."));
-        let Body { lets, outputs } = self.body(&rational::values(family, form));
-        let coordinates = (!family.analytic.is_empty()).then(
-            || quote_spanned!(site()=> let [s, x] = #runtime::RationalBasis::chart(self).coordinates(t);),
-        );
-        let constant = (form.numerators.degree == 0).then(|| quote_spanned!(site()=> let _ = t;));
+        let (which, curve, values) = match self.spans.as_slice() {
+            [only] => ("RationalBasis", "RationalCurve", only.values()),
+            _ => (
+                "SpannedBasis",
+                "SpannedCurve",
+                quote_spanned!(site()=> #runtime::SpannedBasis::values(self, t)),
+            ),
+        };
+        let [which, curve] = [which, curve].map(|name| Ident::new(name, site()));
         quote_spanned! {site()=>
             #values_doc
             #[inline]
             #[must_use]
             pub fn values(&self, t: S) -> [S; #len] {
-                #constant #coordinates #lets [#(#outputs),*]
+                #values
             }
 
             #runtime::__with_alloc! {
@@ -95,61 +114,147 @@ impl Emitter<'_> {
                 #[inline]
                 #[must_use]
                 pub fn derivatives(&self, t: S, order: usize) -> [S; #len] {
-                    #runtime::RationalBasis::derivatives(self, t, order)
+                    #runtime::#which::derivatives(self, t, order)
                 }
             }
 
             /// The curve over these control points, one for each function.
             #[inline]
             #[must_use]
-            pub fn curve<P: #runtime::Point<Scalar = S>>(&self, points: [P; #len]) -> #runtime::RationalCurve<Self, P> {
-                #runtime::RationalCurve::new(*self, points)
+            pub fn curve<P: #runtime::Point<Scalar = S>>(&self, points: [P; #len]) -> #runtime::#curve<Self, P> {
+                #runtime::#curve::new(*self, points)
             }
         }
     }
 
-    fn basis(&self, core: &TokenStream) -> TokenStream {
-        let Self { runtime, form, family, .. } = self;
-        let (len, terms) = (self.len(), self.terms());
+    /// The name of the trait, and what stands in its implementation.
+    fn basis(&self, core: &TokenStream) -> (Ident, TokenStream) {
+        let Shell { runtime, family, .. } = self.shell;
+        let len = self.len();
+        let terms = Literal::usize_unsuffixed(self.spans[0].form.numerators.degree as usize + 1);
         let title = family.title();
-        let chart = self.chart();
-        let Body { lets, outputs } = self.body(&rational::numerators(family, form));
-        let rows = outputs.chunks(form.numerators.len().max(1));
-        let rows = rows.map(|row| quote_spanned!(site()=> [#(#row),*]));
-        let numerators = quote_spanned!(site()=> #lets [#(#rows),*]);
-        let Body { lets, outputs } = self.body(&rational::denominator(family, form));
-        quote_spanned! {site()=>
+        let types = quote_spanned! {site()=>
             type Scalar = S;
             type Values = [S; #len];
             type Points<T: #core::marker::Copy> = [T; #len];
             type Bernstein<T: #core::marker::Copy> = [T; #terms];
+        };
+        let name = quote_spanned!(site()=> const NAME: &'static str = #title;);
+        if let [only] = self.spans.as_slice() {
+            let (chart, numerators, denominator) = (only.chart(), only.numerators(), only.denominator());
+            let code = quote_spanned! {site()=>
+                #types
+                #name
 
-            const NAME: &'static str = #title;
+                #[inline]
+                fn chart(&self) -> #runtime::Chart<S> {
+                    #chart
+                }
+
+                #[inline]
+                fn values(&self, t: S) -> [S; #len] {
+                    Self::values(self, t)
+                }
+
+                #[inline]
+                fn numerators(&self) -> [[S; #len]; #terms] {
+                    #numerators
+                }
+
+                #[inline]
+                fn denominator(&self) -> [S; #terms] {
+                    #denominator
+                }
+            };
+            return (Ident::new("RationalBasis", site()), code);
+        }
+        let count = Literal::usize_unsuffixed(self.spans.len());
+        let charts = self.spans.mapped(OnSpan::chart);
+        let values = self.on_each(&|span| span.values());
+        let (numerators, denominators) =
+            (self.on_each(&|span| span.numerators()), self.on_each(&|span| span.denominator()));
+        let code = quote_spanned! {site()=>
+            #types
+            type Spans<T: #core::marker::Copy> = [T; #count];
+            #name
 
             #[inline]
-            fn chart(&self) -> #runtime::Chart<S> {
-                #chart
+            fn charts(&self) -> [#runtime::Chart<S>; #count] {
+                [#({ #charts }),*]
             }
 
             #[inline]
-            fn values(&self, t: S) -> [S; #len] {
-                Self::values(self, t)
+            fn values_on(&self, span: usize, t: S) -> [S; #len] {
+                #values
             }
 
-            #[inline]
-            fn numerators(&self) -> [[S; #len]; #terms] {
+            fn numerators_on(&self, span: usize) -> [[S; #len]; #terms] {
                 #numerators
             }
 
-            #[inline]
-            fn denominator(&self) -> [S; #terms] {
-                #lets [#(#outputs),*]
+            fn denominator_on(&self, span: usize) -> [S; #terms] {
+                #denominators
             }
-        }
+        };
+        (Ident::new("SpannedBasis", site()), code)
+    }
+
+    /// Code that depends on the span.
+    fn on_each(&self, of: &dyn Fn(&OnSpan<'_>) -> TokenStream) -> TokenStream {
+        let last = self.spans.len() - 1;
+        let arms = self.spans.iter().enumerate().map(|(k, span)| {
+            let code = of(span);
+            let pattern = if k == last {
+                quote_spanned!(site()=> _)
+            } else {
+                Literal::usize_unsuffixed(k).to_token_stream()
+            };
+            quote_spanned!(site()=> #pattern => { #code })
+        });
+        quote_spanned!(site()=> match span { #(#arms)* })
+    }
+}
+
+impl OnSpan<'_> {
+    fn values(&self) -> TokenStream {
+        let Self { form, family, .. } = self;
+        let Body { lets, outputs } = self.body(&rational::values(family, form));
+        let coordinates = (!family.analytic.is_empty()).then(|| {
+            let chart = self.chart();
+            quote_spanned!(site()=> let [s, x] = { #chart }.coordinates(t);)
+        });
+        quote_spanned!(site()=> let _ = t; #coordinates #lets let _ = (s, x); [#(#outputs),*])
+    }
+
+    fn numerators(&self) -> TokenStream {
+        let Self { form, family, .. } = self;
+        let Body { lets, outputs } = self.body(&rational::numerators(family, form));
+        let rows = outputs.chunks(form.numerators.len().max(1));
+        let rows = rows.map(|row| quote_spanned!(site()=> [#(#row),*]));
+        quote_spanned!(site()=> #lets [#(#rows),*])
+    }
+
+    fn denominator(&self) -> TokenStream {
+        let Body { lets, outputs } = self.body(&rational::denominator(self.family, self.form));
+        quote_spanned!(site()=> #lets [#(#outputs),*])
     }
 
     /// The map of the domain to the unit interval.
     fn chart(&self) -> TokenStream {
+        let mut code = self.map();
+        for p in &self.family.domain {
+            if !p.range.low.is_included() {
+                code = quote_spanned!(site()=> { #code }.without_start());
+            }
+            if !p.range.high.is_included() {
+                code = quote_spanned!(site()=> { #code }.without_end());
+            }
+        }
+        code
+    }
+
+    /// The map of the closed domain.
+    fn map(&self) -> TokenStream {
         let Self { runtime, form, family, .. } = self;
         let numerators = &form.numerators;
         let Some(angle) = family.analytic.angle(numerators.var) else {

@@ -91,10 +91,23 @@ pub struct RationalForm {
 }
 
 impl RationalForm {
-    /// The form of a family; `None` when it has several domain variables.
-    pub fn new(family: &Family) -> Option<Self> {
+    /// The forms of a family on several spans, of one degree.
+    pub fn of_spans(family: &Family) -> Option<Vec<Self>> {
+        let mut least = 0;
+        for piece in &family.pieces {
+            least = Self::new(piece, least)?.numerators.degree;
+        }
+        let mut all = Vec::new();
+        for piece in &family.pieces {
+            all.push(Self::new(piece, least)?);
+        }
+        Some(all)
+    }
+
+    /// The form of a family on one span, with at least that degree; `None` when it has several domain variables.
+    pub fn new(family: &Family, least: u32) -> Option<Self> {
         let (var, low, high) = family.interval()?;
-        let degree = family.degree(var).max(family.over.degree(var));
+        let degree = family.degree(var).max(family.over.degree(var)).max(least);
         let is_affine = family.analytic.angle(var).is_none_or(|angle| angle.kind == Kind::Linear);
         let form = |p: &Poly, q: &Poly| FunctionForm::new(p, q, var, [low, high], degree, !is_affine);
         let one = Poly::one();

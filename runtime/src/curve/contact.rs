@@ -53,7 +53,7 @@ impl<S: Scalar> Contact<S> {
     }
 
     /// Replaces the derivatives of P by those of Q.
-    fn transform<P: Point<Scalar = S>>(&self, derivatives: &mut [P]) -> Result<(), CurveError> {
+    pub(crate) fn transform<P: Point<Scalar = S>>(&self, derivatives: &mut [P]) -> Result<(), CurveError> {
         if let (Some((f, c)), [_, first, rest @ ..]) = (self.factors()?, derivatives) {
             let inverse = S::ONE / f;
             *first = first.scale(inverse);
@@ -107,19 +107,37 @@ pub(crate) fn eliminate<B: Basis, P: Point<Scalar = B::Scalar>>(
     points: B::Points<P>,
     end: End,
 ) -> Result<B::Points<P>, CurveError> {
+    let at = B::domain()[usize::from(end == End::Last)];
+    let matrix = B::Points::<B::Values>::from_fn(|k| basis.derivatives(at, k));
+    eliminate_in(B::NAME, matrix, derivatives, points, end)
+}
+
+/// [`eliminate`] with the derivatives of the functions at that end, one row for each order.
+pub(crate) fn eliminate_in<V, M, A, P>(
+    family: &'static str,
+    mut matrix: M,
+    derivatives: &[P],
+    points: A,
+    end: End,
+) -> Result<A, CurveError>
+where
+    P: Point,
+    V: Array<P::Scalar> + Point<Scalar = P::Scalar>,
+    M: Array<V>,
+    A: Array<P>,
+{
     let conditions = derivatives.len();
-    let undetermined = CurveError::Join { family: B::NAME, conditions, at: "" };
-    if conditions > B::LEN {
+    let undetermined = CurveError::Join { family, conditions, at: "" };
+    if conditions > A::LEN {
         return Err(undetermined);
     }
     // Points and functions are counted from the end.
-    let place = |i: usize| if end == End::Last { B::LEN - 1 - i } else { i };
-    let at = B::domain()[usize::from(end == End::Last)];
-    let mut matrix = B::Points::<B::Values>::from_fn(|k| {
-        let row = basis.derivatives(at, k);
-        B::Values::from_components(|i| row.component(place(i)))
-    });
+    let place = |i: usize| if end == End::Last { A::LEN - 1 - i } else { i };
     let matrix = &mut matrix.as_mut()[..conditions];
+    for row in matrix.iter_mut() {
+        let own = *row;
+        *row = V::from_components(|i| own.component(place(i)));
+    }
     let mut solved = points;
     let targets = &mut solved.as_mut()[..conditions];
     targets.copy_from_slice(derivatives);

@@ -24,6 +24,8 @@ use crate::form::bernstein_derivative;
 use crate::{Array, Basis, CountError, Form, Point, Scalar};
 
 pub use contact::Contact;
+#[cfg(feature = "alloc")]
+pub(crate) use contact::eliminate_in;
 pub(crate) use contact::{End, eliminate, touching};
 pub use error::CurveError;
 pub use frame::Frame;

@@ -46,6 +46,10 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> ParametricCurve for Rationa
         self.end()
     }
 
+    fn eval_checked(&self, t: P::Scalar) -> Result<P, CurveError> {
+        self.eval_checked(t)
+    }
+
     fn derivatives_into(&self, t: P::Scalar, derivatives: &mut [P]) {
         let (mut numerator, mut weights) = (self.to_bernstein(), self.basis().denominator());
         derivatives_into(numerator.as_mut(), weights.as_mut(), &self.chart(), t, derivatives);

@@ -4,8 +4,16 @@ use core::fmt::Debug;
 
 use super::series::{Room, derivatives};
 use super::{Chart, RationalCurve};
+#[cfg(feature = "alloc")]
+use crate::CurveError;
 use crate::basis::combination;
+#[cfg(feature = "alloc")]
+use crate::curve::{End, eliminate_in};
+#[cfg(feature = "geometry")]
+use crate::vector::is_finite;
 use crate::{Array, Point, Rounding, Scalar};
+#[cfg(feature = "geometry")]
+use crate::{Contact, ParametricCurve};
 
 /// A family of rational basis functions `b[0], …, b[LEN - 1]` with its shape parameters set to values: quotients with
 /// one denominator, which is zero nowhere on the domain.
@@ -103,4 +111,93 @@ pub trait RationalBasis: Copy + PartialEq + Debug {
     fn curve<P: Point<Scalar = Self::Scalar>>(&self, points: Self::Points<P>) -> RationalCurve<Self, P> {
         RationalCurve::new(*self, points)
     }
+
+    /// The control points of a curve with the derivatives `[C, C', …]` at the start of the domain: the first points, as
+    /// many as there are derivatives, are replaced by the solution of `Σ_i b[i]⁽ᵏ⁾(lo) points[i] = derivatives[k]`.
+    ///
+    /// # Errors
+    /// [`CurveError::Join`] if these control points do not determine the derivatives.
+    #[cfg(feature = "alloc")]
+    fn start_points<P: Point<Scalar = Self::Scalar>>(
+        &self,
+        derivatives: &[P],
+        points: Self::Points<P>,
+    ) -> Result<Self::Points<P>, CurveError> {
+        let at = self.domain()[0];
+        let rows = Self::Points::<Self::Values>::from_fn(|k| self.derivatives(at, k));
+        eliminate_in(Self::NAME, rows, derivatives, points, End::Start)
+    }
+
+    /// As [`start_points`](Self::start_points) for the derivatives at the end of the domain and the last points.
+    ///
+    /// # Errors
+    /// As [`start_points`](Self::start_points).
+    #[cfg(feature = "alloc")]
+    fn end_points<P: Point<Scalar = Self::Scalar>>(
+        &self,
+        derivatives: &[P],
+        points: Self::Points<P>,
+    ) -> Result<Self::Points<P>, CurveError> {
+        let at = self.domain()[1];
+        let rows = Self::Points::<Self::Values>::from_fn(|k| self.derivatives(at, k));
+        eliminate_in(Self::NAME, rows, derivatives, points, End::Last)
+    }
+
+    /// The curve Q over this family that continues a curve P of any type where that ends: the first control points, one
+    /// more than the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
+    ///
+    /// # Errors
+    /// As [`Basis::curve_after`](crate::Basis::curve_after).
+    #[cfg(feature = "geometry")]
+    fn curve_after<P: Point<Scalar = Self::Scalar>>(
+        &self,
+        curve: &dyn ParametricCurve<Point = P>,
+        contact: Contact<Self::Scalar>,
+        points: Self::Points<P>,
+    ) -> Result<RationalCurve<Self, P>, CurveError> {
+        let derivatives = contact_of(curve, curve.domain()[1], contact, Self::NAME, Self::LEN)?;
+        finite(RationalCurve::new(*self, self.start_points(&derivatives, points)?))
+    }
+
+    /// The curve Q over this family that ends where a curve P of any type starts: the last control points, one more than
+    /// the order of the contact, are computed from the derivatives of P, the others are taken from `points`.
+    ///
+    /// # Errors
+    /// As [`Basis::curve_after`](crate::Basis::curve_after).
+    #[cfg(feature = "geometry")]
+    fn curve_before<P: Point<Scalar = Self::Scalar>>(
+        &self,
+        curve: &dyn ParametricCurve<Point = P>,
+        contact: Contact<Self::Scalar>,
+        points: Self::Points<P>,
+    ) -> Result<RationalCurve<Self, P>, CurveError> {
+        let derivatives = contact_of(curve, curve.domain()[0], contact, Self::NAME, Self::LEN)?;
+        finite(RationalCurve::new(*self, self.end_points(&derivatives, points)?))
+    }
+}
+
+/// The derivatives of a curve that touches another one at a parameter of that one.
+#[cfg(feature = "geometry")]
+fn contact_of<P: Point>(
+    curve: &dyn ParametricCurve<Point = P>,
+    t: P::Scalar,
+    contact: Contact<P::Scalar>,
+    family: &'static str,
+    len: usize,
+) -> Result<alloc::vec::Vec<P>, CurveError> {
+    if contact.order() >= len {
+        return Err(CurveError::Contact { family, most: len.saturating_sub(1), found: contact.order() });
+    }
+    let mut derivatives = alloc::vec![P::zero(); contact.order() + 1];
+    curve.derivatives_into(t, &mut derivatives);
+    contact.transform(&mut derivatives)?;
+    Ok(derivatives)
+}
+
+/// The curve, if its control points are finite.
+#[cfg(feature = "geometry")]
+fn finite<B: RationalBasis, P: Point<Scalar = B::Scalar>>(
+    curve: RationalCurve<B, P>,
+) -> Result<RationalCurve<B, P>, CurveError> {
+    if curve.control_points().iter().all(|&p| is_finite(p)) { Ok(curve) } else { Err(CurveError::NotFinite) }
 }

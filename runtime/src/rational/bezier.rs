@@ -173,6 +173,12 @@ impl<P: Point> ParametricCurve for RationalBezier<P> {
         let whole = CurvePiece::of_numerators(self.domain, P::DIM, numerators, weights);
         let mut pieces = Vec::new();
         halved(whole, HALVINGS, &mut pieces);
+        if !pieces.iter().all(is_positive) {
+            // Without positive weights nothing bounds the curve: as if a point of it were not finite.
+            let nothing = alloc::vec![f64::NAN; P::DIM * self.weights.len()];
+            let weights = self.weights.iter().map(|_| f64::NAN);
+            return alloc::vec![CurvePiece::of_numerators(self.domain, P::DIM, nothing, weights)];
+        }
         pieces
     }
 
@@ -198,11 +204,15 @@ impl<P: Point> ParametricCurve for RationalBezier<P> {
     }
 }
 
+/// Whether all weights are positive.
+fn is_positive(piece: &CurvePiece) -> bool {
+    piece.weights().is_none_or(|weights| weights.iter().all(|&w| w > 0.0))
+}
+
 /// The piece, or its halves and their halves, until all weights are positive; after so many halvings what is left.
 fn halved(piece: CurvePiece, halvings: u32, pieces: &mut Vec<CurvePiece>) {
-    let positive = piece.weights().is_none_or(|weights| weights.iter().all(|&w| w > 0.0));
     // What is not finite does not become better.
-    if positive || halvings == 0 || !piece.is_finite() {
+    if is_positive(&piece) || halvings == 0 || !piece.is_finite() {
         pieces.push(piece);
         return;
     }

@@ -14,6 +14,8 @@ pub struct Chart<S> {
     domain: [S; 2],
     /// What is to be added to the ends of the domain, which no float need be.
     tails: [S; 2],
+    /// Which ends belong to the domain.
+    included: [bool; 2],
     kind: Kind<S>,
 }
 
@@ -39,7 +41,7 @@ impl<S: Scalar> Chart<S> {
     /// The affine map, `x = (t - lo) / (hi - lo)`.
     #[inline]
     pub fn affine(domain: [S; 2]) -> Self {
-        Self { domain, tails: [S::ZERO; 2], kind: Kind::Affine }
+        Self { domain, tails: [S::ZERO; 2], included: [true; 2], kind: Kind::Affine }
     }
 
     /// The map by tangents of `ψ`, where `dψ/dt` is `rate`, and `ψ` is `turn[0]` and `turn[1]` at the two ends, both
@@ -54,7 +56,12 @@ impl<S: Scalar> Chart<S> {
         let factors = [c0 / sin, c1 / sin];
         // dx/dψ = 1 / (cos² ψ (tan ψ1 - tan ψ0))
         let slopes = [factors[1] / c0, cos / sin, factors[0] / c1].map(|slope| slope * rate);
-        Self { domain, tails: [S::ZERO; 2], kind: Kind::Circular(Turn { rate, factors, slopes }) }
+        Self {
+            domain,
+            tails: [S::ZERO; 2],
+            included: [true; 2],
+            kind: Kind::Circular(Turn { rate, factors, slopes }),
+        }
     }
 
     /// As [`circular`](Self::circular) with hyperbolic tangents.
@@ -72,7 +79,12 @@ impl<S: Scalar> Chart<S> {
         let falls = falling(turn[1] - turn[0]);
         let last = two * factors[0] / ends[1] * falls;
         let slopes = [two * factors[1] / ends[0], (S::ONE + falls) / width, last].map(|slope| slope * rate);
-        Self { domain, tails: [S::ZERO; 2], kind: Kind::Hyperbolic(Turn { rate, factors, slopes }) }
+        Self {
+            domain,
+            tails: [S::ZERO; 2],
+            included: [true; 2],
+            kind: Kind::Hyperbolic(Turn { rate, factors, slopes }),
+        }
     }
 
     /// The same map where the ends of the domain are the sums of two numbers: `ends` as floats of 64 bits, which may be
@@ -84,6 +96,29 @@ impl<S: Scalar> Chart<S> {
             self.tails[k] = S::of(ends[k] - self.domain[k].to_f64() + missing[k]);
         }
         self
+    }
+
+    /// The same map of a domain without its lower end.
+    #[inline]
+    #[must_use]
+    pub fn without_start(mut self) -> Self {
+        self.included[0] = false;
+        self
+    }
+
+    /// The same map of a domain without its upper end.
+    #[inline]
+    #[must_use]
+    pub fn without_end(mut self) -> Self {
+        self.included[1] = false;
+        self
+    }
+
+    /// Whether `t` lies in the domain; an end may be left out.
+    #[inline]
+    pub fn contains(&self, t: S) -> bool {
+        let [lo, hi] = self.domain;
+        (if self.included[0] { lo <= t } else { lo < t }) && if self.included[1] { t <= hi } else { t < hi }
     }
 
     /// The two ends `[lo, hi]` of the domain.

@@ -6,7 +6,6 @@ use super::series::{Room, derivatives};
 use super::{Chart, RationalBasis};
 use crate::basis::combination;
 use crate::binomial::row;
-use crate::curve::inside;
 use crate::{Array, CountError, CurveError, Point, Scalar};
 
 /// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]` and rational functions `b[i]`.
@@ -105,11 +104,20 @@ impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
     /// The point `C(t)`, if `t` lies in the domain.
     ///
     /// # Errors
-    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN.
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN, or an end that does not belong to it.
     #[inline]
     pub fn eval_checked(&self, t: B::Scalar) -> Result<P, CurveError> {
-        inside(self.domain(), t)?;
+        self.check(t)?;
         Ok(self.eval(t))
+    }
+
+    /// # Errors
+    /// [`CurveError::Parameter`] if `t` does not lie in the domain.
+    pub(crate) fn check(&self, t: B::Scalar) -> Result<(), CurveError> {
+        if self.chart.contains(t) {
+            return Ok(());
+        }
+        Err(CurveError::Parameter { value: t.to_f64(), domain: self.domain().map(Scalar::to_f64) })
     }
 
     /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`, `K` of them.

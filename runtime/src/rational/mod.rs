@@ -8,9 +8,15 @@ mod bezier;
 mod chart;
 mod curve;
 mod series;
+mod spanned;
+#[cfg(feature = "geometry")]
+mod spline;
 
 pub use basis::RationalBasis;
 #[cfg(feature = "geometry")]
 pub use bezier::RationalBezier;
 pub use chart::Chart;
 pub use curve::RationalCurve;
+pub use spanned::{SpanOf, SpannedBasis, SpannedCurve};
+#[cfg(feature = "geometry")]
+pub use spline::RationalSpline;

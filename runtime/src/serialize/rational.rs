@@ -3,7 +3,39 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Elements, WrittenCurve};
-use crate::{Point, RationalBasis, RationalCurve};
+use crate::{Point, RationalBasis, RationalCurve, SpannedBasis, SpannedCurve};
+
+#[derive(Deserialize)]
+#[serde(
+    rename = "SpannedCurve",
+    expecting = "struct SpannedCurve",
+    bound(deserialize = "B: SpannedBasis + Deserialize<'de>, P: Copy + Deserialize<'de>")
+)]
+struct ReadSpanned<B: SpannedBasis, P: Copy> {
+    basis: B,
+    points: Elements<B::Points<P>, P>,
+}
+
+impl<B, P> Serialize for SpannedCurve<B, P>
+where
+    B: SpannedBasis + Serialize,
+    P: Point<Scalar = B::Scalar> + Serialize,
+{
+    fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+        WrittenCurve { basis: &self.basis(), points: self.control_points() }.serialize(serializer)
+    }
+}
+
+impl<'de, B, P> Deserialize<'de> for SpannedCurve<B, P>
+where
+    B: SpannedBasis + Deserialize<'de>,
+    P: Point<Scalar = B::Scalar> + Deserialize<'de>,
+{
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let ReadSpanned { basis, points } = ReadSpanned::deserialize(deserializer)?;
+        Ok(Self::new(basis, points.0))
+    }
+}
 
 #[derive(Deserialize)]
 #[serde(
@@ -46,7 +78,23 @@ pub(crate) mod bezier {
 
     use serde::Deserialize;
 
-    use crate::{CurveError, Point, RationalBezier, Scalar};
+    use crate::serialize::Read;
+    use crate::{CurveError, Point, RationalBezier, RationalSpline, Scalar};
+
+    #[derive(Deserialize)]
+    #[serde(rename = "RationalSpline", expecting = "struct RationalSpline")]
+    #[serde(bound(deserialize = "P: Read<'de>"))]
+    pub(crate) struct Spline<P: Point> {
+        curves: Vec<RationalBezier<P>>,
+    }
+
+    impl<P: Point> TryFrom<Spline<P>> for RationalSpline<P> {
+        type Error = CurveError;
+
+        fn try_from(read: Spline<P>) -> Result<Self, CurveError> {
+            Self::new(read.curves)
+        }
+    }
 
     #[derive(Deserialize)]
     #[serde(rename = "RationalBezier", expecting = "struct RationalBezier")]

@@ -70,13 +70,13 @@ fn families<S: Scalar>(scalar: &str) {
                 check(&CubicTrigonometricBezier::new(λ, μ).expect("inside"), points, 10.0, &mut worst);
             }
             ("CBezierQuadratic", &[α]) => {
-                check(&CBezierQuadratic::new(α).expect("inside"), points, 10.0, &mut worst)
+                check(&CBezierQuadratic::new(α).expect("inside"), points, 10.0, &mut worst);
             }
             ("TrigonometricBBasis", &[α]) => {
                 check(&TrigonometricBBasis::new(α).expect("inside"), points, 10.0, &mut worst);
             }
             ("HBezierQuadratic", &[α]) => {
-                check(&HBezierQuadratic::new(α).expect("inside"), points, 10.0, &mut worst)
+                check(&HBezierQuadratic::new(α).expect("inside"), points, 10.0, &mut worst);
             }
             ("ExponentialLine", []) => check(&ExponentialLine::<S>::new(), points, 10.0, &mut worst),
             ("ExponentialBernstein", &[α]) => {

@@ -1,4 +1,4 @@
-//! Empty and reversed ranges, domains that are not closed.
+//! Empty and reversed ranges, no domain, an angle beside its sine.
 use basis_runtime::basis;
 
 basis! {
@@ -9,9 +9,9 @@ basis! {
         shape ν in 0..=1;
         b[0] = t;
     }
-    family Open {
-        domain 0 < t < 1;
-        b[0] = t;
+    family Mixed {
+        domain 0 <= t <= pi/2;
+        b[0] = t - sin(t);
     }
     family Without {
         b[0] = 1;
