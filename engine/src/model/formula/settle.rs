@@ -170,10 +170,11 @@ impl Scope<'_> {
                         String::from("narrow the declared ranges so that they leave this value out"),
                     ),
                 };
-                labelled(Diagnostic::error(place, format!("the denominator vanishes at {at}"))).help(help)
+                let message = format!("the denominator vanishes at {at}");
+                labelled(Diagnostic::error(place.clone(), message)).help(help)
             }
             Err(Open::Undecided(left)) => labelled(Diagnostic::error(
-                place,
+                place.clone(),
                 "it is undecided whether the denominator vanishes on the declared ranges",
             ))
             .note(left)
