@@ -6,6 +6,8 @@ use basis_engine::algebra::rational::{self, Rational};
 use clap::builder::styling::{AnsiColor, Style, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use crate::eval::Number;
+
 const STYLES: Styles = Styles::styled()
     .header(Style::new().bold())
     .usage(Style::new().bold())
@@ -57,8 +59,10 @@ pub(crate) enum Command {
     ///
     /// Of a family: the functions in factored and expanded form; the derivatives of a curve at both ends as
     /// combinations of its control points; the shape values at which the functions are linearly dependent; which
-    /// control points C1, G1, C2 and G2 contact with another curve determines at either end, as formulas; and the
-    /// largest ranges of the shape parameters on which all functions stay nonnegative.
+    /// control points C1, G1, C2 and G2 contact with another curve determines at either end, as formulas; the matrices
+    /// to and from the Bernstein basis, of degree elevation, mass and stiffness, and the moments; zeros and extrema of
+    /// functions that are negative somewhere; the verdicts of its claims; and the largest ranges of the shape parameters
+    /// on which all functions stay nonnegative.
     ///
     /// Of a join or theorem: its curves, surfaces and scalars with their ranges, the control points that it determines
     /// as formulas in the given ones, and its claims, each with its verdict and the reason.
@@ -370,18 +374,40 @@ pub(crate) struct EvalArguments {
     pub(crate) file: PathBuf,
     /// The family, with its order if it has index parameters: 'Bernstein(3)' or 'Bernstein(n=3)'
     pub(crate) family: String,
-    /// The value of a shape parameter, inside its declared range
-    #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = assignment)]
-    pub(crate) shapes: Vec<Assignment>,
-    /// The point: a value for each domain variable
-    #[arg(long = "at", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = assignment)]
-    pub(crate) at: Vec<Assignment>,
+    /// The value of a shape parameter, inside its declared range: λ=1/2, or several, λ=-3..1:1/2
+    #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = axis)]
+    pub(crate) shapes: Vec<Axis>,
+    /// The point: a value for each domain variable, or several from one to another in steps, t=0..1:1/10; a variable
+    /// that comes again begins another point
+    #[arg(long = "at", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = axis)]
+    pub(crate) at: Vec<Axis>,
     /// Also print all derivatives in the domain variables up to this order
     #[arg(long, value_name = "K", default_value_t = 0, value_parser = order, allow_hyphen_values = true)]
     pub(crate) order: u32,
+    /// Control points, such as "0,0 1,2 3,2 4,0", or a file with one point a line: what is printed are the points of
+    /// the curve or surface, and its derivatives
+    #[arg(long, value_name = "POINTS", allow_hyphen_values = true)]
+    pub(crate) points: Option<String>,
+    /// Also evaluate outside of the declared ranges and of the domain, about which no claim says anything
+    #[arg(long)]
+    pub(crate) anyway: bool,
     /// How to print the values
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(crate) format: Format,
+    #[arg(long, value_enum, default_value_t = EvalFormat::Text)]
+    pub(crate) format: EvalFormat,
+    /// Print decimals instead of fractions where there is one column for both: in tables of several points and in CSV
+    #[arg(long)]
+    pub(crate) decimal: bool,
+}
+
+/// How to print values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EvalFormat {
+    /// A table
+    Text,
+    /// One JSON object
+    Json,
+    /// One line for each point, with a header
+    Csv,
 }
 
 const EVAL_HELP: &str = "\
@@ -392,7 +418,10 @@ Exit status:
 Examples:
   basis eval quartic.basis QuarticBernstein --shape λ=1/2 --at t=1/3
   basis eval quartic.basis QuarticBernstein --shape lambda=0.5 --at t=0 --order 2
-  basis eval bernstein.basis 'Bernstein(n=3)' --at t=0.25 --format json";
+  basis eval bernstein.basis 'Bernstein(n=3)' --at t=0.25 --format json
+  basis eval library:quartic QuarticBernstein --shape λ=1/2 --at t=0..1:1/10 --format csv
+  basis eval library:quartic QuarticBernstein --shape λ=2 --anyway --at t=1/2 --points '0,0 1,2 3,2 4,0'
+  basis eval turn.basis Turn --at θ=0..pi/2:pi/8";
 
 /// What can be typed after `basis explain`.
 #[derive(Debug, Args)]
@@ -405,6 +434,9 @@ pub(crate) struct ExplainArguments {
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
     /// the file, families in their lowest orders
     pub(crate) name: Option<String>,
+    /// Also print the matrices that convert the family into another one that the spec knows, and back
+    #[arg(long, value_name = "FAMILY", requires = "name")]
+    pub(crate) to: Option<String>,
 }
 
 const EXPLAIN_HELP: &str = "\
@@ -416,6 +448,7 @@ Examples:
   basis explain quartic.basis
   basis explain library:papers/quartic
   basis explain bernstein.basis 'Bernstein(n=3)'
+  basis explain quartic.basis QuarticBernstein --to 'Bernstein(4)'
   basis explain quadratic.basis G1
   basis explain quartic.basis --format latex > quartic.tex && pdflatex quartic.tex
   basis explain papers/quartic.basis | less";
@@ -523,12 +556,60 @@ pub(crate) struct Assignment {
     pub(crate) value: Rational,
 }
 
+/// A name with its values, such as `t=1/2`, `θ=pi/3` or `t=0..1:1/10`.
+#[derive(Clone, Debug)]
+pub(crate) struct Axis {
+    /// The name as it is typed.
+    pub(crate) name: String,
+    /// The values.
+    pub(crate) values: Vec<Number>,
+    /// Whether they are given by their ends and a step.
+    pub(crate) stepped: bool,
+}
+
+/// More values than this are not made of one step.
+const MAX_STEPS: i64 = 100_000;
+
+fn axis(text: &str) -> Result<Axis, String> {
+    let (name, value) = named(text)?;
+    let number = |text: &str| Number::parse(text.trim()).ok_or_else(|| inexact(text.trim()));
+    let Some((low, rest)) = value.split_once("..") else {
+        return Ok(Axis { name: name.to_string(), values: vec![number(value)?], stepped: false });
+    };
+    let rest = rest.strip_prefix('=').unwrap_or(rest);
+    let Some((high, step)) = rest.split_once(':') else {
+        return Err(format!("the step is missing; write it after a colon, as in {name}={low}..{rest}:1/10"));
+    };
+    let (low, high, step) = (number(low)?, number(high)?, number(step)?);
+    if !step.value().is_positive() {
+        return Err(format!(
+            "the step {step} is not positive; values go from the smaller to the greater one"
+        ));
+    }
+    let most = step.steps(&low, &high).filter(|most| *most < MAX_STEPS);
+    match most {
+        Some(most) if most >= 0 => {
+            let values = (0..=most).map(|k| low.plus(&step, k)).collect();
+            Ok(Axis { name: name.to_string(), values, stepped: true })
+        }
+        Some(_) => Err(format!("the range {low}..{high} is empty; write the smaller value first")),
+        None => Err(format!("there are more than {MAX_STEPS} steps of {step} from {low} to {high}")),
+    }
+}
+
 fn order(text: &str) -> Result<u32, String> {
     text.parse()
         .map_err(|_| String::from("the highest order of derivatives is a whole number, such as 0 or 2"))
 }
 
 fn assignment(text: &str) -> Result<Assignment, String> {
+    let (name, value) = named(text)?;
+    let value = rational::parse(value).ok_or_else(|| inexact(value))?;
+    Ok(Assignment { name: name.to_string(), value })
+}
+
+/// A name and what stands after its `=`.
+fn named(text: &str) -> Result<(&str, &str), String> {
     let Some((name, value)) = text.split_once('=') else {
         let comma = if rational::parse(text).is_some() {
             "; decimals are written with a point, as in t=0.5"
@@ -544,13 +625,17 @@ fn assignment(text: &str) -> Result<Assignment, String> {
     if value.is_empty() {
         return Err(format!("the value is missing; write it after the `=`, as in {name}=1/2"));
     }
-    match rational::parse(value) {
-        Some(value) => Ok(Assignment { name: name.to_string(), value }),
-        None if divides_by_zero(value) => Err(format!("`{value}` divides by zero")),
-        None => Err(format!(
-            "`{value}` is not an exact number; write a whole number, a fraction or a decimal, such as 2, -1/3 or 0.62"
-        )),
+    Ok((name, value))
+}
+
+/// What is wrong with a value that is no number.
+fn inexact(value: &str) -> String {
+    if divides_by_zero(value) {
+        return format!("`{value}` divides by zero");
     }
+    format!(
+        "`{value}` is not an exact number; write a whole number, a fraction or a decimal, such as 2, -1/3 or 0.62"
+    )
 }
 
 fn divides_by_zero(value: &str) -> bool {

@@ -117,6 +117,19 @@ fn quarter_turns() {
 }
 
 #[test]
+fn a_denominator_with_an_angle_beside_its_sine_has_no_false_zero() {
+    // α - sin(α) is positive; as a polynomial in α and tan(α/2), taken apart, it has zeros.
+    let spec = "family Beside {
+        shape 0 < α < pi;
+        domain 0 <= t <= α;
+        b[0] = cos(t/2)/(α - sin(α));
+        prove b[0] >= 0;
+    }";
+    let run = Folder::with("s.basis", spec).run(&["check", "s.basis"]);
+    assert!(!run.stderr.contains("the denominator vanishes at"), "{}", run.stderr);
+}
+
+#[test]
 fn the_angle_as_a_multiple_of_the_variable() {
     let table = checked(UNIT);
     // The value is exact, with pi.
@@ -201,6 +214,48 @@ fn evaluated_at_tangents() {
     assert_eq!(json["values"]["b[0]"], "1/5");
     assert_eq!(json["values"]["b[1]"], "2/5");
     assert_eq!(json["derivatives"]["D(b[0])"], "-3/5");
+}
+
+/// Compared with sin, cos and exp of the standard library.
+#[test]
+fn evaluated_at_angles() {
+    let folder = Folder::with("s.basis", &[QUARTER, UNIT, END, HYPERBOLIC].concat())
+        .and("mixed.basis", "family Mixed { domain 0 <= t <= pi/2; b[0] = t - sin(t); b[1] = t; }")
+        .and("length.basis", "family L { shape 0 < h; domain 0 <= t <= h; b[0] = 1 - t/h; b[1] = t^2/h; }");
+    let eval = |file: &str, family: &str, rest: &[&str]| {
+        let run = folder.run(&[&["eval", file, family, "--format", "json", "--order", "1"], rest].concat());
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{family} {rest:?}");
+        run.json()
+    };
+    let near = |json: &serde_json::Value, key: &str, expected: f64| {
+        let all = if key.starts_with('D') { &json["derivatives"] } else { &json["values"] };
+        let value: f64 = all[key].as_str().expect("a value").parse().expect("a decimal");
+        assert!((value - expected).abs() < 1e-15, "{key}: {value} {expected}");
+    };
+    let quarter = eval("s.basis", "Quarter", &["--at", "θ=1/3"]);
+    near(&quarter, "b[0]", 1.0 - (1.0_f64 / 3.0).sin());
+    near(&quarter, "D(b[1])", (1.0_f64 / 3.0).cos() - (1.0_f64 / 3.0).sin());
+    // Rational values stay exact.
+    assert_eq!(eval("s.basis", "Quarter", &["--at", "θ=pi/2"])["values"]["b[1]"], "0");
+    let unit = eval("s.basis", "Unit", &["--at", "t=1/3"]);
+    near(&unit, "b[2]", 1.0 - (std::f64::consts::PI / 6.0).cos());
+    near(&unit, "D(b[2])", std::f64::consts::FRAC_PI_2 * (std::f64::consts::PI / 6.0).sin());
+    let end = eval("s.basis", "End", &["--shape", "α=2", "--at", "t=5/4"]);
+    near(&end, "b[2]", (1.0 - 1.25_f64.cos()) / (1.0 - 2.0_f64.cos()));
+    near(&end, "D(b[2])", 1.25_f64.sin() / (1.0 - 2.0_f64.cos()));
+    let hyperbolic = eval("s.basis", "Hyperbolic", &["--shape", "α=2", "--at", "t=2"]);
+    assert_eq!(hyperbolic["values"], serde_json::json!({"b[0]": "0", "b[1]": "1"}));
+    let fixed = eval("s.basis", "Fixed", &["--at", "t=1/5"]);
+    near(&fixed, "b[1]", 0.2_f64.exp_m1() / 1.0_f64.exp_m1());
+    // A variable beside its sine: small differences keep their digits.
+    let mixed = eval("mixed.basis", "Mixed", &["--at", "t=1/1000"]);
+    let small: f64 = mixed["values"]["b[0]"].as_str().expect("a value").parse().expect("a decimal");
+    assert!((small / 1.666_666_583_333_335e-10 - 1.0).abs() < 1e-15, "{small}");
+    let length = eval("length.basis", "L", &["--shape", "h=3", "--at", "t=2"]);
+    assert_eq!(length["values"], serde_json::json!({"b[0]": "1/3", "b[1]": "4/3"}));
+    assert_eq!(length["derivatives"]["D(b[1])"], "4/3");
+    let run = folder.run(&["eval", "length.basis", "L", "--shape", "h=3", "--at", "t=4"]);
+    assert!(run.stderr.contains("t = 4 is outside of the domain `0 <= t <= h`"), "{}", run.stderr);
 }
 
 #[test]

@@ -70,13 +70,14 @@ fn without_a_file_the_text_is_printed() {
 
 #[test]
 fn what_cannot_be_written_is_an_error() {
-    let rational = "family Arc { domain 0 <= t <= 1; b[0] = (1 - t)/(1 + t); b[1] = 2*t/(1 + t); }";
+    let rational = "family Arc { domain 0 <= t <= 1, 0 <= u <= 1; b[0] = (1 - t)/(1 + u); }";
     let theorem = "theorem T { curve P = Bernstein(2); prove P(0) == P[0]; }";
     let folder = Folder::with("quartic.basis", QUARTIC)
         .and("bern.basis", BERNSTEIN)
         .and("false.basis", QUARTIC.replace("refute b[0]", "prove b[0]"))
         .and("broken.basis", "family F { domain 0 <= t <= 1; b[0] = t +; }")
         .and("rational.basis", rational)
+        .and("arc.basis", "family Arc { domain 0 <= t <= 1; b[0] = (1 - t)/(1 + t); b[1] = 2*t/(1 + t); }")
         .and("huge.basis", "family Huge { domain 0 <= t <= 1; b[0] = 10^50*t; b[1] = 1 - t; }")
         .and("theorem.basis", theorem);
     for (arguments, code, message) in [
@@ -88,12 +89,21 @@ fn what_cannot_be_written_is_an_error() {
         (vec!["bern.basis"], 2, "every family in it has index parameters"),
         (vec!["false.basis"], 1, "the claim `b[0] = b[1]` is false"),
         (vec!["broken.basis"], 1, "broken.basis:1"),
-        (vec!["rational.basis"], 1, "no code is generated for families with denominators"),
+        (
+            vec!["rational.basis"],
+            1,
+            "no code is generated yet for families with denominators, angles or exponentials in several domain variables",
+        ),
         (vec!["theorem.basis", "T"], 2, "`T` is a theorem, which computes nothing"),
         (vec!["none.basis"], 2, "there is no spec file `none.basis`"),
         (vec!["quartic.basis", "-o", "no/such/folder.rs"], 1, "cannot find `no/such`"),
         (vec!["quartic.basis", "--to", "cobol"], 2, "invalid value 'cobol'"),
-        (vec!["rational.basis", "--to", "c"], 1, "no code is generated for families with denominators"),
+        (vec!["rational.basis", "--to", "c"], 1, "no code is generated yet for families with denominators"),
+        (
+            vec!["arc.basis", "--to", "python"],
+            1,
+            "only Rust code is generated yet for families with denominators",
+        ),
         (vec!["quartic.basis", "QuarticBernstein as a b", "--to", "python"], 1, "`a b` cannot be a name"),
         (vec!["bern.basis", "Bern(2)", "Bern(3)", "--to", "wgsl"], 1, "are both called `Bern` in the file"),
         (vec!["quartic.basis", "--to", "wgsl", "--scalar", "f64"], 2, "WGSL has no f64"),

@@ -8,6 +8,11 @@ fn folder() -> Folder {
     Folder::with("quartic.basis", QUARTIC)
         .and("bernstein.basis", BERNSTEIN)
         .and("broken.basis", "family A {\n    domain 0 <= t <= 1;\n    b[0] = 1 - t;\n    b[1] = t +;\n}\n")
+        .and(
+            "assumed.basis",
+            "family Pair { domain 0 <= t <= 1; shape 0 <= p <= 1, 0 <= q <= 1; assume p + q <= 1; b[0] = p*t; b[1] = q; }
+            family Line { domain 0 <= t <= 1; shape B, C; assume B + 2*C = 1; b[0] = B*t; b[1] = C; }",
+        )
         .and("triangle.basis", "family F { domain triangle (u, v, w); b[0] = u*w; }")
         .and(
             "two.basis",
@@ -131,6 +136,56 @@ fn values_outside_of_their_ranges() {
             ("t = -1/1000 is outside of the domain `0 <= t <= 1`", "choose a value inside: --at t=1/2"),
         ],
     );
+}
+
+#[test]
+fn values_that_break_an_assumption() {
+    let pair = "assumed.basis Pair --at t=1 --shape";
+    let refused = "p = 1, q = 1/2 is outside of what is assumed: `p + q <= 1`";
+    fails(&format!("{pair} p=1,q=1/2"), &[(refused, "--anyway evaluates outside as well")]);
+    fails(
+        "assumed.basis Line --at t=1 --shape C=1",
+        &[("`C` follows from the other shape parameters", "give those instead: `C` is 1/2 - 1/2*B")],
+    );
+}
+
+#[test]
+fn several_points() {
+    let command = "bernstein.basis Bern(2) --at";
+    fails(&format!("{command} t=0..1"), &[("invalid value 't=0..1'", "as in t=0..1:1/10")]);
+    fails(
+        &format!("{command} t=1..0:1/2"),
+        &[("invalid value 't=1..0:1/2'", "write the smaller value first")],
+    );
+    fails(&format!("{command} t=0..1:0"), &[("invalid value 't=0..1:0'", "the step 0 is not positive")]);
+    fails(&format!("{command} t=0..1:-1/2"), &[("invalid value", "the step -1/2 is not positive")]);
+    fails(&format!("{command} t=0..1:1/1000000000000"), &[("invalid value", "more than 100000 steps")]);
+    fails(&format!("{command} t=0..1:x"), &[("invalid value", "`x` is not an exact number")]);
+    fails(&format!("{command} t=0..2:1"), &[("t = 2 is outside of the domain", "--anyway")]);
+    fails(
+        &format!("{command} t=0..1:1/10000 --order 400"),
+        &[("there are more than 1000000 values", "choose a larger step")],
+    );
+}
+
+#[test]
+fn control_points() {
+    let command = ["bernstein.basis", "Bern(2)", "--at", "t=1/2", "--points"];
+    let long = "x,y\n0,0\n1,2\n3,a\n";
+    for (points, message, help) in [
+        ("0,0 1,2", "2 control points are given, `Bern(2)` has 3 functions", "one control point for each"),
+        ("0,0 1,2,3 1,1", "the control point 2 has 3 coordinates, the first one has 2", "the same number"),
+        ("0,0 1;2 3,4", "`1;2` is not a control point", "write exact numbers with commas"),
+        ("", "`` is not a control point", "or name a file"),
+        ("long.csv", "`3,a` is not a control point", "line 4 of `long.csv`"),
+        ("empty.csv", "cannot read control points from `empty.csv`: it has no points", ""),
+    ] {
+        let folder = folder().and("long.csv", long).and("empty.csv", "\n\n");
+        let run = folder.run(&[&["eval"], &command[..], &[points]].concat());
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{points:?}");
+        assert!(run.stderr.starts_with(&format!("error: {message}")), "{}", run.stderr);
+        assert!(run.stderr.contains(help), "{}", run.stderr);
+    }
 }
 
 #[test]

@@ -242,3 +242,125 @@ fn a_table_of_fractions_and_decimals() {
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     insta::assert_snapshot!(run.stdout);
 }
+
+#[test]
+fn several_points_and_steps() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    let eval = |rest: &[&str]| {
+        let run = folder.run(&[&["eval", "quartic.basis", "QuarticBernstein"], rest].concat());
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{rest:?}");
+        run
+    };
+    let run = eval(&["--shape", "λ=0", "--at", "t=0..1:1/10", "--format", "csv"]);
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!(lines.len(), 12);
+    assert_eq!(
+        (lines[0], lines[4]),
+        ("λ,t,b[0],b[1],b[2],b[3]", "0,3/10,343/1000,441/1000,189/1000,27/1000")
+    );
+    // The end is reached only by a whole number of steps.
+    let run = eval(&["--shape", "λ=-3..1:3", "--at", "t=0..1:2/3", "--format", "json"]);
+    let at: Vec<String> = run.json()["points"]
+        .as_array()
+        .expect("several points")
+        .iter()
+        .map(|p| format!("{} {}", p["at"]["λ"].as_str().unwrap(), p["at"]["t"].as_str().unwrap()))
+        .collect();
+    assert_eq!(at, ["-3 0", "-3 2/3", "0 0", "0 2/3"]);
+    let several =
+        eval(&["--shape", "λ=1", "--at", "t=0,t=1", "--at", "t=1/2", "--format", "csv", "--decimal"]);
+    assert_eq!(
+        several.stdout,
+        "λ,t,b[0],b[1],b[2],b[3]\n1,0,1,0,0,0\n1,1,0,0,0,1\n1,1/2,0.0625,0.4375,0.4375,0.0625\n"
+    );
+    // The functions are negative outside of the declared range: this is what it is for.
+    let run = eval(&["--shape", "λ=3", "--at", "t=-1/2..3/2:1", "--anyway", "--format", "csv"]);
+    assert_eq!(run.stdout.lines().nth(2), Some("3,1/2,-1/16,9/16,9/16,-1/16"));
+    insta::assert_snapshot!(eval(&["--shape", "λ=1/2", "--at", "t=0..1:1/4", "--order", "1"]).stdout);
+}
+
+#[test]
+fn points_of_curves_and_surfaces() {
+    let folder =
+        Folder::with("quartic.basis", QUARTIC).and("polygon.csv", "x,y\n0, 0\n1, 2\n3; 2\n4 0\n").and(
+            "box.basis",
+            "family B { domain 0 <= u <= 1, 0 <= v <= 1; b[i,j] = u^i*v^j for i in 0..=1, j in 0..=1; }",
+        );
+    let eval = |points: &str| {
+        let run = folder.run(&[
+            "eval",
+            "quartic.basis",
+            "QuarticBernstein",
+            "--shape",
+            "λ=0",
+            "--at",
+            "t=1/2",
+            "--order",
+            "1",
+            "--points",
+            points,
+            "--format",
+            "json",
+        ]);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+        run.json()["curve"].clone()
+    };
+    // (P0 + 3 P1 + 3 P2 + P3)/8, and 3/4 (P2 + P3 − P0 − P1).
+    assert_eq!(eval("0,0 1,2 3,2 4,0"), json!({"C": ["2", "3/2"], "D(C)": ["9/2", "0"]}));
+    assert_eq!(eval("polygon.csv"), json!({"C": ["2", "3/2"], "D(C)": ["9/2", "0"]}));
+    assert_eq!(eval("-1 0 0 1/3"), json!({"C": ["-1/12"], "D(C)": ["1"]}));
+    let run = folder.run(&[
+        "eval",
+        "box.basis",
+        "B",
+        "--at",
+        "u=0..1:1,v=1/2",
+        "--points",
+        "0,0,1 0,1,2 1,0,3 1,1,0",
+        "--format",
+        "csv",
+        "--order",
+        "1",
+    ]);
+    // b = (1, v, u, uv) at (0, 1/2) and (1, 1/2).
+    assert_eq!(
+        run.stdout,
+        "u,v,S.x,S.y,S.z,\"D(S,u).x\",\"D(S,u).y\",\"D(S,u).z\",\"D(S,v).x\",\"D(S,v).y\",\"D(S,v).z\"\n\
+         0,1/2,0,1/2,2,3/2,1/2,3,0,1,2\n1,1/2,3/2,1,5,3/2,1/2,3,1,2,2\n"
+    );
+}
+
+#[test]
+fn a_grid_on_a_triangle_has_the_points_inside() {
+    let folder = Folder::with("f.basis", "family F { domain triangle (u, v, w); b[0] = u^2*w; b[1] = v; }");
+    let run = folder.run(&["eval", "f.basis", "F", "--at", "u=0..1:1/2,v=0..1:1/2", "--format", "csv"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    let points: Vec<&str> =
+        run.stdout.lines().skip(1).map(|line| line.rsplitn(3, ',').last().expect("a point")).collect();
+    assert_eq!(points, ["0,0,1", "0,1/2,1/2", "0,1,0", "1/2,0,1/2", "1/2,1/2,0", "1,0,0"]);
+    let run = folder.run(&["eval", "f.basis", "F", "--at", "u=2,v=1", "--anyway", "--format", "json"]);
+    assert_eq!(run.json()["values"], json!({"b[0]": "-8", "b[1]": "1"}));
+}
+
+#[test]
+fn spans_take_the_points_that_lie_on_them() {
+    let spec = "family M { domain 0 <= x <= 1, 1 <= x <= 3; f[0] = x | (3 - x)/2; f[1] = x^2; }";
+    let folder = Folder::with("m.basis", spec);
+    let run = folder.run(&[
+        "eval",
+        "m.basis",
+        "M",
+        "--at",
+        "x=-1..4:1",
+        "--anyway",
+        "--order",
+        "1",
+        "--format",
+        "csv",
+    ]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert_eq!(
+        run.stdout,
+        "x,f[0],f[1],D(f[0]),D(f[1])\n-1,-1,1,1,-2\n0,0,0,1,0\n1,1,1,1,2\n2,1/2,4,-1/2,4\n3,0,9,-1/2,6\n4,-1/2,16,-1/2,8\n"
+    );
+}

@@ -224,3 +224,109 @@ fn factors_on_other_domains() {
         ["b[0] = (1 - c*v + c*u*v + c*v^2)*u", "b[1] = 9/2*(-1 + 3*v)*v*w", "b[2] = (4*v + u)*u*w"]
     );
 }
+
+/// The matrix of a kind that `explain` prints, as text.
+fn matrix(run: &support::Run, kind: &str) -> Vec<Vec<String>> {
+    let report = run.json();
+    let all = report["items"][0]["matrices"].as_array().expect("a list").clone();
+    let found = all.into_iter().find(|m| m["kind"] == kind).unwrap_or_else(|| panic!("there is no {kind}"));
+    serde_json::from_value(found["entries"].clone()).expect("texts")
+}
+
+#[test]
+fn matrices_of_an_interval() {
+    let spec = "family Quadratic { domain -1 <= t <= 1; b[0] = 1; b[1] = t; b[2] = (3*t^2 - 1)/2; }
+    family Powers { domain -1 <= t <= 1; shape λ; b[0] = 1; b[1] = t + λ; b[2] = t^2; }
+    family Short { domain -1 <= t <= 1; b[0] = t; }
+    family Other { domain 0 <= t <= 1; b[0] = t; }";
+    let folder = Folder::with("q.basis", spec);
+    let explain = |rest: &[&str]| folder.run(&[&["explain", "q.basis"], rest].concat());
+    let run = explain(&["Quadratic", "--to", "Powers", "--format", "json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    // Legendre polynomials: 2/(2k + 1), and ∫ 1 = 2, ∫ (3t)² = 6.
+    assert_eq!(matrix(&run, "mass"), [["2", "0", "0"], ["0", "2/3", "0"], ["0", "0", "2/5"]]);
+    assert_eq!(matrix(&run, "stiffness"), [["0", "0", "0"], ["0", "2", "0"], ["0", "0", "6"]]);
+    assert_eq!(matrix(&run, "moments"), [["2", "0", "0"], ["0", "2/3", "0"], ["2/3", "0", "4/15"]]);
+    assert_eq!(matrix(&run, "to_bernstein"), [["1", "1", "1"], ["-1", "0", "1"], ["1", "-2", "1"]]);
+    assert_eq!(
+        matrix(&run, "from_bernstein"),
+        [["1/3", "-1/2", "1/6"], ["1/3", "0", "-1/3"], ["1/3", "1/2", "1/6"]]
+    );
+    assert_eq!(matrix(&run, "to_family"), [["1", "0", "0"], ["-λ", "1", "0"], ["-1/2", "0", "3/2"]]);
+    assert_eq!(matrix(&run, "from_family"), [["1", "0", "0"], ["λ", "1", "0"], ["1/3", "0", "2/3"]]);
+    // Of two families one of which spans the other there is one matrix.
+    let run = explain(&["Short", "--to", "Powers"]);
+    assert!(run.stdout.contains("Short in terms of Powers: b[i] = Σ M[i,j]*Powers[j]"), "{}", run.stdout);
+    assert!(!run.stdout.contains("Powers in terms of Short"), "{}", run.stdout);
+    for (from, to, reason) in [
+        ("Short", "Other", "`Other` has another domain than `Short`"),
+        ("Short", "Bernstein(1)", "`Bernstein(1)` has another domain"),
+        ("Short", "Nothing", "there is no family `Nothing`"),
+    ] {
+        let run = explain(&[from, "--to", to]);
+        assert_eq!(run.code, 2, "{}", run.stdout);
+        assert!(run.stderr.contains(reason), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn matrices_of_several_variables() {
+    let spec = "family P1 { domain triangle (u, v, w); b[0] = u; b[1] = v; b[2] = w; }
+    family Q1 { domain 0 <= u <= 2, 0 <= v <= 1; b[i,j] = (i*u/2 + (1 - i)*(1 - u/2))*(j*v + (1 - j)*(1 - v)) for i in 0..=1, j in 0..=1; }";
+    let folder = Folder::with("p.basis", spec);
+    let run = folder.run(&["explain", "p.basis", "P1", "--format", "json"]);
+    // On the reference triangle of area 1/2.
+    assert_eq!(
+        matrix(&run, "mass"),
+        [["1/12", "1/24", "1/24"], ["1/24", "1/12", "1/24"], ["1/24", "1/24", "1/12"]]
+    );
+    assert_eq!(
+        matrix(&run, "stiffness"),
+        [["1/2", "0", "-1/2"], ["0", "1/2", "-1/2"], ["-1/2", "-1/2", "1"]]
+    );
+    let run = folder.run(&["explain", "p.basis", "Q1", "--format", "json"]);
+    assert_eq!(matrix(&run, "mass")[0], ["2/9", "1/9", "1/9", "1/18"]);
+    // 4 by 1/3 + 1/2 by 1/3 … : ∫ (u-part)'² ∫ (v-part)² + the same with u and v exchanged.
+    assert_eq!(matrix(&run, "stiffness")[0], ["5/6", "-7/12", "1/6", "-5/12"]);
+}
+
+/// A curve keeps its points when its control points are those of the next order.
+#[test]
+fn degree_elevation() {
+    let folder = Folder::with("b.basis", BERNSTEIN);
+    let run = folder.run(&["explain", "b.basis", "Bern(2)", "--format", "json"]);
+    assert_eq!(
+        matrix(&run, "elevation"),
+        [["1", "1/3", "0", "0"], ["0", "2/3", "2/3", "0"], ["0", "0", "1/3", "1"]]
+    );
+    let spec = "family L { domain 0 <= t <= 1; shape h; b[0] = 1 - h*t; b[1] = h*t; }";
+    let run = Folder::with("l.basis", spec).run(&["explain", "l.basis", "--format", "json"]);
+    assert_eq!(matrix(&run, "elevation"), [["1", "1 - 1/2*h", "1 - h"], ["0", "1/2*h", "h"]]);
+}
+
+#[test]
+fn zeros_and_extrema() {
+    let spec = "family Timmer { domain 0 <= t <= 1;
+        b[0] = (1 - 2*t)*(1 - t)^2; b[1] = 4*t*(1 - t)^2; b[2] = 4*t^2*(1 - t); b[3] = (2*t - 1)*t^2; }";
+    let folder = Folder::with("t.basis", spec);
+    let run = folder.run(&["explain", "t.basis"]);
+    for line in [
+        "b[0]: zero at t = 1/2, t = 1; least value -1/27 at t = 2/3; greatest value 1 at t = 0",
+        "b[3]: zero at t = 0, t = 1/2; least value -1/27 at t = 1/3; greatest value 1 at t = 1",
+    ] {
+        assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
+    }
+    assert!(!run.stdout.contains("b[1]: "), "{}", run.stdout);
+}
+
+#[test]
+fn verdicts_are_summed_up() {
+    let spec = "family F { domain 0 <= t <= 1; b[0] = t; b[1] = 1 - t; b[2] = 0;
+        prove partition_of_unity; refute independent; prove b[i] >= 0 for i in 0..=2; }";
+    let run = Folder::with("f.basis", spec).run(&["explain", "f.basis"]);
+    for line in
+        ["Claims: 4 proved, 1 refuted", "    refuted   independent\n", "b[i] >= 0 for i in 0..=2 (3 claims)"]
+    {
+        assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
+    }
+}

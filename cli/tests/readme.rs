@@ -63,33 +63,3 @@ fn every_shipped_spec_is_as_declared() {
     let run = Folder::new().run(&["check", specs.to_str().expect("the path is UTF-8")]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
 }
-
-/// `BASIS_TESTS=overwrite cargo test -p basis-cli --test readme` writes the table of today into the README.
-#[test]
-fn the_table_of_families_is_current() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut files: Vec<String> = std::fs::read_dir(root.join("specs"))
-        .expect("the library can be read")
-        .map(|entry| entry.expect("an entry").path())
-        .filter(|path| path.extension().is_some_and(|e| e == "basis"))
-        .filter_map(|path| Some(format!("specs/{}", path.file_name()?.to_str()?)))
-        .collect();
-    files.sort();
-    let run = std::process::Command::new(env!("CARGO_BIN_EXE_basis"))
-        .current_dir(&root)
-        .arg("table")
-        .args(&files)
-        .output()
-        .expect("the command runs");
-    assert_eq!((run.status.code(), run.stderr.as_slice()), (Some(0), b"".as_slice()));
-    let table = String::from_utf8(run.stdout).expect("the table is UTF-8");
-    let (start, end) = ("<!-- basis table specs/*.basis -->\n", "<!-- end of the table -->");
-    let (before, rest) = README.split_once(start).expect("the README has a table");
-    let (shown, after) = rest.split_once(end).expect("the table ends");
-    if std::env::var_os("BASIS_TESTS").is_some_and(|mode| mode == "overwrite") {
-        let text = format!("{before}{start}{table}{end}{after}");
-        std::fs::write(root.join("README.md"), text).expect("the README can be written");
-    } else {
-        assert_eq!(shown, table, "BASIS_TESTS=overwrite cargo test -p basis-cli --test readme");
-    }
-}

@@ -116,6 +116,27 @@ fn the_whole_domain() {
 }
 
 #[test]
+fn knots_at_angles_that_other_spans_do_not_have() {
+    checked(
+        "family TrigonometricBSpline {
+            domain -pi <= t <= -pi/2, -pi/2 <= t <= 0, 0 <= t <= pi/2;
+            f[0] = 1 + cos(t) | cos(t) - sin(t) | 1 - sin(t);
+            prove smooth(1);
+            prove at t = -pi { f[0] = 0; D(f[0]) = 0; }
+            prove at t = 0 { f[0] = 1; D(f[0]) = -1; }
+            refute at t = pi/2 { f[0] = 1; }
+        }",
+    );
+    let outside = "family T {
+        domain -pi/2 <= t <= 0, 0 <= t <= pi/2;
+        f[0] = cos(t) - sin(t) | 1 - sin(t);
+        prove at t = pi { f[0] = 1; }
+    }";
+    let run = Folder::with("s.basis", outside).run(&["check", "s.basis"]);
+    assert!(run.stderr.contains("the point lies in none of the spans"), "{}", run.stderr);
+}
+
+#[test]
 fn a_knot_has_two_sides() {
     let spec =
         SPLINE.replace("refute at x = 1 { D(f[0], 2) = 1/2; }", "prove at x = 1 { D(f[0], 2) = 1/2; }");

@@ -3,9 +3,13 @@
 
 mod angles;
 mod contacts;
+mod extrema;
+mod matrices;
 mod theorems;
 
 pub use contacts::{Contact, contacts};
+pub use extrema::{Extrema, Extremum, extrema};
+pub use matrices::{Matrix, MatrixKind, conversions, matrices};
 pub use theorems::determined_points;
 
 use std::rc::Rc;

@@ -84,7 +84,7 @@ fn unknown_names() {
         let error = find(typed);
         assert_eq!(error.message, format!("there is no spec `{typed}` in the library"));
         assert_eq!(error.help, Some(format!("did you mean `{meant}`?")), "{typed}");
-        assert!(error.notes[0].contains("`ball`, ") && error.notes[0].contains("`triangular`"));
+        assert!(error.notes[0].contains("`ball`, ") && error.notes[0].contains("`quartic`, "));
     }
     assert_eq!(find("nothing of the kind").help, None);
     let spec = "use library \"quartik\";";

@@ -31,6 +31,7 @@ fn shipped_specs() {
                     match verdict {
                         Verdict::Proved(_) => counts[0] += 1,
                         Verdict::Refuted(_) => counts[1] += 1,
+                        Verdict::Undecided(_) if claim.expected.keyword() == "conjecture" => {}
                         Verdict::Undecided(left) => panic!("{title}: {left}"),
                     }
                 }

@@ -5,6 +5,7 @@ use core::fmt::Debug;
 use crate::curve::{End, eliminate, touching};
 use crate::domain::{inverse_width, unit};
 use crate::form::{Form, bernstein_derivative};
+use crate::matrices::{self, Kind};
 use crate::{
     BernsteinBasis, Contact, Curve, CurveError, Point, Scalar, TriangularBasis, TriangularBernsteinBasis,
 };
@@ -126,6 +127,27 @@ pub trait Basis: Copy + PartialEq + Debug {
         bernstein_derivative(self.bernstein_weights().as_mut(), order, s, x).scale(scale)
     }
 
+    /// The values of all functions at many points, and their derivatives up to that order in the parameter: what
+    /// [`values`](Self::values) and [`derivatives`](Self::derivatives) give, with everything that does not depend on the
+    /// points computed once.
+    #[cfg(feature = "elements")]
+    fn tabulate(&self, at: &[Self::Scalar], order: usize) -> crate::Tabulation<Self::Scalar, [usize; 1]> {
+        crate::elements::tabulate_interval(self, at, order)
+    }
+
+    /// Which functions belong to the lower end, the corner 0, to the upper end, the corner 1, or to the inside.
+    #[cfg(feature = "elements")]
+    fn entities(&self) -> crate::Entities {
+        crate::elements::in_box(self.bernstein_weights().as_ref(), &[Self::DEGREE])
+    }
+
+    /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
+    /// rounding errors; `None` if there are none, or if the functions do not span the parameter.
+    #[cfg(feature = "elements")]
+    fn nodes(&self) -> Option<Self::Points<Self::Scalar>> {
+        crate::elements::interval_nodes(self)
+    }
+
     /// The control points of the same curve in the Bernstein basis of the same degree: `Σ_i c[j][i] points[i]` with the
     /// [`bernstein_weights`](Self::bernstein_weights) `c`.
     #[inline]
@@ -135,6 +157,21 @@ pub trait Basis: Copy + PartialEq + Debug {
             let weights = coefficients.as_ref()[j];
             combination(points.as_ref().iter().copied().zip(weights.as_ref().iter().copied()))
         })
+    }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the domain, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        matrices::interval(Kind::Mass, self.bernstein_weights().as_ref(), Self::domain())
+    }
+
+    /// The stiffness matrix: the integrals `∫ b'[i] b'[j]` over the domain, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        matrices::interval(Kind::Stiffness, self.bernstein_weights().as_ref(), Self::domain())
     }
 
     /// The control points of a curve with the derivatives `[C, C', …]` at the start of the domain: the first points, as

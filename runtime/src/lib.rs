@@ -25,7 +25,8 @@
 //!
 //! # Domains
 //!
-//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]. A family on a
+//! A family on an interval implements [`Basis`] and makes a [`Curve`], two of them a [`TensorSurface`]; one with
+//! denominators, angles or exponentials implements [`RationalBasis`] and makes a [`RationalCurve`]. A family on a
 //! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
 //! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
 //!
@@ -35,13 +36,16 @@
 //! | --- | --- |
 //! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
 //! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
+//! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
 //! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
 //! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
 //! | a patch on a triangle, a tetrahedron, a box | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`] |
 //! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
+//! | a curve over a family with denominators | [`RationalCurve`] over a [`RationalBasis`]; its Bézier form [`RationalBezier`] |
 //! | B-splines | [`bspline`] |
+//! | finite elements: quadrature, gradients at many points, nodes, functions of edges and faces | [`Quadrature`], [`SimplexBasis::tabulate`], [`SimplexBasis::nodes`], [`Entities`] |
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
 //! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
 //!
@@ -49,7 +53,9 @@
 //!
 //! What can be asked of a curve has one name and one signature, that of the trait `ParametricCurve` (feature `geometry`),
 //! whatever the type: [`Curve`] over a family and Bézier curves, [`PiecewiseCurve`],
-//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve). Lists of curves of several types are
+//! [`BSplineCurve`](bspline::BSplineCurve), [`NurbsCurve`](bspline::NurbsCurve), [`RationalCurve`], [`RationalBezier`],
+//! and [`Path`], which holds segments of several types. The last three answer all that is in the column of `dyn`, and have
+//! parts. Lists of curves of several types are
 //! `Vec<Box<dyn ParametricCurve<Point = P>>>`.
 //!
 //! | a curve's | [`Curve`], [`Bezier`] | [`PiecewiseCurve`] | `BSplineCurve` | `NurbsCurve` | through `dyn` |
@@ -66,6 +72,8 @@
 //! | boxes: `bounding_box`, `control_box` | yes | yes | yes | yes | yes |
 //! | special points: `extrema`, `inflections` | yes | yes | yes | yes | yes |
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
+//! | the first point with that value of a component: `first_where` | yes | yes | yes | yes | yes |
+//! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes |
 //! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
@@ -107,13 +115,14 @@
 //! | feature | default | |
 //! | --- | --- | --- |
 //! | `std` | yes | fused multiply-add, and vector instructions where the processor has them; implies `alloc`. Without it the crate is `no_std` |
-//! | `libm` | no | square roots and angles without `std`; with `std` it changes nothing |
+//! | `libm` | no | square roots, angles and exponentials without `std`; with `std` it changes nothing |
 //! | `alloc` | by `std` | everything that returns a vector, and what needs room to search: the nearest point, extrema, tight boxes; curves of several segments, rational patches of surfaces of revolution |
 //! | `macros` | yes | [`basis!`] |
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
 //! | `rounding` | yes | proved bounds of the rounding errors of generated functions, as constants and in claims; implies `macros` |
 //! | `geometry` | yes | what all types of curves answer, `ParametricCurve`, and what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |
 //! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `geometry` |
+//! | `elements` | yes | finite elements: rules of quadrature, [`Quadrature`], functions at many points, [`Tabulation`], nodes, and what belongs to corners, edges and faces, [`Entities`]; implies `alloc` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `geometry` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
@@ -132,6 +141,7 @@
         feature = "macros",
         feature = "geometry",
         feature = "bspline",
+        feature = "elements",
         feature = "mesh"
     )),
     allow(rustdoc::broken_intra_doc_links)
@@ -161,18 +171,26 @@ pub mod bspline;
 mod convert;
 mod curve;
 mod domain;
+#[cfg(feature = "elements")]
+mod elements;
 mod error;
 mod form;
+#[cfg(any(feature = "elements", feature = "geometry"))]
+mod gauss;
 pub mod generated;
 #[cfg(feature = "geometry")]
 mod geometry;
 #[cfg(feature = "laws")]
 pub mod laws;
+mod matrices;
 #[cfg(feature = "mesh")]
 mod mesh;
 #[cfg(feature = "alloc")]
 mod nearest;
+#[cfg(feature = "geometry")]
+mod path;
 mod point;
+mod rational;
 mod revolution;
 mod scalar;
 #[cfg(feature = "serde")]
@@ -203,15 +221,22 @@ pub use boxes::{BoxBasis, BoxPatch};
 #[cfg(feature = "alloc")]
 pub use curve::PiecewiseCurve;
 pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samples};
+#[cfg(feature = "elements")]
+pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
-pub use geometry::{CurvePiece, CurveScalar, Meeting, MeetingKind, ParametricCurve, PlaneMeeting};
+pub use geometry::{CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting};
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 #[cfg(feature = "alloc")]
 pub use nearest::Nearest;
+#[cfg(feature = "geometry")]
+pub use path::{Path, PathSegment, SvgError, SvgMistake, to_svg};
 pub use point::Point;
+#[cfg(feature = "geometry")]
+pub use rational::RationalBezier;
+pub use rational::{Chart, RationalBasis, RationalCurve};
 #[cfg(feature = "alloc")]
 pub use revolution::RevolutionPatch;
 pub use revolution::{RevolutionError, SurfaceOfRevolution, half_turn_parameter};

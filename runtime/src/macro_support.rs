@@ -102,6 +102,29 @@ pub fn bernstein<S: Scalar, const M: usize>(coefficients: [S; M], s: S, x: S) ->
     nested(&coefficients, &const { binomials::<M>() }, s, x)
 }
 
+/// The tangent.
+#[inline]
+pub fn tan<S: Scalar>(x: S) -> S {
+    let (sin, cos) = x.sin_cos();
+    sin / cos
+}
+
+/// The hyperbolic tangent.
+#[inline]
+pub fn tanh<S: Scalar>(x: S) -> S {
+    let two = S::of(2.0);
+    let grown = (-(two * x.abs())).exp_m1();
+    let size = -grown / (two + grown);
+    if x < S::ZERO { -size } else { size }
+}
+
+/// 1 minus the hyperbolic tangent, without the difference.
+#[inline]
+pub fn tanh_complement<S: Scalar>(x: S) -> S {
+    let two = S::of(2.0);
+    two / (two + (two * x).exp_m1())
+}
+
 /// The powers `[1, x, x², …, x^(M-1)]`.
 #[inline]
 pub fn powers<S: Scalar, const M: usize>(x: S) -> [S; M] {
@@ -180,4 +203,20 @@ pub fn table<S: Scalar, const N: usize, const T: usize, const L: usize>(
 #[macro_export]
 macro_rules! __serialize_shape {
     ($($shape:tt)*) => {};
+}
+
+/// The items, where there is an allocator.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_alloc {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Nothing, without an allocator.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! __with_alloc {
+    ($($item:tt)*) => {};
 }

@@ -85,6 +85,12 @@ pub trait Scalar:
     /// The angle of the point `(x, self)` in radians, from -π to π.
     fn atan2(self, x: Self) -> Self;
 
+    /// `exp(self) - 1`, with a small relative error also near zero.
+    fn exp_m1(self) -> Self;
+
+    /// The natural logarithm of `1 + self`, with a small relative error also near zero.
+    fn ln_1p(self) -> Self;
+
     /// `self * factor + addend`, rounded once if `FUSED` and twice otherwise.
     ///
     /// `FUSED` belongs inside functions compiled for a target feature that has the instruction; everywhere else it is
@@ -99,7 +105,7 @@ mod sealed {
 }
 
 macro_rules! scalars {
-    ($($scalar:ident: $sqrt:ident $sincos:ident $atan2:ident;)+) => {$(
+    ($($scalar:ident: $sqrt:ident $sincos:ident $atan2:ident $expm1:ident $log1p:ident;)+) => {$(
         impl Scalar for $scalar {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -180,6 +186,26 @@ macro_rules! scalars {
             }
 
             #[inline]
+            fn exp_m1(self) -> Self {
+                #[cfg(feature = "std")]
+                return self.exp_m1();
+                #[cfg(all(feature = "libm", not(feature = "std")))]
+                return libm::$expm1(self);
+                #[cfg(not(any(feature = "std", feature = "libm")))]
+                return Self::NAN; // such a build is refused in lib.rs
+            }
+
+            #[inline]
+            fn ln_1p(self) -> Self {
+                #[cfg(feature = "std")]
+                return self.ln_1p();
+                #[cfg(all(feature = "libm", not(feature = "std")))]
+                return libm::$log1p(self);
+                #[cfg(not(any(feature = "std", feature = "libm")))]
+                return Self::NAN; // such a build is refused in lib.rs
+            }
+
+            #[inline]
             fn fma<const FUSED: bool>(self, factor: Self, addend: Self) -> Self {
                 #[cfg(feature = "std")]
                 if FUSED {
@@ -191,6 +217,6 @@ macro_rules! scalars {
     )+};
 }
 scalars! {
-    f32: sqrtf sincosf atan2f;
-    f64: sqrt sincos atan2;
+    f32: sqrtf sincosf atan2f expm1f log1pf;
+    f64: sqrt sincos atan2 expm1 log1p;
 }

@@ -6,19 +6,21 @@
 mod sources;
 
 use basis_runtime::bspline::{
-    BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, Continuity,
-    Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint, JointMeasure, KnotError,
-    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam, Spacing,
-    Splice, SpliceError, SpliceOptions, SplineError, splice,
+    BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, ConstructionError,
+    Continuity, Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint,
+    JointMeasure, KnotError, KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface,
+    PointConstraint, Seam, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
-    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Contact, CountError, Curvature, Curve, CurveError,
-    CurvePiece, Edge, EdgeBasis, EdgeContinuity, EndpointForm, Frame, JoinError, Joint, Meeting, MeetingKind,
-    Mesh, MeshError, Nearest, ParametricCurve, PiecewiseCurve, PlaneMeeting, RationalSurface,
-    RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, Surface,
-    SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
-    TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
+    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Contact, CountError, Curvature, Curve,
+    CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, Enclosed, EndpointForm, Entities, Entity, Frame,
+    JoinError, Joint, Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, Path, PathSegment,
+    PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve,
+    RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
+    SimplexPatch, Surface, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation,
+    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -26,6 +28,8 @@ use serde::de::DeserializeOwned;
 basis!("../../specs/quartic.basis");
 basis!("../../specs/triangular.basis", TriangularII(3));
 basis!("../../specs/lagrange.basis", Bilinear, TetrahedralLagrange(1));
+
+basis!("../../specs/rational/bezier.basis", Conic);
 
 type P = [f64; 3];
 
@@ -89,11 +93,27 @@ fn bases_forms_and_curves() {
     refused(&curve(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
     refused(&EndpointForm::new([0.0, 4.0], [12.0, 1.0]), |json| json["inner"] = serde_json::json!([1.0]));
 
+    let conic: RationalCurve<Conic, P> =
+        Conic::new(0.5).unwrap().curve([[0.0; 3], [1.0; 3], [2.0, 0.0, 1.0]]);
+    again(conic);
+    refused(&conic, |json| json["basis"]["omega"] = serde_json::json!(0.0));
+    let bezier: RationalBezier<P> = conic.to_rational_bezier();
+    again(bezier.clone());
+    refused(&bezier, |json| drop(json["weights"].as_array_mut().unwrap().pop()));
+    refused(&bezier, |json| json["domain"] = serde_json::json!([1.0, 1.0]));
+
     let nearest: Nearest<P> = curve().nearest([0.0, 0.0, 1.0], 1e-9).unwrap();
     again(nearest);
     let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
     let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
     again(MeetingKind::Crossing);
+    let mut square = Path::rectangle([[1.0, 2.0], [3.0, 4.0]]);
+    again(square.enclosed().unwrap());
+    let arc = PathSegment::rational([[1.0, 2.0], [3.0, 2.0], [3.0, 4.0]], [1.0, 0.5, 2.0]).unwrap();
+    again(arc.clone());
+    square.push(arc);
+    again(PathSegment::line([0.0, 1.0], [2.0, 3.0]));
+    again(square);
     meetings.into_iter().for_each(again);
     met.into_iter().for_each(again);
     again(Joint { gap: 0.5, angle: 1.0, curvature: 2.0, derivatives: [0.0, 1.0, 2.0] });
@@ -184,7 +204,7 @@ fn splines() {
     again(rational.clone());
     let weight = |json: &mut serde_json::Value| json["points"][0]["weight"] = serde_json::json!(-1.0);
     refused(&rational, |json| weight(&mut json["homogeneous"]));
-    again(NurbsSurface::from_homogeneous(spline().map_points(|p| Homogeneous::new(p, 0.5))).unwrap());
+    again(NurbsSurface::from_homogeneous(spline().map(|p| Homogeneous::new(p, 0.5))).unwrap());
 }
 
 #[test]
@@ -248,6 +268,16 @@ fn all_else_is_shared() {
     shared::<CurvePiece>();
     shared::<SurfacePiece>();
     shared::<Rounding>();
+    error::<QuadratureError>();
+    error::<SvgError>();
+    error::<ConstructionError>();
+    shared::<SvgMistake>();
+    shared::<Enclosed<P>>();
+    shared::<Quadrature<P>>();
+    shared::<Tabulation<f64, [usize; 2]>>();
+    shared::<Entities>();
+    shared::<Entity>();
+    shared::<Chart<f64>>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

@@ -1,29 +1,63 @@
 //! The values that a command gives, checked against the declared ranges.
 
+use basis_engine::algebra::fraction::Fraction;
+use basis_engine::algebra::poly::Var;
 use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::Parameter;
+use basis_engine::model::angle::{Angle, Kind};
 use basis_engine::{Diagnostic, Family};
 
-use crate::args::Assignment;
+use super::number::{self, Number};
 use crate::domain;
 use crate::name;
 use crate::output::error;
 
-/// A value for each shape parameter and each domain variable, by variable.
+/// A name with one value.
+#[derive(Clone, Debug)]
+pub(super) struct Given<'a> {
+    /// The name as it is typed.
+    pub(super) name: &'a str,
+    /// The value.
+    pub(super) value: &'a Number,
+}
+
+/// A value for each variable of a family.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    /// By variable.
+    pub(super) values: Vec<Rational>,
+    /// By variable, whether the value is rounded.
+    pub(super) rounded: Vec<bool>,
+    /// By variable, the value as it is typed.
+    pub(super) typed: Vec<Option<String>>,
+}
+
+/// A value for each shape parameter and each domain variable; `anyway` also outside of their ranges.
 ///
 /// # Errors
-/// Every name that is unknown, doubled or missing, and every value outside of its range.
+/// Every name that is unknown, doubled or missing, every value outside of its range, and the first assumption that does
+/// not hold.
 pub(super) fn values(
     family: &Family,
-    shapes: &[Assignment],
-    at: &[Assignment],
-) -> Result<Vec<Rational>, Vec<Diagnostic>> {
-    let mut table =
-        Table { family, values: vec![None; family.names.len()], meant: Vec::new(), errors: Vec::new() };
+    shapes: &[Given<'_>],
+    at: &[Given<'_>],
+    anyway: bool,
+) -> Result<Known, Vec<Diagnostic>> {
+    let width = width(family);
+    let mut table = Table {
+        family,
+        anyway,
+        values: vec![None; width],
+        rounded: vec![false; width],
+        typed: vec![None; width],
+        meant: Vec::new(),
+        errors: Vec::new(),
+    };
+    table.numbers();
     for (role, given) in [(Role::Shape, shapes), (Role::At, at)] {
-        for assignment in given {
-            table.assign(role, assignment);
+        for given in given {
+            table.assign(role, given);
         }
     }
     if family.is_simplex() {
@@ -31,13 +65,23 @@ pub(super) fn values(
     }
     table.miss(Role::Shape);
     table.miss(Role::At);
-    let Table { values, errors, .. } = table;
+    table.assumed();
+    let Table { values, rounded, typed, errors, .. } = table;
     if errors.is_empty() {
-        // Every variable is a shape parameter or a domain variable, and none is missing.
-        Ok(values.into_iter().flatten().collect())
+        // Every variable of a formula is a shape parameter, a domain variable or a number, and none is missing.
+        let values = values.into_iter().map(|value| value.unwrap_or(Rational::ZERO)).collect();
+        Ok(Known { values, rounded, typed })
     } else {
         Err(errors)
     }
+}
+
+/// How many variables there are, those of numbers such as π and of angles themselves included.
+fn width(family: &Family) -> usize {
+    let analytic = &family.analytic;
+    let angles = analytic.angles.iter().flat_map(|a| [a.var.0, a.itself.0]);
+    let numbers = analytic.numbers().into_iter().map(|v| v.0);
+    angles.chain(numbers).map(|v| v + 1).max().unwrap_or(0).max(family.names.len())
 }
 
 /// The two options that give values.
@@ -71,16 +115,25 @@ impl Role {
         }
     }
 
+    /// The names as they are typed: of an angle its own, which stands for a tangent in the formulas.
+    fn names(self, family: &Family) -> Vec<&str> {
+        self.parameters(family).into_iter().map(|p| written(family, p)).collect()
+    }
+
+    /// The parameter with a name.
+    fn find<'f>(self, name: &str, family: &'f Family) -> Option<&'f Parameter> {
+        let parameters = self.parameters(family);
+        let tangents: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
+        let position = name::position(name, &self.names(family)).or_else(|| name::position(name, &tangents));
+        position.map(|k| parameters[k])
+    }
+
     /// What its values must lie in.
     const fn place(self) -> &'static str {
         match self {
             Self::Shape => "declared range",
             Self::At => "domain",
         }
-    }
-
-    fn names(self, family: &Family) -> Vec<&str> {
-        self.parameters(family).into_iter().map(|p| p.name.as_str()).collect()
     }
 
     const fn other(self) -> Self {
@@ -91,44 +144,167 @@ impl Role {
     }
 }
 
+/// The name of a parameter as the spec has it.
+pub(super) fn written<'f>(family: &'f Family, parameter: &'f Parameter) -> &'f str {
+    family.analytic.angle(parameter.var).map_or(&parameter.name, |angle| &angle.name)
+}
+
 /// The point as far as it is given.
 struct Table<'f> {
     family: &'f Family,
+    anyway: bool,
     /// By variable.
     values: Vec<Option<Rational>>,
+    /// By variable.
+    rounded: Vec<bool>,
+    /// By variable.
+    typed: Vec<Option<String>>,
     /// Names without a value that were probably meant where another name was typed.
     meant: Vec<&'f str>,
     errors: Vec<Diagnostic>,
 }
 
 impl Table<'_> {
-    /// Puts in what was typed for one name.
-    fn assign(&mut self, role: Role, typed: &Assignment) {
-        let parameters = role.parameters(self.family);
-        let names = role.names(self.family);
-        let Some(parameter) = name::position(&typed.name, &names).map(|k| parameters[k]) else {
-            return self.unknown(role, typed);
-        };
-        let (name, value) = (&parameter.name, &typed.value);
-        let slot = &mut self.values[parameter.var.0];
-        if slot.is_some() {
-            let message = format!("the {} `{name}` is given twice", role.noun());
-            self.errors.push(error(message).help("give it one value"));
-        } else if !parameter.range.contains(value) {
-            let range = match role {
-                Role::At => domain::describe(self.family),
-                Role::Shape => parameter.range.display(name).to_string(),
-            };
-            let message = format!("{name} = {value} is outside of the {} `{range}`", role.place());
-            let help = format!("choose a value inside: {} {name}={}", role.flag(), inside(parameter));
-            self.errors.push(error(message).help(help));
+    fn set(&mut self, var: Var, value: Rational, rounded: bool) {
+        self.values[var.0] = Some(value);
+        self.rounded[var.0] = rounded;
+    }
+
+    /// The values of π and of powers of e.
+    fn numbers(&mut self) {
+        if let Some(var) = self.family.analytic.pi {
+            self.set(var, number::pi(), true);
         }
-        *slot = Some(value.clone());
+        if let Some((var, exponent)) = &self.family.analytic.exponential
+            && let Some(power) = number::exp(exponent)
+        {
+            self.set(*var, power, true);
+        }
+    }
+
+    /// A function of what has a value, and whether it is rounded; `None` where it has none.
+    fn known(&self, f: &Fraction) -> Option<(Rational, bool)> {
+        let known: Vec<Rational> = self.values.iter().map(|v| v.clone().unwrap_or(Rational::ZERO)).collect();
+        let open = |k: &usize| f.depends_on(Var(*k));
+        if (0..known.len()).filter(open).any(|k| self.values[k].is_none()) {
+            return None;
+        }
+        Some((f.eval(&known)?, (0..known.len()).filter(open).any(|k| self.rounded[k])))
+    }
+
+    /// Puts in what was typed for one name.
+    fn assign(&mut self, role: Role, typed: &Given<'_>) {
+        let family = self.family;
+        let Some(parameter) = role.find(typed.name, family) else { return self.unknown(role, typed) };
+        let (var, value) = (parameter.var, typed.value);
+        let tangent = name::position(typed.name, &role.names(family)).is_none();
+        let name = if tangent { &parameter.name } else { written(family, parameter) };
+        if self.values[var.0].is_some() {
+            let message = format!("the {} `{name}` is given twice", role.noun());
+            let help = match role {
+                Role::Shape => "give it one value; several are written in steps, as in --shape λ=0..1:1/4",
+                Role::At => "give it one value",
+            };
+            self.errors.push(error(message).help(help));
+            return;
+        }
+        self.typed[var.0] = Some(format!("{name} = {value}"));
+        let inner = match family.analytic.angle(var) {
+            None => Some((value.value(), value.exact().is_none())),
+            Some(angle) if tangent => {
+                let known = value.value();
+                self.itself(angle, &known);
+                Some((known, value.exact().is_none()))
+            }
+            Some(angle) => self.inner(angle, value),
+        };
+        let range = match role {
+            Role::At => domain::describe(family),
+            Role::Shape if tangent => parameter.range.display(name).to_string(),
+            Role::Shape => family.declared(parameter),
+        };
+        let inside = inner.as_ref().is_some_and(|(x, rounded)| {
+            let slack = if *rounded { Rational::from(10).pow(40).recip() } else { None };
+            let slack = slack.unwrap_or(Rational::ZERO);
+            [x.clone(), x + &slack, x - &slack].iter().any(|x| parameter.range.contains(x))
+        });
+        if inner.is_none() || !inside && !self.anyway {
+            let message = format!("{name} = {value} is outside of the {} `{range}`", role.place());
+            let choice = match family.analytic.angle(var) {
+                Some(_) if !tangent => String::from("choose a value inside"),
+                _ => format!("choose a value inside: {} {name}={}", role.flag(), inside_of(parameter)),
+            };
+            let anyway = if inner.is_some() { "; --anyway evaluates outside as well" } else { "" };
+            self.errors.push(error(message).help(format!("{choice}{anyway}")));
+        }
+        let (value, rounded) = inner.unwrap_or((Rational::ZERO, false));
+        self.set(var, value, rounded);
+    }
+
+    /// The variable y that stands for an angle, and the angle itself; `None` where it has no tangent.
+    fn inner(&mut self, angle: &Angle, value: &Number) -> Option<(Rational, bool)> {
+        let phase = value.phase(&angle.rate, angle.turns, &angle.shift);
+        let (x, rounded) = match angle.kind {
+            Kind::Circular => phase.tan()?,
+            Kind::Hyperbolic => phase.tanh()?,
+            Kind::Linear => (value.value(), value.exact().is_none()),
+        };
+        self.set(angle.itself, value.value(), value.exact().is_none());
+        let ((low, a), (width, b)) = (self.known(&angle.low)?, self.known(&angle.width)?);
+        let y = (&x - &low).checked_div(&width)?;
+        Some((y, rounded || a || b))
+    }
+
+    /// The angle of which y is given.
+    fn itself(&mut self, angle: &Angle, y: &Rational) {
+        let (Some((low, _)), Some((width, _))) = (self.known(&angle.low), self.known(&angle.width)) else {
+            return;
+        };
+        let x = &low + &(&width * y);
+        if angle.kind == Kind::Linear {
+            return self.set(angle.itself, x, false);
+        }
+        let hyperbolic = angle.kind == Kind::Hyperbolic;
+        let Some(phase) = number::inverse(&x, hyperbolic) else { return };
+        let shift = if angle.turns { angle.shift.clone() } else { &angle.shift * &number::pi() };
+        let rate = if angle.turns { &angle.rate * &number::pi() } else { angle.rate.clone() };
+        if let Some(s) = phase.checked_div(&rate) {
+            self.set(angle.itself, &s + &shift, !x.is_zero() || !shift.is_zero());
+        }
+    }
+
+    /// What is assumed of the shape parameters holds.
+    fn assumed(&mut self) {
+        if self.anyway || !self.errors.is_empty() {
+            return;
+        }
+        let family = self.family;
+        let broken = family.constraints.iter().find(|constraint| {
+            let known = self.known(&Fraction::from(constraint.value.clone()));
+            known.is_some_and(|(value, _)| !constraint.relation.holds(&value))
+        });
+        let Some(broken) = broken else { return };
+        let given = family.shapes.iter().filter(|p| broken.value.depends_on(p.var));
+        let given: Vec<&str> = given.filter_map(|p| self.typed[p.var.0].as_deref()).collect();
+        let message = format!("{} is outside of what is assumed: `{}`", given.join(", "), broken.text);
+        let help = "choose values that satisfy it; --anyway evaluates outside as well";
+        self.errors.push(error(message).help(help));
     }
 
     /// A name that the family does not have, and what is probably meant.
-    fn unknown(&mut self, role: Role, typed: &Assignment) {
-        let Assignment { name, value } = typed;
+    fn unknown(&mut self, role: Role, typed: &Given<'_>) {
+        let Given { name, value } = typed;
+        if role == Role::Shape
+            && let Some((name, by)) = self.family.determined.iter().find(|(n, _)| n == name)
+        {
+            let family = self.family;
+            let value = by.display(&family.names);
+            self.meant
+                .extend(family.shapes.iter().filter(|p| by.depends_on(p.var)).map(|p| written(family, p)));
+            let message = format!("`{name}` follows from the other shape parameters");
+            self.errors.push(error(message).help(format!("give those instead: `{name}` is {value}")));
+            return;
+        }
         let (own, others) = (role.names(self.family), role.other().names(self.family));
         let (noun, other) = (role.noun(), role.other());
         let misplaced = name::position(name, &others).map(|k| others[k]);
@@ -170,7 +346,7 @@ impl Table<'_> {
                 self.errors.push(error(message).help(help));
             }
             [last] if !self.meant.contains(&last.name.as_str()) => {
-                if rest.is_negative() && self.errors.is_empty() {
+                if rest.is_negative() && self.errors.is_empty() && !self.anyway {
                     let message = format!(
                         "{} = {rest} is outside of the domain `{}`",
                         last.name,
@@ -179,7 +355,7 @@ impl Table<'_> {
                     let help = format!("no barycentric coordinate is negative, and {sum} = 1");
                     self.errors.push(error(message).help(help));
                 }
-                self.values[last.var.0] = Some(rest);
+                self.set(last.var, rest, false);
             }
             _ => {}
         }
@@ -194,13 +370,16 @@ impl Table<'_> {
             // One coordinate follows from the others.
             missing.pop();
         }
-        for parameter in missing.into_iter().filter(|p| !self.meant.contains(&p.name.as_str())) {
-            let (flag, noun, name) = (role.flag(), role.noun(), &parameter.name);
+        let family = self.family;
+        for parameter in missing.into_iter().filter(|p| !self.meant.contains(&written(family, p))) {
+            let (flag, noun, name) = (role.flag(), role.noun(), written(family, parameter));
             let help = if free {
                 format!("add {flag} {name}=…; one of the barycentric coordinates may be left out")
+            } else if family.analytic.angle(parameter.var).is_some() {
+                format!("add {flag} {name}=…, a value with `{}`", family.declared(parameter))
             } else {
-                let range = parameter.range.display(name);
-                format!("add {flag} {name}={}, or another value with `{range}`", inside(parameter))
+                let range = family.declared(parameter);
+                format!("add {flag} {name}={}, or another value with `{range}`", inside_of(parameter))
             };
             self.errors.push(error(format!("the {noun} `{name}` has no value")).help(help));
         }
@@ -208,7 +387,7 @@ impl Table<'_> {
 }
 
 /// A simple number inside a range.
-pub(crate) fn inside(parameter: &Parameter) -> Rational {
+pub(crate) fn inside_of(parameter: &Parameter) -> Rational {
     let range = &parameter.range;
     let middle = range.finite().map(|(low, high)| &(low + high) * &Rational::new(1, 2));
     let near = |end: Option<&Rational>, step: i64| end.map(|e| e + &Rational::from(step));

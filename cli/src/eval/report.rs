@@ -1,4 +1,4 @@
-//! Values as JSON and as a table.
+//! Values as JSON, as CSV, and as tables.
 
 use basis_engine::Family;
 use basis_engine::algebra::rational::Rational;
@@ -9,70 +9,260 @@ use super::derivatives::Derivative;
 use super::point::Point;
 use crate::table::{self, Row, STRONG, styled};
 
-/// The exact values of a family at a point.
+/// A number, perhaps rounded to fifty digits.
+#[derive(Clone, Debug)]
+pub(super) struct Cell {
+    value: Rational,
+    rounded: bool,
+}
+
+impl Cell {
+    /// The fraction, or the nearest decimal of one that is rounded.
+    fn text(&self) -> String {
+        if self.rounded { self.value.to_f64().to_string() } else { self.value.to_string() }
+    }
+
+    /// The fraction; nothing for one that is rounded.
+    fn exact(&self) -> String {
+        if self.rounded { String::new() } else { self.value.to_string() }
+    }
+
+    /// The nearest decimal with twelve digits.
+    fn decimal(&self) -> String {
+        decimal(&self.value)
+    }
+
+    /// As text with a fraction or as decimal.
+    fn shown(&self, decimals: bool) -> String {
+        if decimals || self.rounded { self.decimal() } else { self.text() }
+    }
+}
+
+/// The values of a family at a point.
 #[derive(Debug)]
 pub(super) struct Values {
-    /// The family and the point, such as `QuarticBernstein at λ = 1/2, t = 1/3`.
-    heading: String,
+    /// The names of the parameters with their values as they were typed: the shape parameters, then the domain variables.
+    parameters: Vec<(String, String)>,
     /// `b[0]` and so on, with their values.
-    functions: Vec<(String, Rational)>,
+    functions: Vec<(String, Cell)>,
     /// `D(b[0])`, `D(b[0],2)` or `D(b[0,0],u,v)` and so on, with their values.
-    derivatives: Vec<(String, Rational)>,
+    derivatives: Vec<(String, Cell)>,
+    /// `C`, `D(C)` and so on, with their coordinates; nothing without control points.
+    points: Vec<(String, Vec<Cell>)>,
+}
+
+/// The values of a family at one point or at several.
+#[derive(Debug)]
+pub(super) struct Report {
+    /// The family with its order.
+    pub(super) title: String,
+    /// The points.
+    pub(super) rows: Vec<Values>,
+    /// Whether one point was asked for, and not several.
+    pub(super) single: bool,
+}
+
+/// What is printed of a point as JSON.
+#[derive(Debug, Serialize)]
+pub(super) struct Record {
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    at: Map<String, Value>,
+    values: Map<String, Value>,
+    derivatives: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    curve: Map<String, Value>,
 }
 
 /// What `basis eval --format json` prints.
 #[derive(Debug, Serialize)]
-pub(super) struct Report {
-    values: Map<String, Value>,
-    derivatives: Map<String, Value>,
+#[serde(untagged)]
+pub(super) enum Json {
+    /// Of one point.
+    One(Box<Record>),
+    /// Of several.
+    Several { points: Vec<Record> },
 }
 
 impl Values {
-    /// The values of functions and derivatives at a point.
-    pub(super) fn new(family: &Family, point: &Point, all: &[Derivative]) -> Self {
-        let labels = (0..family.functions.len()).map(|k| family.function_label(k));
-        let labels: Vec<String> = labels.collect();
-        let evaluated = |derivative: &Derivative| -> Vec<(String, Rational)> {
-            let values = labels.iter().zip(&derivative.functions);
-            values
-                .filter_map(|(label, f)| {
-                    // A point at which a denominator vanishes has been refused.
-                    Some((key(family, label, &derivative.orders), f.eval(point.values())?))
-                })
-                .collect()
-        };
-        let mut tables = all.iter().map(evaluated);
-        let parameters = family.shapes.iter().chain(family.domain_variables());
-        Self {
-            heading: format!("{} at {}", family.title(), point.describe(parameters)),
+    /// The values of functions and derivatives at a point, and of the curve or surface with some control points;
+    /// `None` where a denominator vanishes.
+    pub(super) fn new(point: &Point, all: &[Derivative], control: &[Vec<Rational>]) -> Option<Self> {
+        let family: &Family = &point.family;
+        let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+        let mut tables = Vec::new();
+        let mut points = Vec::new();
+        let tiny = Rational::from(10).pow(40).recip().unwrap_or(Rational::ZERO);
+        for derivative in all {
+            let mut table = Vec::new();
+            for (k, (label, f)) in labels.iter().zip(&derivative.functions).enumerate() {
+                let rounded = point.is_rounded(f) || point.is_rounded(&family.functions[k].value);
+                let mut value = f.eval(point.values())?;
+                if rounded && value.abs() < tiny {
+                    // What is left of terms that cancel.
+                    value = Rational::ZERO;
+                }
+                let cell = Cell { value, rounded: rounded && !f.is_zero() };
+                table.push((key(family, label, &derivative.orders), cell));
+            }
+            if !control.is_empty() {
+                let name = if family.domain.len() == 1 { "C" } else { "S" };
+                let coordinate = |axis: usize| {
+                    let terms = table.iter().zip(control);
+                    let terms = terms.filter(|((_, _), p)| p.get(axis).is_some_and(|x| !x.is_zero()));
+                    let mut sum = Cell { value: Rational::ZERO, rounded: false };
+                    for ((_, cell), p) in terms {
+                        sum.value = &sum.value + &(&cell.value * &p[axis]);
+                        sum.rounded |= cell.rounded;
+                    }
+                    sum
+                };
+                let dimension = control.first().map_or(0, Vec::len);
+                points
+                    .push((key(family, name, &derivative.orders), (0..dimension).map(coordinate).collect()));
+            }
+            tables.push(table);
+        }
+        let mut tables = tables.into_iter();
+        Some(Self {
+            parameters: family
+                .shapes
+                .iter()
+                .chain(family.domain_variables())
+                .map(|p| point.named(p))
+                .collect(),
             functions: tables.next().unwrap_or_default(),
             derivatives: tables.flatten().collect(),
+            points,
+        })
+    }
+
+    fn record(&self, with_point: bool) -> Record {
+        let at = self.parameters.iter().filter(|_| with_point);
+        let map = |values: &[(String, Cell)]| {
+            values.iter().map(|(key, cell)| (key.clone(), Value::from(cell.text()))).collect()
+        };
+        let coordinates = |cells: &[Cell]| cells.iter().map(Cell::text).collect::<Vec<_>>();
+        Record {
+            at: at.map(|(name, value)| (name.clone(), Value::from(value.clone()))).collect(),
+            values: map(&self.functions),
+            derivatives: map(&self.derivatives),
+            curve: self.points.iter().map(|(key, p)| (key.clone(), Value::from(coordinates(p)))).collect(),
         }
     }
 
-    /// Fractions as strings, by function.
-    pub(super) fn json(&self) -> Report {
-        let map = |values: &[(String, Rational)]| {
-            values.iter().map(|(key, value)| (key.clone(), Value::from(value.to_string()))).collect()
+    /// The columns of a line for this point: coordinates of points if there are control points, functions otherwise.
+    fn columns(&self) -> Vec<(String, &Cell)> {
+        if self.points.is_empty() {
+            let all = self.functions.iter().chain(&self.derivatives);
+            return all.map(|(key, cell)| (key.clone(), cell)).collect();
+        }
+        let axis = |k: usize, dimension: usize| match ["x", "y", "z"].get(k) {
+            Some(axis) if dimension <= 3 => (*axis).to_string(),
+            _ => (k + 1).to_string(),
         };
-        Report { values: map(&self.functions), derivatives: map(&self.derivatives) }
+        let coordinates = |(key, p): &'_ (String, Vec<Cell>)| -> Vec<String> {
+            (0..p.len()).map(|k| format!("{key}.{}", axis(k, p.len()))).collect()
+        };
+        let names = self.points.iter().flat_map(coordinates);
+        names.zip(self.points.iter().flat_map(|(_, p)| p)).collect()
+    }
+}
+
+impl Report {
+    /// Fractions as strings, by function; what is not rational as a decimal.
+    pub(super) fn json(&self) -> Json {
+        match self.rows.as_slice() {
+            [one] if self.single => Json::One(Box::new(one.record(false))),
+            rows => Json::Several { points: rows.iter().map(|row| row.record(true)).collect() },
+        }
     }
 
-    /// A table of fractions and decimals.
-    pub(super) fn text(&self, width: Option<u16>) -> String {
-        let all = || self.functions.iter().chain(&self.derivatives);
-        // Numbers with and without a sign stand below one another.
-        let pad = if all().any(|(_, value)| value.is_negative()) { " " } else { "" };
-        let signed = |text: String| if text.starts_with('-') { text } else { format!("{pad}{text}") };
-        let rows: Vec<_> = all()
-            .map(|(key, value)| Row {
-                mark: None,
-                cells: vec![key.clone(), signed(value.to_string()), signed(decimal(value))],
-            })
-            .collect();
-        let table = table::layout(&["function", "exact", "decimal"], &rows, &[], width);
-        format!("{}\n{table}", styled(STRONG, &self.heading))
+    /// A line for each point, with a header: parameters, then values.
+    pub(super) fn csv(&self, decimals: bool) -> String {
+        let mut text = String::new();
+        let quoted = |field: &str| {
+            if field.contains([',', '"']) {
+                format!("\"{}\"", field.replace('"', "\"\""))
+            } else {
+                field.to_string()
+            }
+        };
+        let mut line = |fields: Vec<String>| {
+            let fields: Vec<String> = fields.iter().map(|field| quoted(field)).collect();
+            text += &(fields.join(",") + "\n");
+        };
+        if let Some(first) = self.rows.first() {
+            let names = first.parameters.iter().map(|(name, _)| name.clone());
+            line(names.chain(first.columns().into_iter().map(|(key, _)| key)).collect());
+        }
+        for row in &self.rows {
+            let values = row.parameters.iter().map(|(_, value)| value.clone());
+            line(values.chain(row.columns().iter().map(|(_, cell)| cell.shown(decimals))).collect());
+        }
+        text
     }
+
+    /// Of one point a table of fractions and decimals, of several one with a line for each.
+    pub(super) fn text(&self, decimals: bool, width: Option<u16>) -> String {
+        match self.rows.as_slice() {
+            [one] if self.single => self.of_one(one, width),
+            rows => self.of_several(rows, decimals, width),
+        }
+    }
+
+    fn of_one(&self, values: &Values, width: Option<u16>) -> String {
+        let mut rows: Vec<(String, String, String)> = Vec::new();
+        let numbers = values.functions.iter().chain(&values.derivatives);
+        // Numbers with and without a sign stand below one another.
+        let pad = if numbers.clone().any(|(_, cell)| cell.value.is_negative()) { " " } else { "" };
+        let signed = |text: String| if text.starts_with('-') { text } else { format!("{pad}{text}") };
+        if values.points.is_empty() {
+            rows.extend(
+                numbers.map(|(key, cell)| (key.clone(), signed(cell.exact()), signed(cell.decimal()))),
+            );
+        }
+        for (key, p) in &values.points {
+            let joined = |texts: Vec<String>| format!("({})", texts.join(", "));
+            let exact = p.iter().all(|cell| !cell.rounded);
+            let fractions = if exact { joined(p.iter().map(Cell::exact).collect()) } else { String::new() };
+            rows.push((key.clone(), fractions, joined(p.iter().map(Cell::decimal).collect())));
+        }
+        let heading = format!("{} at {}", self.title, assignments(&values.parameters));
+        let rows: Vec<Row> =
+            rows.into_iter().map(|(a, b, c)| Row { mark: None, cells: vec![a, b, c] }).collect();
+        let first = if values.points.is_empty() { "function" } else { "point" };
+        let table = table::layout(&[first, "exact", "decimal"], &rows, &[], width);
+        format!("{}\n{table}", styled(STRONG, &heading))
+    }
+
+    fn of_several(&self, rows: &[Values], decimals: bool, width: Option<u16>) -> String {
+        let Some(first) = rows.first() else { return String::new() };
+        let varies = |k: usize| rows.iter().any(|row| row.parameters[k].1 != first.parameters[k].1);
+        let all = 0..first.parameters.len();
+        let (varying, common): (Vec<usize>, Vec<usize>) = all.partition(|k| varies(*k));
+        let common: Vec<(String, String)> = common.iter().map(|k| first.parameters[*k].clone()).collect();
+        let heading = if common.is_empty() {
+            self.title.clone()
+        } else {
+            format!("{} at {}", self.title, assignments(&common))
+        };
+        let columns = first.columns();
+        let mut header: Vec<&str> = varying.iter().map(|k| first.parameters[*k].0.as_str()).collect();
+        header.extend(columns.iter().map(|(key, _)| key.as_str()));
+        let line = |row: &Values| {
+            let mut cells: Vec<String> = varying.iter().map(|k| row.parameters[*k].1.clone()).collect();
+            cells.extend(row.columns().iter().map(|(_, cell)| cell.shown(decimals)));
+            Row { mark: None, cells }
+        };
+        let lines: Vec<Row> = rows.iter().map(line).collect();
+        let right: Vec<usize> = (0..header.len()).collect();
+        format!("{}\n{}", styled(STRONG, &heading), table::layout(&header, &lines, &right, width))
+    }
+}
+
+/// `λ = 1/2, t = 1/3`.
+fn assignments(parameters: &[(String, String)]) -> String {
+    parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
 }
 
 /// `b[0]`, `D(b[0])`, `D(b[0],2)`; on several domain variables `D(b[0,0],u,u,v)`.

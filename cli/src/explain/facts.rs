@@ -49,6 +49,10 @@ pub(super) struct FamilyFacts {
     pub(super) rounding: Vec<Rounding>,
     /// The control points that contacts determine.
     pub(super) contacts: Vec<Contact>,
+    /// Matrices: to and from the Bernstein basis and another family, degree elevation, mass, stiffness, moments.
+    pub(super) matrices: Vec<MatrixFacts>,
+    /// Zeros and extrema of the functions of one variable that are negative somewhere.
+    pub(super) extrema: Vec<ExtremaFacts>,
     /// The largest ranges of the shape parameters on which all functions are nonnegative.
     pub(super) nonnegative: Vec<String>,
     /// The claims with their verdicts; none where they are not asked for.
@@ -95,6 +99,40 @@ pub(super) struct Contact {
     pub(super) conditions: Vec<String>,
 }
 
+/// A matrix of rational functions of the shape parameters.
+#[derive(Debug, Serialize)]
+pub(super) struct MatrixFacts {
+    /// Such as `to_bernstein` or `mass`.
+    pub(super) kind: &'static str,
+    /// What it says, such as `Mass matrix, the integrals of b[i]*b[j]`.
+    pub(super) title: String,
+    /// The names of its rows.
+    pub(super) rows: Vec<String>,
+    /// The names of its columns.
+    pub(super) columns: Vec<String>,
+    /// Its entries, row by row.
+    pub(super) entries: Vec<Vec<String>>,
+    /// The matrix in math mode.
+    pub(super) latex: String,
+}
+
+/// Zeros and extrema of a function.
+#[derive(Debug, Serialize)]
+pub(super) struct ExtremaFacts {
+    pub(super) name: String,
+    /// Such as `t = 1/2`.
+    pub(super) zeros: Vec<String>,
+    pub(super) minimum: Extremum,
+    pub(super) maximum: Extremum,
+}
+
+/// A least or greatest value with the points at which it is taken.
+#[derive(Debug, Serialize)]
+pub(super) struct Extremum {
+    pub(super) value: String,
+    pub(super) at: Vec<String>,
+}
+
 /// What there is to say of a join or theorem.
 #[derive(Debug, Serialize)]
 pub(super) struct TheoremFacts {
@@ -130,13 +168,9 @@ pub(super) struct ClaimFacts {
     /// The statement that makes it.
     #[serde(skip)]
     pub(super) statement: (usize, usize),
-}
-
-/// Whether claims are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Claims {
-    Shown,
-    LeftOut,
+    /// That statement as it is written.
+    #[serde(skip)]
+    pub(super) written: String,
 }
 
 /// A name with its value, also in LaTeX.
@@ -146,9 +180,40 @@ fn equation((name, value): (String, String)) -> Equation {
     Equation { name, value, latex }
 }
 
+fn matrix(matrix: &explain::Matrix) -> MatrixFacts {
+    let entries = matrix.texts();
+    let math = |text: &String| latex::math(text).unwrap_or_else(|| latex::escape(text));
+    let rows: Vec<String> =
+        entries.iter().map(|row| row.iter().map(math).collect::<Vec<_>>().join(" & ")).collect();
+    MatrixFacts {
+        kind: matrix.kind.name(),
+        title: matrix.title.clone(),
+        rows: matrix.rows.clone(),
+        columns: matrix.columns.clone(),
+        latex: format!("\\begin{{pmatrix}} {} \\end{{pmatrix}}", rows.join(" \\\\ ")),
+        entries,
+    }
+}
+
+fn extrema(facts: explain::Extrema) -> ExtremaFacts {
+    let extremum = |e: explain::Extremum| Extremum { value: e.value, at: e.at };
+    ExtremaFacts {
+        name: facts.label,
+        zeros: facts.zeros,
+        minimum: extremum(facts.minimum),
+        maximum: extremum(facts.maximum),
+    }
+}
+
 impl FamilyFacts {
-    /// What follows from the formulas of a family; its claims are those in `checked`.
-    pub(super) fn new(family: &Family, checked: Option<&Checked>) -> Self {
+    /// What follows from the formulas of a family; its claims are those in `checked`, `next` is its next order, and
+    /// `conversions` are matrices to and from another family.
+    pub(super) fn new(
+        family: &Family,
+        checked: Option<&Checked>,
+        next: Option<&Family>,
+        conversions: &[explain::Matrix],
+    ) -> Self {
         let set = explain::exceptional_set(family);
         let function = |facts: FunctionFacts| {
             let FunctionFacts { label, factored, expanded, bernstein, .. } = facts;
@@ -175,6 +240,8 @@ impl FamilyFacts {
                 .map(|(of, bound)| Rounding { of, bound })
                 .collect(),
             contacts: explain::contacts(family).into_iter().map(contact).collect(),
+            matrices: conversions.iter().chain(&explain::matrices(family, next)).map(matrix).collect(),
+            extrema: explain::extrema(family).into_iter().map(extrema).collect(),
             nonnegative: explain::nonnegative_ranges(family).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),
         }
@@ -217,6 +284,7 @@ fn claims(checked: &Checked) -> Vec<ClaimFacts> {
             reason,
             latex: sentence(&checked.subject, claim),
             statement: claim.statement.number,
+            written: format!("{} {}", claim.statement.text, claim.statement.range).trim_end().to_string(),
         }
     };
     checked.claims.iter().map(fact).collect()

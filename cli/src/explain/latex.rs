@@ -28,6 +28,7 @@ const HEAD: &str = "\
 \\theoremstyle{remark}
 \\newtheorem*{remark}{Remark}
 \\allowdisplaybreaks
+\\setcounter{MaxMatrixCols}{20}
 \\sloppy
 \\begin{document}
 ";
@@ -64,7 +65,44 @@ fn family(facts: &FamilyFacts) -> String {
     for contact in &facts.contacts {
         text += &of_contact(contact);
     }
+    for matrix in facts.matrices.iter().filter(|m| m.columns.len() <= MAX_COLUMNS) {
+        let (title, formula) = matrix.title.split_once(": ").unwrap_or((&matrix.title, ""));
+        let formula = if formula.is_empty() { String::new() } else { format!(", {}", inline(formula)) };
+        let fit = if matrix.columns.len() > 6 { "\\footnotesize\n" } else { "" };
+        text += &format!("\\paragraph{{{}}}{formula}\n{{{fit}\\[ {} \\]}}\n\n", words(title), matrix.latex);
+    }
+    for f in &facts.extrema {
+        let taken = |e: &super::facts::Extremum| {
+            let at: Vec<String> = e.at.iter().map(|x| inline(x)).collect();
+            format!("{} at {}", inline(&e.value), at.join(", "))
+        };
+        let zeros: Vec<String> = f.zeros.iter().map(|x| inline(x)).collect();
+        let zeros = if zeros.is_empty() {
+            String::from("no zeros")
+        } else {
+            format!("zeros at {}", zeros.join(", "))
+        };
+        text += &format!(
+            "The function {} has {zeros}, the least value {} and the greatest value {}.\n\n",
+            inline(&f.name),
+            taken(&f.minimum),
+            taken(&f.maximum)
+        );
+    }
     text
+}
+
+/// Wider matrices do not fit on a page.
+const MAX_COLUMNS: usize = 16;
+
+/// A title with its formulas in math mode: words with an operator or a bracket are formulas.
+fn words(title: &str) -> String {
+    let word = |word: &str| {
+        let (word, end) = word.strip_suffix(',').map_or((word, ""), |word| (word, ","));
+        let formula = word.contains(['[', '*', '(']) || word == "+";
+        format!("{}{end}", if formula { inline(word) } else { escape(word) })
+    };
+    title.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 fn of_contact(contact: &Contact) -> String {

@@ -8,13 +8,13 @@ use std::rc::Rc;
 use basis_engine::state::Run;
 use basis_engine::theorem::theorems;
 use basis_engine::{
-    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, decide_within,
+    Checked, Disk, Family, Item, Library, Prover, Selected, Severity, Subject, decide_within, explain,
 };
 
 use crate::args::{ExplainArguments, ExplainFormat};
 use crate::output::{self, Status, complain};
 use crate::{eval, spec};
-use facts::{Claims, Equation, Facts, FamilyFacts, TheoremFacts};
+use facts::{ClaimFacts, Equation, Facts, FamilyFacts, MatrixFacts, TheoremFacts};
 
 /// Explains the family, join or theorem that the arguments name, or all of the file, families in their lowest orders.
 pub(crate) fn run(arguments: &ExplainArguments) -> Status {
@@ -48,9 +48,18 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     for error in &errors {
         complain(&(error.render(library.sources(), true) + "\n\n"));
     }
-    let wanted = match arguments.format {
-        ExplainFormat::Text => Claims::LeftOut,
-        ExplainFormat::Json | ExplainFormat::Latex => Claims::Shown,
+    let target = match &arguments.to {
+        Some(name) => match eval::find_family(&library, name) {
+            Ok(target) => Some(target),
+            Err(problems) => {
+                // Those of the spec have been said.
+                for error in problems.iter().filter(|_| errors.is_empty()) {
+                    complain(&(error.render(library.sources(), true) + "\n\n"));
+                }
+                return Status::Unusable;
+            }
+        },
+        None => None,
     };
     let run = &mut Run::default();
     let mut all = Vec::new();
@@ -66,8 +75,23 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
         }
         // Claims are about all spans together, and stand with the first one.
         let seen = all.iter().any(|facts| matches!(facts, Facts::Family(f) if f.title == family.title()));
-        let checked = (wanted == Claims::Shown && !seen).then(|| checked(&library, &family, run)).flatten();
-        let facts = run.counted_work(family.budget, &mut || FamilyFacts::new(&family, checked.as_ref()));
+        let checked = (!seen).then(|| checked(&library, &family, run)).flatten();
+        let next = next_order(&library, &family);
+        let conversions = match &target {
+            Some(target) => match explain::conversions(&family, target) {
+                Ok(matrices) => matrices,
+                Err(reason) => {
+                    let message =
+                        format!("there is no matrix from `{}` to `{}`", family.title(), target.title());
+                    complain(&(output::error(message).note(reason).render(library.sources(), true) + "\n\n"));
+                    return Status::Unusable;
+                }
+            },
+            None => Vec::new(),
+        };
+        let facts = run.counted_work(family.budget, &mut || {
+            FamilyFacts::new(&family, checked.as_ref(), next.as_deref(), &conversions)
+        });
         all.push(Facts::Family(Box::new(facts)));
     }
     all.extend(theorems.into_iter().filter_map(|theorem| Facts::theorem(&decide_within(theorem, run))));
@@ -91,6 +115,15 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
 fn checked(library: &Library<'_>, family: &Family, run: &mut Run) -> Option<Checked> {
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
     Some(decide_within(library.item(&family.name, &order).ok()?, run))
+}
+
+/// A family with one index parameter in the order after this one, if there is one.
+fn next_order(library: &Library<'_>, family: &Family) -> Option<Rc<Family>> {
+    let [(_, order)] = family.order.as_slice() else { return None };
+    match library.item(&family.name, &[order + 1]).ok()?.subject {
+        Subject::Family(next) => Some(next),
+        Subject::Theorem(_) => None,
+    }
 }
 
 fn as_text(facts: &Facts) -> String {
@@ -125,6 +158,7 @@ fn text(facts: &FamilyFacts) -> String {
     }
     section(&mut text, "Functions", facts.functions.iter().map(|f| (&f.name, &f.factored)));
     section(&mut text, "Expanded", facts.functions.iter().map(|f| (&f.name, &f.expanded)));
+    summary(&mut text, &facts.claims);
     section(&mut text, "A curve with the control points P at both ends", pairs(&facts.ends));
     let mut independence: Vec<String> = facts.dependent.iter().map(|e| format!("dependent at {e}")).collect();
     match &facts.dependent_open {
@@ -149,6 +183,22 @@ fn text(facts: &FamilyFacts) -> String {
             text += &format!("    for {}\n", contact.conditions.join(" and "));
         }
     }
+    for matrix in &facts.matrices {
+        grid(&mut text, matrix);
+    }
+    if !facts.extrema.is_empty() {
+        text += "\n  Functions that are negative somewhere\n";
+        for f in &facts.extrema {
+            let zeros = if f.zeros.is_empty() {
+                String::from("no zeros")
+            } else {
+                format!("zero at {}", f.zeros.join(", "))
+            };
+            let taken = |e: &facts::Extremum| format!("{} at {}", e.value, e.at.join(", "));
+            let (least, greatest) = (taken(&f.minimum), taken(&f.maximum));
+            text += &format!("    {}: {zeros}; least value {least}; greatest value {greatest}\n", f.name);
+        }
+    }
     if !facts.nonnegative.is_empty() {
         text += "\n  All functions are nonnegative, the other parameters in their declared ranges, for\n";
         for range in &facts.nonnegative {
@@ -156,6 +206,66 @@ fn text(facts: &FamilyFacts) -> String {
         }
     }
     text
+}
+
+/// How many claims are proved and refuted, and which; claims of one statement with the same verdict share a line.
+fn summary(text: &mut String, claims: &[ClaimFacts]) {
+    if claims.is_empty() {
+        return;
+    }
+    let count = |verdict: &str| claims.iter().filter(|c| c.verdict == verdict).count();
+    let counts: Vec<String> = ["proved", "refuted", "undecided"]
+        .into_iter()
+        .filter(|verdict| count(verdict) > 0)
+        .map(|verdict| format!("{} {verdict}", count(verdict)))
+        .collect();
+    *text += &format!("\n  Claims: {}\n", counts.join(", "));
+    let mut groups: Vec<(&ClaimFacts, usize)> = Vec::new();
+    for claim in claims {
+        match groups.iter_mut().find(|(first, _)| {
+            (first.statement, first.verdict, &first.written)
+                == (claim.statement, claim.verdict, &claim.written)
+        }) {
+            Some((_, size)) => *size += 1,
+            None => groups.push((claim, 1)),
+        }
+    }
+    for (first, size) in groups {
+        let (shown, more) = if size == 1 {
+            (&first.claim, String::new())
+        } else {
+            (&first.written, format!(" ({})", crate::name::count(size, "claim")))
+        };
+        let wrong = if first.as_declared { "" } else { ", not as declared" };
+        *text += &format!("    {:9} {shown}{more}{wrong}\n", first.verdict);
+        if first.verdict != "proved" {
+            *text += &format!("              {}\n", first.reason);
+        }
+    }
+}
+
+/// A matrix with more columns is left to JSON.
+const MAX_COLUMNS: usize = 24;
+
+/// A matrix under its title, its columns aligned.
+fn grid(text: &mut String, matrix: &MatrixFacts) {
+    *text += &format!("\n  {}\n", matrix.title);
+    if matrix.columns.len() > MAX_COLUMNS {
+        let (rows, columns) = (matrix.rows.len(), matrix.columns.len());
+        *text += &format!("    {rows} rows, {columns} columns: see `--format json`\n");
+        return;
+    }
+    let head = std::iter::once("").chain(matrix.columns.iter().map(String::as_str));
+    let body = matrix.rows.iter().zip(&matrix.entries);
+    let body = body
+        .map(|(name, row)| std::iter::once(name.as_str()).chain(row.iter().map(String::as_str)).collect());
+    let lines: Vec<Vec<&str>> = std::iter::once(head.collect()).chain(body).collect();
+    let width = |k: usize| lines.iter().filter_map(|line| line.get(k)).map(|cell| cell.chars().count()).max();
+    let widths: Vec<usize> = (0..=matrix.columns.len()).map(|k| width(k).unwrap_or(0)).collect();
+    for line in &lines {
+        let cells = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}"));
+        *text += &format!("    {}\n", cells.collect::<Vec<_>>().join("  "));
+    }
 }
 
 /// The curves and surfaces of a theorem, the points that it determines, and its claims with their verdicts.

@@ -4,7 +4,6 @@
 //! messages of the editor, so that a newer version of a text stops the work on an older one, and an answer that needs
 //! verdicts waits for them.
 
-mod analysis;
 mod answers;
 mod files;
 mod position;

@@ -19,10 +19,10 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-use super::analysis::Analysis;
 use super::answers::{actions, complete, hover, marks, names, outline, words};
 use super::files::{self, Overlay};
 use super::workspace::{Shown, Text, Workspace};
+use basis_engine::query::Analysis;
 
 /// How long claims are decided before messages are looked at again.
 const SLICE: Duration = Duration::from_millis(5);
@@ -161,7 +161,8 @@ impl Server {
             }
             let text = &mut self.workspace.texts[k];
             if let Some(analysis) = &mut text.analysis {
-                analysis.step(SLICE);
+                let start = Instant::now();
+                while analysis.decide_next() && start.elapsed() < SLICE {}
             }
             let done = text.is_done();
             if done || text.shown == Shown::No && text.since.elapsed() > INTERIM {

@@ -8,9 +8,9 @@ use basis_engine::{Files, Source};
 use core::ops::Range;
 use lsp_types::{Position, Uri};
 
-use super::analysis::Analysis;
 use super::files::{self, Other, Overlay};
 use super::position::Lines;
+use basis_engine::query::Analysis;
 
 /// A text that is open in the editor.
 pub(super) struct Text {

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::Scene;
 use crate::domain;
-use crate::eval::inside;
+use crate::eval::inside_of as inside;
 use crate::output::error;
 
 const PAGE: &str = include_str!("page.html");

@@ -7,7 +7,7 @@ use basis_engine::{Diagnostic, Family};
 
 use super::marks::Failure;
 use crate::args::{ShapeArgument, ShapeValues};
-use crate::eval::inside;
+use crate::eval::inside_of as inside;
 use crate::name;
 use crate::output::error;
 

@@ -106,6 +106,18 @@ impl Emitter<'_> {
                 #runtime::Basis::to_bernstein(self, points)
             }
 
+            /// The mass matrix: the integrals of products of two functions over the domain.
+            #[must_use]
+            pub fn mass_matrix(&self) -> [[S; #len]; #len] {
+                #runtime::Basis::mass_matrix(self)
+            }
+
+            /// The stiffness matrix: the integrals of products of their derivatives over the domain.
+            #[must_use]
+            pub fn stiffness_matrix(&self) -> [[S; #len]; #len] {
+                #runtime::Basis::stiffness_matrix(self)
+            }
+
             #continuations
         }
     }

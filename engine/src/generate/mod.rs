@@ -11,6 +11,7 @@ mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
+mod rational;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 #[cfg(not(any(test, feature = "rounding")))]
@@ -23,8 +24,8 @@ use quote::quote_spanned;
 
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::Family;
-use crate::plan::form::IntervalForm;
+use crate::model::{Family, Function};
+use crate::plan::form::{IntervalForm, RationalForm};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
@@ -65,16 +66,34 @@ pub fn family(
     Ok(in_module(&name, &definition(family, verdicts, name.clone(), options)?))
 }
 
-/// Why no code is generated for a family of any size; `None` where it is.
+/// Why no steps of evaluators are known of a family of any size; `None` where they are.
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
+    let error = no_type(family);
+    if error.is_some() || !is_rational(family) {
+        return error;
+    }
+    let message = "only Rust code is generated yet for families with denominators, angles or exponentials";
+    let error = Diagnostic::error(family.place.clone(), message);
+    Some(error.help("use `basis!` or `--to rust`, or take the numerators as a family of their own"))
+}
+
+/// Whether the functions are evaluated as quotients.
+fn is_rational(family: &Family) -> bool {
+    family.is_rational() || !family.analytic.is_empty()
+}
+
+/// Why no type is generated for a family of any size; `None` where one is.
+fn no_type(family: &Family) -> Option<Diagnostic> {
+    let mixed = || {
+        let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
+        family.functions.iter().any(of)
+    };
     let message = if !family.pieces.is_empty() {
         "no code is generated for families on several spans yet"
-    } else if family.analytic.is_transcendental() {
-        "no code is generated for families with sin, cos, exp or pi yet"
-    } else if !family.analytic.is_empty() {
-        "no code is generated for families with shape parameters at the ends of the domain yet"
-    } else if family.is_rational() {
-        "no code is generated for families with denominators in the domain variable yet"
+    } else if mixed() {
+        "no code is generated for families with the domain variable beside its sine or exponential yet"
+    } else if is_rational(family) && family.interval().is_none() {
+        "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
     } else if family.leaves_an_end_out() {
         "no code is generated for families on a domain without its ends yet"
     } else {
@@ -117,12 +136,18 @@ pub fn documentation(
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Option<Vec<String>> {
-    let formulas = match IntervalForm::new(family) {
-        Some(form) => interval::formulas(family, &form),
-        None => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
+    let formulas = match (rational_form(family), IntervalForm::new(family)) {
+        (Some(form), _) => rational::formulas(family, &form),
+        (_, Some(form)) => interval::formulas(family, &form),
+        _ => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
     };
     let bounds = rounding::lines(errors, family);
     Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
+}
+
+/// The quotients of a family that is evaluated by them.
+fn rational_form(family: &Family) -> Option<RationalForm> {
+    if is_rational(family) { RationalForm::new(family) } else { None }
 }
 
 /// The type of a family, with its documentation and evaluators.
@@ -135,15 +160,16 @@ pub(crate) fn definition(
     name: Ident,
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    if let Some(error) = no_code(family) {
+    if let Some(error) = no_type(family) {
         return Err(vec![error]);
     }
     let fields = names::fields(family)?;
     let Options { runtime, decided, .. } = options;
     let shell = Shell { family, name, fields, runtime, decided };
-    let code = match IntervalForm::new(family) {
-        Some(form) => interval::emit(&shell, &form, verdicts),
-        None => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
+    let code = match (rational_form(family), IntervalForm::new(family)) {
+        (Some(form), _) => rational::emit(&shell, &form, verdicts),
+        (_, Some(form)) => interval::emit(&shell, &form, verdicts),
+        _ => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
     };
     if floats::of_family(family) && floats::misses_a_number(&code) {
         return Err(vec![floats::direct(family).unwrap_or_else(|| floats::indirect(family))]);

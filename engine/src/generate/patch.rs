@@ -152,6 +152,18 @@ impl Emitter<'_> {
             pub fn to_bernstein<P: #runtime::Point<Scalar = S>>(&self, points: &[P; #len]) -> [P; #terms] {
                 #basis::to_bernstein(self, points)
             }
+
+            /// The mass matrix: the integrals of products of two functions over the domain; of a simplex the reference simplex.
+            #[must_use]
+            pub fn mass_matrix(&self) -> [[S; #len]; #len] {
+                #basis::mass_matrix(self)
+            }
+
+            /// The stiffness matrix: the integrals of products of their gradients over the domain; of a simplex the reference simplex.
+            #[must_use]
+            pub fn stiffness_matrix(&self) -> [[S; #len]; #len] {
+                #basis::stiffness_matrix(self)
+            }
         }
     }
 

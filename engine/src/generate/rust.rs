@@ -110,6 +110,11 @@ impl Printer<'_> {
                 let a = self.within(*a, &[Form::Sum, Form::Product]);
                 quote_spanned!(site()=> S::of(1.0) / #a)
             }
+            Node::Quotient(a, b) => {
+                let a = self.within(*a, &[Form::Sum]);
+                let b = self.within(*b, &[Form::Sum, Form::Product, Form::Signed]);
+                quote_spanned!(site()=> #a / #b)
+            }
             Node::Unit { low, high, t } => {
                 let (low, high, t) = (number(low), number(high), self.code(*t));
                 quote_spanned!(site()=> #runtime::__private::unit([#low, #high], #t))
@@ -183,7 +188,7 @@ impl Printer<'_> {
         }
         match &self.plan.nodes[at.position()] {
             Node::Sum(..) | Node::Difference(..) => Form::Sum,
-            Node::Product(..) | Node::Reciprocal(_) => Form::Product,
+            Node::Product(..) | Node::Reciprocal(_) | Node::Quotient(..) => Form::Product,
             Node::Neg(_) => Form::Signed,
             Node::Number(value) if value.is_negative() => Form::Signed,
             _ => Form::Atom,

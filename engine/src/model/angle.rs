@@ -191,9 +191,42 @@ impl Analytic {
         self.pi.into_iter().chain(self.exponential.as_ref().map(|(var, _)| *var)).listed()
     }
 
+    /// π with an error below 10⁻⁴⁴.
+    pub fn pi() -> Rational {
+        const DIGITS: [i64; 3] = [314_159_265_358_979, 323_846_264_338_327, 950_288_419_716_939];
+        let thousand = Rational::from(1_000_000_000_000_000);
+        let digits =
+            DIGITS.iter().fold(Rational::ZERO, |sum, group| &(&sum * &thousand) + &Rational::from(*group));
+        let unit = Rational::from(10).pow(44).recip().unwrap_or(Rational::ZERO);
+        &digits * &unit
+    }
+
+    /// The values of π and exp(r), to more digits than a float has.
+    pub fn values(&self) -> Vec<(Var, Rational)> {
+        let middle = |var: Var| {
+            let (_, range) = self.ranges.iter().find(|(v, _)| *v == var)?;
+            let (low, high) = range.finite()?;
+            Some(&(low + high) * &Rational::new(1, 2))
+        };
+        let pi = self.pi.map(|var| (var, Self::pi()));
+        let exponential = self.exponential.as_ref().and_then(|(var, _)| Some((*var, middle(*var)?)));
+        pi.into_iter().chain(exponential).listed()
+    }
+
+    /// The number that a quotient is once π and exp(r) are replaced by their values; `None` where it is not only of these.
+    pub fn number(&self, f: &Fraction) -> Option<Rational> {
+        let put = |f: Fraction, (var, value): (Var, Rational)| f.substitute(var, &Fraction::constant(value));
+        self.values().into_iter().try_fold(f.clone(), put)?.as_constant()
+    }
+
     /// Whether a function contains a variable of an angle outside of sin, cos, exp and the like.
     pub fn is_mixed(&self, f: &Fraction) -> bool {
         self.angles.iter().any(|a| f.depends_on(a.itself))
+    }
+
+    /// Whether a function contains the angle with that tangent itself, beside its sine or exponential.
+    pub fn mixes(&self, f: &Fraction, tangent: Var) -> bool {
+        self.angles.iter().any(|a| a.var == tangent && a.itself != a.var && f.depends_on(a.itself))
     }
 
     /// The derivative of a function in a variable: of one that stands in sin, cos and the like in the variable itself,

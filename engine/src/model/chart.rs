@@ -9,7 +9,7 @@ use basis_kernel::{Domain, Relation};
 use basis_prover::Coordinate;
 
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -42,45 +42,56 @@ impl Piece {
         Self { ranges, ..Self::default() }
     }
 
-    /// A polynomial in the parameters as one in the variables of the box.
-    pub fn pull_back(&self, p: &Poly) -> Poly {
-        self.steps.iter().rev().fold(p.clone(), |p, (var, by)| p.substitute(*var, by))
+    /// A polynomial in the parameters as one in the variables of the box; `None` when that has too many terms.
+    pub fn pull_back(&self, p: &Poly) -> Option<Poly> {
+        let mut result = p.clone();
+        for (var, by) in self.steps.iter().rev() {
+            let terms =
+                |(m, _): (&Monomial, &Rational)| (by.len() as u64).saturating_pow(m.exponent(*var).into());
+            if result.terms().map(terms).fold(0, u64::saturating_add) > MAX_TERMS {
+                return None;
+            }
+            result = result.substitute(*var, by);
+        }
+        Some(result)
     }
 
     /// A quotient in the same way; in lowest terms or not, so that it is 0/0 nowhere where it was not.
-    pub fn pull_back_fraction(&self, f: &Fraction) -> basis_kernel::Quotient {
-        let quotient = f.quotient();
-        if self.steps.is_empty() {
-            return quotient;
+    pub fn pull_back_fraction(&self, f: &Fraction) -> Option<basis_kernel::Quotient> {
+        let mut quotient = f.quotient();
+        if !self.steps.is_empty() {
+            quotient.numerator = self.pull_back(&quotient.numerator)?;
+            quotient.denominator = self.pull_back(&quotient.denominator)?;
         }
-        basis_kernel::Quotient {
-            numerator: self.pull_back(&quotient.numerator),
-            denominator: self.pull_back(&quotient.denominator),
-        }
+        Some(quotient)
     }
 
     /// The box, and what has to be true of its points to count.
     pub fn domain(&self) -> Domain {
         let mut domain = Domain::of(Region { ranges: self.ranges.clone() });
-        domain.premises = self.premises.mapped(|(p, relation)| (self.pull_back(p), *relation));
+        // Pieces are made so that no premise has too many terms.
+        let premise = |(p, relation): &(Poly, Relation)| self.pull_back(p).map(|p| (p, *relation));
+        domain.premises = self.premises.iter().filter_map(premise).listed();
         domain
     }
 
     /// The point of the set that is the image of a point of the box; variables of which it is not known are left out.
     pub fn image(&self, point: &[(Var, Coordinate)]) -> Vec<(Var, Coordinate)> {
-        let mut image: Vec<(Var, Coordinate)> = Vec::new();
-        let mut values: Vec<(Var, Rational)> = Vec::new();
-        for (var, c) in point {
-            let step = self.steps.iter().any(|(v, _)| v == var);
-            if !step {
-                image.push((*var, c.clone()));
-            }
-            if let Coordinate::Rational(x) = c {
-                values.push((*var, x.clone()));
-            }
-        }
-        for (var, _) in &self.steps {
-            let value = values.iter().fold(self.pull_back(&Poly::var(*var)), |p, (v, x)| p.at(*v, x));
+        let is_step = |var: Var| self.steps.iter().any(|(v, _)| *v == var);
+        let mut image = point.iter().filter(|(var, _)| !is_step(*var)).cloned().listed();
+        let rational = |point: &[(Var, Coordinate)], var: Var| {
+            point.iter().find(|(v, _)| *v == var).and_then(|(_, c)| match c {
+                Coordinate::Rational(x) => Some(x.clone()),
+                Coordinate::Algebraic(_) => None,
+            })
+        };
+        for (var, by) in &self.steps {
+            // A step holds its own variable, as one of the box, and images of variables before it.
+            let put = |p: Poly, v: Var| match rational(if v == *var { point } else { &image }, v) {
+                Some(x) => p.at(v, &x),
+                None => p,
+            };
+            let value = by.variables().into_iter().fold(by.clone(), put);
             image.extend(value.as_constant().map(|x| (*var, Coordinate::Rational(x))));
         }
         image
@@ -95,6 +106,12 @@ impl Piece {
 /// More parts than this are not made: what they would be made for stays a premise.
 const MAX_PIECES: usize = 24;
 
+/// Nor are more choices of bounds tried to find them.
+const MAX_CHOICES: usize = 2_000;
+
+/// No polynomial in the variables of a box has more terms.
+const MAX_TERMS: u64 = 20_000;
+
 /// A bound of a variable, and whether it is left out.
 #[derive(Clone, PartialEq)]
 struct Bound {
@@ -107,6 +124,7 @@ struct Elimination<'a> {
     vars: Vec<(Var, &'a Range)>,
     /// What is found, together with the number of variables that are left to eliminate.
     pieces: Vec<Piece>,
+    choices: usize,
     too_many: bool,
 }
 
@@ -120,10 +138,12 @@ pub fn pieces(vars: &[(Var, Range)], constraints: &[(Poly, Relation)]) -> Vec<Pi
     let mut all = Elimination {
         vars: vars.iter().map(|(var, range)| (*var, range)).listed(),
         pieces: Vec::new(),
+        choices: 0,
         too_many: false,
     };
     all.eliminate(vars.len(), constraints.to_vec(), Piece::default());
-    if all.too_many {
+    let said = |piece: &Piece| piece.premises.iter().all(|(p, _)| piece.pull_back(p).is_some());
+    if all.too_many || !all.pieces.iter().all(said) {
         return vec![Piece { premises: constraints.to_vec(), ..Piece::plain(vars.to_vec()) }];
     }
     all.pieces
@@ -132,6 +152,8 @@ pub fn pieces(vars: &[(Var, Range)], constraints: &[(Poly, Relation)]) -> Vec<Pi
 impl Elimination<'_> {
     /// Eliminates the first `count` variables, the last of them first; `done` is what is known of those after them.
     fn eliminate(&mut self, count: usize, constraints: Vec<(Poly, Relation)>, mut done: Piece) {
+        self.choices += 1 + constraints.len() / 8;
+        self.too_many |= self.choices > MAX_CHOICES;
         let mut open = Vec::new();
         for (p, relation) in constraints {
             match p.as_constant() {
@@ -274,7 +296,7 @@ fn is_plain(p: &Poly, relation: Relation, vars: &[(Var, &Range)]) -> bool {
         let range = vars.iter().find(|(v, _)| *v == var).map(|(_, range)| *range);
         range.is_some_and(|range| range.low.value().is_some_and(|x| !x.is_negative()))
     };
-    let term = |m: &crate::algebra::poly::Monomial, c: &Rational| {
+    let term = |m: &Monomial, c: &Rational| {
         !c.is_negative()
             && p.variables().into_iter().all(|v| m.exponent(v).is_multiple_of(2) || nonnegative(v))
     };

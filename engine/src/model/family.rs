@@ -141,6 +141,12 @@ impl Family {
         }
     }
 
+    /// The name of a shape parameter or domain variable: of one that stands in sin, exp or the like its own, not that of its
+    /// tangent.
+    pub fn name_of<'a>(&'a self, parameter: &'a Parameter) -> &'a str {
+        self.analytic.angle(parameter.var).map_or(&parameter.name, |angle| &angle.name)
+    }
+
     /// The derivative of a function in a variable; `None` when the work is spent.
     pub fn derivative_within(&self, f: &Fraction, var: Var, work: &mut Work) -> Option<Fraction> {
         self.analytic.derivative_within(f, var, work)

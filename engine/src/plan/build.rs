@@ -35,6 +35,7 @@ impl Builder {
         for (k, shape) in family.shapes.iter().enumerate() {
             builder.variable(k, shape);
         }
+        builder.tangents(family);
         builder
     }
 

@@ -6,6 +6,7 @@ use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
+use crate::model::angle::Kind;
 use crate::model::bernstein::{affine, to_bernstein};
 
 /// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form: there the rounding error
@@ -63,7 +64,7 @@ impl IntervalForm {
         let degree = family.degree(var);
         let functions = family
             .functions
-            .mapped(|f| FunctionForm::new(f.value.numer(), f.value.denom(), var, low, high, degree));
+            .mapped(|f| FunctionForm::new(f.value.numer(), f.value.denom(), var, [low, high], degree, false));
         Some(Self { var, low: low.clone(), high: high.clone(), degree, functions })
     }
 
@@ -78,16 +79,57 @@ impl IntervalForm {
     }
 }
 
+/// All functions of a family as quotients of polynomials of one degree, in the domain variable or in its tangent.
+#[derive(Clone, Debug)]
+pub struct RationalForm {
+    /// The numerators.
+    pub numerators: IntervalForm,
+    /// The common denominator.
+    pub denominator: FunctionForm,
+    /// Whether the coordinates s and x add up to 1: they do not where they are made of sines.
+    pub is_affine: bool,
+}
+
+impl RationalForm {
+    /// The form of a family; `None` when it has several domain variables.
+    pub fn new(family: &Family) -> Option<Self> {
+        let (var, low, high) = family.interval()?;
+        let degree = family.degree(var).max(family.over.degree(var));
+        let is_affine = family.analytic.angle(var).is_none_or(|angle| angle.kind == Kind::Linear);
+        let form = |p: &Poly, q: &Poly| FunctionForm::new(p, q, var, [low, high], degree, !is_affine);
+        let one = Poly::one();
+        let functions = if family.is_rational() {
+            family.numerators().mapped(|p| form(p, &one))
+        } else {
+            family.functions.mapped(|f| form(f.value.numer(), f.value.denom()))
+        };
+        let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
+        Some(Self { numerators, denominator: form(&family.over, &one), is_affine })
+    }
+}
+
 impl FunctionForm {
-    fn new(numer: &Poly, denom: &Poly, var: Var, low: &Rational, high: &Rational, degree: u32) -> Self {
+    /// `homogeneous` factors have the degree of the family, all others their own.
+    fn new(
+        numer: &Poly,
+        denom: &Poly,
+        var: Var,
+        [low, high]: [&Rational; 2],
+        degree: u32,
+        homogeneous: bool,
+    ) -> Self {
         let terms = degree as usize + 1;
         let mut monomial = numer.coefficients_in(var);
         monomial.resize(terms, Poly::zero());
         // t = low + (high − low) x
         let unit = affine(&numer.coefficients_in(var), low, &(high - low));
         let own_degree = unit.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
-        let factored = Factored::new(to_bernstein(&unit[..=own_degree], own_degree as u32));
         let bernstein = to_bernstein(&unit, degree);
+        let factored = Factored::new(if homogeneous {
+            bernstein.clone()
+        } else {
+            to_bernstein(&unit[..=own_degree], own_degree as u32)
+        });
         let endpoint = if degree <= MAX_ENDPOINT_DEGREE { endpoint(&unit, degree) } else { Vec::new() };
         Self { denom: denom.clone(), monomial, bernstein, factored, endpoint }
     }

@@ -21,7 +21,8 @@ pub fn values(family: &Family, form: &IntervalForm) -> Plan {
     builder.finish(values)
 }
 
-fn value(builder: &mut Builder, f: &Factored, denom: &Poly) -> Ref {
+/// The value of one function.
+pub(super) fn value(builder: &mut Builder, f: &Factored, denom: &Poly) -> Ref {
     let mut product: Vec<Ref> = Vec::new();
     if !f.content.is_one() {
         product.push(builder.number(f.content.clone()));
@@ -55,7 +56,7 @@ pub fn bernstein_weights(family: &Family, form: &IntervalForm) -> Plan {
 }
 
 /// A table of quotients in the shape values, row by row.
-fn table(family: &Family, rows: Vec<Vec<(&Poly, &Poly)>>) -> Plan {
+pub(super) fn table(family: &Family, rows: Vec<Vec<(&Poly, &Poly)>>) -> Plan {
     let mut builder = Builder::of(family);
     let mut entries = Vec::new();
     for (poly, denom) in rows.into_iter().flatten() {

@@ -8,6 +8,7 @@
 //! | file | plans of |
 //! | --- | --- |
 //! | `interval` | values, tables and bound curves of families on an interval |
+//! | `rational` | values and tables of families on an interval with denominators in the domain variable |
 //! | `patch` | values and tables of families on simplices and boxes |
 //! | `ends` | control points next to an end of a curve, from its derivatives there |
 //! | `join` | the control points that a join of a spec determines |
@@ -25,6 +26,7 @@ pub mod join;
 pub mod patch;
 pub mod patch_form;
 mod powers;
+pub mod rational;
 mod scalars;
 
 use crate::algebra::rational::Rational;
@@ -69,7 +71,9 @@ pub struct Let {
 pub enum Input {
     /// A coordinate of the point of the domain: the parameter t, a variable of a box, a barycentric coordinate.
     Coordinate(usize),
-    /// The value of a shape parameter, or of a scalar of a join.
+    /// The value of a shape parameter, or of a scalar of a join; after those of a family with angles the tangents of its
+    /// parameters, at the positions of the angles in [`Analytic::angles`](crate::model::angle::Analytic), and what is missing
+    /// from the hyperbolic ones to 1.
     Shape(usize),
     /// One component of a control point; all components are treated alike.
     Point(usize),
@@ -96,6 +100,8 @@ pub enum Node {
     Product(Ref, Ref),
     /// 1/a
     Reciprocal(Ref),
+    /// a/b
+    Quotient(Ref, Ref),
     /// The pair s = (high − t)/(high − low), x = (t − low)/(high − low).
     Unit {
         /// The lower end of the domain.

@@ -3,15 +3,18 @@
 use super::{Builder, Input, Let, Node, Ref};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::Range;
+use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
-use crate::model::Parameter;
+use crate::model::angle::Kind;
+use crate::model::{Family, Parameter};
 
 /// A variable of the expressions.
 pub(super) struct Variable {
     var: Var,
     range: Range,
     value: Ref,
+    /// 1 minus the value, where that is known without a difference.
+    complement: Option<Ref>,
 }
 
 /// A sum or product without its sign.
@@ -24,7 +27,35 @@ impl Builder {
     /// A further variable, the shape value at a position.
     pub(super) fn variable(&mut self, position: usize, parameter: &Parameter) {
         let value = self.input(Input::Shape(position));
-        self.variables.push(Variable { var: parameter.var, range: parameter.range.clone(), value });
+        self.add(parameter.var, parameter.range.clone(), value);
+    }
+
+    fn add(&mut self, var: Var, range: Range, value: Ref) {
+        self.variables.push(Variable { var, range, value, complement: None });
+    }
+
+    /// The variables of a family with angles that stand for tangents of its shape parameters, for these themselves, and
+    /// for π and exp(r).
+    pub(super) fn tangents(&mut self, family: &Family) {
+        let anywhere = || Range { low: End::Infinite, high: End::Infinite };
+        for (j, angle) in family.analytic.angles.iter().enumerate() {
+            let Some(k) = self.variables.iter().position(|v| v.var == angle.var) else { continue };
+            let tangent = self.input(Input::Shape(family.shapes.len() + j));
+            // Not every function needs it.
+            self.units.push(Let { names: vec![format!("_tangent{j}")], value: tangent });
+            let itself = core::mem::replace(&mut self.variables[k].value, tangent);
+            self.add(angle.itself, anywhere(), itself);
+            if angle.kind == Kind::Hyperbolic {
+                let complement =
+                    self.input(Input::Shape(family.shapes.len() + family.analytic.angles.len() + j));
+                self.units.push(Let { names: vec![format!("_complement{j}")], value: complement });
+                self.variables[k].complement = Some(complement);
+            }
+        }
+        for (var, number) in family.analytic.values() {
+            let value = self.number(number);
+            self.add(var, anywhere(), value);
+        }
     }
 
     /// The value of a polynomial in the shape parameters.
@@ -98,16 +129,21 @@ impl Builder {
         let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
         let mut factors: Vec<Ref> = Vec::new();
         for k in 0..self.variables.len() {
-            let Variable { var, range, value } = &self.variables[k];
-            let (var, value) = (*var, *value);
+            let Variable { var, range, value, complement } = &self.variables[k];
+            let (var, value, complement) = (*var, *value, *complement);
             let ends = [(range.low.value().cloned(), true), (range.high.value().cloned(), false)];
             for (end, from_low) in ends {
                 let Some(end) = end else { continue };
                 let at_end = Poly::constant(end.clone());
                 let factor = if from_low { &Poly::var(var) - &at_end } else { &at_end - &Poly::var(var) };
-                while let Some(quotient) = rest.div_exact(&factor).filter(|_| rest.total_degree() > 1) {
+                let known = complement.filter(|_| !from_low && end.is_one());
+                let worthwhile = |rest: &Poly| known.is_some() || rest.total_degree() > 1;
+                while let Some(quotient) = rest.div_exact(&factor).filter(|_| worthwhile(&rest)) {
+                    if rest.is_zero() {
+                        break;
+                    }
                     rest = quotient;
-                    factors.push(self.distance(value, &end, from_low));
+                    factors.push(known.unwrap_or_else(|| self.distance(value, &end, from_low)));
                 }
             }
         }

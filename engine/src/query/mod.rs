@@ -5,6 +5,7 @@
 //! cannot be read as a whole. Facts about families come from the same functions that `basis explain` prints, and a
 //! claim is called true when the kernel has accepted a proof of it.
 
+mod analysis;
 mod complete;
 mod document;
 mod facts;
@@ -13,6 +14,7 @@ pub mod latex;
 mod lex;
 mod vocabulary;
 
+pub use analysis::{Analysed, Analysis, Statement};
 pub use complete::{Suggestion, SuggestionKind, suggestions};
 pub use document::{Document, Entry, Import, Occurrence, Role, Symbol, SymbolKind};
 pub use facts::{FunctionFacts, Holds, claims_that_hold, function_facts, independent_claim};

@@ -47,22 +47,23 @@ pub(super) fn compared(value: &Fraction, comparison: Comparison, domain: &Rc<Dom
     }
 }
 
-/// A value, in the variables of a part of the points, compares with zero as stated on that part.
+/// A value, in the variables of a part of the points, compares with zero as stated on that part; `None` when it has too
+/// many terms in them.
 pub(super) fn compared_on(
     value: &Fraction,
     comparison: Comparison,
     (piece, domain): &(Piece, Rc<Domain>),
-) -> Statement {
+) -> Option<Statement> {
     if piece.steps.is_empty() {
-        return compared(value, comparison, domain);
+        return Some(compared(value, comparison, domain));
     }
     let domain = Rc::clone(domain);
     let value = if is_negated(comparison) { -value } else { value.clone() };
-    let value = piece.pull_back_fraction(&value);
-    match said(comparison) {
+    let value = piece.pull_back_fraction(&value)?;
+    Some(match said(comparison) {
         None => Statement::Zero { value, domain },
         Some(Said { relation, .. }) => Statement::Sign { value, relation, domain },
-    }
+    })
 }
 
 /// The points that a claim is about, in parts: the values of the shape parameters and the domain, without the variables

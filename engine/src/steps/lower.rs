@@ -30,6 +30,7 @@ impl Builder {
                     let top = self.constant(Rational::ONE);
                     self.div(top, one(a))
                 }
+                Node::Quotient(a, b) => self.div(one(a), one(b)),
                 Node::Unit { low, high, t } => {
                     let domain = [low, high].map(|end| self.constant(end.clone()));
                     let pair = self.unit(domain, one(t));

@@ -74,6 +74,9 @@ fn two_words(input: ParseStream<'_>) -> bool {
     first != "parallel" && after.ident().is_some_and(|(second, _)| second != "parallel" && same_line(&second))
 }
 
+/// Functions with which a claim may begin.
+const CALLED: [&str; 4] = ["D", "integral", "sum", "product"];
+
 /// The error for words that name no property.
 fn unknown_property(input: ParseStream<'_>) -> syn::Error {
     let Some((word, after)) = input.cursor().ident() else { return unexpected(input, "a claim") };
@@ -83,7 +86,10 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
         .or_else(|| PROPERTIES.into_iter().find(|p| p.split('_').next() == Some(text.as_str())));
     let help = match near {
         _ if text == "not" => format!("`refute {next};` claims that it is false"),
-        _ if text == "D" => format!("write `D({next})`"),
+        _ if CALLED.contains(&text.as_str()) => {
+            let message = format!("the argument of `{text}` has no brackets");
+            return error(word.span(), message, format!("write `{text}({next})`"));
+        }
         Some(near) => format!("did you mean `{near}`?"),
         None => properties(),
     };

@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 
 use super::error::{SyntaxError, SyntaxPlace};
+use crate::plural::count;
 
 /// Brackets nested deeper than this are refused, before they can exhaust the stack.
 pub(super) const MAX_NESTING: usize = 64;
@@ -29,6 +30,8 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut open: Vec<(char, usize)> = Vec::new();
     let mut previous = ' ';
     let mut balanced = true;
+    // Wrong characters, each with its error and the number of other places in which it stands.
+    let mut seen: Vec<(char, usize, usize)> = Vec::new();
     let mut rest = Scanner { text, at: 0, unterminated: false, backslashes: Vec::new() };
     while let Some((at, c)) = rest.next_code_char(&mut errors) {
         match c {
@@ -61,7 +64,14 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
                     if instead.ends_with(|c: char| c.is_ascii_digit()) && next.is_some_and(joined) {
                         instead.clear();
                     }
-                    errors.push(new(text, at, &message, &help));
+                    let same = |error: usize| errors[error].help.as_ref() == Some(&help);
+                    match seen.iter_mut().find(|(known, error, _)| *known == c && same(*error)) {
+                        Some((.., others)) => *others += 1,
+                        None => {
+                            seen.push((c, errors.len(), 0));
+                            errors.push(new(text, at, &message, &help));
+                        }
+                    }
                     if instead.is_empty() {
                         gaps.push(at);
                     }
@@ -76,6 +86,9 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     }
     for at in rest.backslashes {
         repaired.replace(at, 1, "/");
+    }
+    for (_, error, others) in seen.into_iter().filter(|(.., others)| *others > 0) {
+        errors[error].message += &format!(", here and in {}", count(others, "other place"));
     }
     // What is left open at the end of the text: a bracket, a comment or a string.
     balanced &= open.is_empty() && !rest.unterminated;

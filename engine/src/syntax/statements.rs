@@ -111,6 +111,13 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
         "domain" => {
             take_word(input)?;
             if let Some(names) = simplex(input)? {
+                if input.peek(Token![,]) {
+                    return Err(error(
+                        input.span(),
+                        "the product of a simplex and an interval is not a domain here",
+                        "write a box, with the triangle as the image of a square: `u = r*(1 - s)`, `v = r*s`; or claim what holds on each face",
+                    ));
+                }
                 let end = semicolon(input, None)?;
                 let kind = StatementKind::Simplex(names);
                 return Ok(Statement { doc, span: join(start, end), last: end, kind });

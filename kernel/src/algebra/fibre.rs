@@ -3,7 +3,7 @@
 //! βₖ is the Bernstein coefficient times the binomial coefficient n over k: the same signs, but whole numbers stay
 //! whole, and a factor s or r shows as a zero at an end. Forms are determined up to a positive factor.
 
-use num_bigint::BigInt;
+use num_bigint::{BigInt, Sign};
 use num_integer::Integer as _;
 use num_traits::One as _;
 
@@ -103,104 +103,72 @@ impl<'a> Change<'a> {
             }
             return;
         }
-        if apply_whole(self.steps, c) {
-            return;
-        }
-        for step in self.steps {
-            match step {
-                Shift(h) => shift_rationals(c, h),
-                Powers(factor) => powers_of(c, factor),
-                Reverse => c.reverse(),
-            }
-        }
+        apply_whole(self.steps, c);
     }
 }
 
-fn powers_of(c: &mut [Rational], factor: &Rational) {
+/// Multiplies cₖ by the k-th power of a number.
+fn powers_of(c: &mut [BigInt], factor: &BigInt) {
     if factor.is_one() {
         return;
     }
-    let mut power = Rational::ONE;
+    let mut power = BigInt::from(1);
     for c in c {
-        if !c.is_zero() {
-            *c *= &power;
-        }
+        *c *= &power;
         power *= factor;
     }
 }
 
-fn shift_rationals(c: &mut [Rational], h: &Rational) {
-    let n = c.len();
-    if h.is_zero() || n == 0 {
-        return;
-    }
-    for i in 0..n - 1 {
-        for j in (i..n - 1).rev() {
-            if !c[j + 1].is_zero() {
-                let product = &c[j + 1] * h;
-                c[j] += &product;
+/// Replaces x by x + h in a sum of powers of x.
+fn shift(c: &mut [BigInt], h: &BigInt) {
+    for i in 0..c.len().saturating_sub(1) {
+        for j in (i..c.len() - 1).rev() {
+            let (low, high) = c.split_at_mut(j + 1);
+            if h.is_one() {
+                low[j] += &high[0];
+            } else if high[0].sign() != Sign::NoSign {
+                low[j] += &high[0] * h;
             }
         }
     }
 }
 
-/// Takes the steps by way of whole numbers: without common divisors after every sum. Whether all steps are whole and a
-/// common denominator is not much longer than the numbers; else nothing is done.
-fn apply_whole(steps: &[Step], c: &mut [Rational]) -> bool {
-    let mut factors = Vec::with_capacity(steps.len());
-    for step in steps {
-        match step {
-            Shift(by) | Powers(by) => match by.to_whole() {
-                Some(by) => factors.push(by),
-                None => return false,
-            },
-            Reverse => factors.push(BigInt::ZERO),
-        }
-    }
+/// Takes the steps by way of whole numbers over a common denominator: without common divisors after every sum.
+///
+/// With x = y/q the sum Σ cₖ xᵏ is q⁻ⁿ Σ cₖ qⁿ⁻ᵏ yᵏ, and x + p/q is (y + p)/q.
+fn apply_whole(steps: &[Step], c: &mut [Rational]) {
     let mut denom = BigInt::from(1);
-    let longest = c.iter().map(Rational::bits).max().unwrap_or(0);
     for c in &*c {
         if !c.is_integer() {
             denom = denom.lcm(&c.parts().1);
-            if denom.bits() > 2 * longest {
-                return false;
-            }
         }
     }
     let mut whole = c.mapped(|c| {
         let (n, d) = c.parts();
         &denom / d * n
     });
-    for (step, factor) in steps.iter().zip(&factors) {
-        match step {
-            Shift(h) if h.is_zero() => {}
-            Shift(_) => {
-                for i in 0..whole.len().saturating_sub(1) {
-                    for j in (i..whole.len() - 1).rev() {
-                        let (low, high) = whole.split_at_mut(j + 1);
-                        if factor.is_one() {
-                            low[j] += &high[0];
-                        } else {
-                            low[j] += &high[0] * factor;
-                        }
-                    }
-                }
-            }
-            Powers(by) if by.is_one() => {}
-            Powers(_) => {
-                let mut power = BigInt::from(1);
-                for c in &mut whole {
-                    *c *= &power;
-                    power *= factor;
-                }
-            }
-            Reverse => whole.reverse(),
+    for step in steps {
+        let (Shift(by) | Powers(by)) = step else {
+            whole.reverse();
+            continue;
+        };
+        let (p, q) = by.parts();
+        if !q.is_one() {
+            whole.reverse();
+            powers_of(&mut whole, &q);
+            whole.reverse();
+            denom *= q.pow(c.len().saturating_sub(1) as u32);
+        }
+        if let Powers(_) = step {
+            powers_of(&mut whole, &p);
+        } else if p.sign() != Sign::NoSign {
+            shift(&mut whole, &p);
+            powers_of(&mut whole, &q);
         }
     }
     for (c, whole) in c.iter_mut().zip(whole) {
         *c = if denom.is_one() { Rational::from(whole) } else { Rational::ratio(whole, denom.clone()) };
     }
-    true
 }
 
 /// A [`Step`] in machine words.
@@ -342,11 +310,17 @@ mod tests {
         let p = [r(3, 2), r(-1, 3), r(0, 1), r(5, 1), r(-7, 6), r(1, 1)];
         let (low, high) = (r(-2, 3), r(3, 1));
         let all = [on_interval(&low, &high), upwards(&low), downwards(&high), lower_half(), upper_part()];
-        for steps in all.iter().chain([&vec![Shift(r(1, 2))], &vec![Shift(r(1 << 40, 1))]]) {
+        for steps in all.iter().chain([
+            &vec![Shift(r(-1, 2)), Powers(r(2, 3)), Reverse, Shift(r(3, 4))],
+            &vec![Shift(r(1 << 40, 1))],
+        ]) {
             let (mut short, mut long) = (p.to_vec(), p.iter().map(|c| c * &huge).collect::<Vec<_>>());
             apply(steps, &mut short);
             apply(steps, &mut long);
             assert_eq!(short.iter().map(|c| c * &huge).collect::<Vec<_>>(), long, "{steps:?}");
         }
+        let (mut form, x) = (p.to_vec(), r(5, 7));
+        apply(&[Shift(r(-1, 2)), Powers(r(2, 3))], &mut form);
+        assert_eq!(power_sum(&form, &x), power_sum(&p, &(&(&x * &r(2, 3)) - &r(1, 2))));
     }
 }

@@ -1,23 +1,27 @@
-//! Forged certificates: random changes of real ones, and random ones, for statements that are false by construction.
-//! None of them may be accepted.
+//! Forged certificates: random changes of real ones, and random ones, for statements that are false by construction, and
+//! random witnesses against statements that are true. None of them may be accepted.
+//!
+//! A million from a fresh seed, or from the one in `SEED`:
+//! `cargo test --release -p basis-kernel --test checker -- --ignored --nocapture a_million`.
 
 use std::rc::Rc;
 
 use basis_kernel::algebra::poly::{Monomial, Poly, Var};
 use basis_kernel::algebra::range::{End, Range, Region};
 use basis_kernel::algebra::rational::Rational;
+use basis_kernel::algebra::univariate::Univariate;
 use basis_kernel::algebra::work::Work;
 use basis_kernel::{
-    Cells, Certificate, Cuts, Domain, FactorSign, Proof, Quotient, Relation, Sample, Section, SignProof,
-    Signed, Statement, text,
+    Cells, Certificate, ChangeOfBasis, Cuts, Domain, FactorSign, Minors, Piece, Point, Proof, Quotient, Rank,
+    Refutation, Relation, Root, Sample, Section, SignProof, Signed, Statement, Witness, text,
 };
 use basis_test_support::Random;
 
 use crate::signs::{CASES, Case, IRRATIONAL};
 use crate::text::sign;
 
-/// How many certificates are offered.
-const TRIES: usize = 100_000;
+/// How many are offered of each kind.
+const TRIES: usize = 30_000;
 const SEED: u64 = 20_261_122;
 
 /// Exact numbers, polynomials and ranges from a generator.
@@ -276,14 +280,18 @@ fn accepted(statement: &Rc<Statement>, certificate: Certificate) -> bool {
 
 #[test]
 fn changed_certificates_do_not_prove_what_is_false() {
-    let random = &mut Random::new(SEED);
+    changed(SEED, TRIES);
+}
+
+fn changed(seed: u64, most: usize) {
+    let random = &mut Random::new(seed);
     let mut tries = 0;
     let own =
         |c: &Case| accepted(&sign(c.claim, c.on), text::certificate(c.certificate).expect("a certificate"));
     let mut cases: Vec<&Case> = CASES.iter().chain([&IRRATIONAL]).collect();
     cases.retain(|c| !c.point.is_empty() && !c.claim.contains("//") && own(c));
     assert_eq!(cases.len(), 10);
-    while tries < TRIES / 2 {
+    while tries < most {
         for case in &cases {
             let Statement::Sign { value, domain, .. } = &*sign(case.claim, case.on) else { continue };
             let point: Vec<Rational> = case.point.iter().map(|(n, d)| Rational::new(*n, *d)).collect();
@@ -303,7 +311,7 @@ fn changed_certificates_do_not_prove_what_is_false() {
                 tries += 1;
                 assert!(
                     !accepted(&statement, certificate.clone()),
-                    "seed {SEED}, try {tries}: {statement:?} by {}",
+                    "seed {seed}, try {tries}: {statement:?} by {}",
                     text::certificate_text(&certificate)
                 );
             }
@@ -326,9 +334,13 @@ fn renewed(mut proof: SignProof, value: &Quotient) -> SignProof {
 
 #[test]
 fn random_certificates_do_not_prove_what_is_false() {
-    let random = &mut Random::new(SEED + 1);
+    from_nothing(SEED + 1, TRIES);
+}
+
+fn from_nothing(seed: u64, most: usize) {
+    let random = &mut Random::new(seed);
     let mut tries = 0;
-    while tries < TRIES / 2 {
+    while tries < most {
         let variables = 1 + random.below(2);
         let point: Vec<Rational> = (0..variables).map(|_| random.number()).collect();
         let ranges = point.iter().enumerate().map(|(k, x)| (Var(k), random.around(x))).collect();
@@ -357,12 +369,260 @@ fn random_certificates_do_not_prove_what_is_false() {
             tries += 1;
             assert!(
                 !accepted(&statement, certificate.clone()),
-                "seed {}, try {tries}: {statement:?} by {}",
-                SEED + 1,
+                "seed {seed}, try {tries}: {statement:?} by {}",
                 text::certificate_text(&certificate)
             );
         }
     }
+}
+
+/// Rows that are dependent at a point of their box.
+fn dependent(random: &mut Random) -> Statement {
+    let variables = 1 + random.below(2);
+    let point: Vec<Rational> = (0..variables).map(|_| random.number()).collect();
+    let mut ranges: Vec<(Var, Range)> =
+        point.iter().enumerate().map(|(k, x)| (Var(k), random.around(x))).collect();
+    for ((_, range), x) in ranges.iter_mut().zip(&point) {
+        if !range.contains(x) {
+            *range = Range::all();
+        }
+    }
+    let (height, width) = (1 + random.below(3), 1 + random.below(3));
+    let entry = |random: &mut Random| {
+        if random.below(3) == 0 { Poly::constant(random.number()) } else { random.poly(variables) }
+    };
+    let mut rows: Vec<Vec<Poly>> = (0..height).map(|_| (0..width).map(|_| entry(random)).collect()).collect();
+    let factors: Vec<Rational> = (0..height - 1).map(|_| random.number()).collect();
+    for column in 0..width {
+        let mut sum = Rational::ZERO;
+        for (factor, row) in factors.iter().zip(&rows) {
+            sum = &sum + &(factor * &crate::value(&row[column], &point));
+        }
+        let last = &mut rows[height - 1][column];
+        *last = &*last - &Poly::constant(&crate::value(last, &point) - &sum);
+    }
+    // An exception beside the point.
+    let beside = (Var(0), &point[0] + &Rational::ONE);
+    let except = if random.below(4) == 0 { vec![vec![beside]] } else { Vec::new() };
+    Statement::Independent { rows, except, region: Region { ranges } }
+}
+
+/// A sum of dot products that is negative for some points.
+fn negative_somewhere(random: &mut Random) -> Statement {
+    let places = [(0, 0), (0, 1), (1, 1), (0, 2), (2, 2)];
+    let count = 1 + random.below(places.len());
+    let products: Vec<(Var, (usize, usize))> =
+        places[..count].iter().enumerate().map(|(k, p)| (Var(k + 1), *p)).collect();
+    let along: Vec<Rational> = [1, 1, 1].map(|low| Rational::from(random.between(low, 3))).to_vec();
+    let mut value = Poly::constant(random.number());
+    for (var, _) in &products {
+        value = &value + &Poly::var(*var).scale(&random.number());
+    }
+    if random.below(2) == 0 {
+        value = &value + &(&Poly::var(Var(0)) * &Poly::var(Var(1)));
+    }
+    // Where x₀ is 0 and the points are these numbers times a large one, the products together are negative.
+    let mut sum = Rational::ZERO;
+    for (var, (p, q)) in &products {
+        let slope = value.derivative(*var).at(Var(0), &Rational::ZERO);
+        let slope = slope.as_constant().unwrap_or(Rational::ZERO);
+        sum = &sum + &(&slope * &(&along[*p] * &along[*q]));
+    }
+    if !sum.is_negative() {
+        let first = &along[0] * &along[0];
+        let less = &(&sum + &Rational::new(1, 1000)) / &first;
+        value = &value - &Poly::var(Var(1)).scale(&less);
+    }
+    let region = Region { ranges: vec![(Var(0), Range::closed(Rational::ZERO, Rational::ONE))] };
+    let relation = if random.below(2) == 0 { Relation::Positive } else { Relation::NonNegative };
+    Statement::Products { value, relation, products, domain: Rc::new(Domain::of(region)) }
+}
+
+impl Forger<'_> {
+    fn indices(&mut self, below: usize) -> Vec<usize> {
+        (0..below).filter(|_| self.random.below(2) == 0).collect()
+    }
+
+    fn combinations(&mut self, count: usize, below: usize) -> Vec<Vec<(usize, Rational)>> {
+        let one = |f: &mut Self, k: usize| {
+            let other = (f.random.below(below), f.random.number());
+            if f.random.below(3) == 0 { vec![other] } else { vec![(k % below.max(1), Rational::ONE), other] }
+        };
+        (0..count).map(|k| one(self, k)).collect()
+    }
+
+    /// A certificate of independence of rows.
+    fn rank(&mut self, height: usize, width: usize, pieces: usize) -> Rank {
+        let piece = |f: &mut Self| {
+            let change = (f.random.below(3) == 0).then(|| ChangeOfBasis {
+                rows: f.combinations(height, height),
+                columns: f.combinations(width, width),
+            });
+            // Each row in one block, mostly.
+            let mut left: Vec<usize> = (0..height).collect();
+            let mut blocks = Vec::new();
+            while !left.is_empty() {
+                let mut rows = Vec::new();
+                for _ in 0..=f.random.below(left.len()) {
+                    rows.push(left.remove(f.random.below(left.len())));
+                    if left.is_empty() {
+                        break;
+                    }
+                }
+                if f.random.below(20) == 0 {
+                    rows.pop();
+                }
+                let minor = |f: &mut Self| loop {
+                    let columns = f.indices(width);
+                    if columns.len() == rows.len() || f.random.below(9) == 0 {
+                        return columns;
+                    }
+                };
+                let columns = (0..=f.random.below(2)).map(|_| minor(f)).collect();
+                let sign = match f.random.below(4) {
+                    0 => f.signed(1),
+                    1 => Signed::Negative(SignProof::direct()),
+                    _ => Signed::Positive(SignProof::direct()),
+                };
+                blocks.push(Minors { rows, columns, sign });
+            }
+            Piece { change, blocks }
+        };
+        let exceptions = (0..pieces / 2).map(|_| (0..height).map(|_| self.poly()).collect()).collect();
+        Rank { pieces: (0..pieces).map(|_| piece(self)).collect(), exceptions }
+    }
+}
+
+#[test]
+fn tables_and_dot_products_are_not_proved_by_chance() {
+    tables(SEED + 3, TRIES);
+}
+
+fn tables(seed: u64, most: usize) {
+    let random = &mut Random::new(seed);
+    let mut tries = 0;
+    while tries < most {
+        let statement =
+            Rc::new(if random.below(3) == 0 { negative_somewhere(random) } else { dependent(random) });
+        let polys = vec![Poly::var(Var(0)), Poly::one(), random.poly(2), random.poly(1)];
+        for _ in 0..20 {
+            let mut forger = Forger { random, polys: polys.clone() };
+            let certificate = match &*statement {
+                Statement::Independent { rows, except, .. } if forger.random.below(30) > 0 => {
+                    let pieces = if except.is_empty() { 1 } else { 1 + forger.random.below(3) };
+                    Certificate::Rank(forger.rank(rows.len(), rows[0].len(), pieces))
+                }
+                Statement::Products { .. } if forger.random.below(5) > 0 => {
+                    Certificate::Minors((0..=1 + forger.random.below(3)).map(|_| forger.fresh(2)).collect())
+                }
+                _ => Certificate::Direct,
+            };
+            tries += 1;
+            assert!(
+                !accepted(&statement, certificate.clone()),
+                "seed {seed}, try {tries}: {statement:?} by {}",
+                text::certificate_text(&certificate)
+            );
+        }
+    }
+}
+
+/// A statement that is true everywhere: a sum of squares, 1 + squares, an identity, or rows with a triangle of ones.
+fn true_everywhere(random: &mut Random) -> Statement {
+    let squares = &random.poly(2).pow(2) + &random.poly(2).pow(2);
+    let domain = Rc::new(Domain::default());
+    match random.below(5) {
+        0 => Statement::Zero {
+            value: Quotient { numerator: Poly::zero(), denominator: random.poly(1) },
+            domain,
+        },
+        1 => {
+            let value = Quotient { numerator: squares.clone(), denominator: &squares + &Poly::one() };
+            Statement::Sign { value, relation: Relation::NonNegative, domain }
+        }
+        2 => {
+            let value = Quotient::from(&squares + &Poly::constant(Rational::new(1, 1_000_000)));
+            Statement::Sign { value, relation: Relation::Positive, domain }
+        }
+        3 => {
+            let products = vec![(Var(2), (0, 0)), (Var(3), (0, 1)), (Var(4), (1, 1))];
+            let (a, b) = (Poly::constant(random.number()), Poly::constant(random.number()));
+            // |a p + b q|² + squares
+            let cross = (&a * &b).scale(&Rational::from(2));
+            let form = &(&(&a * &a) * &Poly::var(Var(2))) + &(&cross * &Poly::var(Var(3)));
+            let value = &(&form + &(&(&b * &b) * &Poly::var(Var(4)))) + &squares;
+            Statement::Products { value, relation: Relation::NonNegative, products, domain }
+        }
+        _ => {
+            let mut rows = Vec::new();
+            for i in 0..3 {
+                let row = (0..3).map(|j| match i.cmp(&j) {
+                    core::cmp::Ordering::Less => random.poly(2),
+                    core::cmp::Ordering::Equal => Poly::one(),
+                    core::cmp::Ordering::Greater => Poly::zero(),
+                });
+                rows.push(row.collect());
+            }
+            Statement::Independent { rows, except: Vec::new(), region: Region::default() }
+        }
+    }
+}
+
+/// A random witness, often with irrational coordinates.
+fn random_witness(random: &mut Random) -> Witness {
+    let size = if random.below(2) == 0 { 1 } else { 2 + random.below(2) };
+    let value = |random: &mut Random| Univariate::new((0..size).map(|_| random.number()).collect());
+    let root = (size > 1).then(|| Root {
+        polynomial: Univariate::new((0..=size).map(|_| random.number()).collect()),
+        low: random.number(),
+        high: random.number(),
+    });
+    let coordinates = (0..2).map(|k| (Var(k), value(random))).collect();
+    let point = Point { root, coordinates };
+    match random.below(4) {
+        0 => {
+            let mut factors: Vec<Univariate> = (0..3).map(|_| value(random)).collect();
+            factors[random.below(3)] = Univariate::integers(&[1]);
+            Witness::Dependent(point, factors)
+        }
+        1 => Witness::OnLine(point, (0..2).map(|k| (k, random.number())).collect()),
+        _ => Witness::At(point),
+    }
+}
+
+#[test]
+fn what_is_true_is_not_refuted_by_chance() {
+    witnesses(SEED + 4, TRIES);
+}
+
+fn witnesses(seed: u64, most: usize) {
+    let random = &mut Random::new(seed);
+    let mut tries = 0;
+    while tries < most {
+        let statement = Rc::new(true_everywhere(random));
+        for _ in 0..40 {
+            let witness = random_witness(random);
+            tries += 1;
+            let refuted = Refutation::new(Rc::clone(&statement), witness.clone(), &mut Work::new(WORK));
+            assert!(
+                refuted.is_err(),
+                "seed {seed}, try {tries}: {statement:?} by {}",
+                text::witness_text(&witness)
+            );
+        }
+    }
+}
+
+#[test]
+#[ignore = "minutes: a million forgeries, to be run with --release"]
+fn a_million() {
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).expect("after 1970");
+    let seed = std::env::var("SEED").ok().and_then(|seed| seed.parse().ok()).unwrap_or(now.as_secs());
+    println!("SEED={seed}");
+    changed(seed, 300_000);
+    from_nothing(seed + 1, 300_000);
+    tables(seed + 2, 300_000);
+    witnesses(seed + 3, 300_000);
 }
 
 /// The forger can do it: with a claim that is true it finds certificates that are accepted.
@@ -375,6 +635,14 @@ fn true_claims_are_proved_by_chance() {
     for _ in 0..2000 {
         let numerator = Forger { random, polys: polys.clone() }.fresh(0);
         found += usize::from(accepted(&statement, Certificate::Sign { denominator: None, numerator }));
+    }
+    assert!(found > 20, "{found}");
+    let table = crate::tables::independent("x0 + 2, 1, 0; 0, 1 - x0, 1", "", "0 <= x0 < 1");
+    let polys = vec![Poly::one()];
+    let mut found = 0;
+    for _ in 0..2000 {
+        let rank = Forger { random, polys: polys.clone() }.rank(2, 3, 1);
+        found += usize::from(accepted(&table, Certificate::Rank(rank)));
     }
     assert!(found > 20, "{found}");
     let irrational = sign(IRRATIONAL.claim, IRRATIONAL.on);

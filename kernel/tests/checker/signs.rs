@@ -400,3 +400,22 @@ fn work_is_counted_before_it_is_done() {
     let refused = Refutation::new(statement, Witness::At(point), &mut Work::new(1_000_000));
     assert_eq!(refused.err(), Some(Refusal::Spent));
 }
+
+/// Nothing but computing shows which sign the denominator has, if the certificate says nothing more; a certificate of a
+/// sign says it.
+#[test]
+fn denominators_of_direct_certificates() {
+    let direct = Certificate::Direct;
+    let said =
+        |denominator: &str| text::certificate(&format!("(sign {denominator} .)")).expect("a certificate");
+    for (claim, sign_of_denominator) in [("x0 // 1 + x0 >= 0", "+"), ("-x0 // -1 - x0 >= 0", "-")] {
+        let statement = sign(claim, "0 <= x0 <= 1");
+        assert!(offer(&statement, &direct).is_ok(), "{claim}");
+        assert!(offer(&statement, &said(sign_of_denominator)).is_ok(), "{claim}");
+        assert!(offer(&statement, &said("_")).is_err(), "{claim}");
+    }
+    assert!(offer(&sign("-x0 // 1 + x0 >= 0", "0 <= x0 <= 1"), &direct).is_err());
+    assert!(offer(&sign("x0 // x0 - 1/2 >= 0", "0 <= x0 <= 1"), &direct).is_err());
+    assert!(offer(&sign("x0 // 2 >= 0", "0 <= x0 <= 1"), &said("_")).is_ok());
+    assert!(offer(&sign("x0 // 2 >= 0", "0 <= x0 <= 1"), &said("+")).is_err());
+}

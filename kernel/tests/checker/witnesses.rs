@@ -49,6 +49,17 @@ fn signs() {
     ] {
         assert_eq!(refuted(&strict, witness), None, "{witness}");
     }
+    // The ends are not the root itself, and a coordinate is reduced.
+    let linear = sign("x0 - 3 > 0", "");
+    for witness in [
+        "(at (root (-1 0 1) 0 1) (x0 (0 1)))",
+        "(at (root (1 0 -1) 1 2) (x0 (0 1)))",
+        "(at (root (-2 0 1) 5/4 3/2) (x0 (0 0 1)))",
+        "(at (root (-2 0 1) 3/2 5/4) (x0 (0 1)))",
+    ] {
+        assert_eq!(refuted(&linear, witness), None, "{witness}");
+    }
+    assert!(refuted(&linear, "(at (root (-2 0 1) 5/4 3/2) (x0 (0 1)))").is_some());
     // Excluded ends, rational and irrational.
     let open = sign("x0 - 3 > 0", "1 < x0 < 2");
     assert_eq!(refuted(&open, "(at (x0 1))"), None);

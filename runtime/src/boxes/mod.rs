@@ -9,6 +9,7 @@ pub use net::box_sum;
 
 use crate::basis::combination;
 use crate::domain::{inverse_width, unit};
+use crate::matrices::{self, Kind};
 use crate::{Array, CountError, Point, Scalar};
 use net::{differentiate, finish};
 
@@ -84,6 +85,31 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
         partial::<Self, _>(weights.as_mut(), at, orders)
     }
 
+    /// The values of all functions at many points, and their derivatives up to that order in the coordinates: what
+    /// [`values`](Self::values) and [`partials`](Self::partials) give, with everything that does not depend on the
+    /// points computed once.
+    #[cfg(feature = "elements")]
+    fn tabulate(
+        &self,
+        at: &[Self::Coordinates],
+        order: usize,
+    ) -> crate::Tabulation<Self::Scalar, Self::Orders> {
+        crate::elements::tabulate_box(self, at, order)
+    }
+
+    /// Which functions belong to which corner, edge or face, or to the inside.
+    #[cfg(feature = "elements")]
+    fn entities(&self) -> crate::Entities {
+        crate::elements::in_box(self.bernstein_weights().as_ref(), Self::DEGREES)
+    }
+
+    /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
+    /// rounding errors; `None` if there are none, or if the functions do not span the coordinates.
+    #[cfg(feature = "elements")]
+    fn nodes(&self) -> Option<Self::Points<Self::Coordinates>> {
+        crate::elements::box_nodes(self)
+    }
+
     /// The control points of the same patch in the tensor product Bernstein basis of the same degrees:
     /// `Σ_i c[α][i] points[i]` with the [`bernstein_weights`](Self::bernstein_weights) `c`.
     fn to_bernstein<P: Point<Scalar = Self::Scalar>>(&self, points: &Self::Points<P>) -> Self::Bernstein<P> {
@@ -93,6 +119,23 @@ pub trait BoxBasis: Copy + PartialEq + Debug {
             let used = points.as_ref().iter().copied().zip(row.as_ref().iter().copied());
             combination(used.filter(|(_, weight)| *weight != Self::Scalar::ZERO))
         })
+    }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the box, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        let ([low, high], weights) = (Self::domain(), self.bernstein_weights());
+        matrices::on_box(Kind::Mass, weights.as_ref(), Self::DEGREES, low.as_ref(), high.as_ref())
+    }
+
+    /// The stiffness matrix: the integrals `∫ ∇b[i] · ∇b[j]` over the box, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        let ([low, high], weights) = (Self::domain(), self.bernstein_weights());
+        matrices::on_box(Kind::Stiffness, weights.as_ref(), Self::DEGREES, low.as_ref(), high.as_ref())
     }
 }
 
@@ -159,6 +202,13 @@ impl<B: BoxBasis, P: Point<Scalar = B::Scalar>> BoxPatch<B, P> {
     /// The patch over these control points, one for each function.
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         Self { basis, points, net: basis.to_bernstein(&points) }
+    }
+
+    /// The patch over the images of all control points: the image under an affine map if the functions sum to 1, and always
+    /// under a linear one.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> BoxPatch<B, Q> {
+        BoxPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
     /// The same from a slice.

@@ -77,6 +77,33 @@ impl<P: Point> BSplineCurve<P> {
         Self::new(KnotVector::uniform(degree, 1)?, points)
     }
 
+    /// The closed curve over [`KnotVector::periodic`] with one control point for each span between the breakpoints; the
+    /// first ones are repeated at the end. It is as smooth where it closes as at any other breakpoint.
+    ///
+    /// ```
+    /// use basis_runtime::ParametricCurve;
+    /// use basis_runtime::bspline::BSplineCurve;
+    ///
+    /// let square = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+    /// let curve = BSplineCurve::periodic(3, &[0.0, 1.0, 2.0, 3.0, 4.0], &square)?;
+    /// assert_eq!(curve.start(), curve.end());
+    /// let [before, after] = [4.0, 0.0].map(|t| curve.eval_with_derivs::<3>(t));
+    /// assert_eq!(before, after);
+    /// # Ok::<(), basis_runtime::bspline::SplineError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SplineError::Count`] if there is not one point for each span, [`SplineError::Knots`] as for
+    /// [`KnotVector::periodic`].
+    pub fn periodic(degree: usize, breakpoints: &[P::Scalar], points: &[P]) -> Result<Self, SplineError> {
+        let knots = KnotVector::periodic(degree, breakpoints)?;
+        let expected = breakpoints.len() - 1;
+        if points.len() != expected {
+            return Err(SplineError::Count { expected, found: points.len() });
+        }
+        Ok(Self { knots, points: (0..expected + degree).map(|i| points[i % expected]).collect() })
+    }
+
     /// Control points that are known to be as many as the basis functions.
     pub(super) fn trusted(knots: KnotVector<P::Scalar>, points: Vec<P>) -> Self {
         debug_assert_eq!(knots.functions(), points.len());
@@ -89,6 +116,21 @@ impl<P: Point> BSplineCurve<P> {
 
     fn to_rows(&self) -> Rows<P::Scalar, P> {
         Rows { knots: self.knots.clone(), points: self.points.clone(), lanes: 1 }
+    }
+
+    /// The image under an affine map: the curve over the same knots with the images of all control points.
+    ///
+    /// ```
+    /// use basis_runtime::bspline::BSplineCurve;
+    ///
+    /// let arch = BSplineCurve::from_bezier([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]])?;
+    /// let moved = arch.map(|[x, y]| [x + 3.0, -y]);
+    /// assert_eq!(moved.eval(0.5), [4.0, -1.0]);
+    /// # Ok::<(), basis_runtime::bspline::SplineError>(())
+    /// ```
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, image: impl FnMut(P) -> Q) -> BSplineCurve<Q> {
+        let points = self.points.iter().copied().map(image).collect();
+        BSplineCurve { knots: self.knots.clone(), points }
     }
 
     /// The degree `k`.

@@ -117,6 +117,45 @@ impl<S: Scalar> KnotVector<S> {
         Self::clamped(degree, &breakpoints)
     }
 
+    /// The knot vector of closed curves: these breakpoints, continued with their period to both sides by as many knots as
+    /// the degree.
+    ///
+    /// A curve over it is closed and as smooth where its ends meet as at any knot, if its first `degree` control points are
+    /// its last ones: [`BSplineCurve::periodic`](super::BSplineCurve::periodic).
+    ///
+    /// ```
+    /// use basis_runtime::bspline::KnotVector;
+    ///
+    /// let knots = KnotVector::periodic(2, &[0.0, 1.0, 3.0, 4.0])?;
+    /// assert_eq!(knots.as_slice(), [-3.0, -1.0, 0.0, 1.0, 3.0, 4.0, 5.0, 7.0]);
+    /// assert_eq!((knots.domain(), knots.functions()), ([0.0, 4.0], 5));
+    /// # Ok::<(), basis_runtime::bspline::KnotError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`KnotError::TooFew`] for fewer than two breakpoints.
+    pub fn periodic(degree: usize, breakpoints: &[S]) -> Result<Self, KnotError> {
+        if degree > MAX_DEGREE {
+            return Err(KnotError::Degree { degree });
+        }
+        let (Some(&first), Some(&last), spans @ 1..) =
+            (breakpoints.first(), breakpoints.last(), breakpoints.len().saturating_sub(1))
+        else {
+            return Err(KnotError::TooFew { found: breakpoints.len(), degree });
+        };
+        let period = last - first;
+        // The breakpoint `i` places from the first, in whole turns and the rest.
+        let above = |i: usize| breakpoints[i % spans] + period * S::from_usize(i / spans);
+        let below = |i: usize| {
+            let turns = i.div_ceil(spans);
+            breakpoints[turns * spans - i] - period * S::from_usize(turns)
+        };
+        let mut knots: Vec<S> = (1..=degree).rev().map(below).collect();
+        knots.extend_from_slice(breakpoints);
+        knots.extend((1..=degree).map(|i| above(spans + i)));
+        Self::new(degree, knots)
+    }
+
     /// A vector that is known to be valid.
     pub(super) fn trusted(degree: usize, knots: Vec<S>) -> Self {
         debug_assert!(Self::new(degree, knots.clone()).is_ok(), "invalid knots: {knots:?}");

@@ -11,6 +11,8 @@
 //! | normals, curvatures, meshes | the traits [`Surface`](crate::Surface) and [`BoundedSurface`](crate::BoundedSurface) |
 //! | other knots and degrees, the same shape | `insert_knots`, `refined`, `remove_knot`, `elevate`, `split`, `to_bezier`, `merged` of all four |
 //! | points in, a curve or a surface out | [`BSplineCurve::interpolate`], [`BSplineCurve::fit`], [`BSplineSurface::interpolate`], [`BSplineSurface::fit`] |
+//! | a surface from curves: extruded, ruled, translated, lofted, swept, between four boundary curves | [`BSplineSurface::extruded`], [`ruled`](BSplineSurface::ruled), [`translated`](BSplineSurface::translated), [`lofted`](BSplineSurface::lofted), [`swept`](BSplineSurface::swept), [`coons`](BSplineSurface::coons); rational [`NurbsSurface::extruded`], [`NurbsSurface::ruled`] |
+//! | closed curves without ends | [`KnotVector::periodic`], [`BSplineCurve::periodic`], [`BSplineCurve::interpolate_closed`] |
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
 //! | the nearest point | [`BSplineSurface::nearest`], [`ParametricCurve::nearest`](crate::ParametricCurve::nearest) |
 //! | a surface through given points | [`BSplineSurface::pass_through`] |
@@ -26,6 +28,7 @@
 
 mod buffer;
 mod constrain;
+mod construct;
 mod curve;
 mod error;
 mod fit;
@@ -43,6 +46,7 @@ mod splice;
 mod surface;
 
 pub use constrain::{Constrained, ConstraintError, PointConstraint};
+pub use construct::ConstructionError;
 pub use curve::{BSplineCurve, BezierPiece};
 pub use error::{KnotError, SplineError};
 pub use fit::{FitError, Spacing, parameters};

@@ -9,7 +9,7 @@ use crate::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{largest_component, length};
-use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
+use crate::{CurveError, CurvePiece, ParametricCurve, Point, RationalBezier, Scalar};
 
 /// The rational curve `C(t) = Σ w[i] N[i](t) P[i] / Σ w[i] N[i](t)` with positive weights.
 ///
@@ -67,6 +67,12 @@ impl<P: Point> NurbsCurve<P> {
     /// Homogeneous points whose weights are known to be positive.
     pub(super) fn trusted(homogeneous: BSplineCurve<Homogeneous<P>>) -> Self {
         Self { homogeneous }
+    }
+
+    /// The image under an affine map: the curve with the images of all control points and the same weights.
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> NurbsCurve<Q> {
+        let homogeneous = self.homogeneous.map(|p| Homogeneous::new(image(p.project()), p.weight));
+        NurbsCurve { homogeneous }
     }
 
     /// The same curve over homogeneous points.
@@ -174,6 +180,16 @@ impl<P: Point> NurbsCurve<P> {
     /// The polynomial pieces, one for each span, as rational Bézier curves.
     pub fn to_bezier(&self) -> Vec<BezierPiece<Homogeneous<P>>> {
         self.homogeneous.to_bezier()
+    }
+
+    /// The rational Bézier curves of which the curve consists, each over its span.
+    pub fn to_rational_bezier(&self) -> Vec<RationalBezier<P>> {
+        let curve = |piece: &BezierPiece<Homogeneous<P>>| {
+            let numerator: Vec<P> = piece.points.iter().map(|p| p.scaled).collect();
+            let weights: Vec<P::Scalar> = piece.points.iter().map(|p| p.weight).collect();
+            RationalBezier::of_numerator(piece.domain, &numerator, &weights)
+        };
+        self.to_bezier().iter().map(curve).collect()
     }
 }
 
@@ -286,5 +302,22 @@ impl<P: Point> From<BSplineCurve<P>> for NurbsCurve<P> {
         let points: Vec<_> =
             curve.control_points().iter().map(|&p| Homogeneous::new(p, P::Scalar::ONE)).collect();
         Self { homogeneous: BSplineCurve::trusted(curve.knots().clone(), points) }
+    }
+}
+
+impl<P: Point> TryFrom<&RationalBezier<P>> for NurbsCurve<P> {
+    type Error = SplineError;
+
+    /// The same curve, of one span.
+    fn try_from(curve: &RationalBezier<P>) -> Result<Self, SplineError> {
+        let [lo, hi] = curve.domain();
+        let count = curve.degree() + 1;
+        let mut knots = alloc::vec![lo; 2 * count];
+        knots[count..].fill(hi);
+        let knots = KnotVector::new(curve.degree(), knots)?;
+        check_weights(curve.weights(), count)?;
+        let parts = curve.numerator().iter().zip(curve.weights());
+        let points: Vec<_> = parts.map(|(&scaled, &weight)| Homogeneous { scaled, weight }).collect();
+        Ok(Self { homogeneous: BSplineCurve::trusted(knots, points) })
     }
 }

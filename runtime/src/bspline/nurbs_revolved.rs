@@ -11,8 +11,8 @@ impl<P: Point3> NurbsSurface<P> {
     /// The surface that a curve sweeps when it turns about an axis: exactly, for any angle.
     ///
     /// The axis passes through `origin` in the direction `axis`; the turn follows the right hand. The first parameter
-    /// is the angle in radians at the ends of the arcs into which the turn is divided, `0 <= u <= angle` (between them
-    /// a rational function of it); the second one is that of the curve. Each arc of the angle `δ <= π/2` is a rational
+    /// is that of the curve; the second one is the angle in radians at the ends of the arcs into which the turn is
+    /// divided, `0 <= v <= angle`, and a rational function of it between them. Each arc of the angle `δ <= π/2` is a rational
     /// quadratic with the weights `1, cos(δ/2), 1`.
     ///
     /// # Errors
@@ -44,9 +44,9 @@ impl<P: Point3> NurbsSurface<P> {
             };
             curve.homogeneous().control_points().iter().map(turned).collect::<Vec<_>>()
         });
-        let u = KnotVector::clamped(2, &arcs.breakpoints())?;
-        let net = Net::from_rows(rows)?;
-        Self::from_homogeneous(BSplineSurface::new(u, curve.knots().clone(), net)?)
+        let v = KnotVector::clamped(2, &arcs.breakpoints())?;
+        let net = Net::from_rows(rows)?.transposed();
+        Self::from_homogeneous(BSplineSurface::new(curve.knots().clone(), v, net)?)
     }
 }
 

@@ -56,6 +56,12 @@ impl<P: Point> NurbsSurface<P> {
         Ok(Self { homogeneous })
     }
 
+    /// The image under an affine map: the surface with the images of all control points and the same weights.
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> NurbsSurface<Q> {
+        let homogeneous = self.homogeneous.map(|p| Homogeneous::new(image(p.project()), p.weight));
+        NurbsSurface { homogeneous }
+    }
+
     /// The same surface over homogeneous points.
     #[inline]
     pub fn homogeneous(&self) -> &BSplineSurface<Homogeneous<P>> {
@@ -194,7 +200,7 @@ impl<P: Point> NurbsSurface<P> {
 impl<P: Point> From<BSplineSurface<P>> for NurbsSurface<P> {
     /// The same surface, with all weights 1.
     fn from(surface: BSplineSurface<P>) -> Self {
-        let homogeneous = surface.map_points(|point| Homogeneous::new(point, P::Scalar::ONE));
+        let homogeneous = surface.map(|point| Homogeneous::new(point, P::Scalar::ONE));
         Self { homogeneous }
     }
 }

@@ -67,8 +67,8 @@ impl<P: Point> BSplineSurface<P> {
         Self::new(u, v, net)
     }
 
-    /// The surface over the same knots with the images of all control points.
-    pub fn map_points<Q: Point<Scalar = P::Scalar>>(&self, image: impl FnMut(P) -> Q) -> BSplineSurface<Q> {
+    /// The image under an affine map: the surface over the same knots with the images of all control points.
+    pub fn map<Q: Point<Scalar = P::Scalar>>(&self, image: impl FnMut(P) -> Q) -> BSplineSurface<Q> {
         BSplineSurface { u: self.u.clone(), v: self.v.clone(), net: self.net.map(image) }
     }
 

@@ -21,7 +21,7 @@ use core::fmt::{self, Debug, Formatter};
 use crate::bernstein;
 use crate::domain::{inverse_width, unit};
 use crate::form::bernstein_derivative;
-use crate::{Basis, Form, Point, Scalar};
+use crate::{Array, Basis, CountError, Form, Point, Scalar};
 
 pub use contact::Contact;
 pub(crate) use contact::{End, eliminate, touching};
@@ -72,6 +72,52 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     #[inline]
     pub fn new(basis: B, points: B::Points<P>) -> Self {
         Self { basis, points, form: basis.bind(&points) }
+    }
+
+    /// The curve over control points in a slice, one for each basis function.
+    ///
+    /// # Errors
+    /// If the number of points is not the number of functions.
+    pub fn from_slice(basis: B, points: &[P]) -> Result<Self, CountError> {
+        if points.len() != B::LEN {
+            return Err(CountError::new(B::NAME, B::LEN, points.len()));
+        }
+        Ok(Self::new(basis, B::Points::from_fn(|i| points[i])))
+    }
+
+    /// The curve over the same control points with other shape values.
+    ///
+    /// ```
+    /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
+    /// # fn main() -> Result<(), basis_runtime::ShapeError> {
+    /// use basis_runtime::Curve;
+    ///
+    /// let curve = Curve::new(QuarticBernstein::new(0.5)?, [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]);
+    /// let fuller = curve.with_basis(QuarticBernstein::new(1.0)?);
+    /// assert_eq!(fuller.control_points(), curve.control_points());
+    /// assert!(fuller.eval(0.5)[1] > curve.eval(0.5)[1]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn with_basis(&self, basis: B) -> Self {
+        Self::new(basis, self.points)
+    }
+
+    /// The curve over the images of all control points.
+    ///
+    /// It is the image of the curve under an affine map if the functions sum to 1, and always under a linear one. The maps
+    /// of the libraries of points can be used as they are: `curve.map(|p| transform * p)`.
+    ///
+    /// ```
+    /// use basis_runtime::Bezier;
+    ///
+    /// let arch = Bezier::from_points([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]]);
+    /// assert_eq!(arch.map(|[x, y]| [y, x, 1.0]).eval(0.5), [1.0, 1.0, 1.0]);
+    /// ```
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> Curve<B, Q> {
+        Curve::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
     }
 
     /// The point `C(t)`.

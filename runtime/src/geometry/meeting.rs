@@ -3,8 +3,7 @@
 use alloc::vec::Vec;
 
 use super::intersect::{self, Found, MeetingKind};
-use super::parametric::clamped;
-use super::{CurvePiece, CurveScalar, ParametricCurve};
+use super::{CurvePiece, ParametricCurve};
 use crate::bernstein::roots;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
@@ -52,15 +51,13 @@ pub(super) fn with_points<P: Point>(
     second: &(impl ParametricCurve<Point = P> + ?Sized),
     found: Vec<Found>,
 ) -> Vec<Meeting<P>> {
-    let [a, b] = [first.domain(), second.domain()];
-    let of = |domain: [P::Scalar; 2], t: f64| clamped(domain, P::Scalar::of(t));
     let meeting = |f: Found| {
-        let at = [of(a, f.at[0]), of(b, f.at[1])];
+        let at = [first.parameter_of(f.at[0]), second.parameter_of(f.at[1])];
         let (point, other) = (first.eval(at[0]), second.eval(at[1]));
         Meeting {
             kind: f.kind,
-            first: f.first.map(|t| of(a, t)),
-            second: f.second.map(|t| of(b, t)),
+            first: f.first.map(|t| first.parameter_of(t)),
+            second: f.second.map(|t| second.parameter_of(t)),
             at,
             point,
             distance: distance(point, other),
@@ -97,9 +94,8 @@ pub(super) fn of_plane<C: ParametricCurve + ?Sized>(
 ) -> Option<Vec<PlaneMeeting<C::Point>>> {
     let components = |p: C::Point| (0..C::Point::DIM).map(|d| p.component(d).to_f64()).collect::<Vec<f64>>();
     let found = plane_places(&curve.pieces(), &components(point), &components(normal))?;
-    let domain = curve.domain();
     let meeting = |(kind, interval): (MeetingKind, [f64; 2])| {
-        let interval = interval.map(|t| clamped(domain, CurveScalar::<C>::of(t)));
+        let interval = interval.map(|t| curve.parameter_of(t));
         PlaneMeeting { kind, interval, point: curve.eval(interval[0]) }
     };
     Some(found.into_iter().map(meeting).collect())

@@ -6,6 +6,7 @@
 
 mod bounds;
 mod curves;
+mod enclosed;
 mod flatten;
 mod intersect;
 mod length;
@@ -15,7 +16,9 @@ mod nearest;
 mod parametric;
 mod piece;
 
+pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub use meeting::{Meeting, PlaneMeeting};
+pub(crate) use parametric::clamped;
 pub use parametric::{CurveScalar, ParametricCurve};
 pub use piece::CurvePiece;

@@ -3,7 +3,9 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::{CurvePiece, Meeting, PlaneMeeting, bounds, flatten, length, local, meeting, nearest};
+use super::{
+    CurvePiece, Enclosed, Meeting, PlaneMeeting, bounds, enclosed, flatten, length, local, meeting, nearest,
+};
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
 use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
@@ -12,6 +14,7 @@ use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
 
 /// A curve `C(t)`, `lo <= t <= hi`, of any type: [`Curve`](crate::Curve) over a family, Bézier curve,
+/// [`RationalCurve`](crate::RationalCurve), [`RationalBezier`](crate::RationalBezier),
 /// [`PiecewiseCurve`](crate::PiecewiseCurve), and with the feature `bspline` `BSplineCurve` and `NurbsCurve`.
 ///
 /// Every question has one name and one signature for all of them. What a type answers faster by itself it has as a
@@ -51,7 +54,9 @@ pub trait ParametricCurve {
     /// is that of the later piece; at the end of the domain that of the last one.
     fn derivatives_into(&self, t: CurveScalar<Self>, derivatives: &mut [Self::Point]);
 
-    /// The rational Bézier pieces of which the curve consists, in the order of their domains, which meet.
+    /// The rational Bézier pieces of which the curve consists, in the order of their domains, which meet. Where a curve is
+    /// rational in another parameter than its own, as one over a family with sines is, they are pieces in that one: see
+    /// [`Chart`](crate::Chart).
     fn pieces(&self) -> Vec<CurvePiece>;
 
     /// The parts before and after `t`, over domains of their own.
@@ -76,6 +81,18 @@ pub trait ParametricCurve {
     fn reversed(&self) -> Self::Part
     where
         Self: Sized;
+
+    /// The parameter of the curve that belongs to one of its pieces, inside of the domain.
+    #[doc(hidden)]
+    fn parameter_of(&self, place: f64) -> CurveScalar<Self> {
+        back(self.domain(), place)
+    }
+
+    /// The parameter of the pieces that belongs to one of the curve.
+    #[doc(hidden)]
+    fn place_of(&self, t: CurveScalar<Self>) -> f64 {
+        t.to_f64()
+    }
 
     /// The point at the lower end of the domain.
     fn start(&self) -> Self::Point {
@@ -147,7 +164,7 @@ pub trait ParametricCurve {
         if speed > CurveScalar::<Self>::EPSILON.sqrt() * (size + self.extent()) {
             return direction(first[1]);
         }
-        let heading = local::heading(&self.pieces(), t.to_f64())?;
+        let heading = local::heading(&self.pieces(), self.place_of(t))?;
         direction(Self::Point::from_components(|d| CurveScalar::<Self>::of(heading[d])))
     }
 
@@ -194,7 +211,7 @@ pub trait ParametricCurve {
         self.derivatives_into(t, &mut derivatives);
         let tangent = self.tangent(t).ok_or(CurveError::NoTangent)?;
         let pieces = self.pieces();
-        let bend = local::piece_at(&pieces, t.to_f64()).map_or(f64::NAN, |piece| {
+        let bend = local::piece_at(&pieces, self.place_of(t)).map_or(f64::NAN, |piece| {
             let [lo, hi] = piece.domain();
             let degree = piece.degree() as f64;
             degree * (degree - 1.0).max(0.0) / (hi - lo) / (hi - lo) * piece.largest()
@@ -241,7 +258,7 @@ pub trait ParametricCurve {
     /// NaN.
     fn inv_arclen(&self, length: CurveScalar<Self>, accuracy: CurveScalar<Self>) -> CurveScalar<Self> {
         let found = length::parameters(&self.pieces(), &[length.to_f64()], floor(accuracy));
-        back(self.domain(), found[0])
+        self.parameter_of(found[0])
     }
 
     /// The parameters of `count` points at equal distances along the curve, both ends included; each as in
@@ -253,7 +270,7 @@ pub trait ParametricCurve {
         let lengths: Vec<f64> = (0..count).map(|i| total * (i as f64 / steps)).collect();
         let mut found: Vec<CurveScalar<Self>> = length::parameters(&pieces, &lengths, floor(accuracy))
             .into_iter()
-            .map(|t| back(self.domain(), t))
+            .map(|t| self.parameter_of(t))
             .collect();
         if let [first, rest @ ..] = &mut found[..]
             && !total.is_nan()
@@ -280,7 +297,7 @@ pub trait ParametricCurve {
     /// point is infinite or NaN, [`CurveError::TooManyPoints`] if more than 2²⁴ corners would be needed.
     fn flatten(&self, tolerance: CurveScalar<Self>) -> Result<Vec<Self::Point>, CurveError> {
         let corners = flatten::corners(&self.pieces(), tolerance.to_f64())?;
-        Ok(corners.into_iter().map(|t| self.eval(back(self.domain(), t))).collect())
+        Ok(corners.into_iter().map(|t| self.eval(self.parameter_of(t))).collect())
     }
 
     /// The smallest axis-parallel box around the Bézier control points, as its two extreme corners `[min, max]`: cheap,
@@ -300,7 +317,7 @@ pub trait ParametricCurve {
     ///
     /// A component that is constant up to rounding errors has none. None if a control point is infinite or NaN.
     fn extrema(&self) -> Vec<CurveScalar<Self>> {
-        bounds::extrema(&self.pieces()).into_iter().map(|t| back(self.domain(), t)).collect()
+        bounds::extrema(&self.pieces()).into_iter().map(|t| self.parameter_of(t)).collect()
     }
 
     /// The parameters inside of the domain at which a curve in the plane changes from turning left to turning right or
@@ -314,7 +331,7 @@ pub trait ParametricCurve {
         if Self::Point::DIM != 2 {
             return Err(CurveError::Dimension { expected: 2, found: Self::Point::DIM });
         }
-        Ok(bounds::inflections(&self.pieces()).into_iter().map(|t| back(self.domain(), t)).collect())
+        Ok(bounds::inflections(&self.pieces()).into_iter().map(|t| self.parameter_of(t)).collect())
     }
 
     /// The point of the curve nearest to `point`, among those with a parameter in the domain.
@@ -328,11 +345,79 @@ pub trait ParametricCurve {
         let components: Vec<f64> = (0..Self::Point::DIM).map(|d| point.component(d).to_f64()).collect();
         let epsilon = CurveScalar::<Self>::EPSILON.to_f64();
         let (t, bound) = nearest::nearest(&self.pieces(), &components, accuracy.to_f64(), epsilon)?;
-        let at = back(self.domain(), t);
+        let at = self.parameter_of(t);
         let found = self.eval(at);
         let distance = distance(found, point);
         let at_least = CurveScalar::<Self>::of(bound).min(distance);
         distance.is_finite().then_some(Nearest { at, point: found, distance, at_least })
+    }
+
+    /// The first point whose component of that index has that value; `None` if there is none, no such component, or
+    /// anything is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// // `cubic-bezier(0.25, 0.1, 0.25, 1)` of CSS: how far a motion is after 30 % of its time.
+    /// let ease = Bezier::from_points([[0.0_f64, 0.0], [0.25, 0.1], [0.25, 1.0], [1.0, 1.0]]);
+    /// let [_, progress] = ease.first_where(0, 0.3).unwrap();
+    /// assert!((progress - 0.513_3).abs() < 1e-4);
+    /// ```
+    fn first_where(&self, component: usize, value: CurveScalar<Self>) -> Option<Self::Point> {
+        let of = |x: CurveScalar<Self>| {
+            Self::Point::from_components(|d| if d == component { x } else { CurveScalar::<Self>::ZERO })
+        };
+        let found = meeting::of_plane(self, of(value), of(CurveScalar::<Self>::ONE))?;
+        found.first().map(|meeting| meeting.point)
+    }
+
+    /// Area, centre of mass and moments of what a closed curve in the plane encloses. An open curve is closed by a
+    /// straight line, each contour of a curve that jumps by one of its own.
+    ///
+    /// Exact for polynomial pieces, and to about the last digits for rational ones, both up to rounding errors. Parts
+    /// around which the curve runs clockwise count negative, so that a contour in the other direction is a hole.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// let arch = Bezier::from_points([[1.0_f64, 0.0], [0.0, 2.0], [-1.0, 0.0]]); // y = 1 - x²
+    /// let enclosed = arch.enclosed()?;
+    /// assert!((enclosed.area - 4.0 / 3.0).abs() < 1e-15);
+    /// assert!((enclosed.centroid.unwrap()[1] - 0.4).abs() < 1e-15);
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Dimension`] if the points have not two components, [`CurveError::NotFinite`] if a control point is
+    /// infinite or NaN.
+    fn enclosed(&self) -> Result<Enclosed<Self::Point>, CurveError> {
+        let pieces = in_the_plane::<Self::Point>(self.pieces())?;
+        if pieces.iter().all(CurvePiece::is_finite) {
+            Ok(enclosed::of(&pieces))
+        } else {
+            Err(CurveError::NotFinite)
+        }
+    }
+
+    /// How often the curve, closed as by [`enclosed`](Self::enclosed), goes round a point, anticlockwise; 0 outside.
+    /// `None` if the point lies on it up to rounding errors, or anything is not finite.
+    ///
+    /// ```
+    /// use basis_runtime::{ParametricCurve, Path};
+    ///
+    /// let circle = Path::<[f64; 2]>::circle([0.0, 0.0], 1.0);
+    /// assert_eq!(circle.winding([0.5, 0.5])?, Some(1));
+    /// assert_eq!(circle.reversed().winding([0.5, 0.5])?, Some(-1));
+    /// assert_eq!(circle.winding([0.8, 0.8])?, Some(0));
+    /// assert_eq!(circle.winding([0.6, 0.8])?, None);
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Dimension`] if the points have not two components.
+    fn winding(&self, point: Self::Point) -> Result<Option<i32>, CurveError> {
+        let pieces = in_the_plane::<Self::Point>(self.pieces())?;
+        Ok(enclosed::winding(&pieces, &[0, 1].map(|d| point.component(d).to_f64())))
     }
 
     /// All places at which the curve meets another one, in the order of its own parameter.
@@ -401,6 +486,11 @@ pub trait ParametricCurve {
 fn sample<S: Scalar>(domain: [S; 2], index: usize, count: usize) -> S {
     let steps = S::from_usize(count.saturating_sub(1).max(1));
     crate::domain::from_unit(domain, S::from_usize(index) / steps)
+}
+
+/// The pieces of a curve in the plane.
+fn in_the_plane<P: Point>(pieces: Vec<CurvePiece>) -> Result<Vec<CurvePiece>, CurveError> {
+    if P::DIM == 2 { Ok(pieces) } else { Err(CurveError::Dimension { expected: 2, found: P::DIM }) }
 }
 
 /// An accuracy for the search in double precision: what is not positive asks for the best.

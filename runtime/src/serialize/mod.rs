@@ -10,6 +10,9 @@ pub(crate) mod bspline;
 #[cfg(feature = "mesh")]
 pub(crate) mod mesh;
 mod patches;
+#[cfg(feature = "geometry")]
+pub(crate) mod path;
+pub(crate) mod rational;
 pub(crate) mod revolution;
 
 use core::fmt::{self, Formatter};

@@ -17,10 +17,13 @@ use core::fmt::Debug;
 pub use bernstein::{TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf};
 pub use edge::{EdgeBasis, TriangleEdge};
 pub use index::{SimplexIndex, TetrahedronIndex, TriangleIndex};
+#[cfg(feature = "elements")]
+pub(crate) use net::raised;
 pub(crate) use net::simplex_sum;
 pub use patch::{SimplexPatch, TriangularPatch};
 
 use crate::basis::combination;
+use crate::matrices::{self, Kind};
 use crate::{Array, Form, Point, Scalar};
 use net::contract;
 
@@ -122,6 +125,35 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
         finish(weights.as_mut(), degree, at.as_ref())
     }
 
+    /// The values of all functions at many points, and their derivatives up to that order in the coordinates but the last: what
+    /// [`values`](Self::values) and [`partials`](Self::partials) give, with everything that does not depend on the
+    /// points computed once.
+    #[cfg(feature = "elements")]
+    fn tabulate(
+        &self,
+        at: &[Self::Coordinates],
+        order: usize,
+    ) -> crate::Tabulation<Self::Scalar, Self::Orders> {
+        crate::elements::tabulate_simplex(self, at, order)
+    }
+
+    /// Which functions belong to which corner, edge or face, or to the inside.
+    #[cfg(feature = "elements")]
+    fn entities(&self) -> crate::Entities {
+        crate::elements::in_simplex(
+            self.bernstein_weights().as_ref(),
+            <Self::Coordinates as Array<Self::Scalar>>::LEN,
+            Self::DEGREE,
+        )
+    }
+
+    /// The nodes of the family, one point for each function, at which it has the value 1 and all others are 0, up to
+    /// rounding errors; `None` if there are none, or if the functions do not span the coordinates.
+    #[cfg(feature = "elements")]
+    fn nodes(&self) -> Option<Self::Points<Self::Coordinates>> {
+        crate::elements::simplex_nodes(self)
+    }
+
     /// The control points of the same patch in the Bernstein basis of the same degree: `Σ_i c[α][i] points[i]` with the
     /// [`bernstein_weights`](Self::bernstein_weights) `c`.
     fn to_bernstein<P: Point<Scalar = Self::Scalar>>(&self, points: &Self::Points<P>) -> Self::Bernstein<P> {
@@ -131,6 +163,33 @@ pub trait SimplexBasis: Copy + PartialEq + Debug {
             let used = points.as_ref().iter().copied().zip(row.as_ref().iter().copied());
             combination(used.filter(|(_, weight)| *weight != Self::Scalar::ZERO))
         })
+    }
+
+    /// The mass matrix: the integrals `∫ b[i] b[j]` over the reference triangle `u, v, 1 - u - v >= 0` of the area 1/2, or
+    /// the reference tetrahedron of the volume 1/6, row by row.
+    ///
+    /// Those of the Bernstein polynomials are fractions, and the matrix is `cᵀ G c` with the
+    /// [`bernstein_weights`](Self::bernstein_weights) `c`.
+    #[must_use]
+    fn mass_matrix(&self) -> Self::Points<Self::Values> {
+        matrix::<Self>(Kind::Mass, self)
+    }
+
+    /// The stiffness matrix: the integrals `∫ ∂b[i]/∂u ∂b[j]/∂u + ∂b[i]/∂v ∂b[j]/∂v` over the reference triangle, or those
+    /// with the three derivatives over the reference tetrahedron, row by row.
+    #[must_use]
+    fn stiffness_matrix(&self) -> Self::Points<Self::Values> {
+        matrix::<Self>(Kind::Stiffness, self)
+    }
+}
+
+/// A matrix on the reference triangle or tetrahedron.
+fn matrix<B: SimplexBasis>(kind: Kind, basis: &B) -> B::Points<B::Values> {
+    let weights = basis.bernstein_weights();
+    if <B::Coordinates as Array<B::Scalar>>::LEN == 3 {
+        matrices::simplex::<_, _, 3>(kind, weights.as_ref(), B::DEGREE)
+    } else {
+        matrices::simplex::<_, _, 4>(kind, weights.as_ref(), B::DEGREE)
     }
 }
 
@@ -176,7 +235,11 @@ fn differentiate<P: Point>(net: &mut [P], degree: usize, along: &[P::Scalar], or
 }
 
 /// Differentiates a net in all coordinates but the last; the degree that is left.
-fn partial<P: Point, C: Array<P::Scalar>>(net: &mut [P], degree: usize, orders: &[usize]) -> usize {
+pub(crate) fn partial<P: Point, C: Array<P::Scalar>>(
+    net: &mut [P],
+    degree: usize,
+    orders: &[usize],
+) -> usize {
     let last = orders.len();
     orders.iter().enumerate().fold(degree, |degree, (place, &order)| {
         let along = C::from_fn(|j| match j {

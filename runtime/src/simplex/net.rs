@@ -4,6 +4,8 @@
 //! [`SimplexIndex`](super::SimplexIndex).
 
 use super::index::TriangleIndex;
+#[cfg(feature = "elements")]
+use super::index::lattice_size;
 use crate::{Point, Scalar};
 
 /// One step down: `c[β] = Σ_j a[j] c[β + e_j]` for all `β` of the order `n - 1`, in place.
@@ -49,6 +51,50 @@ pub(crate) fn contract<P: Point>(net: &mut [P], n: usize, a: &[P::Scalar]) {
         }
         _ => {}
     }
+}
+
+/// Bernstein's functions of the degree `n + 1` from those of the degree `n`: the transpose of a step of [`contract`].
+#[cfg(feature = "elements")]
+pub(crate) fn raised<S: Scalar>(functions: &[S], n: usize, at: &[S]) -> alloc::vec::Vec<S> {
+    let mut raised = alloc::vec![S::ZERO; lattice_size(at.len(), n + 1)];
+    let mut add = |place: usize, value: S| raised[place] = raised[place] + value;
+    let mut functions = functions.iter();
+    match *at {
+        [u, v, w] => {
+            let mut row = 0;
+            for i in 0..=n {
+                let next = row + n + 2 - i;
+                for (j, &c) in functions.by_ref().take(n + 1 - i).enumerate() {
+                    add(row + j, c * w);
+                    add(row + j + 1, c * v);
+                    add(next + j, c * u);
+                }
+                row = next;
+            }
+        }
+        [u, v, w, x] => {
+            let mut layer = 0;
+            for h in 0..=n {
+                // The layer is a triangle of the order m.
+                let m = n + 1 - h;
+                let (mut row, mut above) = (layer, layer + (m + 1) * (m + 2) / 2);
+                layer = above;
+                for i in 0..m {
+                    let next = row + m + 1 - i;
+                    for (j, &c) in functions.by_ref().take(m - i).enumerate() {
+                        add(row + j, c * x);
+                        add(row + j + 1, c * w);
+                        add(next + j, c * v);
+                        add(above, c * u);
+                        above += 1;
+                    }
+                    row = next;
+                }
+            }
+        }
+        _ => {}
+    }
+    raised
 }
 
 /// `Σ c[α] x^α`, by nested multiplication; a Bernstein net has its multinomial factors in `c`.

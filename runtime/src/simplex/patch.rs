@@ -74,6 +74,13 @@ impl<B: SimplexBasis, P: Point<Scalar = B::Scalar>> SimplexPatch<B, P> {
         Self { basis, points, net: basis.to_bernstein(&points) }
     }
 
+    /// The patch over the images of all control points: the image under an affine map if the functions sum to 1, and always
+    /// under a linear one.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> SimplexPatch<B, Q> {
+        SimplexPatch::new(self.basis, B::Points::from_fn(|i| image(self.points.as_ref()[i])))
+    }
+
     /// The same from a slice.
     ///
     /// # Errors

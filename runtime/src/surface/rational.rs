@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::partials_by_number;
 use crate::binomial::binomial;
-use crate::{Array, Basis, BernsteinOf, Point, Scalar, Surface, TensorSurface};
+use crate::{Array, Basis, BernsteinOf, Curve, Point, Scalar, Surface, TensorSurface};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
 ///
@@ -77,6 +77,29 @@ where
         weight: TensorSurface<U, V, P::Scalar>,
     ) -> Self {
         Self { numerator, weight }
+    }
+
+    /// The image under an affine map, with the same weights; control points at infinity go to infinity in the image of their
+    /// direction.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = U::Scalar>>(
+        &self,
+        mut image: impl FnMut(P) -> Q,
+    ) -> RationalSurface<U, V, Q> {
+        // With f(x) = A x + b the numerator A N + w b is f(N) + (w - 1) f(0).
+        let origin = image(P::zero());
+        let row = |i: usize| {
+            let (numerator, weights) = (&self.numerator.rows()[i], &self.weight.rows()[i]);
+            let point = |j: usize| {
+                let weight = weights.control_points()[j];
+                image(numerator.control_points()[j]).add_scaled(origin, weight - P::Scalar::ONE)
+            };
+            Curve::new(numerator.basis(), V::Points::from_fn(point))
+        };
+        RationalSurface {
+            numerator: TensorSurface::from_rows(self.numerator.u_basis(), U::Points::from_fn(row)),
+            weight: self.weight,
+        }
     }
 
     /// The numerator `N`, whose control points are `w[i][j] P[i][j]`.

@@ -71,6 +71,16 @@ where
         Self { u_basis, rows }
     }
 
+    /// The surface over the images of all control points: the image under an affine map if the functions sum to 1 in both
+    /// directions, and always under a linear one.
+    #[must_use]
+    pub fn map<Q: Point<Scalar = U::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> TensorSurface<U, V, Q> {
+        TensorSurface {
+            u_basis: self.u_basis,
+            rows: U::Points::from_fn(|i| self.rows.as_ref()[i].map(&mut image)),
+        }
+    }
+
     /// The family in `u`, with its shape values.
     #[inline]
     pub fn u_basis(&self) -> U {

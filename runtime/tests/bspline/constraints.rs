@@ -61,7 +61,7 @@ fn a_contradiction_is_seen_whatever_the_units_and_the_origin() {
     for (unit, offset) in
         [(1.0, 0.0), (1e-6, 0.0), (1e-300, 0.0), (1e6, 0.0), (1e200, 0.0), (1.0, 1e6), (1e-3, 1e3)]
     {
-        let surface = plane().map_points(|p| p.map(|x| x * unit + offset));
+        let surface = plane().map(|p| p.map(|x| x * unit + offset));
         let at = |parameters: [f64; 2], height: f64| {
             let [x, y, z] = surface.eval(parameters[0], parameters[1]);
             PointConstraint::At(parameters, [x, y, z + height * unit])
@@ -82,7 +82,7 @@ fn a_contradiction_is_seen_whatever_the_units_and_the_origin() {
 fn constraints_close_together_are_met_by_a_surface_that_meets_them() {
     // Points of another surface at parameters that are hardly different.
     let plane = plane();
-    let other = plane.map_points(|[x, y, _]| [x, y, (3.0 * x + 2.0 * y).sin()]);
+    let other = plane.map(|[x, y, _]| [x, y, (3.0 * x + 2.0 * y).sin()]);
     for step in [1e-4, 1e-8, 1e-10, 1e-11, 1e-12, 1e-13, 1e-15] {
         let at = [[0.4, 0.4], [0.4 + step, 0.4], [0.4, 0.4 + step]];
         let constraints = at.map(|at| PointConstraint::At(at, other.eval(at[0], at[1])));

@@ -1,7 +1,9 @@
 //! B-splines: values, derivatives and algorithms against scipy, as laws on random input, and on hostile input.
 #![cfg(feature = "std")]
 
+mod closed;
 mod constraints;
+mod constructions;
 mod fitting;
 mod golden;
 mod joints;

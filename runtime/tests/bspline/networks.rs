@@ -217,7 +217,7 @@ fn a_deformation_inside_moves_no_neighbour() {
 #[test]
 fn a_seam_keeps_the_angle_it_had() {
     // The second patch is tilted a little about the seam, within the tolerance; the first one turns about it.
-    let flat = landscape(2, [0.0; 3]).map_points(|[_, y, z]| [0.0, y, z]);
+    let flat = landscape(2, [0.0; 3]).map(|[_, y, z]| [0.0, y, z]);
     let greville = flat.knots(Direction::U).greville();
     let columns = flat.net().columns();
     let turned = |from: f64, angle: f64| {
@@ -285,7 +285,7 @@ fn pipe() -> BSplineSurface<P3> {
 fn a_patch_that_meets_itself() {
     let seam = Seam { patches: [0, 0], edges: [Edge::UEnd, Edge::UStart], reversed: false };
     let network = Network::new(vec![pipe()], vec![seam]).unwrap();
-    let wider = pipe().map_points(|[x, y, z]| [x * (1.0 + 0.1 * z), y, z]);
+    let wider = pipe().map(|[x, y, z]| [x * (1.0 + 0.1 * z), y, z]);
     let found = network.follow(0, &wider, &FollowOptions::default()).unwrap();
     assert_eq!(found.changed, [0]);
     check(&network, &found, [1e-13, 1e-11]);

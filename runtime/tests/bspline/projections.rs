@@ -72,7 +72,7 @@ fn equally_near_points_cost_bounded_work_and_the_bound_says_what_is_proved() {
         let found = dome().nearest([0.0, 0.0, height], 1e-10).unwrap();
         assert!(found.at_least <= found.distance && found.at_least > 0.999 * found.distance, "{found:?}");
     }
-    let collapsed = dome().map_points(|_| [1.0, 2.0, 2.0]);
+    let collapsed = dome().map(|_| [1.0, 2.0, 2.0]);
     let found = collapsed.nearest([0.0; 3], 1e-10).unwrap();
     assert!(found.distance == 3.0 && found.at_least > 3.0 - 1e-12);
 }
@@ -83,7 +83,7 @@ fn any_scale_and_what_is_not_finite() {
     let here = dome().nearest(at, 1e-10).unwrap();
     for scale in [1e-200, 1e-9, 1e9, 1e200] {
         let scaled = |p: P3| p.map(|x| x * scale);
-        let found = dome().map_points(scaled).nearest(scaled(at), 1e-10).unwrap();
+        let found = dome().map(scaled).nearest(scaled(at), 1e-10).unwrap();
         assert!((found.distance / scale - here.distance).abs() < 1e-12, "{scale}: {found:?}");
     }
     // Only the pieces that the point belongs to are left out.

@@ -243,7 +243,7 @@ fn positions_only() {
 fn the_change_is_how_far_the_rows_moved() {
     let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
     let joint = Joint { edge: Edge::UStart, target: Edge::UStart, reversed: false };
-    let left = right.map_points(|[x, y, z]| [x, y, z + 0.25]);
+    let left = right.map(|[x, y, z]| [x, y, z + 0.25]);
     for method in [Method::LeastSquares, Method::Exact] {
         // Carried along, both rows move by a quarter.
         let options = SpliceOptions { method, continuity: Continuity::G0, ..SpliceOptions::default() };

@@ -22,6 +22,12 @@ fn moderate(curve: &Quartic) -> bool {
 
 const CURVE: &[Case<Quartic>] = &[
     ("new", |_, a, _| QuarticBernstein::new(a).is_ok() == (-3.0..=1.0).contains(&a)),
+    ("from_slice", |c, _, _| {
+        Quartic::from_slice(c.basis(), c.control_points()).is_ok()
+            && Quartic::from_slice(c.basis(), &c.control_points()[1..]).is_err()
+    }),
+    ("with_basis", |c, _, _| c.with_basis(QuarticBernstein::new(1.0).unwrap()).basis() != c.basis()),
+    ("map", |c, a, b| c.map(|p| [p[0], a, b]).control_points().len() == 4),
     ("eval", |c, a, _| !a.is_nan() || is_nan(c.eval(a))),
     ("eval_checked", |c, a, _| c.eval_checked(a).is_ok() == (0.0..=1.0).contains(&a)),
     ("eval_clamped", |c, a, _| {

@@ -47,6 +47,11 @@ const KNOTS: &[Case<KnotVector<f64>>] = &[
         let found = KnotVector::clamped(2, &[a, b]);
         found.is_ok() == (a < b && (b - a).is_finite()) && KnotVector::<f64>::clamped(2, &[]).is_err()
     }),
+    ("KnotVector::periodic", |_, a, b| {
+        let found = KnotVector::periodic(2, &[0.0, a, b]);
+        found.map_or(!(0.25..1.0).contains(&a) || b != 1.0, |k| k.domain() == [0.0, b] && a <= b)
+            && KnotVector::<f64>::periodic(usize::MAX, &[0.0, 1.0]).is_err()
+    }),
     ("KnotVector::uniform", |_, _, _| {
         KnotVector::<f64>::uniform(3, 0).is_err()
             && KnotVector::<f64>::uniform(3, usize::MAX).is_err()
@@ -131,6 +136,46 @@ const CURVE: &[Case<C>] = &[
             })
         })
     }),
+    ("BSplineCurve::periodic", |c, a, b| {
+        let points = &c.control_points()[..2];
+        C::periodic(3, &[0.0, a, b], points).map_or(true, |c| c.control_points().len() == 5)
+            && C::periodic(3, &[0.0, 0.5, 0.75, 1.0], points).is_err()
+            && C::periodic(3, &[], points).is_err()
+    }),
+    ("BSplineCurve::map", |c, a, b| c.map(|p| [a, b, p[0]]).control_points().len() == 5),
+    ("BSplineCurve::interpolate_closed", |c, _, _| {
+        [0, 1, 2, 3, 9, usize::MAX].into_iter().all(|degree| {
+            [Spacing::Uniform, Spacing::Chord, Spacing::Centripetal].into_iter().all(|spacing| {
+                C::interpolate_closed(degree, c.control_points(), spacing)
+                    .map_or(true, |c| c.degree() == degree)
+            })
+        })
+    }),
+    ("BSplineSurface::extruded", |c, a, b| S::extruded(c, [a, b, 1.0]).is_ok_and(|s| s.degrees() == [2, 1])),
+    ("BSplineSurface::ruled", |c, _, _| {
+        S::ruled(c, &c.reversed()).is_ok_and(|s| s.domain() == [[0.0, 1.0]; 2])
+    }),
+    ("BSplineSurface::translated", |c, _, _| S::translated(c, c).is_ok_and(|s| s.degrees() == [2, 2])),
+    ("BSplineSurface::lofted", |c, a, _| {
+        let sections =
+            [c.clone(), c.map(|p| [p[0], p[1], p[2] + a]), c.map(|p| [p[1], p[0], p[2] - 2.0 * a])];
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|degree| {
+            S::lofted(&sections, degree, Spacing::Uniform).map_or(true, |s| s.degrees() == [2, degree])
+        }) && S::lofted(&[], 1, Spacing::Chord).is_err()
+    }),
+    ("BSplineSurface::coons", |c, a, _| {
+        let moved = c.map(|p| [p[0], p[1] + a, p[2]]);
+        let side = |from: P, to: P| C::from_bezier([from, to]).unwrap();
+        let sides = [side(c.start(), moved.start()), side(c.end(), moved.end())];
+        let found = S::coons([c, &moved], [&sides[0], &sides[1]], 1e-9);
+        found.map_or(true, |s| s.degrees() == [2, 1]) && S::coons([c, c], [c, c], f64::NAN).is_err()
+    }),
+    ("BSplineSurface::swept", |c, a, _| {
+        let path = c.map(|p| [p[0], p[1] + a, p[2]]);
+        [0, 1, 2, 5, usize::MAX]
+            .into_iter()
+            .all(|count| S::swept(c, &path, count, Some([a, 0.0, 1.0])).map_or(true, |s| s.degrees()[0] == 2))
+    }),
     ("BSplineCurve::interpolate_at", |c, a, b| {
         C::interpolate_at(c.knots().clone(), &[0.0, a, 0.5, b, 1.0], c.control_points())
             .map_or(true, |_| a < b)
@@ -162,6 +207,13 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
     ("NurbsCurve::from_homogeneous", |c, _, _| {
         RationalCurve::from_homogeneous(c.homogeneous().clone()).is_ok()
     }),
+    ("NurbsCurve::map", |c, a, b| c.map(|p| [a, b, p[0]]).weights() == c.weights()),
+    ("NurbsSurface::extruded", |c, a, b| {
+        NurbsSurface::extruded(c, [a, b, 1.0]).is_ok_and(|s| s.degrees() == [2, 1])
+    }),
+    ("NurbsSurface::ruled", |c, _, _| {
+        NurbsSurface::ruled(c, &c.reversed()).map_or(true, |s| s.domain() == [[0.0, 1.0]; 2])
+    }),
     ("NurbsCurve::homogeneous", |c, _, _| c.homogeneous().degree() == 2),
     ("NurbsCurve::degree", |c, _, _| c.degree() == 2),
     ("NurbsCurve::knots", |c, _, _| c.knots().functions() == 5),
@@ -192,7 +244,7 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
 const SURFACE: &[Case<S>] = &[
     ("BSplineSurface::new", |s, _, _| S::new(knots(), knots(), s.net().clone()).is_ok()),
     ("BSplineSurface::from_bezier", |s, _, _| S::from_bezier(s.net().clone()).is_ok()),
-    ("BSplineSurface::map_points", |s, a, _| s.map_points(|p| [p[0], a]).degrees() == [2, 3]),
+    ("BSplineSurface::map", |s, a, _| s.map(|p| [p[0], a]).degrees() == [2, 3]),
     ("BSplineSurface::degrees", |s, _, _| s.degrees() == [2, 3]),
     ("BSplineSurface::knots", |s, _, _| BOTH.iter().all(|&d| s.knots(d).functions() == 5)),
     ("BSplineSurface::net", |s, _, _| s.net().rows() == 5),
@@ -290,7 +342,7 @@ const SURFACE: &[Case<S>] = &[
     ("Network::follow", |s, a, b| {
         let network = Network::grid(vec![s.clone(); 2], 2).unwrap();
         let options = FollowOptions { gap: a, angle: b, spans: 6 };
-        let moved = s.map_points(|p| [p[0], p[1] + a, p[2]]);
+        let moved = s.map(|p| [p[0], p[1] + a, p[2]]);
         network.follow(9, &moved, &options).is_err()
             && network.follow(0, &moved, &options).map_or(true, |found| found.changed[0] == 0)
     }),
@@ -318,6 +370,7 @@ const NURBS_SURFACE: &[Case<RationalSurface>] = &[
         let made = RationalSurface::new(knots(), unclamped(), &s.net(), &weights);
         made.map_or(true, |_| a > 0.0 && b > 0.0)
     }),
+    ("NurbsSurface::map", |s, a, b| s.map(|p| [a, b, p[0]]).weights() == s.weights()),
     ("NurbsSurface::from_homogeneous", |s, _, _| {
         RationalSurface::from_homogeneous(s.homogeneous().clone()).is_ok()
     }),

@@ -6,6 +6,7 @@ mod continuations;
 mod ends;
 mod faithful;
 mod laws;
+mod matrices;
 mod patches;
 mod points;
 mod serialize;

@@ -9,8 +9,8 @@ use core::ops::Range;
 use lsp_types::{CodeAction, CodeActionKind, TextEdit, Uri, WorkspaceEdit};
 use serde_json::{Value, json};
 
-use crate::lsp::analysis::{Analysis, Statement};
 use crate::lsp::workspace::{Text, Workspace};
+use basis_engine::query::{Analysis, Statement};
 
 /// The actions for a range of a text. What takes long is worked out when one of them is chosen, if the editor can ask.
 pub(in crate::lsp) fn actions(

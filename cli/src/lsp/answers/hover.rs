@@ -6,9 +6,9 @@ use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
 use super::marks::reasons;
 use crate::domain;
-use crate::lsp::analysis::Analysis;
 use crate::lsp::files::Other;
 use crate::lsp::workspace::Text;
+use basis_engine::query::Analysis;
 
 /// The most functions that are shown at once.
 const MAX_FUNCTIONS: usize = 8;
@@ -38,7 +38,7 @@ pub(in crate::lsp) fn hover(
             let known = word(token.text(&text.document.text)).filter(|_| token.kind == TokenKind::Word)?;
             let mut value = format!("`{}`: {}", known.text, known.meaning);
             let own =
-                |s: &crate::lsp::analysis::Statement<'_>| s.place.start <= offset && offset <= s.place.end;
+                |s: &basis_engine::query::Statement<'_>| s.place.start <= offset && offset <= s.place.end;
             if let Some(statement) = analysis.statements().iter().find(|s| own(s)) {
                 value += &format!("\n\n{}", reasons(statement));
             }
@@ -151,7 +151,7 @@ fn shape(text: &Text, family: &Family, symbol: &Symbol) -> String {
 }
 
 fn summary(analysis: &Analysis, family: &Family) -> String {
-    let of = |item: &&crate::lsp::analysis::Checked| matches!(&item.subject, Subject::Family(f) if f.name == family.name);
+    let of = |item: &&basis_engine::query::Analysed| matches!(&item.subject, Subject::Family(f) if f.name == family.name);
     let items: Vec<_> = analysis.items.iter().filter(of).collect();
     let claims = || items.iter().flat_map(|item| &item.claims);
     let decided = claims().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));

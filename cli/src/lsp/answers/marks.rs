@@ -8,9 +8,9 @@ use lsp_types::{
 };
 
 use crate::check::orders;
-use crate::lsp::analysis::{Analysis, Statement};
 use crate::lsp::files;
 use crate::lsp::workspace::Text;
+use basis_engine::query::{Analysis, Statement};
 
 /// The most characters of a counterexample that stand in the text itself.
 const MAX_LENGTH: usize = 70;

@@ -1,6 +1,5 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
-use crate::algebra::range::DisplayRange as _;
 use crate::claim::Claim;
 use crate::model::Family;
 use crate::plural::count;
@@ -36,9 +35,9 @@ pub(in crate::generate) fn family(
         let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
         ranges.push(format!("`{} = 1`, all ≥ 0", names.join(" + ")));
     } else {
-        ranges.extend(family.domain.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
+        ranges.extend(family.domain.iter().map(|p| format!("`{}`", family.declared(p))));
     }
-    ranges.extend(family.shapes.iter().map(|p| format!("`{}`", p.range.display(&p.name))));
+    ranges.extend(family.shapes.iter().map(|p| format!("`{}`", family.declared(p))));
     ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
     lines.extend(rounding.iter().cloned());

@@ -8,7 +8,8 @@ use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 
 /// Methods that every generated type has.
-const METHODS: [&str; 12] = [
+const METHODS: [&str; 15] = [
+    "curve",
     "partials",
     "new",
     "values",
@@ -16,6 +17,8 @@ const METHODS: [&str; 12] = [
     "coefficients",
     "bernstein_coefficients",
     "to_bernstein",
+    "mass_matrix",
+    "stiffness_matrix",
     "bind",
     "start_points",
     "end_points",
@@ -183,9 +186,9 @@ pub(in crate::generate) struct Argument {
 pub(in crate::generate) fn arguments(family: &Family, fields: &[Ident]) -> Vec<Argument> {
     let mut all: Vec<Argument> = Vec::new();
     for (k, (shape, field)) in family.shapes.iter().zip(fields).enumerate() {
-        match shape.name.split_once('[') {
+        match family.name_of(shape).split_once('[') {
             None => {
-                let (name, written) = (field.clone(), shape.name.clone());
+                let (name, written) = (field.clone(), family.name_of(shape).to_string());
                 all.push(Argument { name, written, places: k..k + 1, is_array: false });
             }
             Some((base, _)) => match all.last_mut() {
@@ -208,25 +211,23 @@ pub(in crate::generate) fn fields(family: &Family) -> Result<Vec<Ident>, Vec<Dia
     let mut fields: Vec<Ident> = Vec::new();
     let mut errors = Vec::new();
     for (k, shape) in family.shapes.iter().enumerate() {
-        let name = field(&shape.name);
+        let written = family.name_of(shape);
+        let name = field(written);
         // Of parameters with an index the array has the name without one.
-        let (base, indexed) =
-            shape.name.split_once('[').map_or((&*shape.name, false), |(base, _)| (base, true));
+        let (base, indexed) = written.split_once('[').map_or((written, false), |(base, _)| (base, true));
         let error = |message: String| Diagnostic::error(shape.place.clone(), message);
         let help = "choose another name for the parameter";
         if METHODS.contains(&ascii(base).as_str()) {
-            let message = format!(
-                "the shape parameter `{}` has the name of a method of the generated type",
-                shape.name
-            );
+            let message =
+                format!("the shape parameter `{written}` has the name of a method of the generated type");
             errors.push(error(message).help(help));
-        } else if let Some(other) = family.shapes[..k]
-            .iter()
-            .find(|other| field(&other.name) == name || indexed && field(&other.name) == ascii(base))
-        {
+        } else if let Some(other) = family.shapes[..k].iter().find(|other| {
+            let other = field(family.name_of(other));
+            other == name || indexed && other == ascii(base)
+        }) {
             let message = format!(
-                "the shape parameters `{}` and `{}` are both called `{name}` in Rust",
-                other.name, shape.name
+                "the shape parameters `{}` and `{written}` are both called `{name}` in Rust",
+                family.name_of(other)
             );
             errors.push(error(message).also(other.place.clone(), "the other one").help(help));
         } else {

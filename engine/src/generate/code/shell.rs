@@ -6,11 +6,11 @@ use quote::quote_spanned;
 
 use super::names::arguments;
 use super::tokens::{doc, float, number, site};
-use crate::algebra::range::{DisplayRange as _, End};
+use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::generate::rust::{self, Body, Surroundings};
-use crate::model::Family;
 use crate::model::chart::Constraint;
+use crate::model::{Family, Parameter};
 use crate::plan::{Input, Plan};
 use basis_prover::collections::list::Mapped;
 
@@ -35,7 +35,7 @@ impl Shell<'_> {
     /// The code of a plan in a method of the type; all inputs but shape values have the code that `input` gives.
     pub(in crate::generate) fn body(&self, plan: &Plan, input: &dyn Fn(Input) -> TokenStream) -> Body {
         let input = |which: Input| match which {
-            Input::Shape(k) => {
+            Input::Shape(k) if k < self.fields.len() => {
                 let field = &self.fields[k];
                 quote_spanned!(site()=> self.#field)
             }
@@ -121,10 +121,10 @@ impl Shell<'_> {
                 }
             };
         }
-        let ranges: Vec<String> = family.shapes.mapped(|p| p.range.display(&p.name).to_string());
+        let ranges: Vec<String> = family.shapes.mapped(|p| family.declared(p));
         let checks = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
-            let (low, high) = (bound(&p.range.low, core), bound(&p.range.high, core));
-            let parameter = &p.name;
+            let [low, high] = ends(family, p).map(|end| bound(&end, core));
+            let parameter = family.name_of(p);
             quote_spanned! {site()=>
                 #field: #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
             }
@@ -153,7 +153,7 @@ impl Shell<'_> {
             let mut lines = vec![if argument.is_array {
                 format!("The shape parameters `{}`: `{own}`.", argument.written)
             } else {
-                format!("The shape parameter `{}`, `{own}`.", p.name)
+                format!("The shape parameter `{}`, `{own}`.", family.name_of(p))
             }];
             if argument.is_array {
                 let (fields, len) = (&fields[argument.places.clone()], argument.places.len());
@@ -231,6 +231,19 @@ impl Shell<'_> {
         };
         (docs, family.constraints.mapped(check))
     }
+}
+
+/// The ends of the range of a shape parameter. That of an angle is known as the range of its tangent.
+fn ends(family: &Family, parameter: &Parameter) -> [End; 2] {
+    let own = [&parameter.range.low, &parameter.range.high];
+    let Some(angle) = family.analytic.angle(parameter.var) else { return own.map(End::clone) };
+    core::array::from_fn(|k| {
+        match family.analytic.number(&angle.limits[k]).filter(|_| !angle.ends[k].is_empty()) {
+            Some(end) if own[k].is_included() => End::Included(end),
+            Some(end) => End::Excluded(end),
+            None => End::Infinite,
+        }
+    })
 }
 
 pub(in crate::generate) fn bound(end: &End, core: &TokenStream) -> TokenStream {

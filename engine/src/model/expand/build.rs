@@ -49,6 +49,15 @@ pub(super) fn piece<'a>(
 
 fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Family> {
     scope.unread.clone_from(&written.unread);
+    for statement in &written.statements {
+        match &statement.kind {
+            StatementKind::Domain(ranges) => {
+                scope.coming.extend(ranges.iter().map(|range| range.name.text.clone()));
+            }
+            StatementKind::Simplex(names) => scope.coming.extend(names.iter().map(|name| name.text.clone())),
+            _ => {}
+        }
+    }
     set_known_factors(Vec::new());
     let (shapes, domain) = if angles::occur(written) {
         match angles::declare(scope, written) {

@@ -12,6 +12,7 @@ use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::angle::Angle;
 use crate::model::formula::Value;
+use crate::model::formula::phase::Linear;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
@@ -220,7 +221,11 @@ fn property(
         syntax::ClaimKind::TotallyPositive => {
             if family.interval().is_none() || scope.span.is_some() {
                 let error = scope.error(span, "`totally_positive` is about functions on one interval");
-                scope.report(error.help("claim it of the factors of functions on a box"));
+                scope.report(error.help(if scope.span.is_some() {
+                    "of functions on several spans it is not decided; claim it of a family on one of them"
+                } else {
+                    "claim it of the factors of functions on a box"
+                }));
                 return None;
             }
             (String::from("totally_positive"), ClaimKind::TotallyPositive)
@@ -553,6 +558,8 @@ fn fixed_angle(
     let span = binding.value.span;
     let y = match scope.angle_at(angle, &value, span) {
         Ok(y) => y?,
+        // Half a turn from the middle of one span lies in another, or in none, which is said where all are known.
+        Err(_) if scope.span.is_some() && Linear::of(&value, scope.analytic.pi).is_some() => return None,
         Err((message, help)) => {
             scope.report(scope.error(span, message).help(help));
             return None;

@@ -177,7 +177,18 @@ fn one(
                     low: hull(&parts, decl, k, false, shapes),
                     high: hull(&parts, decl, k, true, shapes),
                 };
-                let range = checked_range(scope, name.span, range, &|| name.text.clone());
+                let range = match range.finite() {
+                    // Of a chain, `2 < q < p <= 1`, the ends stand in one line.
+                    Some((a, b)) if a > b && parts.len() > 3 => {
+                        let error = scope.error(name.span, format!("the range of `{}` is empty", name.text));
+                        let label = format!("{a} is above {b}");
+                        scope.report(
+                            error.label(label).help("write the chain from the smallest to the greatest"),
+                        );
+                        None
+                    }
+                    _ => checked_range(scope, name.span, range, &|| name.text.clone()),
+                };
                 let var = variable(scope, name);
                 let (range, var) = (range?, var?);
                 let (name, place, doc) = (name.text.clone(), scope.place(name.span), doc.to_vec());
@@ -498,7 +509,8 @@ fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
             Relation::NonNegative => Relation::Positive,
             Relation::Positive => Relation::NonNegative,
         };
-        let value = basis_kernel::Quotient::from(-&piece.pull_back(p));
+        let Some(p) = piece.pull_back(p) else { return false };
+        let value = basis_kernel::Quotient::from(-&p);
         let never = Goal::Holds(Proposition::Sign { value, relation: other, domain: Rc::clone(&domain) });
         // Where proofs are checked later, nothing is known.
         matches!(scope.library.judge().judge(&never, 1), Ok(Some(_)))

@@ -26,6 +26,9 @@ pub(super) fn spans(written: &syntax::Family) -> Option<&[RangeDecl]> {
     rest.iter().any(|d| d.name.text == first.name.text).then_some(decls)
 }
 
+/// Claims look at each span beside all others.
+const MAX_SPANS: usize = 200;
+
 /// Expands a family on several spans.
 pub(super) fn family<'a>(
     library: &'a Library<'a>,
@@ -46,6 +49,12 @@ pub(super) fn family<'a>(
             message,
             "a family has several spans, or several domain variables",
         ));
+        return (None, diagnostics);
+    }
+    if let Some(decl) = decls.get(MAX_SPANS) {
+        let message = format!("a family has at most {MAX_SPANS} spans");
+        let help = "split the domain, or write one family for each part";
+        diagnostics.push(wrong(decl.name.span, message, help));
         return (None, diagnostics);
     }
     let formulas = written.statements.iter().filter_map(|s| match &s.kind {

@@ -27,7 +27,26 @@ impl Scope<'_> {
             Value::List(list) => {
                 let error =
                     self.error(expr.span, format!("expected one function, found a list of {}", list.len()));
-                self.report(error.help("pick one of them with an index, such as `b[0]`"));
+                let first = list.first().map_or(&[][..], |(index, _)| index);
+                let part = match &expr.kind {
+                    ExprKind::Name(name) => Some(name),
+                    // Of a product the factor that is a list of shape parameters.
+                    ExprKind::Product(parts) => parts.iter().find_map(|(_, part)| match &part.kind {
+                        ExprKind::Name(name) if self.is_list_of_shapes(name) => Some(name),
+                        _ => None,
+                    }),
+                    _ => None,
+                };
+                self.report(match &expr.kind {
+                    _ if part.is_some() => {
+                        let entry = part.map(|name| label(name, first)).unwrap_or_default();
+                        error.help(format!("pick one of them with an index, such as `{entry}`"))
+                    }
+                    ExprKind::List(_) => error.help(
+                        "a function has one value; write a function for each entry, or a family for each component",
+                    ),
+                    _ => error.help("pick one of them with an index, such as `b[0]`"),
+                });
                 None
             }
         }
@@ -317,6 +336,13 @@ impl Scope<'_> {
     }
 
     fn indexed(&mut self, base: &Expr, indices: &[Expr], span: Span) -> Option<Value> {
+        if let ExprKind::Name(name) = &base.kind
+            && (BUILTINS.contains(&name.as_str()) || is_transcendental(name))
+        {
+            let error = self.error(span, format!("`{name}` is a function, not a list"));
+            self.report(error.help(format!("write its argument in round brackets, `{name}(…)`")));
+            return None;
+        }
         let mut index = Vec::new();
         for i in indices {
             index.push(self.whole(i, "an index")?);

@@ -2,6 +2,7 @@
 //! values that are put in place of a parameter stay in its range.
 
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort_by;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
@@ -12,10 +13,14 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::model::angle::Angle;
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
 use crate::model::obligation::{Goal, Obligation, Open};
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Subject};
+
+/// What is left where a value has too many terms in the variables of a box.
+const TOO_LONG: &str = "ranges that depend on one another make the formula too long";
 
 impl Scope<'_> {
     /// Notes that a value must stay in the range of a parameter.
@@ -103,9 +108,9 @@ impl Scope<'_> {
         let constraints = constraints.mapped(|c| (c.value.clone(), c.relation));
         for piece in chart::pieces(&region.ranges, &constraints) {
             let (domain, relation) = (Rc::new(piece.domain()), Relation::Positive);
-            let statement = Statement::Sign { value: piece.pull_back_fraction(value), relation, domain };
+            let goal = |value| Goal::Holds(Statement::Sign { value, relation, domain });
             let of = format!("{} > 0", value.display(&self.names));
-            match self.judge(of, Goal::Holds(statement), 1) {
+            match self.judge(of, piece.pull_back_fraction(value).map(goal), 1) {
                 Ok(()) => {}
                 Err(Open::Fails(point)) => {
                     return Err(format!("at {}", self.own(value.numer(), &piece.image(&point))));
@@ -116,8 +121,9 @@ impl Scope<'_> {
         Ok(())
     }
 
-    /// Has a goal decided; what the error is about if it does not hold.
-    fn judge(&mut self, of: String, goal: Goal, budget: u32) -> Result<(), Open> {
+    /// Has a goal decided, if it can be said; what the error is about if it does not hold.
+    fn judge(&mut self, of: String, goal: Option<Goal>, budget: u32) -> Result<(), Open> {
+        let goal = goal.ok_or_else(|| Open::Undecided(String::from(TOO_LONG)))?;
         let proof = self.library.judge().judge(&goal, budget)?;
         self.inherit(&[Obligation { of, goal, proof }]);
         Ok(())
@@ -135,8 +141,18 @@ impl Scope<'_> {
         if shown.starts_with('-') && self.domain.iter().any(|v| divisor.depends_on(*v)) {
             shown = (-divisor).display(&self.names).to_string(); // as it stands below a quotient in lowest terms
         }
-        let goal = Goal::Nonzero(piece.pull_back(divisor), Rc::clone(domain));
-        Some(match self.judge(format!("{shown} != 0"), goal, budget) {
+        let known = self.library.text_at(&place).is_some_and(|text| says_the_same(text, &shown));
+        let label = if known { String::new() } else { format!("this is {shown}") };
+        let labelled = |error: Diagnostic| error.label(label.clone());
+        let goal = piece.pull_back(divisor).map(|p| Goal::Nonzero(p, Rc::clone(domain)));
+        let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
+        let beside_itself = |a: &Angle| divisor.depends_on(a.itself) && divisor.depends_on(a.var);
+        if matches!(judged, Err(Open::Fails(_))) && self.analytic.angles.iter().any(beside_itself) {
+            // The point need not be one: the variable and its tangent were taken apart.
+            let why = "a variable stands beside its own sine or exponential in it";
+            judged = Err(Open::Undecided(String::from(why)));
+        }
+        Some(match judged {
             Err(Open::Fails(point)) => {
                 let point = piece.image(&point);
                 // A value at which the denominator is zero, whatever the others are, says it best.
@@ -154,15 +170,13 @@ impl Scope<'_> {
                         String::from("narrow the declared ranges so that they leave this value out"),
                     ),
                 };
-                Diagnostic::error(place, format!("the denominator vanishes at {at}"))
-                    .label(format!("this is {shown}"))
+                labelled(Diagnostic::error(place.clone(), format!("the denominator vanishes at {at}")))
                     .help(help)
             }
-            Err(Open::Undecided(left)) => Diagnostic::error(
-                place,
+            Err(Open::Undecided(left)) => labelled(Diagnostic::error(
+                place.clone(),
                 "it is undecided whether the denominator vanishes on the declared ranges",
-            )
-            .label(format!("this is {shown}"))
+            ))
             .note(left)
             .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
             Ok(()) => return None,
@@ -230,8 +244,8 @@ impl Scope<'_> {
             let distance = if above { -&distance } else { distance };
             let sign = distance.numer() * distance.denom();
             let domain = Rc::clone(domain);
-            let value = piece.pull_back_fraction(&distance);
-            let goal = Goal::Holds(Statement::Sign { value, relation, domain });
+            let goal = |value| Goal::Holds(Statement::Sign { value, relation, domain });
+            let goal = piece.pull_back_fraction(&distance).map(goal);
             let symbol = match (above, relation) {
                 (true, Relation::NonNegative) => "<=",
                 (true, Relation::Positive) => "<",
@@ -280,12 +294,9 @@ impl Scope<'_> {
         let message = format!("the shape values do not satisfy `{text}` of `{family}`");
         let help = "choose values that satisfy it, narrow the ranges, or `assume` it here";
         let sign = value.numer() * value.denom();
-        let statement = Statement::Sign {
-            value: piece.pull_back_fraction(value),
-            relation: *relation,
-            domain: Rc::clone(domain),
-        };
-        match self.judge(format!("{text} of {family}"), Goal::Holds(statement), budget) {
+        let (relation, domain) = (*relation, Rc::clone(domain));
+        let goal = |value| Goal::Holds(Statement::Sign { value, relation, domain });
+        match self.judge(format!("{text} of {family}"), piece.pull_back_fraction(value).map(goal), budget) {
             Ok(()) => None,
             Err(Open::Fails(point)) => {
                 let at = self.own(&sign, &piece.image(&point));
@@ -305,5 +316,70 @@ impl Scope<'_> {
         let own = point.iter().filter(|(v, _)| p.depends_on(*v));
         let parts: Vec<String> = own.map(|(v, c)| c.describe(&self.names[v.0])).listed();
         parts.join(", ")
+    }
+}
+
+/// Whether a sum that is written has the terms of a polynomial as it is shown, or their negatives, in whatever order: it
+/// need not be shown then.
+fn says_the_same(written: &str, shown: &str) -> bool {
+    let (Some(mut a), Some(mut b)) = (terms(written), terms(shown)) else { return false };
+    for (negative, _) in &mut b {
+        *negative = !*negative;
+    }
+    let turned = b.clone();
+    for (negative, _) in &mut b {
+        *negative = !*negative;
+    }
+    let mut same = |mut b: Vec<(bool, Vec<String>)>| {
+        sort_by(&mut b, Ord::cmp);
+        sort_by(&mut a, Ord::cmp);
+        a == b
+    };
+    same(b) || same(turned)
+}
+
+/// The terms of a sum without brackets, each with its sign and its factors in order.
+fn terms(text: &str) -> Option<Vec<(bool, Vec<String>)>> {
+    let text: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let text = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')).unwrap_or(&text);
+    if text.contains(['(', ')', '[']) {
+        return None;
+    }
+    let mut all: Vec<(bool, String)> = Vec::new();
+    for c in text.chars() {
+        match c {
+            '+' | '-' => all.push((c == '-', String::new())),
+            _ => {
+                if all.is_empty() {
+                    all.push((false, String::new()));
+                }
+                all.last_mut()?.1.push(c);
+            }
+        }
+    }
+    let factors = |term: &String| {
+        let mut factors: Vec<String> = term.split('*').map(String::from).listed();
+        sort_by(&mut factors, Ord::cmp);
+        factors
+    };
+    Some(all.iter().map(|(negative, term)| (*negative, factors(term))).listed())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::says_the_same;
+
+    #[test]
+    fn sums_that_need_not_be_shown_again() {
+        for (written, shown) in
+            [("2*t-1", "1 - 2*t"), ("(t + λ)", "λ + t"), ("1 - t*2", "1 - 2*t"), ("t^2 - 1", "-1 + t^2")]
+        {
+            assert!(says_the_same(written, shown), "{written}");
+        }
+        for (written, shown) in
+            [("2*t - 1", "1 + 2*t"), ("w", "1 - 2*t"), ("(1 - t)*(1 - t)", "1 - 2*t + t^2"), ("t - t", "0")]
+        {
+            assert!(!says_the_same(written, shown), "{written}");
+        }
     }
 }

@@ -134,7 +134,15 @@ impl<'f> Library<'f> {
 
     /// The names of all families that a spec can name.
     pub(crate) fn visible(&self, unit: usize) -> Vec<String> {
-        self.search(unit).into_iter().flat_map(|u| self.families_of(u)).map(|f| f.name.text.clone()).listed()
+        let mut names: Vec<String> = Vec::new();
+        for unit in self.search(unit) {
+            for family in self.families_of(unit) {
+                if !names.contains(&family.name.text) {
+                    names.push(family.name.text.clone());
+                }
+            }
+        }
+        names
     }
 
     /// Whether a name may be that of an item that could not be read: it stands there, or the name is missing.
@@ -202,6 +210,14 @@ impl<'f> Library<'f> {
             Place::Text(source, span.byte_range())
         } else {
             Place::Token(span, span)
+        }
+    }
+
+    /// The text at a place.
+    pub(crate) fn text_at(&self, place: &Place) -> Option<&str> {
+        match place {
+            Place::Text(source, range) => self.sources.get(*source).text.as_deref()?.get(range.clone()),
+            Place::Token(..) => None,
         }
     }
 

@@ -123,6 +123,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) names: Vec<String>,
     /// The independent domain variables.
     pub(crate) domain: Vec<Var>,
+    /// The names of the domain variables, known before these are.
+    pub(crate) coming: Vec<String>,
     /// The ends of their ranges, in the same order; of a simplex none.
     pub(crate) ends: Vec<(Fraction, Fraction)>,
     /// The last barycentric coordinate of a simplex.
@@ -324,6 +326,8 @@ impl Scope<'_> {
         }
         self.undeclared.borrow_mut().push(name.to_string());
         let mut known: Vec<&str> = BUILTINS.to_vec();
+        // `D` is one letter away from every short name.
+        known.retain(|builtin| *builtin != "D" || name == "d");
         known.extend(self.names.iter().map(String::as_str));
         known.extend(self.constants.iter().map(|(n, _)| n.as_str()));
         known.extend(self.lets.keys().map(String::as_str));
@@ -338,6 +342,12 @@ impl Scope<'_> {
             ),
             "pi" | "π" => String::from("numbers are rational in theorems: write a fraction such as 22/7"),
             "e" => String::from("write `exp(1)`"),
+            _ if self.domain.is_empty() && self.coming.iter().any(|n| n == name) => {
+                return self.report(
+                    self.error(span, format!("`{name}` is a domain variable"))
+                        .help("ranges and assumptions are made of shape parameters and numbers"),
+                );
+            }
             _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
             _ if glued.is_some() => glued.unwrap_or_default(),
             _ => did_you_mean(name, &known, &|| {
@@ -411,6 +421,7 @@ impl Scope<'_> {
             waits_for: None,
             names: Vec::new(),
             domain: Vec::new(),
+            coming: Vec::new(),
             ends: Vec::new(),
             dependent: None,
             analytic: Analytic::default(),

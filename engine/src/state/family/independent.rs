@@ -52,7 +52,8 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
         for values in except {
             own.extend(pulled_back(values, piece)?);
         }
-        let rows = rows.mapped(|row| row.mapped(|p| piece.pull_back(p)));
+        let row = |row: &Vec<Poly>| row.iter().map(|p| piece.pull_back(p)).collect::<Option<Vec<Poly>>>();
+        let rows = rows.iter().map(row).collect::<Option<Vec<_>>>()?;
         let region = piece.domain().region;
         let statement = Statement::Independent { rows, except: own, region };
         let of = super::on_part(COEFFICIENTS, number, pieces.len());
@@ -69,7 +70,7 @@ fn pulled_back(values: &Values, piece: &Piece) -> Option<Vec<Values>> {
     // Each parameter after those on which it depends.
     let order = piece.ranges.iter().filter_map(|(var, _)| values.iter().find(|(v, _)| v == var));
     for (var, x) in order {
-        let difference = &piece.pull_back(&Poly::var(*var)) - &Poly::constant(x.clone());
+        let difference = &piece.pull_back(&Poly::var(*var))? - &Poly::constant(x.clone());
         let mut longer = Vec::new();
         for values in &known {
             let rest = values.iter().fold(difference.clone(), |p, (v, x)| p.at(*v, x));

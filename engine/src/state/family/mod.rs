@@ -124,7 +124,7 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
                 for ladder::Step { of, value, comparison } in steps {
                     let (of, value) = without_numbers(family, of, value);
                     let label = on_part(&of, number, parts.len());
-                    let stated = Stated::new(label, compared_on(&value, comparison, part));
+                    let stated = Stated::new(label, compared_on(&value, comparison, part)?);
                     let stated = Stated { is_stronger: true, ..stated };
                     all.push(Said { stated, of, piece: part.0.clone() });
                 }
@@ -136,7 +136,7 @@ fn said(family: &Family, claim: &Claim) -> Option<Vec<Said>> {
                 without_numbers(family, of.clone(), value.clone())
             };
             let stated =
-                Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part));
+                Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
             all.push(Said { stated, of, piece: part.0.clone() });
         }
     }
@@ -179,12 +179,8 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
     match statement {
         // Nobody knows whether π and exp(1) are independent of one another.
         Statement::Zero { value, .. } => {
-            family
-                .analytic
-                .numbers()
-                .iter()
-                .all(|v| value.numerator.depends_on(*v) || value.denominator.depends_on(*v))
-                && family.analytic.numbers().len() > 1
+            let occurs = |v: &Var| value.numerator.depends_on(*v) || value.denominator.depends_on(*v);
+            family.analytic.numbers().into_iter().filter(occurs).count() > 1
         }
         Statement::Sign { value, .. } => of(&value.numerator) || of(&value.denominator),
         Statement::Products { value, .. } => of(value),
@@ -192,7 +188,8 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
     }
 }
 
-const TOO_LONG: &str = "the budget is spent on a common denominator of the functions";
+const TOO_LONG: &str =
+    "the budget is spent on a common denominator of the functions, or on ranges that depend on one another";
 
 /// What is left where a proof for all values is not found.
 const WIDER: &str =
@@ -300,7 +297,7 @@ fn stated_comparison(
             Comparison::Equal => (d.text.clone(), d.value.clone()),
             _ => without_numbers(family, d.text.clone(), d.value.clone()),
         };
-        text == of && compared_on(&value, *comparison, &part) == *statement
+        text == of && compared_on(&value, *comparison, &part).as_ref() == Some(statement)
     };
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }

@@ -30,7 +30,7 @@ pub(super) fn named_point(
     let idle = piece.ranges.iter().filter(|(var, _)| absent(var)).map(|(var, r)| (*var, typical(r))).listed();
     let image = |value: &Fraction| {
         let put = |p: Poly| idle.iter().fold(p, |p, (var, x)| p.at(*var, x));
-        let quotient = piece.pull_back_fraction(value);
+        let quotient = piece.pull_back_fraction(value)?;
         found.evaluate(&Quotient {
             numerator: put(quotient.numerator),
             denominator: put(quotient.denominator),

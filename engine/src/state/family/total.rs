@@ -52,7 +52,7 @@ pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
         let mut rows = signed(family, piece, &table, points.first()?)?;
         for row in &mut rows {
             for entry in row.iter_mut() {
-                *entry = piece.pull_back(entry);
+                *entry = piece.pull_back(entry)?;
             }
         }
         let mut best = rows.clone();
@@ -216,10 +216,11 @@ pub(super) fn instances(family: &Family, given: &[Vec<Rational>]) -> Result<Vec<
     let pieces = family.pieces(&[], &[], true);
     let stated = |(number, piece): (usize, &Piece)| {
         let of = super::on_part(&label(family, &numbers, points), number, pieces.len());
-        let (value, domain) = (piece.pull_back_fraction(&value), Rc::new(piece.domain()));
-        Stated::new(of, Statement::Sign { value, relation: Relation::NonNegative, domain })
+        let (value, domain) = (piece.pull_back_fraction(&value)?, Rc::new(piece.domain()));
+        Some(Stated::new(of, Statement::Sign { value, relation: Relation::NonNegative, domain }))
     };
-    Ok(pieces.iter().enumerate().map(stated).listed())
+    let all: Option<Vec<Stated>> = pieces.iter().enumerate().map(stated).collect();
+    all.ok_or("the minor has too many terms")
 }
 
 /// The determinant of the values of functions at points.

@@ -3,6 +3,7 @@
 //! All systems are banded and are solved in `f64`, whatever the scalar type, in time proportional to the data.
 
 mod banded;
+mod closed;
 mod error;
 mod parameters;
 
@@ -10,8 +11,9 @@ use alloc::vec::Vec;
 
 pub(super) use banded::Banded;
 pub use error::FitError;
+use parameters::common_parameters;
 pub use parameters::{Spacing, parameters};
-use parameters::{averaged, common_parameters};
+pub(super) use parameters::{averaged, common_parameters as parameters_of_rows};
 
 use super::{BSplineCurve, BSplineSurface, KnotVector, Net};
 use crate::{Point, Scalar};

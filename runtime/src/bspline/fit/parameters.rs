@@ -67,7 +67,7 @@ pub fn parameters<P: Point>(points: &[P], spacing: Spacing) -> Result<Vec<P::Sca
 /// One list of parameters for all rows of a grid: the mean of the rows' own.
 ///
 /// Rows all of whose points coincide, such as poles, do not count.
-pub(super) fn common_parameters<P: Point>(
+pub(in crate::bspline) fn common_parameters<P: Point>(
     grid: &Net<P>,
     spacing: Spacing,
 ) -> Result<Vec<P::Scalar>, FitError> {
@@ -97,7 +97,10 @@ pub(super) fn common_parameters<P: Point>(
 
 /// The clamped knot vector whose inner knots are means of `degree` neighbouring parameters, as many functions as
 /// parameters: interpolation over it is always possible (C. de Boor).
-pub(super) fn averaged<S: Scalar>(degree: usize, parameters: &[S]) -> Result<KnotVector<S>, FitError> {
+pub(in crate::bspline) fn averaged<S: Scalar>(
+    degree: usize,
+    parameters: &[S],
+) -> Result<KnotVector<S>, FitError> {
     let count = parameters.len();
     if count <= degree {
         return Err(FitError::TooFew { needed: degree.saturating_add(1), found: count });

@@ -170,6 +170,12 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> PiecewiseCurve<B, P> {
         self.joints().iter().map(|joint| joint.geometric_order(gap, angle, curvature)).collect()
     }
 
+    /// The curve over the images of all control points; see [`Curve::map`].
+    #[must_use]
+    pub fn map<Q: Point<Scalar = B::Scalar>>(&self, mut image: impl FnMut(P) -> Q) -> PiecewiseCurve<B, Q> {
+        PiecewiseCurve { segments: self.segments.iter().map(|segment| segment.map(&mut image)).collect() }
+    }
+
     /// The segments as Bézier curves of the same degree.
     #[must_use]
     pub fn to_bezier(&self) -> PiecewiseCurve<BernsteinOf<B>, P> {

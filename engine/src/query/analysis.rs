@@ -2,53 +2,57 @@
 
 use core::ops::Range;
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
 
-use basis_engine::diagnostic::Place;
-use basis_engine::source::SourceId;
-use basis_engine::state::{self, Run};
-use basis_engine::theorem::theorems;
-use basis_engine::{
-    Claim, Diagnostic, Diagnostics, Family, Files, Library, Prover, Selected, Source, Sources, Subject,
-    Verdict, generate,
-};
+use crate::claim::Claim;
+use crate::diagnostic::{Diagnostic, Diagnostics, Place};
+use crate::generate;
+use crate::model::{Family, Library, Selected};
+use crate::source::{Files, Source, SourceId, Sources};
+use crate::state::{self, Prover, Run, Verdict};
+use crate::subject::Subject;
+use crate::theorem::theorems;
 
 /// The items of one version of a text, with the verdicts that are decided.
-pub(super) struct Analysis {
+#[derive(Debug)]
+pub struct Analysis {
     /// The families in every order, then the theorems and joins.
-    pub(super) items: Vec<Checked>,
+    pub items: Vec<Analysed>,
     /// What is wrong apart from claims.
-    pub(super) diagnostics: Vec<Diagnostic>,
+    pub diagnostics: Vec<Diagnostic>,
     /// The text and those it uses.
-    pub(super) sources: Sources,
+    pub sources: Sources,
     /// The item and the claim that come next.
     next: (usize, usize),
     run: Run,
 }
 
 /// An item with the claims that are decided.
-pub(super) struct Checked {
-    pub(super) subject: Subject,
-    pub(super) claims: Vec<(Claim, Option<Verdict>)>,
+#[derive(Debug)]
+pub struct Analysed {
+    /// What the claims are about.
+    pub subject: Subject,
+    /// The claims, in the order in which they are written.
+    pub claims: Vec<(Claim, Option<Verdict>)>,
 }
 
 /// A statement that makes claims, one for each order and value of its index variables.
-pub(super) struct Statement<'a> {
+#[derive(Debug)]
+pub struct Statement<'a> {
     /// Its bytes.
-    pub(super) place: Range<usize>,
+    pub place: Range<usize>,
     /// Its claims that are decided.
-    pub(super) decided: Vec<(&'a Subject, &'a Claim, &'a Verdict)>,
+    pub decided: Vec<(&'a Subject, &'a Claim, &'a Verdict)>,
     /// Whether all are.
-    pub(super) complete: bool,
+    pub complete: bool,
 }
 
 impl Analysis {
     /// Reads and expands a text.
-    pub(super) fn new(files: &dyn Files, source: Source) -> Self {
+    pub fn new(files: &dyn Files, source: Source) -> Self {
         let library = Library::from_source(files, &Prover, source);
         let families = library.items(Selected::EveryOrder);
         let warnings = generate::no_floats(&families);
-        let items = families.into_iter().chain(theorems(&library)).map(|item| Checked {
+        let items = families.into_iter().chain(theorems(&library)).map(|item| Analysed {
             subject: item.subject,
             claims: item.claims.into_iter().map(|claim| (claim, None)).collect(),
         });
@@ -58,29 +62,26 @@ impl Analysis {
     }
 
     /// Whether every claim is decided.
-    pub(super) fn is_done(&self) -> bool {
+    pub fn is_done(&self) -> bool {
         self.next.0 >= self.items.len()
     }
 
-    /// Decides claims for about so long, at least one.
-    pub(super) fn step(&mut self, time: Duration) {
-        let start = Instant::now();
+    /// Decides the next claim; `false` when there is none.
+    pub fn decide_next(&mut self) -> bool {
         while let Some(item) = self.items.get_mut(self.next.0) {
-            match item.claims.get_mut(self.next.1) {
-                Some((claim, verdict)) => {
-                    *verdict = Some(self.run.decide(&item.subject, claim));
-                    self.next.1 += 1;
-                }
-                None => self.next = (self.next.0 + 1, 0),
-            }
-            if start.elapsed() >= time {
-                return;
-            }
+            let Some((claim, verdict)) = item.claims.get_mut(self.next.1) else {
+                self.next = (self.next.0 + 1, 0);
+                continue;
+            };
+            *verdict = Some(self.run.decide(&item.subject, claim));
+            self.next.1 += 1;
+            return true;
         }
+        false
     }
 
     /// The messages about the text so far, those about claims included.
-    pub(super) fn messages(&self) -> Vec<Diagnostic> {
+    pub fn messages(&self) -> Vec<Diagnostic> {
         let mut all: Diagnostics = self.diagnostics.iter().cloned().collect();
         for item in &self.items {
             let verdicts = item.claims.iter().filter_map(|(claim, verdict)| Some((claim, verdict.as_ref()?)));
@@ -92,12 +93,12 @@ impl Analysis {
     }
 
     /// The text itself, among those that were read.
-    pub(super) fn main(&self) -> Option<SourceId> {
+    pub fn main(&self) -> Option<SourceId> {
         self.sources.iter().next().map(|(id, _)| id)
     }
 
     /// The statements that make claims, in the order of the text.
-    pub(super) fn statements(&self) -> Vec<Statement<'_>> {
+    pub fn statements(&self) -> Vec<Statement<'_>> {
         let mut all: BTreeMap<(usize, usize), Statement<'_>> = BTreeMap::new();
         for item in &self.items {
             for (claim, verdict) in &item.claims {
@@ -120,7 +121,7 @@ impl Analysis {
     }
 
     /// A family in its lowest order.
-    pub(super) fn family(&self, name: &str) -> Option<&Family> {
+    pub fn family(&self, name: &str) -> Option<&Family> {
         self.items.iter().find_map(|item| match &item.subject {
             Subject::Family(family) if family.name == name => Some(family.as_ref()),
             _ => None,

@@ -1,0 +1,287 @@
+//! Zeros, least and greatest values of functions of one variable that are negative somewhere.
+
+use core::cmp::Ordering;
+
+use crate::algebra::poly::Poly;
+use crate::algebra::rational::Rational;
+use crate::algebra::real::algebraic::{Algebraic, number};
+use crate::algebra::real::field::Field;
+use crate::algebra::real::roots::isolate;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
+use crate::model::Family;
+use basis_prover::Coordinate;
+use basis_prover::collections::list::Mapped;
+
+/// The work for the extrema of a family.
+const WORK: u64 = 20_000_000;
+
+/// Where a function is zero and where it is least and greatest.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Extrema {
+    /// The name of the function, such as `b[1]`.
+    pub label: String,
+    /// Its zeros on the domain, such as `t = 1/2`.
+    pub zeros: Vec<String>,
+    /// Its least value.
+    pub minimum: Extremum,
+    /// Its greatest value.
+    pub maximum: Extremum,
+}
+
+/// A least or greatest value and where it is taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Extremum {
+    /// The value.
+    pub value: String,
+    /// The points, such as `t = 1/3`.
+    pub at: Vec<String>,
+}
+
+/// The functions that are negative somewhere on the domain: nothing for families of several variables, with shape
+/// parameters, or with sin, exp or the like. An end that the domain leaves out counts, as a limit.
+pub fn extrema(family: &Family) -> Vec<Extrema> {
+    let Some((var, low, high)) = family.interval() else { return Vec::new() };
+    if !family.shapes.is_empty() || !family.analytic.is_empty() {
+        return Vec::new();
+    }
+    let work = &mut Work::new(WORK);
+    let name = &family.names[var.0];
+    let mut all = Vec::new();
+    for (k, f) in family.functions.iter().enumerate() {
+        let part = |p: &Poly| Univariate::from_poly(p, var);
+        let (Some(numer), Some(denom)) = (part(f.value.numer()), part(f.value.denom())) else { continue };
+        // Without work for one function there is none for the others.
+        let Some(found) = of_function(&numer, &denom, low, high, work) else { return all };
+        let Some((zeros, least, greatest)) = found else { continue };
+        let at = |points: &[Coordinate]| points.mapped(|x| format!("{name} = {}", text(x)));
+        let extremum = |(value, points): (Coordinate, Vec<Coordinate>)| Extremum {
+            value: text(&value),
+            at: at(&points),
+        };
+        all.push(Extrema {
+            label: family.function_label(k),
+            zeros: at(&zeros),
+            minimum: extremum(least),
+            maximum: extremum(greatest),
+        });
+    }
+    all
+}
+
+/// A value and the points at which it is taken.
+type Taken = (Coordinate, Vec<Coordinate>);
+
+/// Zeros, least and greatest value of numer/denom between two numbers; nothing inside if the function is negative nowhere,
+/// `None` when the work is spent.
+#[expect(clippy::option_option, reason = "the work may be spent")]
+fn of_function(
+    numer: &Univariate,
+    denom: &Univariate,
+    low: &Rational,
+    high: &Rational,
+    work: &mut Work,
+) -> Option<Option<(Vec<Coordinate>, Taken, Taken)>> {
+    let minus = Rational::from(-1);
+    let slope = numer.derivative().mul(denom).add(&numer.mul(&denom.derivative()).scale(&minus));
+    let mut points = vec![Coordinate::Rational(low.clone()), Coordinate::Rational(high.clone())];
+    points.extend(roots(&slope, low, high, work)?);
+    let mut values = Vec::new();
+    for x in points {
+        values.push((value(numer, denom, &x, work)?, x));
+    }
+    let extreme = |wanted: Ordering, work: &mut Work| -> Option<Taken> {
+        let mut best: Option<Taken> = None;
+        for (value, x) in &values {
+            match &mut best {
+                None => best = Some((value.clone(), vec![x.clone()])),
+                Some((known, at)) => match compare(value, known, work)? {
+                    Ordering::Equal => at.push(x.clone()),
+                    order if order == wanted => best = Some((value.clone(), vec![x.clone()])),
+                    _ => {}
+                },
+            }
+        }
+        let (value, mut at) = best?;
+        sort(&mut at, work)?;
+        Some((value, at))
+    };
+    let (least, greatest) = (extreme(Ordering::Less, work)?, extreme(Ordering::Greater, work)?);
+    let zero = Coordinate::Rational(Rational::ZERO);
+    if compare(&least.0, &zero, work)? != Ordering::Less {
+        return Some(None);
+    }
+    let mut zeros = roots(numer, low, high, work)?;
+    for end in [low, high] {
+        if numer.sign_at(end) == 0 {
+            zeros.push(Coordinate::Rational(end.clone()));
+        }
+    }
+    sort(&mut zeros, work)?;
+    Some(Some((zeros, least, greatest)))
+}
+
+/// The zeros of a polynomial strictly between two numbers; none of the polynomial 0.
+fn roots(p: &Univariate, low: &Rational, high: &Rational, work: &mut Work) -> Option<Vec<Coordinate>> {
+    if p.is_constant() {
+        return Some(Vec::new());
+    }
+    let p = p.square_free_part(work)?;
+    let mut all = Vec::new();
+    for mut root in isolate(&p, Some(low), Some(high), work)? {
+        root.detect_rational(&p, work)?;
+        all.push(match number(&p, &root)? {
+            Ok(x) => Coordinate::Rational(x),
+            Err(x) => Coordinate::Algebraic(x.tidy(work)?),
+        });
+    }
+    Some(all)
+}
+
+/// The value of numer/denom at a number.
+fn value(numer: &Univariate, denom: &Univariate, x: &Coordinate, work: &mut Work) -> Option<Coordinate> {
+    match x {
+        Coordinate::Rational(x) => {
+            let at =
+                |p: &Univariate| p.coefficients().iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * x) + c);
+            Some(Coordinate::Rational(at(numer).checked_div(&at(denom))?))
+        }
+        Coordinate::Algebraic(x) => {
+            let mut field = Field::new(x.clone());
+            let below = field.reduce(denom, work)?;
+            let inverse = field.inverse(&below, work)?;
+            let above = field.reduce(numer, work)?;
+            let value = field.mul(&above, &inverse, work)?;
+            let value = field.reduce(&value, work)?;
+            Some(match field.number(&value, work)? {
+                Ok(x) => Coordinate::Rational(x),
+                Err(x) => rational(&x, work)?.map_or(Coordinate::Algebraic(x), Coordinate::Rational),
+            })
+        }
+    }
+}
+
+/// The number, if it is rational after all.
+#[expect(clippy::option_option, reason = "the work may be spent")]
+fn rational(x: &Algebraic, work: &mut Work) -> Option<Option<Rational>> {
+    let mut all = isolate(x.polynomial(), Some(x.low()), Some(x.high()), work)?;
+    let Some(root) = all.first_mut() else { return Some(None) };
+    root.detect_rational(x.polynomial(), work)?;
+    Some(number(x.polynomial(), root)?.ok())
+}
+
+fn compare(a: &Coordinate, b: &Coordinate, work: &mut Work) -> Option<Ordering> {
+    Some(match (a, b) {
+        (Coordinate::Rational(a), Coordinate::Rational(b)) => a.cmp(b),
+        (Coordinate::Algebraic(a), Coordinate::Rational(b)) => a.compare(b),
+        (Coordinate::Rational(a), Coordinate::Algebraic(b)) => b.compare(a).reverse(),
+        (Coordinate::Algebraic(a), Coordinate::Algebraic(b)) => a.compare_with(b, work)?,
+    })
+}
+
+/// In increasing order, each number once.
+fn sort(all: &mut Vec<Coordinate>, work: &mut Work) -> Option<()> {
+    let mut sorted: Vec<Coordinate> = Vec::new();
+    for x in all.drain(..) {
+        let mut place = sorted.len();
+        while place > 0 && compare(&x, &sorted[place - 1], work)? == Ordering::Less {
+            place -= 1;
+        }
+        if place == 0 || compare(&x, &sorted[place - 1], work)? != Ordering::Equal {
+            sorted.insert(place, x);
+        }
+    }
+    *all = sorted;
+    Some(())
+}
+
+/// A number for reading: a fraction, `1/2 - 1/6*sqrt(3)`, or a decimal with the polynomial of which it is a root.
+fn text(x: &Coordinate) -> String {
+    match x {
+        Coordinate::Rational(x) => x.to_string(),
+        Coordinate::Algebraic(x) => {
+            square_root(x).unwrap_or_else(|| format!("{} ({})", decimal(x), x.describe("x")))
+        }
+    }
+}
+
+/// Nine digits of a number.
+fn decimal(x: &Algebraic) -> String {
+    let mut x = x.clone();
+    for _ in 0..60 {
+        x.refine();
+    }
+    format!("{:.9}", x.low().to_f64())
+}
+
+/// A root of a quadratic polynomial a·x² + b·x + c as −b/(2a) ± q·√n with a square-free whole number n.
+fn square_root(x: &Algebraic) -> Option<String> {
+    let [c, b, a] = x.polynomial().coefficients() else { return None };
+    let middle = (-b).checked_div(&(a + a))?;
+    let discriminant = &(b * b) - &(&(a * c) * &Rational::from(4));
+    let mut n = discriminant.to_i64().filter(|n| (1..1_000_000_000_000).contains(n))?;
+    let mut outside = 1_i64;
+    let mut factor = 2_i64;
+    while factor * factor <= n && factor < 100_000 {
+        if n % (factor * factor) == 0 {
+            n /= factor * factor;
+            outside *= factor;
+        } else {
+            factor += 1;
+        }
+    }
+    let mut q = Rational::from(outside).checked_div(&(a + a))?.abs();
+    if x.compare(&middle) == Ordering::Less {
+        q = -q;
+    }
+    let root = |q: &Rational| if q.is_one() { format!("sqrt({n})") } else { format!("{q}*sqrt({n})") };
+    Some(match (middle.is_zero(), q.is_negative()) {
+        (true, true) => format!("-{}", root(&-&q)),
+        (true, false) => root(&q),
+        (false, true) => format!("{middle} - {}", root(&-&q)),
+        (false, false) => format!("{middle} + {}", root(&q)),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use basis_prover::collections::list::Listed;
+
+    fn of(coefficients: &[i64]) -> Option<(Vec<String>, (String, Vec<String>), (String, Vec<String>))> {
+        let p = Univariate::integers(coefficients);
+        let one = Univariate::integers(&[1]);
+        let found = of_function(&p, &one, &Rational::ZERO, &Rational::ONE, &mut Work::unlimited());
+        let (zeros, least, greatest) = found.expect("unlimited")?;
+        let all = |points: &[Coordinate]| points.iter().map(text).listed();
+        let taken = |(value, at): &Taken| (text(value), all(at));
+        Some((all(&zeros), taken(&least), taken(&greatest)))
+    }
+
+    #[test]
+    fn least_and_greatest_values() {
+        let texts = |all: &[&str]| all.iter().map(ToString::to_string).listed();
+        // t(2t − 1), of the quadratic Lagrange basis.
+        let (zeros, least, greatest) = of(&[0, -1, 2]).expect("negative");
+        assert_eq!(zeros, texts(&["0", "1/2"]));
+        assert_eq!(least, (String::from("-1/8"), texts(&["1/4"])));
+        assert_eq!(greatest, (String::from("1"), texts(&["1"])));
+        // 6t² − 6t + 1, the shifted Legendre polynomial, zeros 1/2 ∓ √3/6; greatest at both ends.
+        let (zeros, least, greatest) = of(&[1, -6, 6]).expect("negative");
+        assert_eq!(zeros, texts(&["1/2 - 1/6*sqrt(3)", "1/2 + 1/6*sqrt(3)"]));
+        assert_eq!(least, (String::from("-1/2"), texts(&["1/2"])));
+        assert_eq!(greatest, (String::from("1"), texts(&["0", "1"])));
+        // 20t³ − 30t² + 12t − 1: extrema at 1/2 ∓ √5/10 with the values ±1/√5; least at t = 0.
+        let (_, least, _) = of(&[-1, 12, -30, 20]).expect("negative");
+        assert_eq!(least, (String::from("-1"), texts(&["0"])));
+        // t³ − 2t: least at √(2/3), where it is −(4/3)√(2/3).
+        let (_, least, _) = of(&[0, -2, 0, 1]).expect("negative");
+        assert_eq!(least, (String::from("-4/9*sqrt(6)"), texts(&["1/3*sqrt(6)"])));
+        // t⁵ + t − 1 has no zero with roots of squares.
+        let (zeros, ..) = of(&[-1, 1, 0, 0, 0, 1]).expect("negative");
+        assert!(zeros[0].starts_with("0.754877666 (root of "), "{}", zeros[0]);
+        // Nonnegative functions have no entry, nor has 0.
+        assert_eq!(of(&[0, 1]), None);
+        assert_eq!(of(&[]), None);
+    }
+}

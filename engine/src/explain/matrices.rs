@@ -1,0 +1,566 @@
+//! Matrices of a family, exact: to and from the Bernstein basis and other families, degree elevation, mass, stiffness,
+//! moments.
+
+use basis_prover::collections::list::{Listed, Mapped};
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::model::angle::{Angle, Kind};
+use crate::model::{Family, Function};
+use crate::plan::patch_form::{PatchForm, exponents};
+
+/// The work for the matrices of a family.
+const WORK: u64 = 5_000_000;
+
+/// Families of more functions have no matrices here.
+const MAX_FUNCTIONS: usize = 40;
+
+/// More columns than this are not made.
+const MAX_COLUMNS: usize = 400;
+
+/// What a matrix says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatrixKind {
+    /// The functions in the Bernstein basis.
+    ToBernstein,
+    /// The Bernstein basis in the functions.
+    FromBernstein,
+    /// The functions in those of another family.
+    ToFamily,
+    /// The functions of another family in these.
+    FromFamily,
+    /// The functions in those of the next order, or in the Bernstein basis of the next degree.
+    Elevation,
+    /// ∫ b[i]·b[j] over the domain.
+    Mass,
+    /// ∫ ∇b[i]·∇b[j] over the domain.
+    Stiffness,
+    /// ∫ m·b[j] over the domain for monomials m.
+    Moments,
+}
+
+impl MatrixKind {
+    /// A name for tools, such as `to_bernstein`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::ToBernstein => "to_bernstein",
+            Self::FromBernstein => "from_bernstein",
+            Self::ToFamily => "to_family",
+            Self::FromFamily => "from_family",
+            Self::Elevation => "elevation",
+            Self::Mass => "mass",
+            Self::Stiffness => "stiffness",
+            Self::Moments => "moments",
+        }
+    }
+}
+
+/// A matrix with names of its rows and columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Matrix {
+    /// What it says.
+    pub kind: MatrixKind,
+    /// The same in words and as a formula, such as `Mass matrix, the integrals of b[i]*b[j]`.
+    pub title: String,
+    /// The names of the rows, such as `b[0]`.
+    pub rows: Vec<String>,
+    /// The names of the columns, such as `B[0]`.
+    pub columns: Vec<String>,
+    /// The entries, rational functions of the shape parameters, row by row.
+    pub entries: Vec<Vec<Fraction>>,
+    /// The names of the variables in them.
+    pub names: Vec<String>,
+}
+
+impl Matrix {
+    /// The entries for reading.
+    pub fn texts(&self) -> Vec<Vec<String>> {
+        self.entries.mapped(|row| row.mapped(|entry| entry.display(&self.names)))
+    }
+}
+
+/// The matrices of a family on an interval, a triangle, a tetrahedron or a box; `next` is the family in its next order.
+///
+/// Families with sin, exp or the like have none, nor have those with many functions; what takes too much work, and the
+/// inverse of a matrix that has none, is left out.
+pub fn matrices(family: &Family, next: Option<&Family>) -> Vec<Matrix> {
+    if !is_plain(family) || family.functions.len() > MAX_FUNCTIONS {
+        return Vec::new();
+    }
+    let work = &mut Work::new(WORK);
+    let mut all = bernstein(family, work);
+    all.extend(elevation(family, next, work));
+    all.extend(integrals(family, work));
+    all
+}
+
+/// Whether the functions of a family are quotients of polynomials in its domain variables.
+fn is_plain(family: &Family) -> bool {
+    let analytic = &family.analytic;
+    let strange =
+        |f: &Function| analytic.angles.iter().any(|a| a.itself != a.var && f.value.depends_on(a.itself));
+    analytic.pi.is_none()
+        && analytic.exponential.is_none()
+        && analytic.angles.iter().all(|a| a.kind == Kind::Linear)
+        && !family.functions.iter().any(strange)
+}
+
+fn labels(family: &Family) -> Vec<String> {
+    (0..family.functions.len()).map(|k| family.function_label(k)).listed()
+}
+
+/// The functions of another family by its title, such as `Bernstein(3)[0]`.
+fn foreign(family: &Family) -> Vec<String> {
+    family.functions.mapped(|f| crate::model::label(&family.title(), &f.index))
+}
+
+/// The functions over their common denominator.
+fn numerators(family: &Family) -> Vec<Function> {
+    if !family.is_rational() {
+        return family.functions.clone();
+    }
+    let values = family.numerators();
+    let function =
+        |(f, value): (&Function, Poly)| Function { index: f.index.clone(), value: Fraction::from(value) };
+    family.functions.iter().zip(values).map(function).listed()
+}
+
+/// Functions in Bernstein form.
+struct Table {
+    /// The coefficients, a row for each function.
+    rows: Vec<Vec<Fraction>>,
+    /// The names of the Bernstein polynomials.
+    columns: Vec<String>,
+    /// Their degree; of a box one for each variable.
+    degrees: Vec<u32>,
+}
+
+/// The Bernstein coefficients of functions on the domain of a family.
+fn table(family: &Family, functions: &[Function]) -> Option<Table> {
+    let form = PatchForm::of_functions(family, functions)?;
+    let curve = form.groups.len() == 1 && form.groups[0].vars.len() == 1;
+    let mut columns = Vec::new();
+    for e in exponents(&form.groups, &form.degrees) {
+        let mut index: Vec<String> = Vec::new();
+        let mut rest = e.as_slice();
+        for group in &form.groups {
+            let (own, others) = rest.split_at(group.vars.len() + 1);
+            // Of x and s the power of x says all.
+            let shown = if group.vars.len() == 1 { &own[..1] } else { own };
+            index.extend(shown.iter().map(u32::to_string));
+            rest = others;
+        }
+        columns.push(format!("B[{}]", index.join(",")));
+    }
+    let row = |f: &crate::plan::patch_form::PatchFunction| {
+        let entry = |c: &Poly| Fraction::new(c.clone(), f.denom.clone()).unwrap_or_else(Fraction::zero);
+        f.bernstein.mapped(entry)
+    };
+    let rows = form.functions.mapped(row);
+    debug_assert!(!curve || columns.first().is_some_and(|c| c == "B[0]"), "in the order of the powers");
+    Some(Table { rows, columns, degrees: form.degrees })
+}
+
+/// `3`, or `2, 3` on a box.
+fn degrees_text(degrees: &[u32]) -> String {
+    degrees.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// To the Bernstein basis, and back.
+fn bernstein(family: &Family, work: &mut Work) -> Vec<Matrix> {
+    let mut all = Vec::new();
+    let Some(table) = table(family, &numerators(family)) else { return all };
+    let Table { rows: entries, columns, degrees } = table;
+    if columns.len() > MAX_COLUMNS {
+        return all;
+    }
+    let (rows, b) = (labels(family), &family.function_name);
+    let (w, over) = if family.is_rational() {
+        let below = family.over.display(&family.names).to_string();
+        (format!("({below})*"), format!(" over the common denominator {below}"))
+    } else {
+        Default::default()
+    };
+    let degree = degrees_text(&degrees);
+    let matrix = |kind, title, rows: &[String], columns: &[String], entries| Matrix {
+        kind,
+        title,
+        rows: rows.to_vec(),
+        columns: columns.to_vec(),
+        entries,
+        names: family.names.clone(),
+    };
+    let title = format!("Bernstein form of degree {degree}{over}: {w}{b}[i] = Σ M[i,j]*B[j]");
+    all.push(matrix(MatrixKind::ToBernstein, title, &rows, &columns, entries.clone()));
+    if rows.len() == columns.len() {
+        let unit = |k: usize| {
+            let entry = |j: usize| Fraction::constant(if j == k { Rational::ONE } else { Rational::ZERO });
+            (0..columns.len()).map(entry).listed()
+        };
+        let units = (0..columns.len()).map(unit).listed();
+        let inverse =
+            combinations(&entries, &units, work).and_then(|all| all.into_iter().collect::<Option<Vec<_>>>());
+        if let Some(inverse) = inverse {
+            let title = format!("Back from the Bernstein form of degree {degree}: B[i] = Σ M[i,j]*{w}{b}[j]");
+            all.push(matrix(MatrixKind::FromBernstein, title, &columns, &rows, inverse));
+        }
+    }
+    all
+}
+
+/// The functions in those of the next order; without one, in the Bernstein basis of the next degree.
+fn elevation(family: &Family, next: Option<&Family>, work: &mut Work) -> Option<Matrix> {
+    let b = &family.function_name;
+    if let Some(next) = next {
+        if !same_domain(family, next) {
+            return None;
+        }
+        // The orders of a family share their shape parameters if they are the same.
+        let same = family.names == next.names;
+        let entries = in_terms_of(family, next, work).filter(|_| same)?;
+        let entries = entries.into_iter().collect::<Option<Vec<_>>>()?;
+        let title = format!("Degree elevation, {b}[i] = Σ M[i,j]*{}[j]: Q[j] = Σ M[i,j]*P[i]", next.title());
+        let (rows, columns) = (labels(family), foreign(next));
+        return Some(Matrix {
+            kind: MatrixKind::Elevation,
+            title,
+            rows,
+            columns,
+            entries,
+            names: family.names.clone(),
+        });
+    }
+    if family.is_simplex() || family.domain.len() != 1 || family.is_rational() {
+        return None;
+    }
+    // The coefficients c of degree n are (k·c[k−1] + (n + 1 − k)·c[k])/(n + 1) in degree n + 1.
+    let Table { rows, degrees, .. } = table(family, &family.functions)?;
+    let n = i64::from(*degrees.first()?);
+    let mut entries = Vec::new();
+    for row in &rows {
+        let mut raised = Vec::new();
+        for k in 0..=n + 1 {
+            let part = |k: i64, factor: i64| {
+                let value = usize::try_from(k).ok().and_then(|k| row.get(k).cloned());
+                let factor = Fraction::constant(Rational::new(factor, n + 1));
+                value.map_or_else(Fraction::zero, |value| &value * &factor)
+            };
+            raised.push(part(k - 1, k).add_within(&part(k, n + 1 - k), work)?);
+        }
+        entries.push(raised);
+    }
+    let columns = (0..=n + 1).map(|k| format!("B[{k}]")).listed();
+    let title = format!("Degree elevation, to the Bernstein form of degree {}: Q[j] = Σ M[i,j]*P[i]", n + 1);
+    Some(Matrix {
+        kind: MatrixKind::Elevation,
+        title,
+        rows: labels(family),
+        columns,
+        entries,
+        names: family.names.clone(),
+    })
+}
+
+/// The functions of a family in terms of those of another one on the same domain, and back.
+///
+/// Shape parameters of the other family with the same name as one of this family get its name as a suffix.
+///
+/// # Errors
+/// Why there is no such matrix.
+pub fn conversions(family: &Family, other: &Family) -> Result<Vec<Matrix>, String> {
+    let work = &mut Work::new(WORK);
+    let (a, b) = (family.title(), other.title());
+    if !is_plain(family) || !is_plain(other) {
+        return Err(String::from("families with sin, exp or the like are not converted"));
+    }
+    let (renamed, names) = side_by_side(family, other);
+    if !same_domain(family, other) {
+        return Err(format!("`{b}` has another domain than `{a}`"));
+    }
+    let spent = || String::from("the functions are dependent, or the matrix takes too much work");
+    let mut all = Vec::new();
+    let mut reasons = Vec::new();
+    let (own, others) = (labels(family), foreign(&renamed));
+    let f = &family.function_name;
+    for (kind, from, to) in
+        [(MatrixKind::ToFamily, family, &renamed), (MatrixKind::FromFamily, &renamed, family)]
+    {
+        let (rows, columns, equation) = match kind {
+            MatrixKind::ToFamily => (&own, &others, format!("{f}[i] = Σ M[i,j]*{b}[j]")),
+            _ => (&others, &own, format!("{b}[i] = Σ M[i,j]*{f}[j]")),
+        };
+        let entries = in_terms_of(from, to, work).ok_or_else(spent)?;
+        if let Some(missing) = entries.iter().position(Option::is_none) {
+            reasons.push(format!("`{}` is no combination of those of `{}`", rows[missing], to.title()));
+            continue;
+        }
+        let title = format!("{} in terms of {}: {equation}", from.title(), to.title());
+        let entries = entries.into_iter().flatten().listed();
+        let (rows, columns) = (rows.clone(), columns.clone());
+        all.push(Matrix { kind, title, rows, columns, entries, names: names.clone() });
+    }
+    if all.is_empty() {
+        let reasons = reasons.join("; ");
+        return Err(format!("neither family spans the functions of the other: {reasons}"));
+    }
+    Ok(all)
+}
+
+/// The other family in variables beside those of the first one, its domain variables as in the first one; and the names of
+/// all variables.
+fn side_by_side(family: &Family, other: &Family) -> (Family, Vec<String>) {
+    let mut names = family.names.clone();
+    let mut map: Vec<Var> = Vec::new();
+    for (k, name) in other.names.iter().enumerate() {
+        let position = other.domain.iter().position(|p| p.var.0 == k);
+        map.push(match position.and_then(|p| family.domain.get(p)) {
+            Some(own) => own.var,
+            None => {
+                let clash = family.names.contains(name);
+                names.push(if clash { format!("{name}_{}", other.name) } else { name.clone() });
+                Var(names.len() - 1)
+            }
+        });
+    }
+    let mut renamed = other.clone();
+    for f in &mut renamed.functions {
+        f.value = f.value.rename(&map);
+    }
+    for (p, own) in renamed.domain.iter_mut().zip(&family.domain) {
+        p.var = own.var;
+    }
+    renamed.over = other.over.rename(&map);
+    renamed.names.clone_from(&names);
+    (renamed, names)
+}
+
+/// Whether two families are about the same domain, whatever its variables are called.
+fn same_domain(family: &Family, other: &Family) -> bool {
+    let ends = |f: &Family| {
+        f.domain.iter().map(|p| (p.range.low.value().cloned(), p.range.high.value().cloned())).listed()
+    };
+    family.is_simplex() == other.is_simplex()
+        && ends(family) == ends(other)
+        && family.analytic.angles.is_empty()
+        && other.analytic.angles.is_empty()
+}
+
+/// For each function of a family the coefficients that make it a combination of the functions of another one on the same
+/// domain and in the same variables, or nothing where there are none; `None` when there are too many functions, or the
+/// work is spent.
+fn in_terms_of(family: &Family, other: &Family, work: &mut Work) -> Option<Vec<Option<Vec<Fraction>>>> {
+    if family.functions.len().max(other.functions.len()) > MAX_FUNCTIONS {
+        return None;
+    }
+    // f/w is a combination of the g/v if and only if f·v is one of the g·w.
+    let mut put = |f: &Family, factors: [&Poly; 2]| {
+        let times =
+            Fraction::from(factors[0].clone()).mul_within(&Fraction::from(factors[1].clone()), work)?;
+        f.functions.iter().map(|f| f.value.mul_within(&times, work)).collect::<Option<Vec<_>>>()
+    };
+    let factors = [&family.over, &other.over];
+    let (targets, basis) = (put(family, factors)?, put(other, factors)?);
+    let domain = family.domain.mapped(|p| p.var);
+    let mut monomials: Vec<Monomial> = Vec::new();
+    let mut parts: Vec<Vec<(Monomial, Fraction)>> = Vec::new();
+    for f in basis.iter().chain(&targets) {
+        let own = by_monomial(f, &domain);
+        for (m, _) in &own {
+            if !monomials.contains(m) {
+                monomials.push(m.clone());
+            }
+        }
+        parts.push(own);
+    }
+    if monomials.len() > MAX_COLUMNS {
+        return None;
+    }
+    let row = |own: &Vec<(Monomial, Fraction)>| {
+        let entry =
+            |m: &Monomial| own.iter().find(|(n, _)| n == m).map_or_else(Fraction::zero, |(_, c)| c.clone());
+        monomials.mapped(entry)
+    };
+    let rows = parts.mapped(row);
+    let (basis, targets) = rows.split_at(basis.len());
+    combinations(basis, targets, work)
+}
+
+/// The coefficients of a function whose denominator holds no domain variable, by monomial in these.
+fn by_monomial(f: &Fraction, domain: &[Var]) -> Vec<(Monomial, Fraction)> {
+    let mut groups: Vec<(Monomial, Vec<(Monomial, Rational)>)> = Vec::new();
+    for (m, c) in f.numer().terms() {
+        let mut inner = m.clone();
+        let mut key = Monomial::one();
+        for var in domain {
+            key = key.with_exponent(*var, m.exponent(*var));
+            inner = inner.with_exponent(*var, 0);
+        }
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, terms)) => terms.push((inner, c.clone())),
+            None => groups.push((key, vec![(inner, c.clone())])),
+        }
+    }
+    let over =
+        |terms| Fraction::new(Poly::from_terms(terms), f.denom().clone()).unwrap_or_else(Fraction::zero);
+    groups.into_iter().map(|(key, terms)| (key, over(terms))).listed()
+}
+
+/// For each target the coefficients c with Σ c[i]·rows[i] = target, or nothing where there are none; the whole is `None`
+/// when the rows are linearly dependent for all shape values, or the work is spent.
+///
+/// Gauss-Jordan elimination of the system whose columns are the rows and the targets; pivots are numbers where there are
+/// some.
+fn combinations(
+    rows: &[Vec<Fraction>],
+    targets: &[Vec<Fraction>],
+    work: &mut Work,
+) -> Option<Vec<Option<Vec<Fraction>>>> {
+    let (width, height) = (rows.len(), rows.first().map_or(0, Vec::len));
+    let mut system: Vec<Vec<Fraction>> =
+        (0..height).map(|k| rows.iter().chain(targets).map(|row| row[k].clone()).listed()).listed();
+    let size = |f: &Fraction| f.numer().len() + f.denom().len();
+    for column in 0..width {
+        let below = (column..height).filter(|r| !system[*r][column].is_zero());
+        let pivot = below.min_by_key(|r| size(&system[*r][column]))?;
+        system.swap(column, pivot);
+        let lead = system[column][column].clone();
+        let mut own = core::mem::take(&mut system[column]);
+        for entry in own.iter_mut().skip(column).filter(|e| !e.is_zero()) {
+            *entry = entry.div_within(&lead, work).ok().flatten()?;
+        }
+        for (r, row) in system.iter_mut().enumerate() {
+            if r == column || row[column].is_zero() {
+                continue;
+            }
+            let factor = row[column].clone();
+            for (entry, pivot) in row.iter_mut().zip(&own).skip(column).filter(|(_, p)| !p.is_zero()) {
+                *entry = entry.sub_within(&factor.mul_within(pivot, work)?, work)?;
+            }
+        }
+        system[column] = own;
+    }
+    let solution = |k: usize| {
+        let solved = system[width..].iter().all(|row| row[width + k].is_zero());
+        solved.then(|| (0..width).map(|r| system[r][width + k].clone()).listed())
+    };
+    Some((0..targets.len()).map(solution).listed())
+}
+
+/// Mass, stiffness, moments.
+fn integrals(family: &Family, work: &mut Work) -> Vec<Matrix> {
+    let mut all = Vec::new();
+    if family.is_rational() {
+        return all;
+    }
+    let (rows, b) = (labels(family), &family.function_name);
+    let values: Vec<Fraction> = family.functions.mapped(|f| f.value.clone());
+    let matrix = |kind, title, rows: Vec<String>, entries| Matrix {
+        kind,
+        title,
+        rows,
+        columns: labels(family),
+        entries,
+        names: family.names.clone(),
+    };
+    let symmetric = |parts: &[Vec<Fraction>], work: &mut Work| -> Option<Vec<Vec<Fraction>>> {
+        let mut entries = vec![vec![Fraction::zero(); values.len()]; values.len()];
+        for i in 0..values.len() {
+            for j in 0..=i {
+                let mut sum = Fraction::zero();
+                for part in parts {
+                    sum = sum.add_within(&part[i].mul_within(&part[j], work)?, work)?;
+                }
+                entries[i][j] = integral(family, &sum, work)?;
+                entries[j][i] = entries[i][j].clone();
+            }
+        }
+        Some(entries)
+    };
+    if let Some(entries) = symmetric(core::slice::from_ref(&values), work) {
+        let title = format!("Mass matrix, the integrals of {b}[i]*{b}[j]");
+        all.push(matrix(MatrixKind::Mass, title, rows.clone(), entries));
+    }
+    let gradient: Option<Vec<Vec<Fraction>>> = family
+        .domain
+        .iter()
+        .map(|p| values.iter().map(|f| family.derivative_within(f, p.var, work)).collect())
+        .collect();
+    if let Some(entries) = gradient.and_then(|parts| symmetric(&parts, work)) {
+        let products = family.domain.mapped(|p| match family.domain.len() {
+            1 => format!("D({b}[i])*D({b}[j])"),
+            _ => format!("D({b}[i], {0})*D({b}[j], {0})", p.name),
+        });
+        let title = format!("Stiffness matrix, the integrals of {}", products.join(" + "));
+        all.push(matrix(MatrixKind::Stiffness, title, rows, entries));
+    }
+    // 1, t, t² on an interval, 1 and the variables elsewhere.
+    let mut monomials: Vec<(String, Fraction)> = vec![(String::from("1"), Fraction::constant(Rational::ONE))];
+    for p in &family.domain {
+        let value = family.analytic.angle(p.var).map_or_else(|| Fraction::var(p.var), Angle::tangent);
+        let name = family.analytic.angle(p.var).map_or(&p.name, |angle| &angle.name);
+        monomials.push((name.clone(), value.clone()));
+        if family.domain.len() == 1 {
+            monomials.push((format!("{name}^2"), &value * &value));
+        }
+    }
+    let mut moments = || {
+        let mut entries = Vec::new();
+        for (_, m) in &monomials {
+            let mut row = Vec::new();
+            for f in &values {
+                row.push(integral(family, &f.mul_within(m, work)?, work)?);
+            }
+            entries.push(row);
+        }
+        Some(entries)
+    };
+    if let Some(entries) = moments() {
+        let title = format!("Moments, the integrals of m*{b}[j] for m = {}", names(&monomials));
+        all.push(matrix(MatrixKind::Moments, title, monomials.mapped(|(name, _)| name.clone()), entries));
+    }
+    all
+}
+
+fn names(monomials: &[(String, Fraction)]) -> String {
+    monomials.mapped(|(name, _)| name.clone()).join(", ")
+}
+
+/// The integral over the domain of a function whose denominator holds no domain variable: on a simplex
+/// ∏ aₖ!/(Σ aₖ + d)! for each monomial, on a box the product of the integrals in each variable. A variable low + width·y
+/// brings its width as a factor.
+fn integral(family: &Family, f: &Fraction, work: &mut Work) -> Option<Fraction> {
+    if family.domain.iter().any(|p| f.denom().depends_on(p.var)) {
+        return None;
+    }
+    let factorial =
+        |n: u32| (1..=i64::from(n)).fold(Rational::ONE, |product, k| &product * &Rational::from(k));
+    let mut terms = Vec::new();
+    for (m, c) in f.numer().terms() {
+        let (mut rest, mut value, mut sum) = (m.clone(), c.clone(), family.domain.len() as u32);
+        for p in &family.domain {
+            let e = u32::from(m.exponent(p.var));
+            rest = rest.with_exponent(p.var, 0);
+            if family.is_simplex() {
+                value *= &factorial(e);
+                sum += e;
+            } else {
+                let (low, high) = p.range.finite()?;
+                let difference = &high.pow(e + 1) - &low.pow(e + 1);
+                value = &(&value * &difference) * &Rational::new(1, i64::from(e) + 1);
+            }
+        }
+        if family.is_simplex() {
+            value = value.checked_div(&factorial(sum))?;
+        }
+        terms.push((rest, value));
+    }
+    let mut value = Fraction::new(Poly::from_terms(terms), f.denom().clone())?;
+    for p in &family.domain {
+        if let Some(angle) = family.analytic.angle(p.var) {
+            value = value.mul_within(&angle.width, work)?;
+        }
+    }
+    Some(value)
+}

@@ -1,0 +1,76 @@
+// Builds the page into dist/: the engine as WebAssembly, what it says of the library, the scripts. Says how large it is.
+import { execFileSync } from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import zlib from 'node:zlib';
+import esbuild from 'esbuild';
+import { BUDGET } from './budget.mjs';
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const root = path.dirname(here);
+const dist = path.join(here, 'dist');
+
+const cargo = process.env.CARGO ?? 'cargo';
+const target = process.env.CARGO_TARGET_DIR ?? path.join(root, 'target');
+execFileSync(cargo, ['build', '--locked', '--profile', 'playground', '--target', 'wasm32-unknown-unknown', '-p', 'basis-playground'], { cwd: root, stdio: 'inherit' });
+const wasm = fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', 'basis_playground.wasm'));
+
+// The engine itself says what the library holds: words for the editor, verdicts for the list.
+const { instance } = await WebAssembly.instantiate(wasm, {});
+function ask(question) {
+  const { alloc, answer, text, free, memory } = instance.exports;
+  const bytes = new TextEncoder().encode(JSON.stringify(question));
+  const place = alloc(bytes.length);
+  new Uint8Array(memory.buffer, place, bytes.length).set(bytes);
+  const length = answer();
+  const reply = JSON.parse(new TextDecoder().decode(new Uint8Array(memory.buffer, text(), length)));
+  free();
+  if (reply.error) throw new Error(reply.error);
+  return reply;
+}
+const library = ask({ ask: 'library' });
+/** What the comment of a file says first: of a paper its title, of other specs a sentence. */
+function title(name, text) {
+  const comment = text.split('\n').filter((l) => l.startsWith('//!')).map((l) => l.slice(3).trim()).join(' ');
+  const [, quoted] = (name.startsWith('papers/') && /"([^"]+?),?"/.exec(comment)) || [];
+  return quoted ?? comment.split(/(?<=[^.A-Z][.:])\s/)[0].replace(/[:.]$/, '');
+}
+const specs = [];
+const papers = [];
+for (const spec of library.specs) {
+  ask({ ask: 'open', text: spec.text });
+  while (ask({ ask: 'decide' }).more);
+  const { statements, messages } = ask({ ask: 'verdicts' });
+  const errors = messages.filter((m) => m.severity === 'error');
+  if (errors.length) throw new Error(`${spec.name}: ${errors[0].message}`);
+  const sum = (key) => statements.reduce((all, s) => all + s[key], 0);
+  specs.push({ name: spec.name, title: title(spec.name, spec.text), proved: sum('proved'), refuted: sum('refuted') });
+  if (spec.name.startsWith('papers/')) {
+    const wrong = ask({ ask: 'published', text: spec.text }).statements.filter((s) => s.verdict === 'refuted');
+    papers.push({ name: spec.name, title: title(spec.name, spec.text), wrong: wrong.map(({ id, statement, remark }) => ({ id, statement, remark })) });
+  }
+}
+fs.mkdirSync(path.join(here, 'src', 'generated'), { recursive: true });
+fs.writeFileSync(path.join(here, 'src', 'generated', 'catalogue.json'), JSON.stringify({ words: library.words, languages: library.languages, specs, papers }, null, 1));
+
+fs.rmSync(dist, { recursive: true, force: true });
+fs.mkdirSync(dist);
+await esbuild.build({
+  entryPoints: ['boot', 'main', 'worker'].map((name) => path.join(here, 'src', `${name}.ts`)),
+  bundle: true, minify: true, format: 'iife', target: 'es2022', outdir: dist, logLevel: 'warning', legalComments: 'none',
+});
+const style = await esbuild.transform(fs.readFileSync(path.join(here, 'style.css'), 'utf8'), { loader: 'css', minify: true });
+fs.writeFileSync(path.join(dist, 'style.css'), style.code);
+fs.copyFileSync(path.join(here, 'index.html'), path.join(dist, 'index.html'));
+fs.writeFileSync(path.join(dist, 'basis.wasm'), wasm);
+
+let all = 0;
+for (const file of fs.readdirSync(dist).sort()) {
+  const bytes = fs.readFileSync(path.join(dist, file));
+  const small = zlib.gzipSync(bytes, { level: 9 }).length;
+  all += small;
+  console.log(`${String(bytes.length).padStart(9)} ${String(small).padStart(8)}  ${file}`);
+}
+console.log(`${' '.repeat(9)} ${String(all).padStart(8)}  in all, compressed with gzip; the budget is ${BUDGET}`);
+if (all > BUDGET) process.exitCode = 1;

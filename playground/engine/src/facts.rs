@@ -1,0 +1,92 @@
+//! What follows from the formulas of a family or theorem, in LaTeX.
+
+use basis_engine::explain;
+use basis_engine::query::{self, latex};
+use basis_engine::source::Source;
+use basis_engine::{Family, Theorem};
+use serde_json::{Value, json};
+
+use crate::places::Places;
+use crate::session::{NAME, NoFiles};
+
+/// LaTeX, or the text itself where it is no formula.
+fn math(text: &str) -> Value {
+    json!({ "text": text, "latex": latex::math(text) })
+}
+
+fn equation((left, right): &(String, String)) -> Value {
+    let latex = latex::math(left).zip(latex::math(right)).map(|(l, r)| format!("{l} = {r}"));
+    json!({ "text": format!("{left} = {right}"), "latex": latex })
+}
+
+/// The functions in all their forms, and what follows from them.
+pub(crate) fn family(family: &Family) -> Value {
+    let function = |f: query::FunctionFacts| {
+        let between = f.between.map(|(low, high)| json!([math(&low), math(&high)]));
+        json!({
+            "label": math(&f.label),
+            "factored": math(&f.factored),
+            "expanded": math(&f.expanded),
+            "bernstein": f.bernstein.iter().map(|c| math(c)).collect::<Vec<_>>(),
+            "between": between
+        })
+    };
+    let functions: Vec<Value> = query::function_facts(family).into_iter().map(function).collect();
+    let shapes: Vec<Value> = family
+        .shapes
+        .iter()
+        .map(|p| json!({ "declared": math(&family.declared(p)), "doc": p.doc }))
+        .collect();
+    let domain: Vec<Value> = if family.is_simplex() {
+        let names: Vec<String> = family.domain_variables().map(|p| latex::name(&p.name)).collect();
+        let text: Vec<String> = family.domain_variables().map(|p| p.name.clone()).collect();
+        vec![json!({
+            "text": format!("{} = 1, all ≥ 0", text.join(" + ")),
+            "latex": format!("{} = 1, \\quad {} \\ge 0", names.join(" + "), names.join(", "))
+        })]
+    } else {
+        family.domain.iter().map(|p| math(&family.declared(p))).collect()
+    };
+    json!({
+        "title": family.title(),
+        "doc": family.doc,
+        "domain": domain,
+        "shapes": shapes,
+        "conditions": family.constraints.iter().map(|c| math(&c.text)).collect::<Vec<_>>(),
+        "functions": functions
+    })
+}
+
+/// The ends of a curve with its first two derivatives there; of quotients, which take longer, the first derivative, and
+/// nothing where the functions contain angles: simplifying that takes many seconds.
+pub(crate) fn ends(family: &Family) -> Value {
+    let order = if family.is_rational() { 1 } else { 2 };
+    let known = family.interval().is_some() && family.analytic.is_empty();
+    let ends = if known { explain::end_derivatives(family, order) } else { Vec::new() };
+    json!({ "ends": ends.iter().map(equation).collect::<Vec<_>>() })
+}
+
+/// The control points that a join determines.
+pub(crate) fn theorem(theorem: &Theorem) -> Value {
+    let patches: Vec<Value> =
+        theorem.patches.iter().map(|p| json!({ "name": p.name, "written": p.written })).collect();
+    json!({
+        "title": theorem.title(),
+        "doc": theorem.doc,
+        "patches": patches,
+        "points": explain::determined_points(theorem).iter().map(equation).collect::<Vec<_>>()
+    })
+}
+
+/// Claims that hold of a family and that the text does not make, with the place at which they belong.
+pub(crate) fn holds(text: &str, places: &Places, name: &str) -> Value {
+    let source = Source::text(NAME, text);
+    let found = query::claims_that_hold(&NoFiles, &source, name);
+    let document = query::Document::new(text);
+    let entry = document.entries.iter().find(|entry| {
+        let symbol = entry.symbol.map(|s| &document.symbols[s]);
+        entry.title == name && symbol.is_some_and(|s| s.kind == query::SymbolKind::Family)
+    });
+    let end = entry.and_then(|entry| entry.body.as_ref()).map(|body| places.at(body.end));
+    json!({ "at": end, "statements": found.into_iter().map(|h| h.statement).collect::<Vec<_>>() })
+}

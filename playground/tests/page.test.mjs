@@ -1,0 +1,334 @@
+// The page in a browser: what a user does, and what has to be seen then. `npm run build` comes first.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import zlib from 'node:zlib';
+import { chromium } from 'playwright-core';
+import { BUDGET } from '../budget.mjs';
+import { serve } from '../serve.mjs';
+import { LAUNCH } from './browser.mjs';
+
+const dist = path.join(path.dirname(fileURLToPath(import.meta.url)), '..', 'dist');
+let server, address, browser;
+/** What pages complained about. */
+const complaints = [];
+
+before(async () => {
+  ({ server, address } = await serve(0));
+  browser = await chromium.launch(LAUNCH);
+});
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+async function open(fragment = '', options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1300, height: 850 }, ...options });
+  const page = await context.newPage();
+  page.on('console', (m) => { if (['error', 'warning'].includes(m.type())) complaints.push(m.text()); });
+  page.on('pageerror', (e) => complaints.push(e.message));
+  page.on('request', (r) => { if (!r.url().startsWith(address) && !r.url().startsWith('data:')) complaints.push(`asks for ${r.url()}`); });
+  await page.goto(address + fragment);
+  return page;
+}
+
+/** What the page says beside its name. */
+const status = (page) => page.textContent('#status');
+/** Until every claim is decided. */
+const decided = (page, timeout = 20_000) => page.waitForSelector('body[data-state=done]', { timeout });
+
+/** Replaces the text as a user does. */
+async function write(page, text) {
+  await page.click('.cm-content');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText(text);
+}
+
+/** A family that no file has. */
+const TENSION = `/// A cubic with a tension.
+family Tension {
+    domain 0 <= t <= 1;
+    shape 0 <= τ <= 3;
+
+    b[0] = (1 - t)^2 * (1 - τ*t/3);
+    b[1] = t*(1 - t)*(2 + τ/3);
+    b[2] = t^2 * (1 - τ*(1 - t)/3);
+
+    prove partition_of_unity;
+    prove nonnegative;
+    refute b[1] <= 1/2;
+}
+`;
+
+test('the first spec is decided at once', async () => {
+  const page = await open();
+  await decided(page);
+  assert.match(await status(page), /^14 proved · 1 refuted · /);
+  assert.equal(await page.locator('.verdicts .verdict.right').count() > 8, true);
+  assert.deepEqual(await page.locator('path.function').evaluateAll((all) => all.map((p) => p.dataset.function)), ['b[0]', 'b[1]', 'b[2]', 'b[3]']);
+  const first = await page.evaluate(() => performance.getEntriesByName('first-verdict')[0].startTime);
+  console.log(`first verdict ${first.toFixed(0)} ms after the page was asked for`);
+  assert.ok(first < 4000, `${first} ms, on a busy machine`);
+  await page.context().close();
+});
+
+test('typing a family of one’s own, and a false claim', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, TENSION);
+  await page.waitForFunction(() => document.querySelector('#family').textContent === 'Tension');
+  await decided(page);
+  // At τ = 3 and t = 1/3 the sum is 1, and b[0] has no negative value.
+  assert.match(await status(page), /^2 proved · 1 refuted/);
+  assert.equal(await page.locator('.verdicts .verdict.wrong').count(), 0);
+  // A wider range makes the first function negative.
+  await write(page, TENSION.replace('τ <= 3', 'τ <= 4'));
+  await page.waitForSelector('.verdicts .verdict.wrong');
+  assert.equal(await page.textContent('.verdicts .verdict.wrong'), '✗');
+  await page.click('#tab-verdicts');
+  const wrong = page.locator('li.wrong button');
+  assert.match(await wrong.textContent(), /nonnegative.*refuted: b\[0\] is -.* at τ = /s);
+  await wrong.click();
+  // The slider stands where the claim fails, and the point is marked.
+  await page.waitForSelector('circle.counterexample');
+  const [, shape, t] = /τ = ([\d/]+), t = ([\d/]+)/.exec(await page.textContent('.mark-note'));
+  const value = (q) => q.split('/').reduce((a, b) => Number(a) / Number(b ?? 1));
+  assert.ok(Math.abs(Number(await page.inputValue('#shape-τ')) - value(shape)) < 1e-6);
+  assert.ok(value(t) > 0 && value(t) < 1 && value(shape) > 3);
+  await page.context().close();
+});
+
+test('a mistake has its message at its place', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, TENSION.replace('(2 + τ/3)', '(2 + σ/3)'));
+  await page.waitForSelector('.cm-lintRange-error');
+  assert.equal(await page.textContent('.cm-lintRange-error'), 'σ');
+  await page.click('#tab-verdicts');
+  assert.match(await page.textContent('.message'), /error: .*σ/);
+  await page.context().close();
+});
+
+test('a slider changes the curves, by mouse and by keyboard', async () => {
+  const page = await open();
+  await decided(page);
+  const path = () => page.getAttribute('path[data-function="b[1]"]', 'd');
+  const before = await path();
+  await page.locator('#shape-λ').fill('-2.5');
+  const moved = await path();
+  assert.notEqual(moved, before);
+  assert.equal(await page.inputValue('.sliders input[type=number]'), '-2.5');
+  await page.focus('#shape-λ');
+  await page.keyboard.press('ArrowRight');
+  assert.notEqual(await path(), moved);
+  assert.equal(Number(await page.inputValue('.sliders input[type=number]')), -2.46);
+  // Outside of the range nothing moves.
+  const last = await path();
+  await page.fill('.sliders input[type=number]', '7');
+  assert.equal(await path(), last);
+  assert.equal(await page.getAttribute('.sliders input[type=number]', 'aria-invalid'), 'true');
+  await page.context().close();
+});
+
+test('control points are dragged, and moved with the arrow keys', async () => {
+  const page = await open();
+  await decided(page);
+  const curve = () => page.getAttribute('path.curve', 'd');
+  const before = await curve();
+  await page.locator('circle.point').nth(1).scrollIntoViewIfNeeded();
+  const box = await page.locator('circle.point').nth(1).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 60, box.y + 40, { steps: 4 });
+  await page.mouse.up();
+  const dragged = await curve();
+  assert.notEqual(dragged, before);
+  await page.focus('circle.point[data-point="2"]');
+  await page.keyboard.press('ArrowUp');
+  assert.notEqual(await curve(), dragged);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.point), '2');
+  await page.context().close();
+});
+
+test('a surface has points to drag', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, `use library "triangular"; family Flat { domain triangle (u, v, w); shape 0 < λ <= 1;
+    b[1,0,0] = u; b[0,1,0] = v; b[0,0,1] = w; prove partition_of_unity; }`);
+  await page.waitForFunction(() => [...document.querySelector('#family').options].some((o) => o.textContent === 'Flat'));
+  await page.selectOption('#family', { label: 'Flat' });
+  await page.waitForSelector('.scene polygon');
+  assert.equal(await page.locator('.scene circle.point').count(), 3);
+  const faces = () => page.locator('.scene polygon').first().getAttribute('points');
+  const before = await faces();
+  await page.locator('.scene circle.point').nth(0).scrollIntoViewIfNeeded();
+  const box = await page.locator('.scene circle.point').nth(0).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 30, box.y - 40, { steps: 3 });
+  await page.mouse.up();
+  assert.notEqual(await faces(), before);
+  assert.match(await page.textContent('.map + .hint'), /from 0 to 1;/);
+  await page.context().close();
+});
+
+test('a link holds the text, the shape values and the points', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, TENSION);
+  await page.waitForFunction(() => document.querySelector('#family').textContent === 'Tension');
+  await page.locator('#shape-τ').fill('2.25');
+  await page.focus('circle.point[data-point="1"]');
+  await page.keyboard.press('ArrowUp');
+  const curve = await page.getAttribute('path.curve', 'd');
+  await page.click('#share');
+  await page.waitForFunction(() => /link/.test(document.querySelector('#status').textContent));
+  const link = page.url();
+  assert.ok(link.length < 1500, `${link.length} characters`);
+  const other = await open(link.slice(address.length));
+  await decided(other);
+  assert.equal(await other.textContent('#family'), 'Tension');
+  assert.equal(Number(await other.inputValue('.sliders input[type=number]')), 2.25);
+  await other.waitForSelector('path.curve');
+  assert.equal(await other.locator('circle.point').count(), 3);
+  // The same curve, up to the digits of a link.
+  const numbers = (d) => d.match(/[\d.]+/g).map(Number);
+  const [a, b] = [numbers(curve), numbers(await other.getAttribute('path.curve', 'd'))];
+  assert.equal(a.length, b.length);
+  await other.context().close();
+  // A damaged one says so.
+  const damaged = await open('#1.AAAA');
+  await damaged.waitForSelector('path.function');
+  await damaged.context().close();
+  await page.context().close();
+});
+
+test('every spec of the library opens without errors and is drawn', async () => {
+  const page = await open();
+  await decided(page);
+  await page.click('#tab-library');
+  await page.waitForSelector('[data-spec]');
+  const names = await page.locator('[data-spec]').evaluateAll((all) => all.map((b) => b.dataset.spec));
+  assert.ok(names.length >= 28, `${names.length}`);
+  for (const name of names) {
+    await page.click('#tab-library');
+    await page.click(`[data-spec="${name}"]`);
+    await page.waitForSelector('body[data-state=done], body[data-state=failed]', { timeout: 60_000 });
+    assert.equal(await page.getAttribute('#status', 'class'), 'right', `${name}: ${await status(page)}`);
+    assert.equal(await page.locator('.verdicts .verdict.wrong').count(), 0, name);
+    const options = await page.locator('#family option').evaluateAll((all) => all.map((o, k) => [k, o.textContent]));
+    // The first and the last family; joins and theorems have no picture.
+    const families = options.filter(([, title]) => !/^(join|theorem) /.test(title));
+    await page.click('#tab-plot');
+    for (const [k, title] of new Set([families[0], families.at(-1)].filter(Boolean))) {
+      await page.selectOption('#family', String(k));
+      await page.waitForFunction((title) => document.querySelector('#panel-plot h2')?.textContent === title, title);
+      const drawn = await page.locator('#panel-plot path.function, #panel-plot .scene polygon').count();
+      assert.ok(drawn > 0, `${name}, ${title}`);
+      const broken = await page.locator('#panel-plot path.function').evaluateAll((all) => all.filter((p) => !/^M/.test(p.getAttribute('d')) || /NaN/.test(p.getAttribute('d'))).length);
+      assert.equal(broken, 0, `${name}, ${title}`);
+    }
+    await page.click('#tab-functions');
+    const title = await page.evaluate(() => document.querySelector('#family').selectedOptions[0].textContent);
+    await page.waitForFunction((title) => document.querySelector('#panel-functions h2')?.textContent === title, title);
+    assert.equal(await page.locator('#panel-functions .wrong').count(), 0, name);
+  }
+  await page.click('#tab-library');
+  assert.ok(await page.locator('#panel-library dt').count() >= 20, 'what the literature has wrong');
+  await page.context().close();
+});
+
+test('code is that of the command, and a false claim has none', async () => {
+  const page = await open();
+  await decided(page);
+  await page.click('#tab-code');
+  await page.waitForSelector('pre.code');
+  for (const language of await page.locator('#panel-code option').evaluateAll((all) => all.map((o) => o.value))) {
+    await page.selectOption('#panel-code select', language);
+    await page.waitForFunction((to) => document.querySelector('#panel-code code')?.textContent.endsWith(`--to ${to}`), language);
+    assert.match(await page.textContent('pre.code'), /[Qq]uartic_?[Bb]ernstein/);
+  }
+  await write(page, TENSION.replace('τ <= 3', 'τ <= 4'));
+  await page.waitForSelector('#panel-code .wrong');
+  assert.match(await page.textContent('#panel-code .wrong'), /nonnegative is false/);
+  await page.context().close();
+});
+
+test('claims that hold are found and inserted', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, TENSION);
+  await page.waitForFunction(() => document.querySelector('#family').textContent === 'Tension');
+  await page.click('#tab-verdicts');
+  await page.click('text=Find more that holds');
+  await page.click('text=Insert these claims');
+  await page.waitForFunction(() => /prove symmetric;/.test(document.querySelector('.cm-content').textContent));
+  await page.waitForFunction(() => /^[5-9]|^\d\d/.test(document.querySelector('#status').textContent));
+  assert.equal(await page.locator('.verdicts .verdict.wrong').count(), 0);
+  await page.context().close();
+});
+
+test('Greek letters are written by their names', async () => {
+  const page = await open();
+  await decided(page);
+  await write(page, '');
+  await page.keyboard.type('family F { shape 0 <= \\lam');
+  await page.waitForSelector('.cm-tooltip-autocomplete li');
+  await page.keyboard.press('Enter');
+  assert.match(await page.textContent('.cm-content'), /0 <= λ/);
+  await page.context().close();
+});
+
+test('a hostile spec does not freeze the page, and is told of', async () => {
+  const page = await open();
+  await decided(page);
+  // Hundreds of families whose functions are large: minutes of work.
+  const families = Array.from({ length: 400 }, (_, k) => `family H${k} { domain 0 <= t <= 1; shape 0 <= λ <= 1; b[i] = (1 + λ*t + t^2)^40*t^i*(1 - t)^(60 - i) for i in 0..=60; prove nonnegative; prove independent; }`);
+  await page.evaluate(() => { window.ticks = 0; setInterval(() => { window.ticks += 1; }, 20); });
+  await write(page, families.join('\n'));
+  const start = Date.now();
+  await page.waitForFunction(() => document.body.dataset.state !== 'deciding', undefined, { timeout: 45_000 });
+  assert.match(await status(page), /stopped|error/);
+  console.log(`after ${Date.now() - start} ms: ${await status(page)}`);
+  const ticks = await page.evaluate(() => window.ticks);
+  assert.ok(ticks * 20 > (Date.now() - start) / 4, 'the page itself goes on');
+  // And the engine is there for the next text.
+  await write(page, TENSION);
+  await page.waitForFunction(() => document.querySelector('#family').textContent === 'Tension', undefined, { timeout: 20_000 });
+  await decided(page);
+  await page.context().close();
+});
+
+test('on a phone one view is seen at a time, and nothing is wider than the screen', async () => {
+  const page = await open('', { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true, deviceScaleFactor: 2, colorScheme: 'dark' });
+  await decided(page);
+  assert.ok(await page.isVisible('.cm-content'));
+  for (const tab of ['functions', 'plot', 'verdicts', 'code', 'library']) {
+    await page.click(`#tab-${tab}`);
+    await page.waitForTimeout(150);
+    assert.ok(!(await page.isVisible('.cm-content')), tab);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), tab);
+  }
+  await page.context().close();
+});
+
+test('everything can be reached with the keyboard', async () => {
+  const page = await open();
+  await decided(page);
+  await page.focus('#tab-plot');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'tab-verdicts');
+  assert.ok(await page.isVisible('#panel-verdicts'));
+  await page.keyboard.press('Tab');
+  assert.ok(await page.evaluate(() => document.activeElement.matches('#family, #panel-verdicts button, .cm-content')));
+  await page.context().close();
+});
+
+test('no page complained, and all of it fits into the budget', () => {
+  assert.deepEqual(complaints, []);
+  const sizes = fs.readdirSync(dist).map((file) => zlib.gzipSync(fs.readFileSync(path.join(dist, file)), { level: 9 }).length);
+  const all = sizes.reduce((a, b) => a + b, 0);
+  assert.ok(all <= BUDGET, `${all} bytes`);
+});

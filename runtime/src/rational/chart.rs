@@ -1,0 +1,198 @@
+//! The map from the domain of a rational family to the unit interval.
+
+use crate::Scalar;
+use crate::domain::{from_unit, unit};
+
+/// The map from a domain `lo <= t <= hi` to the parameter `0 <= x <= 1` in which the functions of a
+/// [`RationalBasis`](crate::RationalBasis) are quotients of polynomials.
+///
+/// It is affine for families of rational functions. For those with sine and cosine it is
+/// `x = (tan ψ - tan ψ0) / (tan ψ1 - tan ψ0)`, for those with exponentials the same with tanh, where `ψ` is affine in
+/// `t` and runs from `ψ0` to `ψ1`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Chart<S> {
+    domain: [S; 2],
+    /// What is to be added to the ends of the domain, which no float need be.
+    tails: [S; 2],
+    kind: Kind<S>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind<S> {
+    Affine,
+    Circular(Turn<S>),
+    Hyperbolic(Turn<S>),
+}
+
+/// How ψ runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Turn<S> {
+    /// dψ/dt.
+    rate: S,
+    /// The factors of the two coordinates.
+    factors: [S; 2],
+    /// The Bernstein coefficients of dx/dt as a polynomial of degree 2 in x.
+    slopes: [S; 3],
+}
+
+impl<S: Scalar> Chart<S> {
+    /// The affine map, `x = (t - lo) / (hi - lo)`.
+    #[inline]
+    pub fn affine(domain: [S; 2]) -> Self {
+        Self { domain, tails: [S::ZERO; 2], kind: Kind::Affine }
+    }
+
+    /// The map by tangents of `ψ`, where `dψ/dt` is `rate`, and `ψ` is `turn[0]` and `turn[1]` at the two ends, both
+    /// between `-π/2` and `π/2`.
+    ///
+    /// With `a = ψ - ψ0` and `b = ψ1 - ψ` it is `1 - x : x = sin b cos ψ0 : sin a cos ψ1`; each of the two keeps its
+    /// relative accuracy where it vanishes.
+    #[inline]
+    pub fn circular(domain: [S; 2], rate: S, turn: [S; 2]) -> Self {
+        let [(_, c0), (_, c1)] = turn.map(S::sin_cos);
+        let (sin, cos) = (turn[1] - turn[0]).sin_cos();
+        let factors = [c0 / sin, c1 / sin];
+        // dx/dψ = 1 / (cos² ψ (tan ψ1 - tan ψ0))
+        let slopes = [factors[1] / c0, cos / sin, factors[0] / c1].map(|slope| slope * rate);
+        Self { domain, tails: [S::ZERO; 2], kind: Kind::Circular(Turn { rate, factors, slopes }) }
+    }
+
+    /// As [`circular`](Self::circular) with hyperbolic tangents.
+    ///
+    /// It is `1 - x : x = sinh b cosh ψ0 : sinh a cosh ψ1`, which is written in exponentials of negative numbers.
+    #[inline]
+    pub fn hyperbolic(domain: [S; 2], rate: S, turn: [S; 2]) -> Self {
+        let two = S::of(2.0);
+        let decay = |x: S| (-(two * x)).exp_m1();
+        // 1 - exp(-2Δ) is twice sinh Δ exp(-Δ).
+        let width = -decay(turn[1] - turn[0]);
+        let ends = turn.map(|end| two + decay(end));
+        let factors = ends.map(|end| end / width);
+        // dx/dψ = 1 / (cosh² ψ (tanh ψ1 - tanh ψ0)), and cosh ψ1 / cosh ψ0 = exp(Δ) ends[1] / ends[0].
+        let falls = falling(turn[1] - turn[0]);
+        let last = two * factors[0] / ends[1] * falls;
+        let slopes = [two * factors[1] / ends[0], (S::ONE + falls) / width, last].map(|slope| slope * rate);
+        Self { domain, tails: [S::ZERO; 2], kind: Kind::Hyperbolic(Turn { rate, factors, slopes }) }
+    }
+
+    /// The same map where the ends of the domain are the sums of two numbers: `ends` as floats of 64 bits, which may be
+    /// too many for `S`, and what is missing to them.
+    #[inline]
+    #[must_use]
+    pub fn with_exact_ends(mut self, ends: [f64; 2], missing: [f64; 2]) -> Self {
+        for k in 0..2 {
+            self.tails[k] = S::of(ends[k] - self.domain[k].to_f64() + missing[k]);
+        }
+        self
+    }
+
+    /// The two ends `[lo, hi]` of the domain.
+    #[inline]
+    pub fn domain(&self) -> [S; 2] {
+        self.domain
+    }
+
+    /// Whether the map is affine.
+    #[inline]
+    pub fn is_affine(&self) -> bool {
+        matches!(self.kind, Kind::Affine)
+    }
+
+    /// Coordinates `[s, x]` of `t`, proportional to `1 - x` and `x`: their sum is 1 where the map is affine and at both ends,
+    /// and some positive number otherwise. Each has a small relative error where it is small, and is 0 at the end.
+    #[inline]
+    pub fn coordinates(&self, t: S) -> [S; 2] {
+        let turn = match self.kind {
+            Kind::Affine => return unit(self.domain, t),
+            Kind::Circular(turn) | Kind::Hyperbolic(turn) => turn,
+        };
+        let [lo, hi] = self.domain;
+        // An end is what its float stands for.
+        if t == lo || t == hi {
+            return if t == lo { [S::ONE, S::ZERO] } else { [S::ZERO, S::ONE] };
+        }
+        let after = turn.rate * ((t - lo) - self.tails[0]);
+        let before = turn.rate * ((hi - t) + self.tails[1]);
+        let [first, second] = turn.factors;
+        if matches!(self.kind, Kind::Circular(_)) {
+            return [before.sin_cos().0 * first, after.sin_cos().0 * second];
+        }
+        let two = S::of(2.0);
+        let [a, b] = [after, before].map(|x| (-(two * x)).exp_m1());
+        [-b * falling(after) * first, -a * second]
+    }
+
+    /// The place `0 <= x <= 1` of `t`.
+    #[inline]
+    pub fn place(&self, t: S) -> S {
+        let [s, x] = self.coordinates(t);
+        if matches!(self.kind, Kind::Affine) { x } else { x / (s + x) }
+    }
+
+    /// The parameter `t` at the place `x`, exact at both ends.
+    #[inline]
+    pub fn parameter(&self, x: S) -> S {
+        let [lo, hi] = self.domain;
+        let (circular, turn) = match self.kind {
+            Kind::Affine => return from_unit(self.domain, x),
+            Kind::Circular(turn) => (true, turn),
+            Kind::Hyperbolic(turn) => (false, turn),
+        };
+        if x == S::ZERO || x == S::ONE {
+            return if x == S::ZERO { lo } else { hi };
+        }
+        let (s, [first, second], width) = (S::ONE - x, turn.factors, turn.rate * (hi - lo));
+        if circular {
+            // (1 - x) : x = sin(Δ - a) cos ψ0 : sin a cos ψ1
+            let (sin, cos) = width.sin_cos();
+            return lo + (x * first * sin).atan2(s * second + x * first * cos) / turn.rate;
+        }
+        // x second : (1 - x) first is the quotient of 1 - q and (1 - d/q) q, where q = exp(-2a), d = exp(-2Δ).
+        let (x, s) = (x / second, s / first);
+        let falls = (-(S::of(2.0) * width)).exp_m1();
+        // x (q - d) = s (1 - q), so that q - 1 = x (d - 1) / (s + x)
+        let q = x * falls / (s + x);
+        lo - q.ln_1p() / (S::of(2.0) * turn.rate)
+    }
+
+    /// The Taylor coefficients of `x(t + h) - x(t)` in `h`, from that of `h⁰`, which is zero.
+    ///
+    /// `dx/dt` is a polynomial `a + b (x - x0) + c (x - x0)²`, so that each coefficient follows from those before it.
+    #[inline]
+    pub(crate) fn expansion(&self, t: S, series: &mut [S]) {
+        series.fill(S::ZERO);
+        let turn = match self.kind {
+            Kind::Affine => {
+                if let Some(first) = series.get_mut(1) {
+                    *first = S::ONE / (self.domain[1] - self.domain[0]);
+                }
+                return;
+            }
+            Kind::Circular(turn) | Kind::Hyperbolic(turn) => turn,
+        };
+        let x = self.place(t);
+        let s = S::ONE - x;
+        let two = S::of(2.0);
+        let [q0, q1, q2] = turn.slopes;
+        let a = q0 * s * s + two * q1 * s * x + q2 * x * x;
+        let b = two * ((q1 - q0) * s + (q2 - q1) * x);
+        let c = q0 - two * q1 + q2;
+        for k in 1..series.len() {
+            let mut sum = b * series[k - 1];
+            if k == 1 {
+                sum = sum + a;
+            }
+            for i in 1..k {
+                sum = sum + c * series[i] * series[k - 1 - i];
+            }
+            series[k] = sum / S::from_usize(k);
+        }
+    }
+}
+
+/// `exp(-2x)`, with a small relative error.
+#[inline]
+fn falling<S: Scalar>(x: S) -> S {
+    // Not the sum of 1 and the exponential of a negative number, which cancel.
+    S::ONE / (S::ONE + (S::of(2.0) * x).exp_m1())
+}

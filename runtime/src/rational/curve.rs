@@ -1,0 +1,184 @@
+//! Curves over rational families.
+
+use core::fmt::{self, Debug, Formatter};
+
+use super::series::{Room, derivatives};
+use super::{Chart, RationalBasis};
+use crate::basis::combination;
+use crate::binomial::row;
+use crate::curve::inside;
+use crate::{CurveError, Point, Scalar};
+
+/// The curve `C(t) = Σ b[i](t) P[i]` over control points `P[i]` and rational functions `b[i]`.
+///
+/// The basis functions are bound to the control points once, in [`RationalCurve::new`]: a point is then the quotient of
+/// two polynomials in Bernstein form, the one over points, the other over weights. The parameter is not clamped: outside
+/// of the domain the formula is continued, up to the zeros of its denominator.
+///
+/// With the feature `geometry` it answers all that a [`Curve`](crate::Curve) does, by
+/// [`ParametricCurve`](crate::ParametricCurve); its parts are [`RationalBezier`](crate::RationalBezier) curves.
+///
+/// ```
+/// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/rational_quadratic.rs"));
+/// # fn main() -> Result<(), basis_runtime::ShapeError> {
+/// use basis_runtime::RationalCurve;
+///
+/// // A quarter of the unit circle: the weight of the middle point is the cosine of half of its angle.
+/// let family = RationalQuadratic::new(0.5_f64.sqrt())?;
+/// let circle = RationalCurve::new(family, [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+/// let [x, y] = circle.eval(0.3);
+/// assert!((x.hypot(y) - 1.0_f64).abs() < 1e-15);
+/// assert_eq!([circle.eval(0.0), circle.eval(1.0)], [[1.0, 0.0], [0.0, 1.0]]);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Copy)]
+pub struct RationalCurve<B: RationalBasis, P: Point<Scalar = B::Scalar>> {
+    basis: B,
+    points: B::Points<P>,
+    chart: Chart<B::Scalar>,
+    /// The Bernstein coefficients, times the binomial coefficients, of the numerator and the denominator.
+    numerator: B::Bernstein<P>,
+    denominator: B::Bernstein<B::Scalar>,
+    ends: [P; 2],
+}
+
+impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> RationalCurve<B, P> {
+    /// The curve of that basis over these control points, one for each basis function.
+    pub fn new(basis: B, points: B::Points<P>) -> Self {
+        let chart = basis.chart();
+        let (mut numerator, mut denominator) = (basis.to_bernstein(&points), basis.denominator());
+        let parts = numerator.as_mut().iter_mut().zip(denominator.as_mut());
+        for ((point, weight), binomial) in parts.zip(row(B::DEGREE)) {
+            let binomial = B::Scalar::of(binomial);
+            *point = point.scale(binomial);
+            *weight = *weight * binomial;
+        }
+        let ends = chart.domain().map(|end| {
+            let weights = basis.values(end);
+            combination(points.as_ref().iter().copied().zip(weights.as_ref().iter().copied()))
+        });
+        Self { basis, points, chart, numerator, denominator, ends }
+    }
+
+    /// The point `C(t)`.
+    ///
+    /// At both ends of the domain it equals [`start`](Self::start) and [`end`](Self::end).
+    #[inline]
+    pub fn eval(&self, t: B::Scalar) -> P {
+        let [s, x] = self.chart.coordinates(t);
+        if x == B::Scalar::ZERO {
+            return self.ends[0];
+        }
+        if s == B::Scalar::ZERO {
+            return self.ends[1];
+        }
+        let weight = nested(self.denominator.as_ref(), s, x);
+        let point = nested(self.numerator.as_ref(), s, x);
+        P::from_components(|d| point.component(d) / weight)
+    }
+
+    /// The point `C(t)`, if `t` lies in the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if `t` is outside of the domain or NaN.
+    #[inline]
+    pub fn eval_checked(&self, t: B::Scalar) -> Result<P, CurveError> {
+        inside(self.domain(), t)?;
+        Ok(self.eval(t))
+    }
+
+    /// The point and its derivatives with respect to `t`, `[C(t), C'(t), C''(t), …]`, `K` of them.
+    #[inline]
+    pub fn eval_with_derivs<const K: usize>(&self, t: B::Scalar) -> [P; K] {
+        let (mut curve, mut out) = ([P::zero(); K], [P::zero(); K]);
+        let (mut weight, mut map) = ([B::Scalar::ZERO; K], [B::Scalar::ZERO; K]);
+        let room = Room { curve: &mut curve, weight: &mut weight, map: &mut map };
+        let (mut numerator, mut denominator) = (self.to_bernstein(), self.basis.denominator());
+        derivatives(numerator.as_mut(), denominator.as_mut(), &self.chart, t, room, &mut out);
+        if let Some(point) = out.first_mut() {
+            *point = self.eval(t);
+        }
+        out
+    }
+
+    /// The points `out[i] = C(ts[i])`; what has no partner in the other slice is left alone.
+    #[inline]
+    pub fn eval_into(&self, ts: &[B::Scalar], out: &mut [P]) {
+        for (out, &t) in out.iter_mut().zip(ts) {
+            *out = self.eval(t);
+        }
+    }
+
+    /// The point at the lower end of the domain.
+    #[inline]
+    pub fn start(&self) -> P {
+        self.ends[0]
+    }
+
+    /// The point at the upper end of the domain.
+    #[inline]
+    pub fn end(&self) -> P {
+        self.ends[1]
+    }
+
+    /// The two ends `[lo, hi]` of the domain.
+    #[inline]
+    pub fn domain(&self) -> [B::Scalar; 2] {
+        self.chart.domain()
+    }
+
+    /// The map from the domain to the parameter `0 <= x <= 1` in which the curve is a rational Bézier curve.
+    #[inline]
+    pub fn chart(&self) -> Chart<B::Scalar> {
+        self.chart
+    }
+
+    /// The basis, with its shape parameters.
+    #[inline]
+    pub fn basis(&self) -> B {
+        self.basis
+    }
+
+    /// The control points, one for each basis function.
+    #[inline]
+    pub fn control_points(&self) -> &[P] {
+        self.points.as_ref()
+    }
+
+    /// The Bernstein coefficients of the numerator of the curve; those of the denominator are
+    /// [`RationalBasis::denominator`].
+    #[inline]
+    pub fn to_bernstein(&self) -> B::Bernstein<P> {
+        self.basis.to_bernstein(&self.points)
+    }
+}
+
+/// `Σ_j c[j] s^(n-j) x^j`, nested in `s`.
+#[inline]
+fn nested<P: Point>(coefficients: &[P], s: P::Scalar, x: P::Scalar) -> P {
+    let Some((&first, rest)) = coefficients.split_first() else { return P::zero() };
+    let mut power = P::Scalar::ONE;
+    rest.iter().fold(first, |sum, &c| {
+        power = power * x;
+        sum.scale(s).add_scaled(c, power)
+    })
+}
+
+// All else follows from the basis and the control points.
+
+impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> PartialEq for RationalCurve<B, P> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.basis == other.basis && self.control_points() == other.control_points()
+    }
+}
+
+impl<B: RationalBasis, P: Point<Scalar = B::Scalar>> Debug for RationalCurve<B, P> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RationalCurve")
+            .field("basis", &self.basis)
+            .field("control_points", &self.control_points())
+            .finish_non_exhaustive()
+    }
+}
