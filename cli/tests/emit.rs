@@ -113,6 +113,16 @@ fn what_cannot_be_written_is_an_error() {
             "the numbers of TypeScript are f64",
         ),
         (vec!["huge.basis", "--to", "c", "--scalar", "f32"], 1, "beyond what f32 holds"),
+        (
+            vec!["bern.basis", "Bern(2)", "Bern(3) as BernCurve", "--to", "python"],
+            1,
+            "is needed for parts of `Bern(2)`",
+        ),
+        (
+            vec!["bern.basis", "Bern(2)", "Bern(3) as Bern_eval", "--to", "c"],
+            1,
+            "is needed for parts of `Bern(2)`",
+        ),
         (vec!["huge.basis", "--to", "glsl"], 1, "beyond what f32 holds"),
     ] {
         let target: &[&str] = if arguments.contains(&"--to") { &[] } else { &["--to", "rust"] };

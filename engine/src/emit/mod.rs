@@ -138,6 +138,7 @@ pub fn emit(language: &dyn Language, job: &Job<'_>) -> Result<String, Vec<Diagno
             Err(error) => errors.push(error),
         }
     }
+    errors.extend(names.clash());
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -163,6 +164,55 @@ impl Names {
         }
         self.0.push((name.to_string(), title));
         Ok(())
+    }
+}
+
+/// What stands behind the name of a family in names of a file: of the class of its curves or patches, and, after a `_`, of
+/// functions and constants where a language has no scopes.
+const CLASSES: [&str; 2] = ["Curve", "Patch"];
+const MEMBERS: [&str; 20] = [
+    "init",
+    "check",
+    "values",
+    "derivatives",
+    "second",
+    "partials",
+    "bind",
+    "bound",
+    "eval",
+    "curve",
+    "points",
+    "at",
+    "FUNCTIONS",
+    "COEFFICIENTS",
+    "LOW",
+    "HIGH",
+    "ROUNDING",
+    "after",
+    "before",
+    "domain",
+];
+
+impl Names {
+    /// Whether a name is one that the file gives to a part of another item.
+    fn clash(&self) -> Option<Diagnostic> {
+        for (name, title) in &self.0 {
+            for (other, other_title) in &self.0 {
+                let Some(rest) = other.strip_prefix(name.as_str()).filter(|rest| !rest.is_empty()) else {
+                    continue;
+                };
+                let member = rest.strip_prefix('_').or_else(|| name.ends_with('_').then_some(rest));
+                let first = member.map(|rest| rest.split('_').next().unwrap_or(rest));
+                let is_member = first.is_some_and(|word| MEMBERS.contains(&word));
+                if CLASSES.contains(&rest) || is_member {
+                    let message =
+                        format!("`{other}`, the name of `{other_title}`, is needed for parts of `{title}`");
+                    let help = format!("give one of them another name: '{other_title} as OtherName'");
+                    return Some(Diagnostic::unplaced(message).help(help));
+                }
+            }
+        }
+        None
     }
 }
 
