@@ -161,6 +161,9 @@ pub(crate) struct EmitArguments {
     /// The language of the file
     #[arg(long, value_enum)]
     pub(crate) to: EmitTarget,
+    /// The numbers that the code computes with; without it what the language usually has
+    #[arg(long, value_enum)]
+    pub(crate) scalar: Option<EmitScalar>,
     /// The file to write, from whose folder an edited spec is noticed; without it the text is printed
     #[arg(short, long, value_name = "PATH")]
     pub(crate) output: Option<PathBuf>,
@@ -174,6 +177,36 @@ pub(crate) struct EmitArguments {
 pub(crate) enum EmitTarget {
     /// Types on basis-runtime, which can do without its feature `macros`; an edited spec stops the build
     Rust,
+    /// A header for C99 to C23 and C++17, without allocation
+    C,
+    /// Classes on numbers and arrays of numpy and JAX, without an import
+    Python,
+    /// An ES module with classes on numbers and Float64Array, strictly typed
+    #[value(name = "typescript")]
+    TypeScript,
+    /// Functions of single floats for WebGPU, with a compute shader `eval_n`
+    Wgsl,
+    /// Functions of single floats for OpenGL 3.30 or ES 3.00 and later
+    Glsl,
+}
+
+/// The numbers that the code computes with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum EmitScalar {
+    /// Single precision, `float`
+    F32,
+    /// Double precision, `double`
+    F64,
+}
+
+impl EmitScalar {
+    /// The name on the command line.
+    pub(crate) const fn name(self) -> &'static str {
+        match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+        }
+    }
 }
 
 impl EmitTarget {
@@ -181,6 +214,11 @@ impl EmitTarget {
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Rust => "rust",
+            Self::C => "c",
+            Self::Python => "python",
+            Self::TypeScript => "typescript",
+            Self::Wgsl => "wgsl",
+            Self::Glsl => "glsl",
         }
     }
 }
@@ -194,7 +232,9 @@ Exit status:
 Examples:
   basis emit specs/quartic.basis --to rust -o src/families.rs
   basis emit specs/quartic.basis --to rust --check src/families.rs
-  basis emit library:bernstein 'Bernstein(3) as Cubic' --to rust";
+  basis emit library:bernstein 'Bernstein(3) as Cubic' --to rust
+  basis emit specs/quartic.basis --to c --scalar f32 -o quartic.h
+  basis emit specs/quartic.basis --to python -o quartic.py";
 
 /// What can be typed after `basis fmt`.
 #[derive(Debug, Args)]

@@ -3,7 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use basis_engine::emit::c::{C, Scalar};
+use basis_engine::emit::python::Python;
 use basis_engine::emit::rust::{self, Digest};
+use basis_engine::emit::shader::Shader;
+use basis_engine::emit::typescript::TypeScript;
 use basis_engine::emit::{self, Job, Wanted};
 use basis_engine::state::Run;
 use basis_engine::theorem::theorems;
@@ -13,12 +17,15 @@ use basis_engine::{
 };
 use syn::parse_quote;
 
-use crate::args::{EmitArguments, EmitTarget};
+use crate::args::{EmitArguments, EmitScalar, EmitTarget};
 use crate::output::{self, Status, complain, error};
 use crate::{eval, spec};
 
 /// Writes the families and joins that the arguments name, or says whether a file has them.
 pub(crate) fn run(arguments: &EmitArguments) -> Status {
+    if let Err(error) = has_scalar(arguments) {
+        return refuse(&Sources::default(), &[error], Status::Unusable);
+    }
     let library = match spec::read(&arguments.file) {
         Ok(source) => Library::from_source(&Disk, &Prover, source),
         Err(error) => return refuse(&Sources::default(), &[error], Status::Unusable),
@@ -51,10 +58,35 @@ pub(crate) fn run(arguments: &EmitArguments) -> Status {
     let job = Job { items: &wanted, spec: &spec, command: &command };
     let text = match arguments.to {
         EmitTarget::Rust => rust_text(&job, &library, destination(arguments)),
+        EmitTarget::C => emit::emit(&C(scalar(arguments, Scalar::F64)), &job),
+        EmitTarget::Python => emit::emit(&Python, &job),
+        EmitTarget::TypeScript => emit::emit(&TypeScript, &job),
+        EmitTarget::Wgsl => emit::emit(&Shader::Wgsl, &job),
+        EmitTarget::Glsl => emit::emit(&Shader::Glsl, &job),
     };
     match text {
         Ok(text) => finish(arguments, &text, &command),
         Err(errors) => refuse(sources, &errors, Status::Wrong),
+    }
+}
+
+/// Whether the language has the scalar type that is asked for; Rust and Python take both as they come.
+fn has_scalar(arguments: &EmitArguments) -> Result<(), Diagnostic> {
+    let other = match (arguments.to, arguments.scalar) {
+        (EmitTarget::TypeScript, Some(EmitScalar::F32)) => "the numbers of TypeScript are f64",
+        (EmitTarget::Wgsl, Some(EmitScalar::F64)) => "WGSL has no f64",
+        (EmitTarget::Glsl, Some(EmitScalar::F64)) => "GLSL is written with f32, which every version has",
+        _ => return Ok(()),
+    };
+    Err(error(other).help("leave out `--scalar`"))
+}
+
+/// The scalar type that is asked for.
+fn scalar(arguments: &EmitArguments, default: Scalar) -> Scalar {
+    match arguments.scalar {
+        None => default,
+        Some(EmitScalar::F32) => Scalar::F32,
+        Some(EmitScalar::F64) => Scalar::F64,
     }
 }
 
@@ -105,6 +137,7 @@ fn same(target: EmitTarget, found: &str, text: &str) -> bool {
         EmitTarget::Rust => {
             comments(&found) == comments(text) && code(text).is_some_and(|t| code(&found) == Some(t))
         }
+        _ => false,
     }
 }
 
@@ -117,6 +150,7 @@ fn command(arguments: &EmitArguments, spec: &str) -> String {
     let mut words = vec![String::from("basis emit"), quoted(spec)];
     words.extend(arguments.names.iter().map(|name| quoted(name)));
     words.push(format!("--to {}", arguments.to.name()));
+    words.extend(arguments.scalar.map(|scalar| format!("--scalar {}", scalar.name())));
     if let Some(path) = destination(arguments) {
         words.push(format!("-o {}", quoted(&path.to_string_lossy().replace('\\', "/"))));
     }

@@ -77,6 +77,8 @@ fn what_cannot_be_written_is_an_error() {
         .and("false.basis", QUARTIC.replace("refute b[0]", "prove b[0]"))
         .and("broken.basis", "family F { domain 0 <= t <= 1; b[0] = t +; }")
         .and("rational.basis", rational)
+        .and("arc.basis", "family Arc { domain 0 <= t <= 1; b[0] = (1 - t)/(1 + t); b[1] = 2*t/(1 + t); }")
+        .and("huge.basis", "family Huge { domain 0 <= t <= 1; b[0] = 10^50*t; b[1] = 1 - t; }")
         .and("theorem.basis", theorem);
     for (arguments, code, message) in [
         (vec!["quartic.basis", "Quartic"], 2, "there is no family `Quartic`"),
@@ -96,10 +98,72 @@ fn what_cannot_be_written_is_an_error() {
         (vec!["none.basis"], 2, "there is no spec file `none.basis`"),
         (vec!["quartic.basis", "-o", "no/such/folder.rs"], 1, "cannot find `no/such`"),
         (vec!["quartic.basis", "--to", "cobol"], 2, "invalid value 'cobol'"),
+        (vec!["rational.basis", "--to", "c"], 1, "no code is generated yet for families with denominators"),
+        (
+            vec!["arc.basis", "--to", "python"],
+            1,
+            "only Rust code is generated yet for families with denominators",
+        ),
+        (vec!["quartic.basis", "QuarticBernstein as a b", "--to", "python"], 1, "`a b` cannot be a name"),
+        (vec!["bern.basis", "Bern(2)", "Bern(3)", "--to", "wgsl"], 1, "are both called `Bern` in the file"),
+        (vec!["quartic.basis", "--to", "wgsl", "--scalar", "f64"], 2, "WGSL has no f64"),
+        (
+            vec!["quartic.basis", "--to", "typescript", "--scalar", "f32"],
+            2,
+            "the numbers of TypeScript are f64",
+        ),
+        (vec!["huge.basis", "--to", "c", "--scalar", "f32"], 1, "beyond what f32 holds"),
+        (
+            vec!["bern.basis", "Bern(2)", "Bern(3) as BernCurve", "--to", "python"],
+            1,
+            "is needed for parts of `Bern(2)`",
+        ),
+        (
+            vec!["bern.basis", "Bern(2)", "Bern(3) as Bern_eval", "--to", "c"],
+            1,
+            "is needed for parts of `Bern(2)`",
+        ),
+        (vec!["huge.basis", "--to", "glsl"], 1, "beyond what f32 holds"),
     ] {
         let target: &[&str] = if arguments.contains(&"--to") { &[] } else { &["--to", "rust"] };
         let run = folder.run(&[&["emit"], arguments.as_slice(), target].concat());
         assert_eq!((run.code, run.stdout.as_str()), (code, ""), "{arguments:?} {}", run.stderr);
         assert!(run.stderr.contains(message), "{arguments:?}: {}", run.stderr);
     }
+}
+
+/// Every language has the header, the verdicts, the proved bound, and names that it can have.
+#[test]
+fn other_languages_say_where_they_come_from() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    for (target, name, comment) in [
+        (
+            "c",
+            "q.h",
+            "static inline void QuarticBernstein_values(QuarticBernstein family, double t, double values[4])",
+        ),
+        ("python", "q.py", "        lambda_ = self.lambda_\n"),
+        ("typescript", "q.ts", "    evalN(at: ArrayLike<number>"),
+        ("wgsl", "q.wgsl", "fn QuarticBernstein_eval_n(@builtin(global_invocation_id) id: vec3u) {"),
+        ("glsl", "q.glsl", "float[4] QuarticBernstein_values(float lambda, float t) {"),
+    ] {
+        let run = folder.run(&["emit", "quartic.basis", "--to", target, "-o", name]);
+        assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""), "{target}");
+        let text = fs::read_to_string(folder.path().join(name)).expect("it was written");
+        for part in [
+            &format!("basis emit quartic.basis --to {target} -o {name}\n"),
+            "No rights are claimed on this file",
+            "| `b[0] = b[1]` | refuted: ",
+            "`b[1]`: 4.51 ε of the value",
+            comment,
+        ] {
+            assert!(text.contains(part), "{target}: {part}\n{text}");
+        }
+        let check = ["emit", "quartic.basis", "--to", target, "--check", name];
+        assert_eq!(folder.run(&check).code, 0, "{target}");
+        fs::write(folder.path().join(name), text + "\n").expect("it can be written");
+        assert_eq!(folder.run(&check).code, 1, "{target}");
+    }
+    let run = folder.run(&["emit", "quartic.basis", "--to", "c", "--scalar", "f32"]);
+    assert!(run.stdout.contains("float values[4]") && run.stdout.contains("--to c --scalar f32\n"));
 }

@@ -2,11 +2,16 @@
 
 use super::{DECIDED, Language, Wanted};
 use crate::algebra::range::{DisplayRange as _, Range};
-use crate::diagnostic::Diagnostic;
+use crate::algebra::rational::Rational;
+use crate::diagnostic::{Diagnostic, Place};
 use crate::generate;
-use crate::model::{Family, Parameter};
-use crate::steps::{FamilySteps, JoinSteps};
-use crate::theorem::Theorem;
+use crate::model::{Family, Parameter, label};
+use crate::plan::Input;
+use crate::rounding::{Error, decimal};
+use crate::state::{point_error, value_errors};
+use crate::steps::{Builder, FamilySteps, JoinSteps, Step, Steps};
+use crate::theorem::{Origin, Theorem};
+use basis_kernel::Relation;
 
 /// A family, as a target writes it.
 #[derive(Clone, Debug)]
@@ -19,6 +24,17 @@ pub struct FamilyCode<'a> {
     pub documentation: Vec<String>,
     /// The shape parameters.
     pub shapes: Vec<Shape<'a>>,
+    /// What is assumed of the shape values together.
+    pub assumptions: Vec<Assumption<'a>>,
+    /// The names of the coordinates of a point of the domain: t, all barycentric coordinates, the variables of a box.
+    pub coordinates: Vec<String>,
+    /// The labels of the functions, such as `b[2]`.
+    pub labels: Vec<String>,
+    /// Bounds of the rounding errors of the values, one for each function; `None` where none is proved.
+    pub rounding: Vec<Option<Error>>,
+    /// A bound of the rounding errors of each component of a point of a curve, from its control points, relative to
+    /// the largest absolute value of that component of a control point; `None` where none is proved.
+    pub point_rounding: Option<Error>,
     /// All that can be evaluated.
     pub steps: FamilySteps<'a>,
 }
@@ -32,10 +48,38 @@ pub struct JoinCode<'a> {
     pub name: String,
     /// What stands before it: its claims with their verdicts, the formulas of the points; Markdown, one string a line.
     pub documentation: Vec<String>,
+    /// The arguments with control points: a whole net where all points of a curve or surface are given, or one point.
+    pub points: Vec<Net>,
+    /// Where the points stand that [`Input::Point`] means: an argument, and a position in it.
+    pub given: Vec<(usize, usize)>,
     /// The scalars that the points depend on.
     pub scalars: Vec<Shape<'a>>,
-    /// The determined points.
+    /// The results, one net for each curve or surface with determined points.
+    pub results: Vec<Net>,
+    /// The determined points, of all results one after the other.
     pub steps: JoinSteps<'a>,
+}
+
+/// Control points of a join.
+#[derive(Clone, Debug)]
+pub struct Net {
+    /// Its name in the file.
+    pub name: String,
+    /// The names of the points in the spec, such as `Q[1]`.
+    pub labels: Vec<String>,
+    /// Whether it is one point and not a list.
+    pub single: bool,
+}
+
+/// A condition on several shape values.
+#[derive(Clone, Debug)]
+pub struct Assumption<'a> {
+    /// The polynomial with the sign, in the shape values.
+    pub steps: Steps,
+    /// Whether it is positive, or else not negative.
+    pub strict: bool,
+    /// The condition as it is written, such as `q < p`.
+    pub text: &'a str,
 }
 
 /// A shape parameter or a scalar of a join: its value has to be finite and inside of the range.
@@ -51,6 +95,8 @@ pub struct Shape<'a> {
     pub range: &'a Range,
     /// The range as text, such as `-3 <= λ <= 1`.
     pub shown: String,
+    /// The same with the name in the file, in ASCII.
+    pub condition: String,
 }
 
 impl<'a> FamilyCode<'a> {
@@ -62,18 +108,190 @@ impl<'a> FamilyCode<'a> {
         if let Some(error) = generate::no_code(family) {
             return Err(error);
         }
-        let (Some(steps), Some(documentation)) =
-            (FamilySteps::new(family), generate::documentation(family, &wanted.checked.claims, DECIDED))
-        else {
+        let rounding: Vec<Option<Error>> =
+            value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).collect();
+        let known: &[Option<Error>] = if rounding.iter().all(Option::is_none) { &[] } else { &rounding };
+        let (Some(steps), Some(mut documentation)) = (
+            FamilySteps::new(family),
+            generate::documentation(family, known, &wanted.checked.claims, DECIDED),
+        ) else {
             return Err(generate::too_large(family));
         };
         if let Some(error) = generate::beyond_floats(family, &steps) {
             return Err(error);
         }
-        let name = language.free(wanted.name.as_ref().unwrap_or(&family.name), &[]);
+        let evaluators = [steps.values(), steps.bernstein_weights(), steps.bind()];
+        let message = |number: &Rational| {
+            format!("`{}` has the number {number}, which is beyond what f32 holds", family.title())
+        };
+        single(evaluators.iter(), language, &family.place, &message)?;
+        let name = named(wanted.name.as_ref().unwrap_or(&family.name), language)?;
         let shapes = shapes(family.shapes.iter(), language);
-        Ok(Self { family, name, documentation, shapes, steps })
+        let mut taken: Vec<String> = shapes.iter().map(|shape| shape.name.clone()).collect();
+        let coordinates: Vec<String> = family
+            .domain_variables()
+            .map(|variable| {
+                let name = language.free(&variable.name, &taken);
+                taken.push(name.clone());
+                name
+            })
+            .collect();
+        let point_rounding = point_error(family).map(|(error, _)| error);
+        if let Some(error) = &point_rounding {
+            let end =
+                documentation.iter().position(|line| line == "# Claims").unwrap_or(documentation.len() + 1);
+            documentation.splice(end - 1..end - 1, point_lines(error));
+        }
+        let labels = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
+        let assumptions = assumptions(family);
+        Ok(Self {
+            family,
+            name,
+            documentation,
+            shapes,
+            assumptions,
+            coordinates,
+            labels,
+            rounding,
+            point_rounding,
+            steps,
+        })
     }
+
+    /// The name of an input inside of a function: that of a shape value or of a coordinate, and `P0`, `D0`, `B0` for a
+    /// component of a control point, of a derivative, of a bound coefficient. No language lets anything else have such
+    /// a name: [`is_input`].
+    pub fn input(&self, input: Input) -> String {
+        match input {
+            Input::Shape(k) => self.shapes[k].name.clone(),
+            Input::Coordinate(k) => self.coordinates[k].clone(),
+            Input::Point(k) => format!("P{k}"),
+            Input::Derivative(k) => format!("D{k}"),
+            Input::Bound(k) => format!("B{k}"),
+        }
+    }
+
+    /// The names of the shape values and coordinates.
+    pub fn taken(&self) -> Vec<String> {
+        let shapes = self.shapes.iter().map(|shape| shape.name.clone());
+        shapes.chain(self.coordinates.iter().cloned()).collect()
+    }
+
+    /// The number of functions.
+    pub fn count(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// Whether it is a family on an interval, whose curves have derivatives in one parameter.
+    pub fn is_curve(&self) -> bool {
+        self.family.interval().is_some()
+    }
+
+    /// The orders of all first and second partial derivatives on a simplex or box, by independent coordinate.
+    pub fn orders(&self) -> Vec<Vec<usize>> {
+        let count = self.family.domain.len();
+        let unit = |places: &[usize]| -> Vec<usize> {
+            (0..count).map(|k| places.iter().filter(|place| **place == k).count()).collect()
+        };
+        let first = (0..count).map(|k| unit(&[k]));
+        let second = (0..count).flat_map(|i| (i..count).map(move |j| (i, j))).map(|(i, j)| unit(&[i, j]));
+        first.chain(second).collect()
+    }
+
+    /// The coordinates along which a partial derivative is taken, joined by `_`: `u_v` for ∂²/∂u∂v.
+    pub fn along(&self, orders: &[usize]) -> String {
+        let names = orders.iter().zip(&self.coordinates);
+        let names = names.flat_map(|(order, name)| std::iter::repeat_n(name.as_str(), *order));
+        names.collect::<Vec<_>>().join("_")
+    }
+
+    /// The lower and upper end of each domain variable; of a simplex nothing.
+    pub fn ends(&self) -> Vec<(Rational, Rational)> {
+        if self.family.is_simplex() {
+            return Vec::new();
+        }
+        let ends = self.family.domain.iter().filter_map(|variable| variable.range.finite());
+        ends.map(|(low, high)| (low.clone(), high.clone())).collect()
+    }
+
+    /// The labels of the functions in a sentence: all of a few, the first and the last of many.
+    pub fn listed(&self) -> String {
+        match self.labels.as_slice() {
+            [first, .., last] if self.labels.len() > 6 => format!("{first}, ..., {last}"),
+            labels => labels.join(", "),
+        }
+    }
+}
+
+/// A bound of the errors of points, for the documentation.
+fn point_lines(error: &Error) -> Vec<String> {
+    let epsilons = decimal(error.epsilons());
+    let line = format!(
+        "Rounding error of each component of a point of a curve, binding included, proved to be at most: {epsilons} ε times the largest absolute value of that component of a control point."
+    );
+    vec![String::new(), line]
+}
+
+/// The name of an item in a file.
+///
+/// # Errors
+/// When it has characters that no identifier has.
+fn named(wanted: &str, language: &dyn Language) -> Result<String, Diagnostic> {
+    let name = language.free(wanted, &[]);
+    let mut characters = name.chars();
+    let starts = characters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_');
+    if starts && characters.all(|c| c.is_ascii_alphanumeric() || c == '_') && name.chars().any(|c| c != '_') {
+        return Ok(name);
+    }
+    let error = Diagnostic::unplaced(format!("`{wanted}` cannot be a name in the file"));
+    Err(error.help("write letters, digits and `_`, first a letter"))
+}
+
+/// # Errors
+/// When a constant is infinite or 0 as an `f32`, and that is what the language computes with.
+fn single<'s>(
+    all: impl Iterator<Item = &'s Steps>,
+    language: &dyn Language,
+    place: &Place,
+    message: &dyn Fn(&Rational) -> String,
+) -> Result<(), Diagnostic> {
+    if !language.is_single() {
+        return Ok(());
+    }
+    for step in all.flat_map(|steps| &steps.steps) {
+        if let Step::Constant(value) = step {
+            let float = value.to_f64() as f32;
+            if float.is_infinite() || (float == 0.0 && !value.is_zero()) {
+                let error = Diagnostic::error(place.clone(), message(value));
+                return Err(
+                    error.help("choose `--scalar f64` with a language that has it, or scale the functions")
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+fn assumptions(family: &Family) -> Vec<Assumption<'_>> {
+    let one = |constraint: &'_ crate::model::chart::Constraint| {
+        let mut builder = Builder::default();
+        let mut sum = builder.constant(Rational::ZERO);
+        for (monomial, coefficient) in constraint.value.terms() {
+            let mut term = builder.constant(coefficient.clone());
+            for (k, shape) in family.shapes.iter().enumerate() {
+                for _ in 0..monomial.exponent(shape.var) {
+                    let factor = builder.input(Input::Shape(k));
+                    term = builder.mul(term, factor);
+                }
+            }
+            sum = builder.add(sum, term);
+        }
+        builder.finish(&[sum])
+    };
+    let constraints = family.constraints.iter();
+    constraints
+        .map(|c| Assumption { steps: one(c), strict: c.relation == Relation::Positive, text: &c.text })
+        .collect()
 }
 
 impl<'a> JoinCode<'a> {
@@ -83,12 +301,75 @@ impl<'a> JoinCode<'a> {
     /// Why there is no function for it.
     pub fn new(theorem: &'a Theorem, wanted: &Wanted, language: &dyn Language) -> Result<Self, Diagnostic> {
         let Some(steps) = JoinSteps::new(theorem) else { return Err(generate::join::products(theorem)) };
+        let message = |number: &Rational| {
+            format!("`{}` has the number {number}, which is beyond what f32 holds", theorem.name)
+        };
+        single([&steps.steps].into_iter(), language, &theorem.place, &message)?;
         let own = generate::join::name(theorem);
-        let name = language.free(wanted.name.as_ref().unwrap_or(&own), &[]);
+        let own = own.strip_prefix("r#").unwrap_or(&own).to_string();
+        let name = named(wanted.name.as_ref().unwrap_or(&own), language)?;
         let documentation = generate::join::about(theorem, &wanted.checked.claims, DECIDED);
         let scalars = shapes(steps.scalars.iter().copied(), language);
-        Ok(Self { theorem, name, documentation, scalars, steps })
+        let mut taken: Vec<String> = scalars.iter().map(|scalar| scalar.name.clone()).collect();
+        let mut net = |written: &str, labels: Vec<String>, single: bool| {
+            let name = language.free(&plain(written), &taken);
+            taken.push(name.clone());
+            Net { name, labels, single }
+        };
+        let mut points: Vec<Net> = Vec::new();
+        let mut given = vec![(0, 0); steps.given.len()];
+        for (k, patch) in theorem.patches.iter().enumerate() {
+            let used: Vec<usize> =
+                (0..given.len()).filter(|place| theorem.points[steps.given[*place]].patch == k).collect();
+            let labels = || patch.points.iter().map(|point| label(&patch.name, &point.index)).collect();
+            if !used.is_empty() && patch.points.iter().all(|point| point.origin == Origin::Given) {
+                for place in used {
+                    let index = &theorem.points[steps.given[place]].index;
+                    let at = patch.points.iter().position(|point| point.index == *index).unwrap_or(0);
+                    given[place] = (points.len(), at);
+                }
+                points.push(net(&patch.name, labels(), false));
+                continue;
+            }
+            for place in used {
+                let point = &theorem.points[steps.given[place]];
+                given[place] = (points.len(), 0);
+                points.push(net(&point.name, vec![point.name.clone()], true));
+            }
+        }
+        let results = steps.determined.iter().map(|(patch, points)| {
+            let labels = points.iter().map(|(index, _)| label(&patch.name, index)).collect();
+            net(&patch.name, labels, false)
+        });
+        let results = results.collect();
+        Ok(Self { theorem, name, documentation, points, given, scalars, results, steps })
     }
+
+    /// The name of an input inside of the function: that of a scalar, and `P0`, `P1`, … for a component of a point.
+    pub fn input(&self, input: Input) -> String {
+        match input {
+            Input::Shape(k) => self.scalars[k].name.clone(),
+            Input::Point(k) => format!("P{k}"),
+            other => unreachable!("a join has no input {other:?}"),
+        }
+    }
+
+    /// The names of the arguments and results.
+    pub fn taken(&self) -> Vec<String> {
+        let nets = self.points.iter().chain(&self.results).map(|net| net.name.clone());
+        nets.chain(self.scalars.iter().map(|scalar| scalar.name.clone())).collect()
+    }
+}
+
+/// Whether a name is that of a component of a point: a letter P, D or B with a number.
+pub fn is_input(name: &str) -> bool {
+    let digits = name.strip_prefix(['P', 'D', 'B']);
+    digits.is_some_and(|digits| !digits.is_empty() && digits.chars().all(|c| c.is_ascii_digit()))
+}
+
+/// A name of the spec without brackets: `h[0]` becomes `h_0`.
+fn plain(name: &str) -> String {
+    name.split(['[', ']', ',', ' ']).filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_")
 }
 
 /// Parameters under names that differ.
@@ -96,10 +377,18 @@ fn shapes<'a>(parameters: impl Iterator<Item = &'a Parameter>, language: &dyn La
     let mut names: Vec<String> = Vec::new();
     parameters
         .map(|parameter| {
-            let name = language.free(&parameter.name.replace(['[', ']', ','], "_"), &names);
+            let name = language.free(&plain(&parameter.name), &names);
             names.push(name.clone());
             let shown = parameter.range.display(&parameter.name).to_string();
-            Shape { name, written: &parameter.name, doc: &parameter.doc, range: &parameter.range, shown }
+            let condition = parameter.range.display(&name).to_string();
+            Shape {
+                name,
+                written: &parameter.name,
+                doc: &parameter.doc,
+                range: &parameter.range,
+                shown,
+                condition,
+            }
         })
         .collect()
 }

@@ -2,6 +2,7 @@
 
 use super::Language;
 use crate::algebra::rational::Rational;
+use crate::plan::Input;
 use crate::steps::{Step, Steps};
 
 /// A line is not made longer than this by putting one expression into another.
@@ -11,9 +12,20 @@ const WIDTH: usize = 72;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Expressions {
     /// Names with their values, in the order in which they are computed.
-    pub lets: Vec<(String, String)>,
+    pub lets: Vec<(String, Value)>,
     /// The results.
-    pub outputs: Vec<String>,
+    pub outputs: Vec<Value>,
+}
+
+/// An expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Value {
+    /// Its text.
+    pub text: String,
+    /// Whether it depends on a component of points, so that each component of a point has its own.
+    pub of_points: bool,
+    /// Whether it depends on a coordinate of the point of the domain.
+    pub of_domain: bool,
 }
 
 /// How tightly an expression holds together.
@@ -26,14 +38,20 @@ enum Form {
 }
 
 struct Text {
-    text: String,
+    value: Value,
     form: Form,
 }
 
 impl Expressions {
-    /// The operations of `steps` in their association. What is used twice has a name: that of the plan, such as `s2` or
-    /// `c0`, or else `v0`, `v1`, …; no name is one of `taken` or a word of the language.
-    pub fn new(steps: &Steps, language: &dyn Language, taken: &[String]) -> Self {
+    /// The operations of `steps` in their association, on inputs that have names. What is used twice has a name: that of
+    /// the plan, such as `s2` or `c0`, or else `v0`, `v1`, …; no name is one of `taken` or a word of the language. A
+    /// quotient by a power of two is a product, which is the same float.
+    pub fn new(
+        steps: &Steps,
+        language: &dyn Language,
+        input: &dyn Fn(Input) -> String,
+        taken: &[String],
+    ) -> Self {
         let mut uses = vec![0_usize; steps.steps.len()];
         for operand in steps.steps.iter().flat_map(Step::operands).chain(steps.outputs.iter().copied()) {
             uses[operand] += 1;
@@ -43,11 +61,15 @@ impl Expressions {
         let mut lets = Vec::new();
         let mut texts: Vec<Text> = Vec::new();
         for (k, step) in steps.steps.iter().enumerate() {
-            let mut text = expression(step, &texts, language);
+            let constant = |k: usize| match &steps.steps[k] {
+                Step::Constant(value) => Some(value),
+                _ => None,
+            };
+            let mut text = expression(step, &texts, language, input, &constant);
             let computed = text.form != Form::Atom;
             let name = steps.name(k).filter(|_| computed);
             let signed = matches!(step, Step::Neg(_)) && uses[k] < 3;
-            if name.is_some() || (computed && !signed && uses[k] > 1) || text.text.len() > WIDTH {
+            if name.is_some() || (computed && !signed && uses[k] > 1) || text.value.text.len() > WIDTH {
                 let name = match name {
                     Some(name) => language.free(name, &names),
                     None => {
@@ -56,20 +78,26 @@ impl Expressions {
                     }
                 };
                 names.push(name.clone());
-                lets.push((name.clone(), text.text));
-                text = Text { text: name, form: Form::Atom };
+                lets.push((name.clone(), text.value.clone()));
+                text = Text { value: Value { text: name, ..text.value }, form: Form::Atom };
             }
             texts.push(text);
         }
-        let outputs = steps.outputs.iter().map(|output| texts[*output].text.clone()).collect();
+        let outputs = steps.outputs.iter().map(|output| texts[*output].value.clone()).collect();
         Self { lets, outputs }
     }
 }
 
-fn expression(step: &Step, texts: &[Text], language: &dyn Language) -> Text {
+fn expression<'a>(
+    step: &Step,
+    texts: &[Text],
+    language: &dyn Language,
+    input: &dyn Fn(Input) -> String,
+    constant: &dyn Fn(usize) -> Option<&'a Rational>,
+) -> Text {
     let within = |k: usize, apart: &[Form]| {
-        let Text { text, form } = &texts[k];
-        if apart.contains(form) { format!("({text})") } else { text.clone() }
+        let Text { value, form } = &texts[k];
+        if apart.contains(form) { format!("({})", value.text) } else { value.text.clone() }
     };
     let (first_of_sum, second_of_sum) = ([].as_slice(), [Form::Sum, Form::Signed].as_slice());
     // A language may give a sign another rank than Rust does: a signed factor stands in parentheses.
@@ -79,7 +107,7 @@ fn expression(step: &Step, texts: &[Text], language: &dyn Language) -> Text {
         format!("{} {sign} {}", within(a, left), within(b, right))
     };
     let (text, form) = match step {
-        Step::Input(input) => (language.input(*input), Form::Atom),
+        Step::Input(which) => (input(*which), Form::Atom),
         Step::Constant(value) if value.is_negative() => {
             (format!("-{}", language.literal(&value.abs())), Form::Signed)
         }
@@ -88,9 +116,29 @@ fn expression(step: &Step, texts: &[Text], language: &dyn Language) -> Text {
         Step::Add(a, b) => (pair(*a, first_of_sum, "+", *b, second_of_sum), Form::Sum),
         Step::Sub(a, b) => (pair(*a, first_of_sum, "-", *b, second_of_sum), Form::Sum),
         Step::Mul(a, b) => (pair(*a, first_factor, "*", *b, second_factor), Form::Product),
-        Step::Div(a, b) => (pair(*a, first_factor, "/", *b, second_factor), Form::Product),
+        Step::Div(a, b) => {
+            match constant(*b).filter(|value| is_power_of_two(value)).and_then(Rational::recip) {
+                Some(factor) => {
+                    (format!("{} * {}", within(*a, first_factor), language.literal(&factor)), Form::Product)
+                }
+                None => (pair(*a, first_factor, "/", *b, second_factor), Form::Product),
+            }
+        }
     };
-    Text { text, form }
+    let depends = |which: fn(&Value) -> bool| step.operands().iter().any(|k| which(&texts[*k].value));
+    let (of_points, of_domain) = match step {
+        Step::Input(Input::Coordinate(_)) => (false, true),
+        Step::Input(Input::Shape(_)) => (false, false),
+        Step::Input(_) => (true, false),
+        _ => (depends(|value| value.of_points), depends(|value| value.of_domain)),
+    };
+    Text { value: Value { text, of_points, of_domain }, form }
+}
+
+/// Whether a number is a power of two, not too large or small for any float.
+fn is_power_of_two(value: &Rational) -> bool {
+    let part = |n: Option<i64>| n.is_some_and(|n| n > 0 && n.count_ones() == 1);
+    part(value.numer().to_i64()) && part(value.denom().to_i64())
 }
 
 /// The shortest decimal that a program reads as the `f64` nearest to a number ≥ 0, with a decimal point: `0.25`,
@@ -111,7 +159,6 @@ mod tests {
     use super::*;
     use crate::diagnostic::Diagnostic;
     use crate::emit::{FamilyCode, JoinCode, Wanted};
-    use crate::plan::Input;
     use crate::source;
     use crate::{Disk, Family, Library, Prover, Source, Subject, decide};
 
@@ -125,18 +172,23 @@ mod tests {
         fn literal(&self, value: &Rational) -> String {
             if value.is_integer() { value.to_string() } else { format!("({value})") }
         }
-        fn input(&self, input: Input) -> String {
-            match input {
-                Input::Shape(k) => self.0[k].clone(),
-                Input::Coordinate(k) => ["t", "v", "w", "x"][k].to_string(),
-                other => panic!("{other:?}"),
-            }
+        fn is_single(&self) -> bool {
+            false
         }
         fn is_reserved(&self, name: &str) -> bool {
             ["b", "t", "v", "w", "x", "s"].contains(&name)
         }
         fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
-            let Expressions { lets, outputs } = Expressions::new(&code.steps.values(), self, &self.0);
+            let Expressions { lets, outputs } = Expressions::new(
+                &code.steps.values(),
+                self,
+                &|input| match input {
+                    Input::Shape(k) => self.0[k].clone(),
+                    Input::Coordinate(k) => ["t", "v", "w", "x"][k].to_string(),
+                    other => panic!("{other:?}"),
+                },
+                &self.0,
+            );
             let domain = if code.family.is_simplex() {
                 let names = ["t", "v", "w", "x"][..code.steps.coordinates()].join(", ");
                 let kind = if code.steps.coordinates() == 3 { "triangle" } else { "tetrahedron" };
@@ -148,8 +200,8 @@ mod tests {
             for (shape, name) in code.shapes.iter().zip(&self.0) {
                 lines.push(format!("shape {};", shape.shown.replace(shape.written, name)));
             }
-            lines.extend(lets.iter().map(|(name, value)| format!("let {name} = {value};")));
-            lines.extend(outputs.iter().enumerate().map(|(k, value)| format!("b[{k}] = {value};")));
+            lines.extend(lets.iter().map(|(name, value)| format!("let {name} = {};", value.text)));
+            lines.extend(outputs.iter().enumerate().map(|(k, value)| format!("b[{k}] = {};", value.text)));
             Ok(format!("family {} {{\n{}\n}}\n", code.name, lines.join("\n")))
         }
         fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic> {

@@ -9,10 +9,21 @@
 //! Rust is printed from plans, because it has our runtime: [`rust`]. Every other language is an implementation of
 //! [`Language`], in a file of its own beside this one, and a name on the command line.
 //!
-//! - The leaves are how the language writes a comment, a number, an input, and which words it keeps for itself.
+//! | file | language |
+//! | --- | --- |
+//! | [`c`] | C and C++, a prefix of names for each family, loops over components |
+//! | [`python`] | Python, a class for each family, whole arrays |
+//! | [`typescript`] | TypeScript, a class for each family, loops over components |
+//! | [`shader`] | WGSL and GLSL, a prefix of names, vectors of four components |
+//! | `write` | what they share |
+//!
+//! A new language comes with a row of its own in `tests/targets`: its program prints what [`FamilyCode`] can compute, and
+//! the room compares it with the steps bit for bit and with exact values within the proved bounds.
+//!
+//! - The leaves are how the language writes a comment and a number, and which words it keeps for itself.
 //! - [`Language::family`] and [`Language::join`] lay out the functions. What these compute comes as
 //!   [`Steps`](crate::steps::Steps): [`FamilyCode::steps`] has those of every evaluator, and [`Expressions`] makes of
-//!   them named values and results in infix notation. A language whose operators are not infix walks the steps itself.
+//!   them named values and results in infix notation; inputs have the names of [`FamilyCode::input`]. A language whose operators are not infix walks the steps itself.
 //!   Steps compute one component of a point; a target either loops over the components or computes with whole arrays.
 //! - No target computes anything by other operations than the steps: they are what is tested bit for bit beside the
 //!   compiled Rust, and what rounding bounds are proved for. A compiler may fuse products into additions, which leaves
@@ -20,18 +31,24 @@
 //! - Names are those of Rust, [`ascii`](crate::generate::ascii), with `_` appended where a word is reserved.
 //! - Shape values are checked once, where they come in: [`Shape`] has the range, and its text for the message.
 
+#![allow(clippy::format_collect)] // a file is written once
+
+pub mod c;
 mod code;
 mod expressions;
+pub mod python;
 pub mod rust;
+pub mod shader;
+pub mod typescript;
+mod write;
 
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::plan::Input;
 use crate::subject::Subject;
 use crate::{Checked, generate};
 
-pub use code::{FamilyCode, JoinCode, Shape};
-pub use expressions::{Expressions, decimal, decimal_f32};
+pub use code::{Assumption, FamilyCode, JoinCode, Net, Shape, is_input};
+pub use expressions::{Expressions, Value, decimal, decimal_f32};
 
 /// What the documentation of emitted code says about the time of the proofs.
 pub const DECIDED: &str = "when this file was written";
@@ -65,8 +82,8 @@ pub trait Language {
     /// [`decimal`].
     fn literal(&self, value: &Rational) -> String;
 
-    /// An input as an expression, inside of the functions that [`Language::family`] and [`Language::join`] lay out.
-    fn input(&self, input: Input) -> String;
+    /// Whether it computes with `f32` only, so that every constant has to be one.
+    fn is_single(&self) -> bool;
 
     /// Whether a name cannot be that of a variable, a function or a type: keywords, and names that the file needs for
     /// something else.
@@ -121,6 +138,7 @@ pub fn emit(language: &dyn Language, job: &Job<'_>) -> Result<String, Vec<Diagno
             Err(error) => errors.push(error),
         }
     }
+    errors.extend(names.clash());
     if !errors.is_empty() {
         return Err(errors);
     }
@@ -146,6 +164,55 @@ impl Names {
         }
         self.0.push((name.to_string(), title));
         Ok(())
+    }
+}
+
+/// What stands behind the name of a family in names of a file: of the class of its curves or patches, and, after a `_`, of
+/// functions and constants where a language has no scopes.
+const CLASSES: [&str; 2] = ["Curve", "Patch"];
+const MEMBERS: [&str; 20] = [
+    "init",
+    "check",
+    "values",
+    "derivatives",
+    "second",
+    "partials",
+    "bind",
+    "bound",
+    "eval",
+    "curve",
+    "points",
+    "at",
+    "FUNCTIONS",
+    "COEFFICIENTS",
+    "LOW",
+    "HIGH",
+    "ROUNDING",
+    "after",
+    "before",
+    "domain",
+];
+
+impl Names {
+    /// Whether a name is one that the file gives to a part of another item.
+    fn clash(&self) -> Option<Diagnostic> {
+        for (name, title) in &self.0 {
+            for (other, other_title) in &self.0 {
+                let Some(rest) = other.strip_prefix(name.as_str()).filter(|rest| !rest.is_empty()) else {
+                    continue;
+                };
+                let member = rest.strip_prefix('_').or_else(|| name.ends_with('_').then_some(rest));
+                let first = member.map(|rest| rest.split('_').next().unwrap_or(rest));
+                let is_member = first.is_some_and(|word| MEMBERS.contains(&word));
+                if CLASSES.contains(&rest) || is_member {
+                    let message =
+                        format!("`{other}`, the name of `{other_title}`, is needed for parts of `{title}`");
+                    let help = format!("give one of them another name: '{other_title} as OtherName'");
+                    return Some(Diagnostic::unplaced(message).help(help));
+                }
+            }
+        }
+        None
     }
 }
 

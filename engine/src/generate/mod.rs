@@ -128,15 +128,21 @@ pub(crate) fn beyond_floats(family: &Family, steps: &crate::steps::FamilySteps<'
 }
 
 /// What the documentation of a generated type says: the formulas, the ranges, the claims with their verdicts; Markdown,
-/// one string a line. `decided` says when the claims were decided. `None` when the family is too large.
+/// one string a line. `errors` are the bounds of the rounding errors of all functions, or nothing; `decided` says when the
+/// claims were decided. `None` when the family is too large.
 #[cfg(any(test, feature = "tools"))]
-pub fn documentation(family: &Family, verdicts: &[(Claim, Verdict)], decided: &str) -> Option<Vec<String>> {
+pub fn documentation(
+    family: &Family,
+    errors: &[Option<crate::rounding::Error>],
+    verdicts: &[(Claim, Verdict)],
+    decided: &str,
+) -> Option<Vec<String>> {
     let formulas = match (rational_forms(family), IntervalForm::new(family)) {
         (Some(forms), _) => rational::formulas(family, &forms),
         (_, Some(form)) => interval::formulas(family, &form),
         _ => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
     };
-    let bounds = rounding::lines(&rounding::errors(family), family);
+    let bounds = rounding::lines(errors, family);
     Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
 }
 

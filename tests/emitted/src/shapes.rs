@@ -122,6 +122,18 @@ impl<S: basis_runtime::Scalar> Bell<S> {
         basis_runtime::Basis::to_bernstein(self, points)
     }
 
+    /// The mass matrix: the integrals of products of two functions over the domain.
+    #[must_use]
+    pub fn mass_matrix(&self) -> [[S; 3]; 3] {
+        basis_runtime::Basis::mass_matrix(self)
+    }
+
+    /// The stiffness matrix: the integrals of products of their derivatives over the domain.
+    #[must_use]
+    pub fn stiffness_matrix(&self) -> [[S; 3]; 3] {
+        basis_runtime::Basis::stiffness_matrix(self)
+    }
+
     /// The curve Q over this family that continues the curve P, `curve`, where that ends, in the given contact.
     ///
     /// Its first control points, one more than the order of the contact, are computed from the
@@ -399,6 +411,18 @@ impl<S: basis_runtime::Scalar> Tent<S> {
     pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 6]) -> [P; 6] {
         basis_runtime::SimplexBasis::to_bernstein(self, points)
     }
+
+    /// The mass matrix: the integrals of products of two functions over the domain; of a simplex the reference simplex.
+    #[must_use]
+    pub fn mass_matrix(&self) -> [[S; 6]; 6] {
+        basis_runtime::SimplexBasis::mass_matrix(self)
+    }
+
+    /// The stiffness matrix: the integrals of products of their gradients over the domain; of a simplex the reference simplex.
+    #[must_use]
+    pub fn stiffness_matrix(&self) -> [[S; 6]; 6] {
+        basis_runtime::SimplexBasis::stiffness_matrix(self)
+    }
 }
 
 basis_runtime::__serialize_shape!(Tent, "Tent", [kappa "kappa"]);
@@ -517,6 +541,18 @@ impl<S: basis_runtime::Scalar> Sheet<S> {
     #[must_use]
     pub fn to_bernstein<P: basis_runtime::Point<Scalar = S>>(&self, points: &[P; 2]) -> [P; 4] {
         basis_runtime::BoxBasis::to_bernstein(self, points)
+    }
+
+    /// The mass matrix: the integrals of products of two functions over the domain; of a simplex the reference simplex.
+    #[must_use]
+    pub fn mass_matrix(&self) -> [[S; 2]; 2] {
+        basis_runtime::BoxBasis::mass_matrix(self)
+    }
+
+    /// The stiffness matrix: the integrals of products of their gradients over the domain; of a simplex the reference simplex.
+    #[must_use]
+    pub fn stiffness_matrix(&self) -> [[S; 2]; 2] {
+        basis_runtime::BoxBasis::stiffness_matrix(self)
     }
 }
 

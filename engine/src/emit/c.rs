@@ -1,0 +1,679 @@
+//! C as a header: C99 to C23 and C++17, without a library but for limits of floats.
+//!
+//! A family is a prefix of names: `Bell_values`. Shape values are checked by `Bell_init`, which fills a struct; points have
+//! any number of components, `dimension`, one after the other; nothing is allocated.
+
+use super::write::{
+    body, bound, bound_text, comment_line, coordinate, derivative, indented, inside, join_body, member,
+    point, slashes, used, used_shapes,
+};
+use super::{Expressions, FamilyCode, JoinCode, Language, Shape, decimal, decimal_f32, is_input};
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
+use crate::steps::{EndSteps, Steps};
+
+/// The scalar type of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scalar {
+    /// `float`
+    F32,
+    /// `double`
+    F64,
+}
+
+/// C and C++.
+#[derive(Clone, Copy, Debug)]
+pub struct C(pub Scalar);
+
+/// Keywords of C and C++, macros of compilers and of the included headers, and names of the standard library that may not
+/// be defined again.
+const RESERVED: &str = "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t \
+    char32_t class co_await co_return co_yield compl concept const const_cast consteval constexpr constinit continue \
+    decltype default delete do double dynamic_cast else enum explicit export extern false final float for friend goto \
+    if import inline int long module mutable namespace new noexcept not not_eq nullptr operator or or_eq override \
+    private protected public register reinterpret_cast requires restrict return short signed sizeof static \
+    static_assert static_cast struct switch template this thread_local throw true try typedef typeid typename typeof \
+    typeof_unqual union unsigned using virtual void volatile wchar_t while xor xor_eq \
+    unix linux i386 near far small interface I NULL NAN INFINITY HUGE_VAL EOF errno assert stdin stdout stderr main \
+    size_t ptrdiff_t max_align_t offsetof float_t double_t div ldiv abs labs exp exp2 log log2 log10 log1p logb pow \
+    sqrt cbrt sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh floor ceil round trunc rint fabs fmod fma \
+    fmin fmax fdim frexp ldexp modf hypot erf erfc tgamma lgamma gamma nan signbit isnan isinf isfinite isnormal \
+    isgreater isless fpclassify j0 j1 jn y0 y1 yn drem scalb significand remainder remquo copysign nextafter \
+    nexttoward ilogb lrint llrint lround llround scalbn scalbln nearbyint expm1 time clock signal index rindex rand \
+    free malloc calloc realloc exit abort atexit getenv system qsort bsearch \
+    family dimension points bound values derivatives point at count order f c axis row inverse result wrong low high";
+
+impl C {
+    const fn scalar(self) -> &'static str {
+        match self.0 {
+            Scalar::F32 => "float",
+            Scalar::F64 => "double",
+        }
+    }
+
+    /// The prefix of the macros that tell about the type.
+    const fn limits(self) -> &'static str {
+        match self.0 {
+            Scalar::F32 => "FLT",
+            Scalar::F64 => "DBL",
+        }
+    }
+
+    fn signed(self, value: &Rational) -> String {
+        let sign = if value.is_negative() { "-" } else { "" };
+        format!("{sign}{}", self.literal(&value.abs()))
+    }
+
+    fn finite(self, shape: &Shape<'_>) -> String {
+        inside(shape, &self, "&&", ("<=", &format!("{}_MAX", self.limits())))
+    }
+}
+
+impl Language for C {
+    fn comment(&self, lines: &[String]) -> String {
+        slashes(lines)
+    }
+
+    fn literal(&self, value: &Rational) -> String {
+        match self.0 {
+            Scalar::F32 => decimal_f32(value) + "f",
+            Scalar::F64 => decimal(value),
+        }
+    }
+
+    fn is_single(&self) -> bool {
+        self.0 == Scalar::F32
+    }
+
+    fn is_reserved(&self, name: &str) -> bool {
+        let reserved_prefix = name.starts_with("__")
+            || (name.starts_with('_') && name[1..].starts_with(|c: char| c.is_ascii_uppercase()));
+        reserved_prefix || is_input(name) || RESERVED.split_whitespace().any(|word| word == name)
+    }
+
+    fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
+        let family = Family { code, language: *self };
+        let mut parts = vec![family.constants(), family.values()];
+        parts.splice(1..1, family.init());
+        if code.is_curve() {
+            parts.extend(family.derivatives());
+            parts.push(family.bind());
+            parts.extend(family.curve());
+            parts.extend(family.continuations());
+        } else {
+            for orders in code.orders() {
+                let of = code.along(&orders);
+                let name = member(&code.name, &format!("partials_{of}"));
+                let about =
+                    format!("The partial derivatives along {} of {}.", of.replace('_', ", "), code.listed());
+                parts.push(family.functions(&name, "derivatives", &about, &code.steps.derivatives(&orders)));
+            }
+            parts.push(family.bind());
+            parts.extend(family.patch());
+        }
+        Ok(parts.join("\n"))
+    }
+
+    fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic> {
+        let t = self.scalar();
+        let mut arguments = vec![String::from("size_t dimension")];
+        arguments.extend(join.points.iter().map(|net| format!("const {t} *{}", net.name)));
+        arguments.extend(join.scalars.iter().map(|scalar| format!("{t} {}", scalar.name)));
+        arguments.extend(join.results.iter().map(|net| format!("{t} *{}", net.name)));
+        let mut about = Vec::new();
+        for net in &join.points {
+            about.push(format!("`{}`: the control points {}.", net.name, net.labels.join(", ")));
+        }
+        for scalar in &join.scalars {
+            about.push(format!("`{}`: {}. {}", scalar.name, scalar.condition, scalar.doc.join(" ")));
+        }
+        for net in &join.results {
+            about.push(format!("`{}` becomes {}.", net.name, net.labels.join(", ")));
+        }
+        about.push(String::from(
+            "Points have `dimension` components, one after the other. Returns 0; k when the k-th scalar is outside of its",
+        ));
+        about.push(String::from("range, infinite or NaN; -1 when a computed point is not finite."));
+        let mut lines = String::new();
+        let expressions = join_body(join, self);
+        lines += "int result = 0;\n";
+        for (k, scalar) in join.scalars.iter().enumerate() {
+            lines += &format!("if (!({})) return {};\n", self.finite(scalar), k + 1);
+        }
+        for unused in unused_scalars(join) {
+            lines += &format!("(void){unused};\n");
+        }
+        let inputs: Vec<(String, String)> = used(&join.steps.steps, point)
+            .into_iter()
+            .map(|k| {
+                let (net, place) = join.given[k];
+                (format!("P{k}"), element(&join.points[net].name, place))
+            })
+            .collect();
+        let mut outputs = Vec::new();
+        for net in &join.results {
+            outputs.extend((0..net.labels.len()).map(|k| element(&net.name, k)));
+        }
+        let unused: Vec<String> = (0..join.points.len())
+            .filter(|net| used(&join.steps.steps, point).iter().all(|k| join.given[*k].0 != *net))
+            .map(|net| join.points[net].name.clone())
+            .collect();
+        lines += &unused.iter().map(|name| format!("(void){name};\n")).collect::<String>();
+        lines += &self.on_components(&expressions, &inputs, &outputs, Check::Finite);
+        lines += "return result;\n";
+        Ok(slashes(&about) + &function(&format!("int {}", join.name), &arguments, &lines))
+    }
+
+    fn file(&self, header: &str, items: &[String]) -> String {
+        let all = items.concat();
+        let names: Vec<&str> = all
+            .lines()
+            .filter_map(|line| line.strip_prefix("#define ")?.split_once("_FUNCTIONS ").map(|(name, _)| name))
+            .collect();
+        let digest = super::rust::digest((header.to_string() + &all).as_bytes());
+        let guard = format!("BASIS_{}_{digest:016X}_H", names.first().copied().unwrap_or("JOINS"));
+        let guard = guard.replace("__", "_");
+        let mut text = format!("{header}\n#ifndef {guard}\n#define {guard}\n");
+        text += "
+// Reassociated or reciprocal arithmetic voids the bounds of rounding errors, and NaN is what the checks look for.
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error \"compile without -ffast-math, /fp:fast and their parts\"
+#endif
+#if defined(__FINITE_MATH_ONLY__)
+#if __FINITE_MATH_ONLY__
+#error \"compile without -ffinite-math-only\"
+#endif
+#endif
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+";
+        for item in items {
+            text += "\n";
+            text += item;
+        }
+        text + &format!("\n#endif // {guard}\n")
+    }
+}
+
+/// The scalars of a join that no step uses, which a compiler would warn of.
+fn unused_scalars(join: &JoinCode<'_>) -> Vec<String> {
+    let used = used_shapes(&join.steps.steps);
+    // All are compared with their ranges.
+    (0..join.scalars.len()).filter(|k| !used.contains(k)).map(|k| join.scalars[k].name.clone()).collect()
+}
+
+/// The component of the point number `place` of an array.
+fn element(array: &str, place: usize) -> String {
+    match place {
+        0 => format!("{array}[axis]"),
+        1 => format!("{array}[dimension + axis]"),
+        _ => format!("{array}[{place} * dimension + axis]"),
+    }
+}
+
+/// A function with its arguments and the lines of its body.
+fn function(head: &str, arguments: &[String], lines: &str) -> String {
+    let whole = format!("static inline {head}({})", arguments.join(", "));
+    let head = if whole.len() <= 100 {
+        whole
+    } else {
+        let separate: Vec<String> = arguments.iter().map(|argument| format!("\n    {argument}")).collect();
+        format!("static inline {head}({})", separate.join(","))
+    };
+    format!("{head}\n{{\n{}}}\n", indented(lines, "    "))
+}
+
+/// What is asked of the results of a loop over components.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Check {
+    /// Nothing.
+    Nothing,
+    /// `result` becomes -1 where one is not finite.
+    Finite,
+}
+
+impl C {
+    /// The named values that are the same for all components.
+    fn scalar_lets(self, expressions: &Expressions) -> String {
+        let lets = expressions.lets.iter().filter(|(_, value)| !value.of_points);
+        lets.map(|(name, value)| format!("const {} {name} = {};\n", self.scalar(), value.text)).collect()
+    }
+
+    /// A loop over the components of points: inputs as names with their values, and where the results go.
+    fn on_components(
+        self,
+        expressions: &Expressions,
+        inputs: &[(String, String)],
+        outputs: &[String],
+        check: Check,
+    ) -> String {
+        let t = self.scalar();
+        let mut lines = String::new();
+        for (name, value) in inputs {
+            lines += &format!("const {t} {name} = {value};\n");
+        }
+        for (name, value) in expressions.lets.iter().filter(|(_, value)| value.of_points) {
+            lines += &format!("const {t} {name} = {};\n", value.text);
+        }
+        for (place, value) in outputs.iter().zip(&expressions.outputs) {
+            lines += &format!("{place} = {};\n", value.text);
+        }
+        if check == Check::Finite {
+            for place in outputs {
+                let largest = format!("{}_MAX", self.limits());
+                lines += &format!("if (!({place} >= -{largest} && {place} <= {largest})) result = -1;\n");
+            }
+        }
+        let head = "for (size_t axis = 0; axis < dimension; axis++) {\n";
+        format!("{}{head}{}}}\n", self.scalar_lets(expressions), indented(&lines, "    "))
+    }
+}
+
+/// A family that is being written.
+struct Family<'a> {
+    code: &'a FamilyCode<'a>,
+    language: C,
+}
+
+impl Family<'_> {
+    fn member(&self, name: &str) -> String {
+        member(&self.code.name, name)
+    }
+
+    /// The argument with the shape values, if there are any.
+    fn arguments(&self, others: &[String]) -> Vec<String> {
+        let shapes = (!self.code.shapes.is_empty()).then(|| format!("{} family", self.code.name));
+        shapes.into_iter().chain(others.iter().cloned()).collect()
+    }
+
+    /// The coordinates as arguments.
+    fn coordinates(&self) -> Vec<String> {
+        self.code.coordinates.iter().map(|name| format!("{} {name}", self.language.scalar())).collect()
+    }
+
+    /// The shape values and coordinates that steps use as constants, and a mention of those that they do not.
+    fn inputs(&self, steps: &Steps, with_shapes: bool) -> String {
+        let t = self.language.scalar();
+        let mut lines = String::new();
+        if with_shapes && !self.code.shapes.is_empty() {
+            let used = used_shapes(steps);
+            for k in &used {
+                let name = &self.code.shapes[*k].name;
+                lines += &format!("const {t} {name} = family.{name};\n");
+            }
+            if used.is_empty() {
+                lines += "(void)family;\n";
+            }
+        }
+        lines
+    }
+
+    fn unused_coordinates(&self, steps: &Steps) -> String {
+        let used = used(steps, coordinate);
+        let unused = self.code.coordinates.iter().enumerate().filter(|(k, _)| !used.contains(k));
+        unused.map(|(_, name)| format!("(void){name};\n")).collect()
+    }
+
+    fn constants(&self) -> String {
+        let code = self.code;
+        let define = |name: &str, value: String| format!("#define {} {value}\n", self.member(name));
+        let mut text = String::new();
+        text += &define("FUNCTIONS", code.count().to_string());
+        text += &define("COEFFICIENTS", code.steps.bound().to_string());
+        for (name, (low, high)) in code.coordinates.iter().zip(code.ends()) {
+            let own = if code.is_curve() { String::new() } else { format!("_{name}") };
+            text += &define(&format!("LOW{own}"), format!("({})", self.language.signed(&low)));
+            text += &define(&format!("HIGH{own}"), format!("({})", self.language.signed(&high)));
+        }
+        let epsilon = format!("{}_EPSILON", self.language.limits());
+        text += "// Rounding errors of the values in units of ";
+        text += &format!("{epsilon}: of |value| where ROUNDING_RELATIVE is 1, else absolute.\n");
+        text += "// They hold for fused operations too, as long as nothing overflows; a product that underflows adds\n";
+        text += "// half the smallest number.\n";
+        let bounds = code.rounding.iter().map(|error| bound_text(error.as_ref()));
+        let bounds: Vec<(bool, String)> =
+            bounds.map(|b| b.unwrap_or((false, String::from("INFINITY")))).collect();
+        let values: Vec<&str> = bounds.iter().map(|(_, text)| text.as_str()).collect();
+        let relative: Vec<&str> =
+            bounds.iter().map(|(relative, _)| if *relative { "1" } else { "0" }).collect();
+        if !values.is_empty() {
+            text += &wrapped_define(&self.member("ROUNDING"), &values);
+            text += &wrapped_define(&self.member("ROUNDING_RELATIVE"), &relative);
+        }
+        if let Some((_, bound)) = bound_text(code.point_rounding.as_ref()) {
+            text +=
+                "// The same of a component of a point, times the largest |component| of a control point.\n";
+            text += &define("ROUNDING_POINT", bound);
+        }
+        text
+    }
+
+    /// The struct with the shape values, and what fills and checks it.
+    fn init(&self) -> Vec<String> {
+        let (code, t) = (self.code, self.language.scalar());
+        if code.shapes.is_empty() {
+            return Vec::new();
+        }
+        let mut fields = String::new();
+        for shape in &code.shapes {
+            let doc = if shape.doc.is_empty() { String::new() } else { format!(": {}", shape.doc.join(" ")) };
+            fields += &format!("{t} {}; // {}\n", shape.name, comment_line(&format!("{}{doc}", shape.shown)));
+        }
+        let definition = format!("typedef struct {0} {{\n{1}}} {0};\n", code.name, indented(&fields, "    "));
+        let mut lines = String::from("int wrong = 0;\n");
+        let mut messages = Vec::new();
+        for (k, shape) in code.shapes.iter().enumerate() {
+            let start = if k == 0 { "if" } else { "else if" };
+            lines += &format!("{start} (!({})) wrong = {};\n", self.language.finite(shape), k + 1);
+            messages.push(shape.condition.clone());
+        }
+        for (k, assumption) in code.assumptions.iter().enumerate() {
+            let expressions = body(code, &assumption.steps, &self.language);
+            // Values on the way are written out: a condition is short.
+            let mut inner = self.language.scalar_lets(&expressions);
+            let sign = if assumption.strict { ">" } else { ">=" };
+            inner += &format!(
+                "if (wrong == 0 && !({} {sign} {})) wrong = {};\n",
+                expressions.outputs[0].text,
+                self.language.literal(&Rational::ZERO),
+                code.shapes.len() + k + 1
+            );
+            lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
+            messages.push(assumption.text.to_string());
+        }
+        for shape in &code.shapes {
+            lines += &format!("family->{0} = wrong ? ({t})NAN : {0};\n", shape.name);
+        }
+        lines += "return wrong;\n";
+        let mut arguments = vec![format!("{} *family", code.name)];
+        arguments.extend(code.shapes.iter().map(|shape| format!("{t} {}", shape.name)));
+        let about = [
+            String::from(
+                "Sets the shape values. Returns 0, or k when the k-th of these conditions is not met:",
+            ),
+            format!("{}.", messages.join("; ")),
+            String::from(
+                "Infinite values and NaN meet none. Then all shape values become NaN, and so does what is computed.",
+            ),
+        ];
+        vec![
+            definition,
+            slashes(&about) + &function(&format!("int {}", self.member("init")), &arguments, &lines),
+        ]
+    }
+
+    /// A function that computes a number for each function of the family.
+    fn functions(&self, name: &str, array: &str, about: &str, steps: &Steps) -> String {
+        let expressions = body(self.code, steps, &self.language);
+        let mut lines = self.inputs(steps, true) + &self.unused_coordinates(steps);
+        lines += &self.language.scalar_lets(&expressions);
+        for (k, value) in expressions.outputs.iter().enumerate() {
+            lines += &format!("{array}[{k}] = {};\n", value.text);
+        }
+        let mut others = self.coordinates();
+        others.push(format!("{} {array}[{}]", self.language.scalar(), expressions.outputs.len()));
+        slashes(&[about.to_string()]) + &function(&format!("void {name}"), &self.arguments(&others), &lines)
+    }
+
+    fn values(&self) -> String {
+        let about = format!("The values of {}.", self.code.listed());
+        self.functions(&self.member("values"), "values", &about, &self.code.steps.values())
+    }
+
+    fn derivatives(&self) -> Vec<String> {
+        let of = self.code.listed();
+        let t = &self.code.coordinates[0];
+        let one = |name: &str, word: &str, order: usize| {
+            let about = format!("The {word} derivatives of {of} by {t}.");
+            self.functions(&self.member(name), "derivatives", &about, &self.code.steps.derivatives(&[order]))
+        };
+        vec![one("derivatives", "first", 1), one("second_derivatives", "second", 2)]
+    }
+
+    /// Named components of the elements of an array.
+    fn elements(array: &str, prefix: &str, used: &[usize]) -> Vec<(String, String)> {
+        used.iter().map(|k| (format!("{prefix}{k}"), element(array, *k))).collect()
+    }
+
+    fn bind(&self) -> String {
+        let (code, t) = (self.code, self.language.scalar());
+        let steps = code.steps.bind();
+        let expressions = body(code, &steps, &self.language);
+        let inputs = Self::elements("points", "P", &used(&steps, point));
+        let outputs: Vec<String> = (0..code.steps.bound()).map(|k| element("bound", k)).collect();
+        let lines = self.inputs(&steps, true)
+            + &self.language.on_components(&expressions, &inputs, &outputs, Check::Nothing);
+        let others = [String::from("size_t dimension"), format!("const {t} *points"), format!("{t} *bound")];
+        let about = [
+            format!(
+                "Binds {} control points of `dimension` components each, one after the other: `bound` becomes",
+                code.count()
+            ),
+            format!(
+                "{} coefficients of as many components, from which points are computed.",
+                code.steps.bound()
+            ),
+        ];
+        slashes(&about)
+            + &function(&format!("void {}", self.member("bind")), &self.arguments(&others), &lines)
+    }
+
+    /// A function from bound coefficients to points.
+    fn evaluator(&self, name: &str, about: &[String], steps: &Steps, result: &str) -> String {
+        let t = self.language.scalar();
+        let expressions = body(self.code, steps, &self.language);
+        let inputs = Self::elements("bound", "B", &used(steps, bound));
+        let outputs: Vec<String> = (0..expressions.outputs.len()).map(|k| element(result, k)).collect();
+        let mut lines = self.unused_coordinates(steps);
+        if inputs.is_empty() {
+            lines += "(void)bound;\n";
+        }
+        lines += &self.language.on_components(&expressions, &inputs, &outputs, Check::Nothing);
+        let mut others = vec![String::from("size_t dimension"), format!("const {t} *bound")];
+        others.extend(self.coordinates());
+        others.push(format!("{t} *{result}"));
+        slashes(about) + &function(&format!("void {}", self.member(name)), &others, &lines)
+    }
+
+    /// The loop over points of the domain.
+    fn slices(&self) -> String {
+        let t = self.language.scalar();
+        let count = self.code.coordinates.len();
+        let at: Vec<String> = (0..count)
+            .map(|k| match (count, k) {
+                (1, _) => String::from("at[row]"),
+                (_, 0) => format!("at[{count} * row]"),
+                _ => format!("at[{count} * row + {k}]"),
+            })
+            .collect();
+        let lines = format!(
+            "for (size_t row = 0; row < count; row++) {{\n    {}(dimension, bound, {}, points + row * dimension);\n}}\n",
+            self.member("eval"),
+            at.join(", ")
+        );
+        let others = [
+            String::from("size_t dimension"),
+            format!("const {t} *bound"),
+            String::from("size_t count"),
+            format!("const {t} *at"),
+            format!("{t} *points"),
+        ];
+        let about = if count == 1 {
+            String::from("The points at `count` parameters `at`, one after the other.")
+        } else {
+            let names = self.code.coordinates.join(", ");
+            format!(
+                "The points at `count` points `at` of the domain, each given by {names}, one after the other."
+            )
+        };
+        slashes(&[about]) + &function(&format!("void {}", self.member("eval_n")), &others, &lines)
+    }
+
+    fn curve(&self) -> Vec<String> {
+        let steps = &self.code.steps;
+        let t = &self.code.coordinates[0];
+        let mut parts = Vec::new();
+        if let Some(point) = steps.curve(1) {
+            let about = [format!("The point of the curve at {t}.")];
+            parts.push(self.evaluator("eval", &about, &point, "point"));
+        }
+        if let Some(derivatives) = steps.curve(3) {
+            let about = [format!(
+                "The point of the curve at {t}, and the first and second derivatives by {t}, 3 * dimension numbers."
+            )];
+            parts.push(self.evaluator("eval_with_derivatives", &about, &derivatives, "derivatives"));
+        }
+        parts.push(self.slices());
+        parts
+    }
+
+    fn patch(&self) -> Vec<String> {
+        let none = vec![0; self.code.family.domain.len()];
+        let mut parts = Vec::new();
+        for orders in std::iter::once(none).chain(self.code.orders()) {
+            let Some(steps) = self.code.steps.patch(&orders) else { continue };
+            let of = self.code.along(&orders);
+            if of.is_empty() {
+                parts.push(self.evaluator(
+                    "eval",
+                    &[String::from("The point of the patch.")],
+                    &steps,
+                    "point",
+                ));
+            } else {
+                let about = format!("The partial derivative of the patch along {}.", of.replace('_', ", "));
+                parts.push(self.evaluator(&format!("eval_partial_{of}"), &[about], &steps, "point"));
+            }
+        }
+        parts.push(self.slices());
+        parts
+    }
+
+    /// `curve_after` and `curve_before`.
+    fn continuations(&self) -> Vec<String> {
+        let both = [("curve_after", true), ("curve_before", false)];
+        both.iter().filter_map(|(name, at_start)| self.continuation(name, *at_start)).collect()
+    }
+
+    fn continuation(&self, name: &str, at_start: bool) -> Option<String> {
+        let all = self.code.steps.ends(2, at_start);
+        if all.is_empty() {
+            return None;
+        }
+        let t = self.language.scalar();
+        let [zero, one] = [Rational::ZERO, Rational::ONE].map(|value| self.language.literal(&value));
+        let largest = format!("{}_MAX", self.language.limits());
+        let mut cases = String::new();
+        for end in &all {
+            cases += &format!(
+                "case {}: {{\n{}    break;\n}}\n",
+                end.positions.len() - 1,
+                indented(&self.end(end), "    ")
+            );
+        }
+        let mut lines = String::from("int result = 0;\n");
+        if cases.contains("inverse") {
+            lines += &format!("const {t} inverse = {one} / f;\n");
+        }
+        let used: Vec<usize> = all.iter().flat_map(|end| used_shapes(&end.steps)).collect();
+        if !self.code.shapes.is_empty() {
+            for (k, shape) in self.code.shapes.iter().enumerate().filter(|(k, _)| used.contains(k)) {
+                let _ = k;
+                lines += &format!("const {t} {0} = family.{0};\n", shape.name);
+            }
+            if used.is_empty() {
+                lines += "(void)family;\n";
+            }
+        }
+        lines += &format!("if (!(f > {zero} && f <= {largest})) return 2;\n");
+        lines += &format!("if (!(c >= -{largest} && c <= {largest})) return 3;\n");
+        if !self.code.shapes.is_empty() {
+            let name = &self.code.shapes[0].name;
+            lines +=
+                &format!("if (!(family.{name} >= -{largest} && family.{name} <= {largest})) return 4;\n");
+        }
+        lines += &format!("switch (order) {{\n{cases}default:\n    return 1;\n}}\nreturn result;\n");
+        let others = [
+            String::from("int order"),
+            format!("{t} f"),
+            format!("{t} c"),
+            String::from("size_t dimension"),
+            format!("const {t} *derivatives"),
+            format!("{t} *points"),
+        ];
+        let (which, ends) =
+            if at_start { ("first", "ends; Q starts there") } else { ("last", "starts; Q ends there") };
+        let mut about = vec![
+            format!(
+                "The control points of a curve Q that continues a curve P of any family where that {ends}."
+            ),
+            format!(
+                "`derivatives` are the point of P there and its derivatives up to `order`, 0, 1 or 2; the {which} order + 1"
+            ),
+            String::from(
+                "of `points` are computed, the others are given. Q' = P'/f and Q'' = (P'' - c Q')/f^2: f = 1 and c = 0 for",
+            ),
+            String::from(
+                "parametric contact, any f > 0 and c for geometric contact. Returns 0; 1 for an order that there is not; 2 when",
+            ),
+            String::from(
+                "f is not positive and finite; 3 when c is not finite; 4 when the shape values were refused; 5 where the derivatives",
+            ),
+            String::from("do not determine the points; -1 when a computed point is not finite."),
+        ];
+        let zeros: Vec<&str> = all.iter().flat_map(|end| &end.undetermined).map(String::as_str).collect();
+        if !zeros.is_empty() {
+            about.push(format!("They do not at {}.", zeros.join(", ")));
+        }
+        let head = format!("int {}", self.member(name));
+        Some(slashes(&about) + &function(&head, &self.arguments(&others), &lines))
+    }
+
+    /// One order of contact.
+    fn end(&self, end: &EndSteps) -> String {
+        let t = self.language.scalar();
+        let expressions = body(self.code, &end.steps, &self.language);
+        let zero = self.language.literal(&Rational::ZERO);
+        let divisors = &expressions.outputs[end.positions.len()..];
+        let derivatives = used(&end.steps, derivative);
+        let mut inputs = Vec::new();
+        let highest = derivatives.iter().max().copied().unwrap_or(0);
+        for k in 0..=highest {
+            let value = element("derivatives", k);
+            let value = match k {
+                0 => value,
+                1 => format!("{value} * inverse"),
+                _ => format!("({value} - D1 * c) * (inverse * inverse)"),
+            };
+            if k == 1 || derivatives.contains(&k) {
+                inputs.push((format!("D{k}"), value));
+            }
+        }
+        // D1 is needed by D2 only, or not at all.
+        if highest == 1 && !derivatives.contains(&1) {
+            inputs.retain(|(name, _)| name != "D1");
+        }
+        inputs.extend(Self::elements("points", "P", &used(&end.steps, point)));
+        let outputs: Vec<String> = end.positions.iter().map(|k| element("points", *k)).collect();
+        let mut lines = String::new();
+        let loops = self.language.on_components(&expressions, &inputs, &outputs, Check::Finite);
+        let (lets, rest) = loops.split_at(self.language.scalar_lets(&expressions).len());
+        lines += lets;
+        for divisor in divisors {
+            lines += &format!("if ({} == {zero}) return 5;\n", divisor.text);
+        }
+        let _ = t;
+        lines + rest
+    }
+}
+
+/// A macro with a list, on several lines where it is long.
+fn wrapped_define(name: &str, values: &[&str]) -> String {
+    let lines: Vec<String> = values.chunks(12).map(|line| line.join(", ")).collect();
+    if lines.len() == 1 {
+        return format!("#define {name} {{{}}}\n", lines[0]);
+    }
+    format!("#define {name} {{ \\\n    {} \\\n}}\n", lines.join(", \\\n    "))
+}

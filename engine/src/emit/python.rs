@@ -1,0 +1,595 @@
+//! Python: classes on numbers and on arrays that follow numpy's protocol, without an import.
+//!
+//! The code has operators only, so that floats, numpy's arrays of any type of float and JAX's traced arrays take the same
+//! path. Points are numbers, arrays, or tuples of numbers; the last are computed component by component.
+
+use super::write::{body, bound_text, comment_line, indented, inside, join_body, used_shapes};
+use super::{FamilyCode, JoinCode, Language, Net, Shape, Value, decimal, is_input};
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
+use crate::steps::{EndSteps, Steps};
+
+/// Python 3.9 and later.
+#[derive(Clone, Copy, Debug)]
+pub struct Python;
+
+/// Keywords, builtins that the code calls, and names of the file and of the functions in it.
+const RESERVED: &str = "False None True and as assert async await break case class continue def del elif else except \
+    finally for from global if import in is lambda match nonlocal not or pass raise return try type while with yield \
+    abs bool float getattr hasattr isinstance len list range str tuple zip TypeError ValueError INFINITY \
+    self points bound order curve derivatives point at f c family values column columns evaluate";
+
+/// What every file begins with.
+const SUPPORT: &str = r#"INFINITY = float("inf")
+
+
+def _check(message, value, inside):
+    """Raises ValueError unless `inside` is true, or true of all elements of an array."""
+    inside = inside.all() if hasattr(inside, "all") else inside
+    try:
+        known = bool(inside)
+    except TypeError:  # a value that JAX traces is not known yet
+        return
+    if not known:
+        raise ValueError(f"{message}, and not {value!r}")
+
+
+def _finite(points):
+    """The points, which have to be finite."""
+    for point in points:
+        for number in point if isinstance(point, (list, tuple)) else (point,):
+            _check("a computed point has to be finite", point, abs(number) < INFINITY)
+    return points
+
+
+def _combine(function, points):
+    """What a function of numbers or arrays makes of points; of tuples each component by itself."""
+    if not isinstance(points[0], (list, tuple)):
+        return function(*points)
+    if any(len(point) != len(points[0]) for point in points):
+        raise ValueError("the points have different numbers of components")
+    return tuple(zip(*(function(*column) for column in zip(*points))))
+
+
+def _evaluate(function, bound, *at):
+    """The results of a function of bound coefficients at a point of the domain."""
+    if isinstance(bound[0], (list, tuple)):
+        return tuple(zip(*(function(*column, *at) for column in zip(*bound))))
+    if getattr(bound[0], "ndim", 0):  # one axis more, for the components of the points
+        at = tuple(x[..., None] if getattr(x, "ndim", 0) else x for x in at)
+    return function(*bound, *at)
+
+
+def _end(curve, last, order, f, c, points, count):
+    """The derivatives that the end of a curve Q has where it touches `curve`, and the points of Q."""
+    if len(points) != count:
+        raise ValueError(f"{count} control points are needed, and not {len(points)}")
+    _check("f has to be positive and finite", f, (f > 0.0) & (f < INFINITY))
+    _check("c has to be finite", c, (c > -INFINITY) & (c < INFINITY))
+    t = curve.family.DOMAIN[1 if last else 0]
+    derivatives = list(curve.eval_with_derivatives(t)[: order + 1])
+    inverse = 1.0 / f
+
+    def moved(d0, *rest):
+        d = [d0, *rest]
+        if order > 0:
+            d[1] = d[1] * inverse
+        if order > 1:
+            d[2] = (d[2] - d[1] * c) * (inverse * inverse)
+        return d
+
+    # A determined point may be anything, even nothing.
+    points = [derivatives[0] if point is None else point for point in points]
+    return list(_combine(moved, derivatives)), points
+"#;
+
+impl Python {
+    fn signed(self, value: &Rational) -> String {
+        let sign = if value.is_negative() { "-" } else { "" };
+        format!("{sign}{}", self.literal(&value.abs()))
+    }
+
+    /// The line that checks a shape value.
+    fn check(self, of: &str, shape: &Shape<'_>) -> String {
+        let inside = inside(shape, &self, "&", ("<", "INFINITY"));
+        let message = quoted(&format!("{of}: `{}` has to be finite with {}", shape.written, shape.shown));
+        format!("_check({message}, {}, {inside})\n", shape.name)
+    }
+
+    /// Named values.
+    fn lets(lets: &[(String, Value)]) -> String {
+        lets.iter().map(|(name, value)| format!("{name} = {}\n", value.text)).collect()
+    }
+}
+
+/// A text as a string of Python.
+fn quoted(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_control()).collect();
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+/// A text that can stand in a docstring.
+fn docstring(text: &str) -> String {
+    format!("\"\"\"{}\"\"\"\n", comment_line(text).replace('\\', "\\\\").replace("\"\"\"", "'''"))
+}
+
+/// A tuple of expressions, with a line for each where it is long.
+fn tuple(values: &[String]) -> String {
+    let line = match values {
+        [one] => format!("({one},)"),
+        _ => format!("({})", values.join(", ")),
+    };
+    if line.len() <= 80 {
+        return line;
+    }
+    let lines: String = values.iter().map(|value| format!("    {value},\n")).collect();
+    format!("(\n{lines})")
+}
+
+fn function(head: &str, doc: &str, lines: &str) -> String {
+    let doc = if doc.is_empty() { String::new() } else { docstring(doc) };
+    format!("def {head}:\n{}", indented(&(doc + lines), "    "))
+}
+
+impl Language for Python {
+    fn comment(&self, lines: &[String]) -> String {
+        lines.iter().map(|line| format!("# {}", comment_line(line)).trim_end().to_string() + "\n").collect()
+    }
+
+    fn literal(&self, value: &Rational) -> String {
+        decimal(value)
+    }
+
+    fn is_single(&self) -> bool {
+        false
+    }
+
+    fn is_reserved(&self, name: &str) -> bool {
+        name.starts_with('_') || is_input(name) || RESERVED.split_whitespace().any(|word| word == name)
+    }
+
+    fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
+        Ok(Class { code, language: *self }.whole())
+    }
+
+    fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic> {
+        let mut arguments: Vec<String> = join.points.iter().map(|net| net.name.clone()).collect();
+        arguments.extend(join.scalars.iter().map(|scalar| format!("{}: float", scalar.name)));
+        let mut lines: String = join.scalars.iter().map(|scalar| self.check(&join.name, scalar)).collect();
+        for net in join.points.iter().filter(|net| !net.single) {
+            let (name, count) = (&net.name, net.labels.len());
+            let message = quoted(&format!("{}: {count} control points `{name}` are needed", join.name));
+            lines += &format!("_check({message}, len({name}), len({name}) == {count})\n");
+        }
+        let expressions = join_body(join, self);
+        let inputs: Vec<String> = (0..join.given.len()).map(|k| format!("P{k}")).collect();
+        let outputs: Vec<String> = expressions.outputs.iter().map(|value| value.text.clone()).collect();
+        let inner = Self::lets(&expressions.lets) + &format!("return {}\n", tuple(&outputs));
+        lines += &format!("\n{}\n", function(&format!("points({})", inputs.join(", ")), "", &inner));
+        let given: Vec<String> = join
+            .given
+            .iter()
+            .map(|(net, place)| {
+                let Net { name, single, .. } = &join.points[*net];
+                if *single { name.clone() } else { format!("{name}[{place}]") }
+            })
+            .collect();
+        lines += &format!("computed = _finite(_combine(points, {}))\n", tuple(&given));
+        let mut start = 0;
+        let mut parts = Vec::new();
+        for net in &join.results {
+            parts.push(format!("computed[{start}:{}]", start + net.labels.len()));
+            start += net.labels.len();
+        }
+        lines += &match parts.as_slice() {
+            [_] => String::from("return computed\n"),
+            _ => format!("return {}\n", parts.join(", ")),
+        };
+        let results: Vec<String> = join.results.iter().map(|net| net.labels.join(", ")).collect();
+        let doc = format!("The control points {}.", results.join("; "));
+        Ok(function(&format!("{}({})", join.name, arguments.join(", ")), &doc, &lines))
+    }
+
+    fn file(&self, header: &str, items: &[String]) -> String {
+        let mut text =
+            format!("{header}#\n# `float` stands for a number or an array of numbers.\n\n{SUPPORT}");
+        for item in items {
+            text += "\n\n";
+            text += item;
+        }
+        text
+    }
+}
+
+/// A family that is being written.
+struct Class<'a> {
+    code: &'a FamilyCode<'a>,
+    language: Python,
+}
+
+impl Class<'_> {
+    fn whole(&self) -> String {
+        let code = self.code;
+        let mut parts = vec![self.constants(), self.init(), self.values()];
+        if code.is_curve() {
+            parts.extend(self.derivatives());
+        } else {
+            parts.extend(self.partials());
+        }
+        parts.push(self.bind());
+        if code.is_curve() {
+            parts.extend(self.continuations());
+        }
+        let domain = &code.coordinates.join(", ");
+        let doc = docstring(&format!("The basis functions {}, of {domain}.", code.listed()));
+        let class = format!("class {}:\n{}", code.name, indented(&(doc + "\n" + &parts.join("\n")), "    "));
+        class + "\n\n" + &self.bound()
+    }
+
+    fn curve_name(&self) -> String {
+        let kind = if self.code.is_curve() { "Curve" } else { "Patch" };
+        format!("{}{kind}", self.code.name)
+    }
+
+    fn constants(&self) -> String {
+        let code = self.code;
+        let mut text = format!("FUNCTIONS = {}\n", code.count());
+        let ends: Vec<String> = code
+            .ends()
+            .iter()
+            .map(|(low, high)| format!("({}, {})", self.language.signed(low), self.language.signed(high)))
+            .collect();
+        match ends.as_slice() {
+            [] => {}
+            [one] => text += &format!("DOMAIN = {one}\n"),
+            _ => text += &format!("DOMAIN = {}\n", tuple(&ends)),
+        }
+        text += "# Rounding errors of the values, proved, in units of 2**-52, or 2**-23 for float32: of |value| where relative. They\n";
+        text +=
+            "# hold as long as nothing overflows; a product that underflows adds half the smallest number.\n";
+        let bounds = code.rounding.iter().map(|error| match bound_text(error.as_ref()) {
+            Some((true, bound)) => format!("(\"relative\", {bound})"),
+            Some((false, bound)) => format!("(\"absolute\", {bound})"),
+            None => String::from("(\"unknown\", INFINITY)"),
+        });
+        text += &format!("ROUNDING = {}\n", tuple(&bounds.collect::<Vec<_>>()));
+        if let Some((_, bound)) = bound_text(code.point_rounding.as_ref()) {
+            text +=
+                "# The same of a component of a point, times the largest |component| of a control point.\n";
+            text += &format!("ROUNDING_POINT = {bound}\n");
+        }
+        text
+    }
+
+    fn init(&self) -> String {
+        let code = self.code;
+        let arguments: String = code.shapes.iter().map(|shape| format!(", {}: float", shape.name)).collect();
+        let mut lines: String = code.shapes.iter().map(|s| self.language.check(&code.name, s)).collect();
+        for assumption in &code.assumptions {
+            let expressions = body(code, &assumption.steps, &self.language);
+            lines += &Python::lets(&expressions.lets);
+            let sign = if assumption.strict { ">" } else { ">=" };
+            let message =
+                quoted(&format!("{}: the shape values have to satisfy {}", code.name, assumption.text));
+            let names: Vec<String> = code.shapes.iter().map(|shape| shape.name.clone()).collect();
+            let value = &expressions.outputs[0].text;
+            lines += &format!("_check({message}, {}, {value} {sign} 0.0)\n", tuple(&names));
+        }
+        lines += &code.shapes.iter().map(|s| format!("self.{0} = {0}\n", s.name)).collect::<String>();
+        let doc = if code.shapes.is_empty() {
+            lines += "pass\n";
+            String::from("There are no shape parameters.")
+        } else {
+            let shown: Vec<String> = code
+                .shapes
+                .iter()
+                .map(|s| {
+                    if s.doc.is_empty() {
+                        s.shown.clone()
+                    } else {
+                        format!("{} ({})", s.shown, s.doc.join(" "))
+                    }
+                })
+                .collect();
+            format!("{}. Raises ValueError for other shape values.", shown.join("; "))
+        };
+        function(&format!("__init__(self{arguments}) -> None"), &doc, &lines)
+    }
+
+    /// The shape values that steps use as local names.
+    fn shapes(&self, steps: &Steps) -> String {
+        let names = used_shapes(steps).into_iter().map(|k| &self.code.shapes[k].name);
+        names.map(|name| format!("{name} = self.{name}\n")).collect()
+    }
+
+    /// Results that do not depend on the point of the domain, or on points, get the shape of those that do.
+    fn spread(&self, values: &[Value], points: Option<&str>) -> Vec<String> {
+        let sum = self.code.coordinates.join(" + ");
+        let sum = if self.code.coordinates.len() > 1 { format!("({sum})") } else { sum };
+        values
+            .iter()
+            .map(|value| {
+                let mut text = value.text.clone();
+                if !value.of_domain {
+                    text = format!("{text} + 0.0 * {sum}");
+                }
+                match points {
+                    Some(point) if !value.of_points => format!("{text} + 0.0 * {point}"),
+                    _ => text,
+                }
+            })
+            .collect()
+    }
+
+    fn numbers(&self, name: &str, doc: &str, steps: &Steps) -> String {
+        let expressions = body(self.code, steps, &self.language);
+        let mut lines = self.shapes(steps) + &Python::lets(&expressions.lets);
+        lines += &format!("return {}\n", tuple(&self.spread(&expressions.outputs, None)));
+        let coordinates: Vec<String> =
+            self.code.coordinates.iter().map(|name| format!("{name}: float")).collect();
+        let head = format!("{name}(self, {}) -> \"tuple[float, ...]\"", coordinates.join(", "));
+        function(&head, doc, &lines)
+    }
+
+    fn values(&self) -> String {
+        let doc = format!("The values of {}.", self.code.listed());
+        self.numbers("values", &doc, &self.code.steps.values())
+    }
+
+    fn derivatives(&self) -> Vec<String> {
+        let t = &self.code.coordinates[0];
+        let head = format!("derivatives(self, {t}: float, order: int = 1) -> \"tuple[float, ...]\"");
+        let doc = format!("The derivatives of the functions by {t}, of order 0, 1 or 2.");
+        let lines = format!(
+            "if order == 1:\n    return self._derivatives_1({t})\nif order == 2:\n    return self._derivatives_2({t})\n\
+             if order == 0:\n    return self.values({t})\n\
+             raise ValueError(f\"derivatives have order 0, 1 or 2, and not {{order!r}}\")\n"
+        );
+        vec![
+            function(&head, &doc, &lines),
+            self.numbers("_derivatives_1", "", &self.code.steps.derivatives(&[1])),
+            self.numbers("_derivatives_2", "", &self.code.steps.derivatives(&[2])),
+        ]
+    }
+
+    /// A choice by orders of derivatives, and the error for others.
+    fn choice(&self, of: &str, arguments: &str, first: &str) -> String {
+        let zeros = order_tuple(&vec![0; self.code.family.domain.len()]);
+        let mut lines = format!("orders = tuple(orders)\nif orders == {zeros}:\n    return {first}\n");
+        for orders in self.code.orders() {
+            let (text, name) = (order_tuple(&orders), suffix(&orders));
+            lines += &format!(
+                "if orders == {text}:\n    return {}\n",
+                of.replace("{}", &name).replace("()", arguments)
+            );
+        }
+        lines
+            + "raise ValueError(f\"partial derivatives have orders with a sum of at most 2, and not {orders!r}\")\n"
+    }
+
+    fn partials(&self) -> Vec<String> {
+        let code = self.code;
+        let names = code.coordinates.join(", ");
+        let typed: Vec<String> = code.coordinates.iter().map(|name| format!("{name}: float")).collect();
+        let head = format!("partials(self, {}, orders) -> \"tuple[float, ...]\"", typed.join(", "));
+        let doc = format!(
+            "The partial derivatives of the functions, `orders` in {}, with a sum of at most 2.",
+            code.coordinates[..code.family.domain.len()].join(", ")
+        );
+        let choice =
+            self.choice("self._partials{}()", &format!("({names})"), &format!("self.values({names})"));
+        let mut parts = vec![function(&head, &doc, &choice)];
+        for orders in code.orders() {
+            let name = format!("_partials{}", suffix(&orders));
+            parts.push(self.numbers(&name, "", &code.steps.derivatives(&orders)));
+        }
+        parts
+    }
+
+    fn bind(&self) -> String {
+        let code = self.code;
+        let steps = code.steps.bind();
+        let expressions = body(code, &steps, &self.language);
+        let points: Vec<String> = (0..code.count()).map(|k| format!("P{k}")).collect();
+        let outputs: Vec<String> = expressions
+            .outputs
+            .iter()
+            .map(
+                |value| {
+                    if value.of_points { value.text.clone() } else { format!("{} + 0.0 * P0", value.text) }
+                },
+            )
+            .collect();
+        let lines =
+            self.shapes(&steps) + &Python::lets(&expressions.lets) + &format!("return {}\n", tuple(&outputs));
+        let kind = if code.is_curve() { "curve" } else { "patch" };
+        let doc = format!(
+            "The {kind} with {} control points: numbers, arrays of components, or tuples of components.",
+            code.count()
+        );
+        let name = self.curve_name();
+        function(
+            &format!("bind(self, points) -> \"{name}\""),
+            &doc,
+            &format!("return {name}(self, points)\n"),
+        ) + "\n"
+            + &function(&format!("_bind(self, {})", points.join(", ")), "", &lines)
+    }
+
+    /// The class of what is bound.
+    fn bound(&self) -> String {
+        let code = self.code;
+        let count = code.count();
+        let doc = format!("Control points that are bound to a family `{}`.", code.name);
+        let init = format!(
+            "points = list(points)\nif len(points) != {count}:\n    \
+             raise ValueError(f\"{}: {count} control points are needed, and not {{len(points)}}\")\n\
+             self.family = family\nself.points = points\nself.bound = _combine(family._bind, points)\n",
+            code.name
+        );
+        let mut parts =
+            vec![function(&format!("__init__(self, family: {}, points) -> None", code.name), "", &init)];
+        let coordinates: Vec<String> = code.coordinates.iter().map(|name| format!("{name}: float")).collect();
+        let (names, typed) = (code.coordinates.join(", "), coordinates.join(", "));
+        let own = self.curve_name();
+        let call = |name: &str| format!("_evaluate(_{own}{name}, self.bound, {names})");
+        let arrays =
+            "for arrays of coordinates an array of points, whose last axis is that of the components";
+        let mut functions = Vec::new();
+        if code.is_curve() {
+            let t = &code.coordinates[0];
+            parts.push(function(
+                &format!("eval(self, {typed})"),
+                &format!("The point at {t}; {arrays}."),
+                &format!("return {}[0]\n", call("_point")),
+            ));
+            parts.push(function(
+                &format!("eval_with_derivatives(self, {typed})"),
+                &format!("The point at {t} and the first and second derivatives by {t}."),
+                &format!("return {}\n", call("_derivatives")),
+            ));
+            functions.extend(code.steps.curve(1).map(|steps| self.evaluator("_point", &steps)));
+            functions.extend(code.steps.curve(3).map(|steps| self.evaluator("_derivatives", &steps)));
+        } else {
+            parts.push(function(
+                &format!("eval(self, {typed})"),
+                &format!("The point of the patch; {arrays}."),
+                &format!("return {}[0]\n", call("_point")),
+            ));
+            let choice = self.choice(
+                &format!("_evaluate(_{own}{{}}, self.bound, {names})[0]"),
+                "()",
+                &format!("self.eval({names})"),
+            );
+            let independent = code.coordinates[..code.family.domain.len()].join(", ");
+            parts.push(function(
+                &format!("partial(self, {typed}, orders)"),
+                &format!(
+                    "A partial derivative of the patch, `orders` in {independent}, with a sum of at most 2."
+                ),
+                &choice,
+            ));
+            let zeros = vec![0; code.family.domain.len()];
+            functions.extend(code.steps.patch(&zeros).map(|steps| self.evaluator("_point", &steps)));
+            for orders in code.orders() {
+                let steps = code.steps.patch(&orders);
+                functions.extend(steps.map(|steps| self.evaluator(&suffix(&orders), &steps)));
+            }
+        }
+        let class =
+            format!("class {own}:\n{}", indented(&(docstring(&doc) + "\n" + &parts.join("\n")), "    "));
+        class + "\n\n" + &functions.join("\n\n")
+    }
+
+    /// A function of bound coefficients and coordinates.
+    fn evaluator(&self, name: &str, steps: &Steps) -> String {
+        let code = self.code;
+        let expressions = body(code, steps, &self.language);
+        let mut arguments: Vec<String> = (0..code.steps.bound()).map(|k| format!("B{k}")).collect();
+        arguments.extend(code.coordinates.iter().cloned());
+        let lines = Python::lets(&expressions.lets)
+            + &format!("return {}\n", tuple(&self.spread(&expressions.outputs, Some("B0"))));
+        function(&format!("_{}{name}({})", self.curve_name(), arguments.join(", ")), "", &lines)
+    }
+
+    fn continuations(&self) -> Vec<String> {
+        let after = self.continuation("curve_after", true);
+        let before = self.continuation("curve_before", false);
+        [after, before].into_iter().flatten().collect()
+    }
+
+    fn continuation(&self, name: &str, at_start: bool) -> Option<String> {
+        let code = self.code;
+        let all = code.steps.ends(2, at_start);
+        if all.is_empty() {
+            return None;
+        }
+        let mut lines = String::new();
+        let orders: Vec<String> = all.iter().map(|end| (end.positions.len() - 1).to_string()).collect();
+        lines += &format!(
+            "if order not in {}:\n    raise ValueError(f\"the order of contact can be {}, and not {{order!r}}\")\n",
+            tuple(&orders),
+            orders.join(", ")
+        );
+        let last = if at_start { "True" } else { "False" };
+        lines += &format!(
+            "derivatives, points = _end(curve, {last}, order, f, c, list(points), {})\n",
+            code.count()
+        );
+        for end in &all {
+            let order = end.positions.len() - 1;
+            lines += &format!("if order == {order}:\n    solve = self._{name}_{order}\n");
+        }
+        lines += "solved = _finite(list(_combine(solve, derivatives + points)))\n";
+        lines += &format!("return {}(self, solved)\n", self.curve_name());
+        let (side, which) = if at_start {
+            ("continues `curve` where that ends", "first")
+        } else {
+            ("ends where `curve` starts", "last")
+        };
+        let doc = format!(
+            "The curve Q that {side}: Q = P, Q' = P'/f, Q'' = (P'' - c Q')/f^2 up to `order`. The {which} order + 1 of `points` \
+             are computed and may be None; `curve` is of any family."
+        );
+        let head = format!(
+            "{name}(self, curve, points, order: int = 1, f: float = 1.0, c: float = 0.0) -> \"{}\"",
+            self.curve_name()
+        );
+        let mut text = function(&head, &doc, &lines);
+        for end in &all {
+            text += "\n";
+            text += &self.end(name, end);
+        }
+        Some(text)
+    }
+
+    fn end(&self, name: &str, end: &EndSteps) -> String {
+        let code = self.code;
+        let order = end.positions.len() - 1;
+        let expressions = body(code, &end.steps, &self.language);
+        let mut lines = self.shapes(&end.steps);
+        let (solved, divisors) = expressions.outputs.split_at(end.positions.len());
+        // Before the first quotient by it: Python's own division by zero is another error.
+        let checks = |name: Option<&str>| -> String {
+            let all = divisors.iter().zip(&end.undetermined).filter(|(divisor, _)| {
+                let own = divisor.text.trim_start_matches('-');
+                match name {
+                    Some(name) => own == name,
+                    None => expressions.lets.iter().all(|(name, _)| own != name),
+                }
+            });
+            all.map(|(divisor, at)| {
+                let of = &code.name;
+                let message = quoted(&format!("{of}: the derivatives do not determine the points at {at}"));
+                format!("_check({message}, {0}, {0} != 0.0)\n", divisor.text)
+            })
+            .collect()
+        };
+        lines += &checks(None);
+        for (name, value) in &expressions.lets {
+            lines += &format!("{name} = {}\n", value.text);
+            lines += &checks(Some(name));
+        }
+        let points: Vec<String> = (0..code.count())
+            .map(|k| match end.positions.iter().position(|position| *position == k) {
+                Some(place) => solved[place].text.clone(),
+                None => format!("P{k}"),
+            })
+            .collect();
+        lines += &format!("return {}\n", tuple(&points));
+        let arguments =
+            (0..=order).map(|k| format!("D{k}")).chain((0..code.count()).map(|k| format!("P{k}")));
+        let arguments: Vec<String> = arguments.collect();
+        function(&format!("_{name}_{order}(self, {})", arguments.join(", ")), "", &lines)
+    }
+}
+
+/// Orders of derivatives as a tuple.
+fn order_tuple(orders: &[usize]) -> String {
+    tuple(&orders.iter().map(ToString::to_string).collect::<Vec<_>>())
+}
+
+/// Orders of derivatives in a name: `_1_0`.
+fn suffix(orders: &[usize]) -> String {
+    orders.iter().map(|order| format!("_{order}")).collect()
+}

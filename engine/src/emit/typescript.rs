@@ -1,0 +1,647 @@
+//! TypeScript as an ES module: classes on numbers and `Float64Array`, strict, without dependencies.
+//!
+//! Points have any number of components, `dimension`, one after the other in one array. Results go into an array that
+//! can be given, so that a loop allocates nothing.
+
+use super::write::{
+    body, bound, comment_line, coordinate, derivative, indented, inside, join_body, point, used, used_shapes,
+};
+use super::{Expressions, FamilyCode, JoinCode, Language, Shape, decimal, is_input};
+use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
+use crate::rounding::{Error, decimal as hundredths};
+use crate::steps::{EndSteps, Steps};
+
+/// TypeScript, checked strictly.
+#[derive(Clone, Copy, Debug)]
+pub struct TypeScript;
+
+/// Words of the language, globals that the code uses, and names of the file and of the functions in it.
+const RESERVED: &str = "abstract any arguments as async await bigint boolean break case catch class const constructor \
+    continue debugger declare default delete do else enum eval export extends false finally for from function get \
+    global globalThis if implements import in infer instanceof interface is keyof let module namespace never new null \
+    number object of package private protected public readonly require return satisfies set static string super \
+    switch symbol this throw true try type typeof undefined unique unknown var void while with yield \
+    Array ArrayLike Float64Array Infinity Math NaN Number Object RangeError Error String Touching Rounding checkLength \
+    bind curve points dimension bound values derivatives point at count order orders f c axis row inverse result family \
+    coefficients";
+
+/// What every file begins with.
+const SUPPORT: &str = r"/** A proved bound of a rounding error, in units of 2 ** -52: of |value| where it is relative; none is proved where it is unknown. */
+export interface Rounding {
+    readonly kind: 'relative' | 'absolute' | 'unknown';
+    readonly epsilons: number;
+}
+
+/** The end of a curve of any family where another one touches it. */
+export interface Touching {
+    readonly dimension: number;
+    readonly domain: readonly [number, number];
+    evalWithDerivatives(t: number): Float64Array;
+}
+
+function checkLength(what: string, found: number, needed: number): void {
+    if (found !== needed) {
+        throw new RangeError(`${what} has ${found} numbers in place of ${needed}`);
+    }
+}
+";
+
+impl TypeScript {
+    fn signed(self, value: &Rational) -> String {
+        let sign = if value.is_negative() { "-" } else { "" };
+        format!("{sign}{}", self.literal(&value.abs()))
+    }
+
+    /// The lines that check a shape value.
+    fn check(self, of: &str, shape: &Shape<'_>) -> String {
+        let inside = inside(shape, &self, "&&", ("<=", "Number.MAX_VALUE"));
+        let text =
+            format!("{of}: {} = ${{{}}} is not finite with {}", shape.written, shape.name, shape.shown);
+        format!("if (!({inside})) {{\n    throw new RangeError({});\n}}\n", template(&text))
+    }
+
+    /// The named values that are the same for all components.
+    fn scalar_lets(expressions: &Expressions) -> String {
+        let lets = expressions.lets.iter().filter(|(_, value)| !value.of_points);
+        lets.map(|(name, value)| format!("const {name} = {};\n", value.text)).collect()
+    }
+
+    /// A loop over the components of points: inputs as names with their values, and where the results go.
+    fn on_components(
+        expressions: &Expressions,
+        inputs: &[(String, String)],
+        outputs: &[String],
+        is_checked: bool,
+    ) -> String {
+        let mut lines = String::new();
+        for (name, value) in inputs {
+            lines += &format!("const {name} = {value};\n");
+        }
+        for (name, value) in expressions.lets.iter().filter(|(_, value)| value.of_points) {
+            lines += &format!("const {name} = {};\n", value.text);
+        }
+        for (place, value) in outputs.iter().zip(&expressions.outputs) {
+            lines += &format!("{place} = {};\n", value.text);
+        }
+        if is_checked {
+            let all: Vec<String> = outputs.iter().map(|place| format!("!Number.isFinite({place})")).collect();
+            let condition = all.join(" ||\n    ");
+            lines += &format!(
+                "if ({condition}) {{\n    throw new RangeError('a computed point is not finite');\n}}\n"
+            );
+        }
+        let head = "for (let axis = 0; axis < dimension; axis++) {\n";
+        format!("{}{head}{}}}\n", Self::scalar_lets(expressions), indented(&lines, "    "))
+    }
+}
+
+/// A text between back quotes in which `${name}` is a value; the text has no other `$`.
+fn template(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_control()).collect();
+    format!("`{}`", text.replace('\\', "\\\\").replace('`', "\\`"))
+}
+
+/// A text as a string.
+fn quoted(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_control()).collect();
+    format!("'{}'", text.replace('\\', "\\\\").replace('\'', "\\'"))
+}
+
+/// The component of the point number `place` of an array.
+fn place(array: &str, place: usize) -> String {
+    match place {
+        0 => format!("{array}[axis]"),
+        1 => format!("{array}[dimension + axis]"),
+        _ => format!("{array}[{place} * dimension + axis]"),
+    }
+}
+
+/// The same as a value: the lengths were checked.
+fn element(array: &str, at: usize) -> String {
+    place(array, at) + "!"
+}
+
+/// A function or method with its documentation.
+fn function(head: &str, doc: &str, lines: &str) -> String {
+    let doc = if doc.is_empty() { String::new() } else { documented(&[doc.to_string()]) };
+    format!("{doc}{head} {{\n{}}}\n", indented(lines, "    "))
+}
+
+fn documented(lines: &[String]) -> String {
+    let lines: Vec<String> = lines.iter().map(|line| comment_line(line).replace("*/", "*\u{2215}")).collect();
+    match lines.as_slice() {
+        [one] => format!("/** {one} */\n"),
+        _ => {
+            let lines: String =
+                lines.iter().map(|line| format!(" * {line}").trim_end().to_string() + "\n").collect();
+            format!("/**\n{lines} */\n")
+        }
+    }
+}
+
+/// An error where an array has another length.
+fn length(what: &str, array: &str, needed: &str) -> String {
+    format!("checkLength({}, {array}.length, {needed});\n", quoted(what))
+}
+
+impl Language for TypeScript {
+    fn comment(&self, lines: &[String]) -> String {
+        documented(lines)
+    }
+
+    fn literal(&self, value: &Rational) -> String {
+        decimal(value)
+    }
+
+    fn is_single(&self) -> bool {
+        false
+    }
+
+    fn is_reserved(&self, name: &str) -> bool {
+        is_input(name) || RESERVED.split_whitespace().any(|word| word == name)
+    }
+
+    fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
+        Ok(Class { code, language: *self }.whole())
+    }
+
+    fn join(&self, join: &JoinCode<'_>) -> Result<String, Diagnostic> {
+        let mut arguments = vec![String::from("dimension: number")];
+        arguments.extend(join.points.iter().map(|net| format!("{}: ArrayLike<number>", net.name)));
+        arguments.extend(join.scalars.iter().map(|scalar| format!("{}: number", scalar.name)));
+        let mut lines: String = join.scalars.iter().map(|scalar| self.check(&join.name, scalar)).collect();
+        for net in &join.points {
+            lines += &length(&net.name, &net.name, &format!("{} * dimension", net.labels.len()));
+        }
+        for net in &join.results {
+            lines += &format!("const {} = new Float64Array({} * dimension);\n", net.name, net.labels.len());
+        }
+        let inputs: Vec<(String, String)> = used(&join.steps.steps, point)
+            .into_iter()
+            .map(|k| {
+                let (net, place) = join.given[k];
+                (format!("P{k}"), element(&join.points[net].name, place))
+            })
+            .collect();
+        let mut outputs = Vec::new();
+        for net in &join.results {
+            outputs.extend((0..net.labels.len()).map(|k| place(&net.name, k)));
+        }
+        lines += &Self::on_components(&join_body(join, self), &inputs, &outputs, true);
+        let names: Vec<&str> = join.results.iter().map(|net| net.name.as_str()).collect();
+        lines += &format!("return {{ {} }};\n", names.join(", "));
+        let types: Vec<String> = names.iter().map(|name| format!("{name}: Float64Array")).collect();
+        let results: Vec<String> =
+            join.results.iter().map(|net| format!("{} has {}", net.name, net.labels.join(", "))).collect();
+        let nets: Vec<String> =
+            join.points.iter().map(|net| format!("{} has {}", net.name, net.labels.join(", "))).collect();
+        let doc = format!(
+            "Points have `dimension` components, one after the other: {}; of the result {}.",
+            nets.join("; "),
+            results.join("; ")
+        );
+        let head =
+            format!("export function {}({}): {{ {} }}", join.name, arguments.join(", "), types.join("; "));
+        Ok(function(&head, &doc, &lines))
+    }
+
+    fn file(&self, header: &str, items: &[String]) -> String {
+        let mut text = format!("{header}\n{SUPPORT}");
+        for item in items {
+            text += "\n";
+            text += item;
+        }
+        text
+    }
+}
+
+/// A family that is being written.
+struct Class<'a> {
+    code: &'a FamilyCode<'a>,
+    language: TypeScript,
+}
+
+impl Class<'_> {
+    fn bound_name(&self) -> String {
+        let kind = if self.code.is_curve() { "Curve" } else { "Patch" };
+        format!("{}{kind}", self.code.name)
+    }
+
+    fn whole(&self) -> String {
+        let code = self.code;
+        let mut parts = vec![self.constants()];
+        parts.extend(self.constructor());
+        parts.push(self.numbers(
+            "values",
+            "",
+            &format!("The values of {}.", code.listed()),
+            &code.steps.values(),
+        ));
+        let sized = format!("result: Float64Array = new Float64Array({})", code.count());
+        let names = code.coordinates.join(", ");
+        if code.is_curve() {
+            let t = &code.coordinates[0];
+            let lines = format!(
+                "switch (order) {{\n    case 0: return this.values({t}, result);\n    case 1: return this.derivatives1({t}, result);\n    \
+                 case 2: return this.derivatives2({t}, result);\n    \
+                 default: throw new RangeError(`derivatives have order 0, 1 or 2, and not ${{String(order)}}`);\n}}\n"
+            );
+            parts.push(function(
+                &format!("derivatives({t}: number, order: 0 | 1 | 2 = 1, {sized}): Float64Array"),
+                &format!("The derivatives of the functions by {t}, of order 0, 1 or 2."),
+                &lines,
+            ));
+            parts.push(self.numbers("derivatives1", "private ", "", &code.steps.derivatives(&[1])));
+            parts.push(self.numbers("derivatives2", "private ", "", &code.steps.derivatives(&[2])));
+        } else {
+            let doc = format!(
+                "The partial derivatives of the functions, `orders` in {}, with a sum of at most 2.",
+                self.independent()
+            );
+            let head =
+                format!("partials({}, orders: readonly number[], {sized}): Float64Array", self.typed());
+            parts.push(function(&head, &doc, &self.choice(&names)));
+            for orders in code.orders() {
+                let name = format!("partials{}", suffix(&orders));
+                parts.push(self.numbers(&name, "private ", "", &code.steps.derivatives(&orders)));
+            }
+        }
+        parts.push(self.bind());
+        if code.is_curve() {
+            parts.extend(
+                [("curveAfter", true), ("curveBefore", false)]
+                    .iter()
+                    .filter_map(|(n, s)| self.continuation(n, *s)),
+            );
+        }
+        let class = format!("export class {} {{\n{}}}\n", code.name, indented(&parts.join("\n"), "    "));
+        class + "\n" + &self.bound()
+    }
+
+    fn typed(&self) -> String {
+        let coordinates = self.code.coordinates.iter().map(|name| format!("{name}: number"));
+        coordinates.collect::<Vec<_>>().join(", ")
+    }
+
+    fn independent(&self) -> String {
+        self.code.coordinates[..self.code.family.domain.len()].join(", ")
+    }
+
+    /// The method for given orders of derivatives.
+    fn choice(&self, names: &str) -> String {
+        let mut lines = String::from("switch (orders.join()) {\n");
+        let zeros = vec![0; self.code.family.domain.len()];
+        lines += &format!("    case '{}': return this.values({names}, result);\n", joined(&zeros));
+        for orders in self.code.orders() {
+            let name = format!("partials{}", suffix(&orders));
+            lines += &format!("    case '{}': return this.{name}({names}, result);\n", joined(&orders));
+        }
+        lines
+            + "    default: throw new RangeError(`partial derivatives have orders with a sum of at most 2, and not ${orders.join()}`);\n}\n"
+    }
+
+    fn constants(&self) -> String {
+        let code = self.code;
+        let mut text = format!("static readonly functions = {};\n", code.count());
+        let ends: Vec<String> = code
+            .ends()
+            .iter()
+            .map(|(low, high)| format!("[{}, {}]", self.language.signed(low), self.language.signed(high)))
+            .collect();
+        match ends.as_slice() {
+            [] => {}
+            [one] => text += &format!("static readonly domain: readonly [number, number] = {one};\n"),
+            _ => {
+                text += &format!(
+                    "static readonly domain: readonly (readonly [number, number])[] = [{}];\n",
+                    ends.join(", ")
+                );
+            }
+        }
+        text += &documented(&[String::from(
+            "Rounding errors of the values, proved. They hold as long as nothing overflows; a product that underflows adds half the smallest number.",
+        )]);
+        let one = |error: Option<&Error>| match error {
+            Some(Error::Relative(bound)) => {
+                format!("{{ kind: 'relative', epsilons: {} }}", hundredths(bound))
+            }
+            Some(Error::Absolute(bound)) => {
+                format!("{{ kind: 'absolute', epsilons: {} }}", hundredths(bound))
+            }
+            None => String::from("{ kind: 'unknown', epsilons: Infinity }"),
+        };
+        let bounds: String =
+            code.rounding.iter().map(|error| format!("    {},\n", one(error.as_ref()))).collect();
+        text += &format!("static readonly rounding: readonly Rounding[] = [\n{bounds}];\n");
+        if let Some(bound) = &code.point_rounding {
+            text += &documented(&[String::from(
+                "The same of a component of a point, in units of 2 ** -52 times the largest |component| of a control point.",
+            )]);
+            text += &format!("static readonly roundingPoint = {};\n", hundredths(bound.epsilons()));
+        }
+        text
+    }
+
+    fn constructor(&self) -> Option<String> {
+        let code = self.code;
+        if code.shapes.is_empty() {
+            return None;
+        }
+        let mut text = String::new();
+        for shape in &code.shapes {
+            let doc = if shape.doc.is_empty() { String::new() } else { format!(": {}", shape.doc.join(" ")) };
+            text += &documented(&[format!("{}{doc}", shape.shown)]);
+            text += &format!("readonly {}: number;\n", shape.name);
+        }
+        let mut lines: String = code.shapes.iter().map(|s| self.language.check(&code.name, s)).collect();
+        for assumption in &code.assumptions {
+            let expressions = body(code, &assumption.steps, &self.language);
+            let sign = if assumption.strict { ">" } else { ">=" };
+            let message =
+                quoted(&format!("{}: the shape values do not satisfy {}", code.name, assumption.text));
+            let inner = TypeScript::scalar_lets(&expressions)
+                + &format!(
+                    "if (!({} {sign} 0)) {{\n    throw new RangeError({message});\n}}\n",
+                    expressions.outputs[0].text
+                );
+            lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
+        }
+        lines += &code.shapes.iter().map(|s| format!("this.{0} = {0};\n", s.name)).collect::<String>();
+        let arguments: Vec<String> = code.shapes.iter().map(|s| format!("{}: number", s.name)).collect();
+        let doc = "Throws a RangeError for shape values outside of their ranges, infinite ones, and NaN.";
+        Some(text + "\n" + &function(&format!("constructor({})", arguments.join(", ")), doc, &lines))
+    }
+
+    /// The shape values that steps use as local names, and a mention of coordinates that they do not use.
+    fn inputs(&self, steps: &Steps, of: &str) -> String {
+        let names = used_shapes(steps).into_iter().map(|k| &self.code.shapes[k].name);
+        let shapes: String = names.map(|name| format!("const {name} = {of}.{name};\n")).collect();
+        shapes
+    }
+
+    fn unused(&self, steps: &Steps) -> String {
+        let used = used(steps, coordinate);
+        let unused = self.code.coordinates.iter().enumerate().filter(|(k, _)| !used.contains(k));
+        unused.map(|(_, name)| format!("void {name};\n")).collect()
+    }
+
+    /// A method that computes a number for each function.
+    fn numbers(&self, name: &str, visible: &str, doc: &str, steps: &Steps) -> String {
+        let expressions = body(self.code, steps, &self.language);
+        let mut lines =
+            self.inputs(steps, "this") + &self.unused(steps) + &TypeScript::scalar_lets(&expressions);
+        for (k, value) in expressions.outputs.iter().enumerate() {
+            lines += &format!("result[{k}] = {};\n", value.text);
+        }
+        lines += "return result;\n";
+        let result = if visible.is_empty() {
+            format!("result: Float64Array = new Float64Array({})", self.code.count())
+        } else {
+            String::from("result: Float64Array")
+        };
+        function(&format!("{visible}{name}({}, {result}): Float64Array", self.typed()), doc, &lines)
+    }
+
+    fn elements(array: &str, prefix: &str, used: &[usize]) -> Vec<(String, String)> {
+        used.iter().map(|k| (format!("{prefix}{k}"), element(array, *k))).collect()
+    }
+
+    fn bind(&self) -> String {
+        let (code, own) = (self.code, self.bound_name());
+        let doc = format!(
+            "Binds {} control points of `dimension` components each, one after the other.",
+            code.count()
+        );
+        function(
+            &format!("bind(dimension: number, points: ArrayLike<number>): {own}"),
+            &doc,
+            &format!("return new {own}(this, dimension, points);\n"),
+        )
+    }
+
+    /// The class of what is bound.
+    fn bound(&self) -> String {
+        let (code, own) = (self.code, self.bound_name());
+        let mut fields = format!(
+            "readonly family: {};\nreadonly dimension: number;\nreadonly points: Float64Array;\nprivate readonly bound: Float64Array;\n",
+            code.name
+        );
+        if code.is_curve() {
+            fields += &format!("readonly domain: readonly [number, number] = {}.domain;\n", code.name);
+        }
+        let steps = code.steps.bind();
+        let expressions = body(code, &steps, &self.language);
+        let inputs = Self::elements("points", "P", &used(&steps, point));
+        let outputs: Vec<String> = (0..code.steps.bound()).map(|k| place("bound", k)).collect();
+        let lines = length(
+            &format!("points of {}", code.name),
+            "points",
+            &format!("{} * dimension", code.count()),
+        ) + "this.family = family;\nthis.dimension = dimension;\nthis.points = Float64Array.from(points);\n"
+            + &format!(
+                "const bound = new Float64Array({} * dimension);\nthis.bound = bound;\n",
+                code.steps.bound()
+            )
+            + &self.inputs(&steps, "family")
+            + &TypeScript::on_components(&expressions, &inputs, &outputs, false);
+        let constructor = function(
+            &format!("constructor(family: {}, dimension: number, points: ArrayLike<number>)", code.name),
+            "",
+            &lines,
+        );
+        let mut parts = vec![fields, constructor];
+        let sized = "point: Float64Array = new Float64Array(this.dimension)";
+        if code.is_curve() {
+            let t = &code.coordinates[0];
+            parts.extend(code.steps.curve(1).map(|steps| {
+                let head = format!("eval({}, {sized}): Float64Array", self.typed());
+                self.evaluator(&head, &format!("The point of the curve at {t}."), &steps)
+            }));
+            parts.extend(code.steps.curve(3).map(|steps| {
+                let head = format!(
+                    "evalWithDerivatives({}, point: Float64Array = new Float64Array(3 * this.dimension)): Float64Array",
+                    self.typed()
+                );
+                let doc = format!("The point of the curve at {t}, and its first and second derivative by {t}, one after the other.");
+                self.evaluator(&head, &doc, &steps)
+            }));
+        } else {
+            let names = code.coordinates.join(", ");
+            let zeros = vec![0; code.family.domain.len()];
+            parts.extend(code.steps.patch(&zeros).map(|steps| {
+                let head = format!("eval({}, {sized}): Float64Array", self.typed());
+                self.evaluator(&head, "The point of the patch.", &steps)
+            }));
+            let mut lines = format!(
+                "switch (orders.join()) {{\n    case '{}': return this.eval({names}, point);\n",
+                joined(&zeros)
+            );
+            for orders in code.orders() {
+                lines += &format!(
+                    "    case '{}': return this.partial{}({names}, point);\n",
+                    joined(&orders),
+                    suffix(&orders)
+                );
+            }
+            lines += "    default: throw new RangeError(`partial derivatives have orders with a sum of at most 2, and not ${orders.join()}`);\n}\n";
+            let doc = format!(
+                "A partial derivative of the patch, `orders` in {}, with a sum of at most 2.",
+                self.independent()
+            );
+            let head = format!("partial({}, orders: readonly number[], {sized}): Float64Array", self.typed());
+            parts.push(function(&head, &doc, &lines));
+            for orders in code.orders() {
+                parts.extend(code.steps.patch(&orders).map(|steps| {
+                    let head = format!(
+                        "private partial{}({}, point: Float64Array): Float64Array",
+                        suffix(&orders),
+                        self.typed()
+                    );
+                    self.evaluator(&head, "", &steps)
+                }));
+            }
+        }
+        parts.push(self.slices());
+        let doc = documented(&[format!("Control points that are bound to a family `{}`.", code.name)]);
+        format!("{doc}export class {own} {{\n{}}}\n", indented(&parts.join("\n"), "    "))
+    }
+
+    /// A method from bound coefficients to points.
+    fn evaluator(&self, head: &str, doc: &str, steps: &Steps) -> String {
+        let expressions = body(self.code, steps, &self.language);
+        let needed = used(steps, bound);
+        let inputs = Self::elements("bound", "B", &needed);
+        let outputs: Vec<String> = (0..expressions.outputs.len()).map(|k| place("point", k)).collect();
+        let bound = if needed.is_empty() { "" } else { "const bound = this.bound;\n" };
+        let lines = format!("const dimension = this.dimension;\n{bound}")
+            + &self.unused(steps)
+            + &TypeScript::on_components(&expressions, &inputs, &outputs, false)
+            + "return point;\n";
+        function(head, doc, &lines)
+    }
+
+    fn slices(&self) -> String {
+        let count = self.code.coordinates.len();
+        let at: Vec<String> = (0..count)
+            .map(|k| match (count, k) {
+                (1, _) => String::from("at[row]!"),
+                (_, 0) => format!("at[{count} * row]!"),
+                _ => format!("at[{count} * row + {k}]!"),
+            })
+            .collect();
+        let rows = if count == 1 { String::from("at.length") } else { format!("at.length / {count}") };
+        let lines = format!(
+            "const dimension = this.dimension;\nconst count = Math.floor({rows});\n\
+             const point = new Float64Array(dimension);\n\
+             for (let row = 0; row < count; row++) {{\n    this.eval({}, point);\n    points.set(point, row * dimension);\n}}\n\
+             return points;\n",
+            at.join(", ")
+        );
+        let size =
+            if count == 1 { String::from("at.length") } else { format!("Math.floor(at.length / {count})") };
+        let head = format!(
+            "evalN(at: ArrayLike<number>, points: Float64Array = new Float64Array({size} * this.dimension)): Float64Array"
+        );
+        let doc = if count == 1 {
+            String::from("The points at the parameters `at`, one after the other.")
+        } else {
+            format!(
+                "The points at the points `at` of the domain, each given by {}, one after the other.",
+                self.code.coordinates.join(", ")
+            )
+        };
+        function(&head, &doc, &lines)
+    }
+
+    fn continuation(&self, name: &str, at_start: bool) -> Option<String> {
+        let code = self.code;
+        let all = code.steps.ends(2, at_start);
+        if all.is_empty() {
+            return None;
+        }
+        let orders: Vec<String> = all.iter().map(|end| (end.positions.len() - 1).to_string()).collect();
+        let end = usize::from(at_start);
+        let mut lines =
+            length(&format!("points of {}", code.name), "points", &format!("{} * dimension", code.count()));
+        lines =
+            String::from("const { order, f = 1, c = 0 } = contact;\nconst dimension = curve.dimension;\n")
+                + &lines;
+        lines += "if (!(f > 0 && f <= Number.MAX_VALUE)) {\n    throw new RangeError(`f = ${f} is not positive and finite`);\n}\n";
+        lines += "if (!Number.isFinite(c)) {\n    throw new RangeError(`c = ${c} is not finite`);\n}\n";
+        lines += &format!(
+            "const derivatives = curve.evalWithDerivatives(curve.domain[{end}]);\nconst result = Float64Array.from(points);\n"
+        );
+        let mut cases = String::new();
+        for end in &all {
+            cases += &format!(
+                "case {}: {{\n{}    break;\n}}\n",
+                end.positions.len() - 1,
+                indented(&self.end(end), "    ")
+            );
+        }
+        if cases.contains("inverse") {
+            lines += "const inverse = 1 / f;\n";
+        }
+        cases += "default: throw new RangeError(`there is no contact of order ${String(order)}`);\n";
+        lines += &format!(
+            "switch (order) {{\n{}}}\nreturn this.bind(dimension, result);\n",
+            indented(&cases, "    ")
+        );
+        let (side, which) = if at_start {
+            ("continues `curve` where that ends", "first")
+        } else {
+            ("ends where `curve` starts", "last")
+        };
+        let doc = format!(
+            "The curve Q that {side}: Q = P, Q' = P'/f, Q'' = (P'' - c Q')/f^2 up to the order. The {which} order + 1 of `points` \
+             are computed, the others are given; `curve` is of any family."
+        );
+        let head = format!(
+            "{name}(curve: Touching, contact: {{ order: {}; f?: number; c?: number }}, points: ArrayLike<number>): {}",
+            orders.join(" | "),
+            self.bound_name()
+        );
+        Some(function(&head, &doc, &lines))
+    }
+
+    fn end(&self, end: &EndSteps) -> String {
+        let code = self.code;
+        let expressions = body(code, &end.steps, &self.language);
+        let derivatives = used(&end.steps, derivative);
+        let highest = derivatives.iter().max().copied().unwrap_or(0);
+        let mut inputs = Vec::new();
+        for k in 0..=highest {
+            let value = element("derivatives", k);
+            let value = match k {
+                0 => value,
+                1 => format!("{value} * inverse"),
+                _ => format!("({value} - D1 * c) * (inverse * inverse)"),
+            };
+            if derivatives.contains(&k) || (k == 1 && highest > 1) {
+                inputs.push((format!("D{k}"), value));
+            }
+        }
+        inputs.extend(used(&end.steps, point).iter().map(|k| (format!("P{k}"), element("result", *k))));
+        let outputs: Vec<String> = end.positions.iter().map(|k| place("result", *k)).collect();
+        let loops = TypeScript::on_components(&expressions, &inputs, &outputs, true);
+        let (lets, rest) = loops.split_at(TypeScript::scalar_lets(&expressions).len());
+        let mut lines = self.inputs(&end.steps, "this") + lets;
+        for (divisor, at) in expressions.outputs[end.positions.len()..].iter().zip(&end.undetermined) {
+            let message =
+                quoted(&format!("{}: the derivatives do not determine the points at {at}", code.name));
+            lines += &format!("if ({} === 0) {{\n    throw new RangeError({message});\n}}\n", divisor.text);
+        }
+        lines + rest
+    }
+}
+
+/// Orders of derivatives between commas.
+fn joined(orders: &[usize]) -> String {
+    orders.iter().map(ToString::to_string).collect::<Vec<_>>().join(",")
+}
+
+/// Orders of derivatives in a name: `_1_0`.
+fn suffix(orders: &[usize]) -> String {
+    orders.iter().map(|order| format!("_{order}")).collect()
+}
