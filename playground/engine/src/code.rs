@@ -1,5 +1,9 @@
 //! Generated code, as `basis emit` writes it.
 
+use basis_engine::emit::c::{C, Scalar};
+use basis_engine::emit::python::Python;
+use basis_engine::emit::shader::Shader;
+use basis_engine::emit::typescript::TypeScript;
 use basis_engine::emit::{self, Job, Wanted, rust};
 use basis_engine::state::Run;
 use basis_engine::{
@@ -11,13 +15,20 @@ use serde_json::{Value, json};
 use crate::layout;
 use crate::session::{NAME, NoFiles};
 
-/// A language: its name for `basis emit --to`, its name for people, and how a file is written in it.
+/// A language: its name for `basis emit --to`, its usual name, and how a file is written in it.
 type Target = (&'static str, &'static str, fn(&Job<'_>) -> Result<String, Vec<Diagnostic>>);
 
 /// What `basis emit` writes.
-const TARGETS: &[Target] = &[("rust", "Rust", rust_text)];
+const TARGETS: &[Target] = &[
+    ("rust", "Rust", rust_text),
+    ("c", "C", |job| emit::emit(&C(Scalar::F64), job)),
+    ("python", "Python", |job| emit::emit(&Python, job)),
+    ("wgsl", "WGSL", |job| emit::emit(&Shader::Wgsl, job)),
+    ("glsl", "GLSL", |job| emit::emit(&Shader::Glsl, job)),
+    ("typescript", "TypeScript", |job| emit::emit(&TypeScript, job)),
+];
 
-/// The languages: the name of each for `basis emit --to`, and for people.
+/// The languages: the name of each for `basis emit --to`, and its usual name.
 pub(crate) fn languages() -> Vec<[&'static str; 2]> {
     TARGETS.iter().map(|(to, name, _)| [*to, *name]).collect()
 }

@@ -251,7 +251,9 @@ pub(super) fn displacement(side: &[P3]) -> f64 {
     let square = dot(chord, chord);
     let (mut last, mut largest) = (0.0_f64, 0.0_f64);
     for &corner in between {
-        let x = if square > 0.0 { (dot(minus(corner, *from), chord) / square).clamp(last, 1.0) } else { 0.0 };
+        // Not a number where the coordinates are huge; then the distance is infinite.
+        let share = dot(minus(corner, *from), chord) / square;
+        let x = if square > 0.0 && !share.is_nan() { share.clamp(last, 1.0) } else { last };
         last = x;
         largest = larger(largest, distance(corner, [0, 1, 2].map(|k| from[k] + x * chord[k])));
     }
@@ -300,4 +302,17 @@ pub(super) fn distance_to_triangle(p: P3, [a, b, c]: [P3; 3]) -> f64 {
     }
     let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| distance_to_segment(p, from, to));
     sides.into_iter().fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_at_huge_coordinates_are_moved_far() {
+        let side = [[0.0; 3], [1e300, -1e300, 0.0], [2e300, 0.0, 1.0], [4e300, 0.0, 0.0]];
+        assert!(displacement(&side) >= 1e300);
+        let side = [[0.0; 3], [1.0, 1.0, 0.0], [2.0, -3.0, 0.0], [4.0, 0.0, 0.0]];
+        assert_eq!(displacement(&side), 3.0);
+    }
 }
