@@ -1,11 +1,11 @@
-//! Takes the Rust out of the README and makes a function of each block: what the text around the block takes for
-//! granted, the block as it stands, and what has to be true after it.
+//! Takes the Rust out of the README and of a page of the guide, and makes a function of each block: what the text around
+//! the block takes for granted, the block as it stands, and what has to be true after it.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::{env, fs};
 
-/// A block of the README.
+/// A block of a page.
 struct Block {
     /// The function.
     name: &'static str,
@@ -77,30 +77,57 @@ const BLOCKS: [Block; 4] = [
     },
 ];
 
-fn main() {
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("Cargo sets it"));
-    let text = fs::read_to_string("README.md").expect("the README can be read");
-    println!("cargo::rerun-if-changed=README.md");
-    println!("cargo::rerun-if-changed=build.rs");
+/// The page of the guide on sines and cosines.
+const ANGLES: [Block; 1] = [Block {
+    name: "angles",
+    says: "to_rational_bezier()",
+    before: "
+        use basis_runtime::ParametricCurve as _;",
+    after: "
+        assert!((point[0] - 0.7_f64.sin()).abs() < 1e-15 && (point[1] - 0.7_f64.cos()).abs() < 1e-15);
+        assert!((velocity[0] - 0.7_f64.cos()).abs() < 1e-15);
+        assert!((length - core::f64::consts::FRAC_PI_2).abs() < 1e-9);
+        assert_eq!([bezier.start(), bezier.end()], [[0.0, 1.0], [1.0, 0.0]]);",
+}];
 
-    let found: Vec<&str> =
-        text.split("\n```rust\n").skip(1).filter_map(|rest| rest.split("\n```").next()).collect();
-    assert!(!text.contains("```rust,"), "a block of the README is marked so that nothing compiles it");
+/// The blocks of a page in a language.
+fn listings<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
+    let start = format!("\n```{language}");
+    let code = |rest: &'a str| rest.split_once('\n')?.1.split("\n```").next();
+    text.split(start.as_str()).skip(1).filter_map(code).collect()
+}
+
+/// The functions of the blocks of a page, after what all of them build on.
+fn functions(page: &str, blocks: &[Block], given: &dyn Fn(&str) -> String) -> String {
+    println!("cargo::rerun-if-changed={page}");
+    let text = fs::read_to_string(page).expect("the page can be read");
+    let found = listings(&text, "rust");
+    assert!(!text.contains("```rust,"), "a block of {page} is marked so that nothing compiles it");
     assert_eq!(
         found.len(),
-        BLOCKS.len(),
-        "`BLOCKS` in tests/readme/build.rs has to say what the README builds on"
+        blocks.len(),
+        "tests/readme/build.rs has to say what the blocks of {page} build on"
     );
     let mut code = String::new();
-    for (block, shown) in BLOCKS.iter().zip(found) {
+    for (block, shown) in blocks.iter().zip(found) {
         assert!(shown.contains(block.says), "`{}` is not in this block:\n{shown}", block.says);
-        let Block { name, before, after, .. } = block;
+        let (Block { name, before, after, .. }, given) = (block, given(&text));
         write!(
             code,
-            "pub(crate) fn {name}() -> Result<(), Box<dyn std::error::Error>> {{{before}\n{shown}\n{after}\n Ok(())\n}}\n"
+            "pub(crate) fn {name}() -> Result<(), Box<dyn std::error::Error>> {{{given}{before}\n{shown}\n{after}\n Ok(())\n}}\n"
         )
         .expect("a string takes everything");
     }
+    code
+}
+
+fn main() {
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("Cargo sets it"));
+    println!("cargo::rerun-if-changed=build.rs");
+    // The first family of the page is the one that its Rust is about.
+    let family = |text: &str| format!("\nbasis_runtime::basis! {{\n{}\n}}\n", listings(text, "basis")[0]);
+    let code = functions("README.md", &BLOCKS, &|_| String::new())
+        + &functions("../../guide/src/angles.md", &ANGLES, &family);
     fs::write(out.join("readme.rs"), code).expect("the folder can be written");
 
     // Beside the code, as the README names them.

@@ -239,12 +239,13 @@ fn the_sum_of_all_loops_and_orders_is_limited() {
 
 #[test]
 fn many_spans_and_ranges_that_depend_on_one_another_are_answered() {
-    let spans: String = (0..201).map(|k| format!("{k} <= t <= {}, ", k + 1)).collect();
-    let spans = format!("family F {{ domain {}; b[0] = t; prove smooth(1); }}", spans.trim_end_matches(", "));
+    let spans: Vec<String> = (0..201).map(|k| format!("{k} <= t <= {}", k + 1)).collect();
+    let spans = format!("family F {{ domain {}; b[0] = t; prove smooth(1); }}", spans.join(", "));
     assert_eq!(messages(&spans), ["a family has at most 200 spans"]);
 
     // In the variables of a box the last parameter of the chain has 2^18 terms.
-    let chain: String = (0..18).map(|k| format!("p{k} < ")).collect();
+    let chain: Vec<String> = (0..18).map(|k| format!("p{k} < ")).collect();
+    let chain = chain.concat();
     let family = |statements: &str| {
         format!("family F {{ domain 0 <= t <= 1; shape 0 < {chain}1; b[0] = t; b[1] = 1; {statements} }}")
     };
@@ -252,12 +253,13 @@ fn many_spans_and_ranges_that_depend_on_one_another_are_answered() {
     rendered(&check(Source::text("chain.basis", &family("prove p0 < p17; prove p5 + p15 < 2;"))));
 
     // Of sixty bounds of five parameters each may be the one that counts.
-    let bounds: String = (0..60)
+    let bounds: Vec<String> = (0..60)
         .map(|i| {
             let (a, c) = (i * i % 17, i * i * i % 19);
             format!("assume a*{a} + c*{c} - d*{} - e*{} + f*{} <= {}; ", i % 7, i * 3 % 5, i % 3, 1 + i % 11)
         })
         .collect();
+    let bounds = bounds.concat();
     let shapes = ["a", "c", "d", "e", "f"].map(|x| format!("0 <= {x} <= 1")).join(", ");
     let spec = format!(
         "family F {{ domain 0 <= t <= 1; shape {shapes}; b[0] = t*a + c; {bounds} prove nonnegative; }}"

@@ -67,6 +67,7 @@ pub fn family(
 }
 
 /// Why no steps of evaluators are known of a family of any size; `None` where they are.
+#[cfg(any(test, feature = "rounding"))]
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
     let error = no_type(family);
     if error.is_some() || !is_rational(family) {

@@ -1,4 +1,6 @@
-//! Every block of Rust in the README compiles and runs as it stands there; `build.rs` says what each builds on.
+//! Every block of Rust in the README, and on a page of the guide, compiles and runs as it stands there; `build.rs` says what each builds on.
+
+#![allow(mixed_script_confusables)] // a family has its angle as θ
 
 #[cfg(test)]
 mod tests {
@@ -28,5 +30,10 @@ mod tests {
     #[test]
     fn splices() {
         readme::splices().expect("it runs");
+    }
+
+    #[test]
+    fn angles() {
+        readme::angles().expect("it runs");
     }
 }
