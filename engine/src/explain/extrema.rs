@@ -248,7 +248,10 @@ mod tests {
     use super::*;
     use basis_prover::collections::list::Listed;
 
-    fn of(coefficients: &[i64]) -> Option<(Vec<String>, (String, Vec<String>), (String, Vec<String>))> {
+    /// A value, and where it is taken.
+    type Text = (String, Vec<String>);
+
+    fn of(coefficients: &[i64]) -> Option<(Vec<String>, Text, Text)> {
         let p = Univariate::integers(coefficients);
         let one = Univariate::integers(&[1]);
         let found = of_function(&p, &one, &Rational::ZERO, &Rational::ONE, &mut Work::unlimited());
