@@ -450,3 +450,41 @@ fn neighbours_have_other_shape_values() {
     assert_eq!(found[5], "=");
     assert_ne!(found[6], "=");
 }
+
+/// A variable beside its own sine or exponential ends where the domain does, and is no variable of its own there.
+#[test]
+fn variables_beside_their_sine_end_with_the_domain() {
+    let spans = "family F { domain 0 <= x <= 1, 1 <= x <= 2; f[0] = exp(x) | exp(1)*x;
+        prove smooth(1); prove smooth(2); }";
+    let found = verdicts(spans);
+    assert!(found[0] == "=" && !found[1].starts_with(['=', 'u']), "{found:?}");
+    let joints =
+        "family F { domain 0 <= t <= pi; b[0] = pi - t + sin(t); b[1] = t - sin(t); prove continuity(0); }
+        family G { domain 0 <= t <= 2; b[0] = 1 - t/2 + 0*exp(t); b[1] = t/2; prove continuity(0); }";
+    assert_eq!(verdicts(joints), ["="; 2]);
+}
+
+/// What is enough for a claim, and a value that is taken for a number, refute nothing.
+#[test]
+fn no_counterexample_where_none_is_known() {
+    let spec = "family F { domain 0 <= t <= pi/2; shape -1 <= a <= 1, -1 <= c <= 1; assume a^2 + c^2 <= 1;
+            b[0] = 10 + a*t + c*sin(t); prove nonnegative; }
+        family G { domain 0 <= t <= 1; b[0] = 3.14159265358979323846265 - pi; prove totally_positive; }
+        family H { domain 0 <= t <= 1; shape 0 <= α <= 0; b[0] = 1 + sin(α)*t; prove α = 0; }";
+    let found = verdicts(spec);
+    assert!(found.len() == 3 && found.iter().all(|v| v.starts_with("undecided")), "{found:?}");
+}
+
+/// sin t is negative beyond π, where the tangent of t/2 is another one.
+#[test]
+fn an_angle_does_not_pass_the_pole_of_its_tangent() {
+    for domain in ["0 <= t <= α + pi", "0 <= t <= α + pi/2", "0 <= t <= α + β", "α <= t <= α + β"] {
+        let spec = format!(
+            "family F {{ shape 0 < α < pi, 0 < β < pi; domain {domain}; b[0] = sin(t); prove sin(t) >= 0; }}"
+        );
+        let report = check(Source::text("pole.basis", &spec));
+        let found: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+        assert!(found.iter().any(|m| m.ends_with("can be pi or more")), "{domain}: {found:?}");
+        assert!(report.items.is_empty(), "{domain}");
+    }
+}

@@ -10,7 +10,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::model::Parameter;
-use crate::model::angle::{Angle, Kind};
+use crate::model::angle::{Angle, Kind, multiple_of_pi};
 use crate::model::chart::Constraint;
 use crate::model::formula::numbers::range_of;
 use crate::model::formula::phase::Linear;
@@ -703,6 +703,30 @@ fn shifts(unit: &Rational, turns: bool, ends: &[&Bound]) -> Vec<Rational> {
     all
 }
 
+/// Whether `rate` times an end that holds shape parameters is less than a quarter turn at all their values.
+fn stays_finite(scope: &Scope<'_>, rate: &Rational, end: &Bound) -> bool {
+    let value = &end.value;
+    if value.parts.len() <= 1 && value.pi.is_zero() && value.number.is_zero() {
+        return true;
+    }
+    // In units of π; where an end of a range is no multiple of it, nothing is known.
+    let Some(pi) = scope.analytic.pi else { return false };
+    let mut sum = value.pi.abs();
+    for (var, factor, _) in &value.parts {
+        let Some(angle) = scope.analytic.angles.iter().find(|a| a.itself == *var) else { return false };
+        let mut largest = Rational::ZERO;
+        for limit in &angle.limits {
+            let Some(multiple) = limit.derivative(pi).as_constant() else { return false };
+            if *limit != &Fraction::var(pi) * &Fraction::constant(multiple.clone()) {
+                return false;
+            }
+            largest = largest.max(multiple.abs());
+        }
+        sum += &(&largest * &factor.abs());
+    }
+    value.number.is_zero() && rate * &sum < Rational::new(1, 2)
+}
+
 /// Makes a variable an angle; the range of y.
 fn angle(
     scope: &mut Scope<'_>,
@@ -820,6 +844,16 @@ fn angle(
                 scope,
                 format!("the ends of the domain of `{name}` are no multiples of one angle"),
                 "write `domain 0 <= t <= α;` or `domain -α <= t <= α;`",
+            );
+            return None;
+        }
+        // Beyond a quarter turn the tangent is another one. Of one parameter alone that is known from its own range.
+        if let Some(end) = ends.iter().find(|l| circular && !stays_finite(scope, &rate, l)) {
+            let reach = multiple_of_pi(&half.checked_div(&rate)?);
+            wrong(
+                scope,
+                format!("the end {} of the angle `{name}` can be {reach} or more", end.text),
+                "make one shape parameter the whole angle, `domain 0 <= t <= α;`, or narrow the ranges",
             );
             return None;
         }

@@ -205,19 +205,25 @@ fn motions(family: &Family) -> Vec<Motion> {
 
 /// Neighbouring segments over control points P[0], P[1], … and P[1], P[2], … have the same derivatives of every order
 /// up to `order` where they meet: b[i] at the lower end is b[i + 1] at the upper end, and what has no partner
-/// vanishes.
-pub(super) fn continuity(family: &Family, joint: &Joint) -> Vec<(String, Fraction)> {
+/// vanishes. `None` where a value has no form.
+pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
-    let Some((var, low, high)) = family.interval() else { return differences };
+    let (var, low, high) = family.interval()?;
     let len = family.functions.len();
-    let Some([low_text, high_text]) = family.end_texts() else { return differences };
-    let at = |k: usize, order: u32, end: &Rational| {
+    let [low_text, high_text] = family.end_texts()?;
+    let at = |k: usize, order: u32, upper: bool| {
         let work = &mut Work::unlimited();
         let mut value = family.functions[k].value.clone();
         for _ in 0..order {
             value = family.derivative_within(&value, var, work)?;
         }
-        value.substitute(var, &Fraction::constant(end.clone()))
+        let end = if upper { high } else { low };
+        let value = value.substitute(var, &Fraction::constant(end.clone()))?;
+        // The variable itself, beside its sine or exponential, ends there too.
+        match family.analytic.angle(var) {
+            Some(angle) => value.substitute(angle.itself, &angle.limits[usize::from(upper)]),
+            None => Some(value),
+        }
     };
     let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
@@ -230,6 +236,10 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Vec<(String, Fractio
     // The next segment may have other shape values.
     let aside = joint.free.iter().map(|p| p.var.0 + 1).max().unwrap_or(0).max(family.names.len());
     let next = |mut f: Fraction| {
+        // Another value of an angle would be another one of its tangent.
+        if family.analytic.angles.iter().any(|a| f.depends_on(a.itself)) {
+            return None;
+        }
         for (k, shape) in family.shapes.iter().enumerate() {
             f = f.substitute(shape.var, &Fraction::var(Var(aside + k)))?;
         }
@@ -239,26 +249,26 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Vec<(String, Fractio
         Some(f)
     };
     let next_at = |k: usize, order: u32| {
-        at(k, order, low).and_then(|f| if joint.next.is_empty() { Some(f) } else { next(f) })
+        at(k, order, false).and_then(|f| if joint.next.is_empty() { Some(f) } else { next(f) })
     };
     for order in 0..=joint.order {
         for k in 0..=len {
             let mut difference = Fraction::zero();
             let mut parts = Vec::new();
             // A denominator vanishes nowhere on the domain, so that there is a value at its ends.
-            if let Some(f) = k.checked_sub(1).and_then(|k| next_at(k, order)) {
-                difference = f;
-                parts.push(name(k - 1, order, &low_text));
+            if let Some(before) = k.checked_sub(1) {
+                difference = next_at(before, order)?;
+                parts.push(name(before, order, &low_text));
             }
-            if let Some(f) = Some(k).filter(|k| *k < len).and_then(|k| at(k, order, high)) {
-                difference = &difference - &f;
+            if k < len {
+                difference = &difference - &at(k, order, true)?;
                 parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
             differences.push((of, difference));
         }
     }
-    differences
+    Some(differences)
 }
 
 /// What it means that an expression is not as claimed.
@@ -292,7 +302,7 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             ]
         }
         ClaimKind::Continuity(joint) => {
-            let all = continuity(family, joint);
+            let all = continuity(family, joint).unwrap_or_default();
             let k = all.iter().position(|(label, _)| label == of).unwrap_or(0);
             let order = k / (family.functions.len() + 1);
             vec![

@@ -24,8 +24,8 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
-use crate::model::Family;
 use crate::model::chart::Piece;
+use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
 use point::{domain_names, named_point};
 
@@ -45,7 +45,7 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
         ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
-        ClaimKind::Continuity(joint) => identity::continuity(family, joint),
+        ClaimKind::Continuity(joint) => identity::continuity(family, joint)?,
         ClaimKind::Smooth(order) => spans::smooth(family, *order, work)?,
         ClaimKind::Nonnegative => {
             let functions = family.functions.iter().enumerate();
@@ -184,7 +184,12 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
         // Nobody knows whether π and exp(1) are independent of one another.
         Statement::Zero { value, .. } => {
             let occurs = |v: &Var| value.numerator.depends_on(*v) || value.denominator.depends_on(*v);
+            // At a single value a parameter is not independent of its tangent.
+            let single = |p: &Parameter| p.range.finite().is_some_and(|(a, b)| a == b);
+            let fixed =
+                family.shapes.iter().filter(|p| single(p)).filter_map(|p| family.analytic.angle(p.var));
             family.analytic.numbers().into_iter().filter(occurs).count() > 1
+                || fixed.map(|angle| angle.itself).any(|itself| occurs(&itself))
         }
         Statement::Sign { value, .. } => of(&value.numerator) || of(&value.denominator),
         Statement::Products { value, .. } => of(value),
@@ -227,7 +232,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         }
         said = self::said(family, claim, false).unwrap_or(said);
         let found = basis_prover::working(family.budget, &mut |work| {
-            said.iter().find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
+            let own = said.iter().filter(|s| !s.stated.is_stronger);
+            own.into_iter().find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
         });
         if let Some((s, found)) = found.filter(|(_, found)| !is_wider(family, found.refutation.statement())) {
             let witness = witness(family, &claim.kind, s.of.clone(), &found, &s.piece);

@@ -77,7 +77,13 @@ pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec
                 if order > 0 {
                     derivative = piece.derivative_within(&derivative, var, work)?;
                 }
-                values.push(derivative.substitute_within(var, &end, work).ok()??);
+                let mut value = derivative.substitute_within(var, &end, work).ok()??;
+                // The variable itself, beside its sine or exponential, ends there too.
+                if let Some(angle) = piece.analytic.angle(var) {
+                    let own = &angle.limits[usize::from(upper)];
+                    value = value.substitute_within(angle.itself, own, work).ok()??;
+                }
+                values.push(value);
             }
             Some(values)
         };

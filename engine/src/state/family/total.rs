@@ -213,6 +213,9 @@ pub(super) fn instances(family: &Family, given: &[Vec<Rational>]) -> Result<Vec<
         return Err("the points of a minor lie in the domain");
     }
     let value = minor(family, &numbers, points).ok_or("the minor has no value")?;
+    if family.analytic.numbers().into_iter().any(|v| value.depends_on(v)) {
+        return Err("the sign of a minor with pi or exp in it is not shown by one point");
+    }
     let pieces = family.pieces(&[], &[], true);
     let stated = |(number, piece): (usize, &Piece)| {
         let of = super::on_part(&label(family, &numbers, points), number, pieces.len());
@@ -301,7 +304,8 @@ pub(super) fn refutation(family: &Family) -> Option<Witness> {
                 let Some((functions, places)) = negative(&table) else { continue };
                 let own = places.mapped(|k| points[*k].clone());
                 let given = vec![own, functions.mapped(|k| Rational::from(*k as i64))];
-                let Some(stated) = instances(family, &given).ok()?.into_iter().nth(number) else { continue };
+                let Ok(all) = instances(family, &given) else { continue };
+                let Some(stated) = all.into_iter().nth(number) else { continue };
                 let statement = Rc::new(stated.statement);
                 let point = sample.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone())));
                 let Some(found) = refute(&statement, &point, &mut Work::usual(family.budget)) else {
