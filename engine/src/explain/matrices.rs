@@ -33,11 +33,11 @@ pub enum MatrixKind {
     FromFamily,
     /// The functions in those of the next order, or in the Bernstein basis of the next degree.
     Elevation,
-    /// ∫ b[i]·b[j] over the domain.
+    /// ∫ `b[i]·b[j]` over the domain.
     Mass,
-    /// ∫ ∇b[i]·∇b[j] over the domain.
+    /// ∫ `∇b[i]·∇b[j]` over the domain.
     Stiffness,
-    /// ∫ m·b[j] over the domain for monomials m.
+    /// ∫ `m·b[j]` over the domain for monomials m.
     Moments,
 }
 
