@@ -66,6 +66,7 @@ pub const SPECS: &[(&str, &str)] = specs![
     "splines/uniform"
     "triangles/elements"
     "triangles/patches"
+    "triangles/prisms"
     "triangles/shape"
     "triangular"
     "trigonometric/end_angle"

@@ -42,7 +42,7 @@ impl Parse for Input {
         } else if input.peek(library) {
             Spec::Library(in_library(input)?)
         } else if is_path(input) {
-            let help = "the path of a spec stands in quotation marks: `basis!(\"specs/name.basis\")`";
+            let help = "the path of a spec is written in quotation marks: `basis!(\"specs/name.basis\")`";
             return Err(input.error(help));
         } else {
             let spec = Spec::Inline(input.parse()?);
@@ -80,7 +80,7 @@ fn in_library(input: ParseStream<'_>) -> Result<LitStr> {
     input.parse::<library>()?;
     input.parse().map_err(|e| {
         let help =
-            "the name of a spec of the library stands in quotation marks: `basis!(library \"quartic\")`";
+            "the name of a spec of the library is written in quotation marks: `basis!(library \"quartic\")`";
         syn::Error::new(e.span(), help)
     })
 }

@@ -13,7 +13,7 @@ use basis_engine::{Disk, Family, Library, Prover, Source, Subject};
 /// What is in the table: the spec of the library, the family, its order.
 const FAMILIES: &[(&str, &str, &[i64])] = &[
     ("quartic", "QuarticBernstein", &[]),
-    ("quadratic", "Quadratic", &[]),
+    ("quadratic", "QuadraticBezier", &[]),
     ("bernstein", "Bernstein", &[2]),
     ("bernstein", "Bernstein", &[3]),
     ("bernstein", "Bernstein", &[5]),
@@ -22,6 +22,8 @@ const FAMILIES: &[(&str, &str, &[i64])] = &[
     ("ball", "SaidBall", &[]),
     ("triangular", "TriangularII", &[3]),
     ("lagrange", "Lagrange", &[3]),
+    ("rational/bezier", "Conic", &[]),
+    ("rational/bezier", "RationalQuadratic", &[]),
 ];
 
 /// Random inputs, and steps uphill.
@@ -144,7 +146,7 @@ fn main() {
     println!("| family | of | proved | found | proved/found |\n| --- | --- | --- | --- | --- |");
     for (spec, name, order) in FAMILIES {
         let text = basis_specs::text(spec).expect("a spec of the library");
-        let library = Library::from_source(&Disk, &Prover, Source::text(&format!("{spec}.basis"), text));
+        let library = Library::from_source(&Disk, &Prover, Source::text(format!("{spec}.basis"), text));
         let Ok(item) = library.item(name, order) else { panic!("{spec} has no family {name}") };
         let Subject::Family(family) = &item.subject else { panic!("{name} is no family") };
         let form = FamilySteps::new(family).expect("code is generated for it");

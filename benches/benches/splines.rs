@@ -6,8 +6,8 @@
 use basis_benches::parameters;
 use basis_runtime::Surface;
 use basis_runtime::bspline::{
-    BSplineCurve, BSplineSurface, Direction, Edge, Joint, KnotVector, Method, Net, NurbsCurve, SpliceOptions,
-    splice,
+    BSplineCurve, BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, NurbsCurve,
+    SpliceOptions, splice,
 };
 use curvo::prelude::{NurbsCurve3D, NurbsSurface3D};
 use divan::{Bencher, black_box};
@@ -227,7 +227,7 @@ mod insertion {
 /// Two surfaces, with as many spans along the joint and one more, to 1e-5 and 1e-4.
 mod splicing {
     use super::{
-        BSplineSurface, Bencher, Edge, Joint, Method, Net, P3, SpliceOptions, black_box, knots, splice,
+        BSplineSurface, Bencher, Edge, EdgePair, Method, Net, P3, SpliceOptions, black_box, knots, splice,
     };
 
     fn pair(spans: usize) -> [BSplineSurface<P3>; 2] {
@@ -245,8 +245,8 @@ mod splicing {
 
     fn run(bencher: Bencher<'_, '_>, spans: usize, method: Method) {
         let [surface, target] = pair(spans);
-        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
-        let options = SpliceOptions { method, ..SpliceOptions::default() };
+        let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+        let options = SpliceOptions::default().method(method);
         bencher.bench_local(|| black_box(splice(&surface, &target, joint, &options)));
     }
 

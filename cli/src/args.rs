@@ -6,7 +6,7 @@ use basis_engine::algebra::rational::{self, Rational};
 use clap::builder::styling::{AnsiColor, Style, Styles};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-use crate::eval::Number;
+use crate::eval::number::Number;
 
 const STYLES: Styles = Styles::styled()
     .header(Style::new().bold())
@@ -14,7 +14,7 @@ const STYLES: Styles = Styles::styled()
     .literal(AnsiColor::Cyan.on_default().bold())
     .placeholder(AnsiColor::Cyan.on_default());
 
-/// Proves properties of polynomial basis families and evaluates them exactly
+/// Proves properties of basis functions and evaluates them exactly
 ///
 /// A spec file (`quartic.basis`) states a family of basis functions, its domain, its shape parameters and the
 /// properties that it is supposed to have. All arithmetic is exact: what is proved holds, what is refuted comes
@@ -82,8 +82,8 @@ pub(crate) enum Command {
     Lsp(LspArguments),
     /// Write a spec to start from
     ///
-    /// The file is called as the family, in lower case: `basis new RationalCubic` writes `rational_cubic.basis`. Its claims
-    /// are proved; replace its formulas by your own.
+    /// The file has the name of the family in lower case: `basis new RationalCubic` writes `rational_cubic.basis`, with
+    /// quotients, because the name says so. All its claims are proved as it stands; replace its formulas with your own.
     #[command(after_help = NEW_HELP)]
     New(NewArguments),
     /// Draw the functions of a family, a curve over it, and where a claim fails
@@ -140,7 +140,7 @@ pub(crate) struct CheckArguments {
 const CHECK_HELP: &str = "\
 Exit status:
   0  every claim is as declared: `prove` is proved, `refute` is refuted
-  1  a claim is not as declared, or a spec has errors; with --coq also if a claim has no counterpart in Coq
+  1  a claim is not as declared, or a spec has errors; with --coq also if a claim cannot be stated in Coq
   2  a file cannot be read, or the command is used wrongly
 
 Examples:
@@ -263,9 +263,9 @@ Examples:
 pub(crate) struct NewArguments {
     /// The name of the family, such as RationalCubic
     pub(crate) name: String,
-    /// What to start from
-    #[arg(long, value_enum, default_value_t = Kind::Curve)]
-    pub(crate) kind: Kind,
+    /// What to start from; without it what the name says, as in RationalCubic, or else `curve`
+    #[arg(long, value_enum)]
+    pub(crate) kind: Option<Kind>,
     /// The file to write; - is standard output
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
@@ -278,6 +278,12 @@ pub(crate) enum Kind {
     Curve,
     /// Functions of every degree on an interval
     Degrees,
+    /// Quotients on an interval with a weight
+    Rational,
+    /// Functions of an angle with a shape parameter
+    Trigonometric,
+    /// A function on several knot spans
+    Spline,
     /// Functions on a triangle
     Triangle,
     /// Functions on a box
@@ -293,6 +299,7 @@ Exit status:
 
 Examples:
   basis new RationalCubic
+  basis new Hyperbolas --kind rational
   basis new Patch --kind triangle -o specs/patch.basis";
 
 /// What can be typed after `basis completions`.
@@ -372,9 +379,11 @@ Examples:
 pub(crate) struct EvalArguments {
     /// The spec file, - for standard input, or library:NAME for a spec of the library
     pub(crate) file: PathBuf,
-    /// The family, with its order if it has index parameters: 'Bernstein(3)' or 'Bernstein(n=3)'
-    pub(crate) family: String,
-    /// The value of a shape parameter, inside its declared range: λ=1/2, or several, λ=-3..1:1/2
+    /// The family, with its order if it has index parameters: 'Bernstein(3)' or 'Bernstein(n=3)'; not needed where the
+    /// spec has only one
+    pub(crate) family: Option<String>,
+    /// The value of a shape parameter, inside its declared range: λ=1/2, or several, λ=-3..1:1/2; of a list one entry,
+    /// 'w[1]=1/2', or all, w=1/2
     #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = axis)]
     pub(crate) shapes: Vec<Axis>,
     /// The point: a value for each domain variable, or several from one to another in steps, t=0..1:1/10; a variable
@@ -416,7 +425,7 @@ Exit status:
   2  the spec has errors or cannot be read, or the command is used wrongly
 
 Examples:
-  basis eval quartic.basis QuarticBernstein --shape λ=1/2 --at t=1/3
+  basis eval quartic.basis --shape λ=1/2 --at t=1/3
   basis eval quartic.basis QuarticBernstein --shape lambda=0.5 --at t=0 --order 2
   basis eval bernstein.basis 'Bernstein(n=3)' --at t=0.25 --format json
   basis eval library:quartic QuarticBernstein --shape λ=1/2 --at t=0..1:1/10 --format csv
@@ -434,8 +443,9 @@ pub(crate) struct ExplainArguments {
     /// A family, with its order if it has index parameters, 'Bernstein(3)', or a join or theorem; without a name all of
     /// the file, families in their lowest orders
     pub(crate) name: Option<String>,
-    /// Also print the matrices that convert the family into another one that the spec knows, and back
-    #[arg(long, value_name = "FAMILY", requires = "name")]
+    /// Also print the matrices that convert the family into another one that the spec knows, and back; without NAME
+    /// the spec must have only one family
+    #[arg(long, value_name = "FAMILY")]
     pub(crate) to: Option<String>,
 }
 
@@ -460,13 +470,15 @@ pub(crate) struct PlotArguments {
     pub(crate) file: PathBuf,
     /// The family, with its order if it has index parameters: 'Bernstein(3)'; not needed where the spec has only one
     pub(crate) family: Option<String>,
-    /// The value of a shape parameter, or a range of values: λ=1/2 or λ=-3..1
+    /// The value of a shape parameter, or a range of values: λ=1/2 or λ=-3..1; of a list one entry, 'w[1]=1/2', or all,
+    /// w=1/2
     #[arg(long = "shape", value_name = "NAME=VALUE", value_delimiter = ',', value_parser = shape)]
     pub(crate) shapes: Vec<ShapeArgument>,
     /// The control points of a curve in the plane, such as "0,0 1,2 3,2 4,0"
     #[arg(long, value_name = "POINTS", value_parser = point, value_delimiter = ' ', allow_hyphen_values = true)]
     pub(crate) points: Vec<[f64; 2]>,
-    /// The picture to write; its name ends with .svg, .png or .html, and - is an SVG on standard output
+    /// The picture to write; its name ends with .svg, .png or .html, and - is an SVG on standard output; without it
+    /// QuarticBernstein.svg, the name of the family, in the current folder
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -495,22 +507,24 @@ pub(crate) struct ShapeArgument {
 #[derive(Clone, Debug)]
 pub(crate) enum ShapeValues {
     /// One.
-    One(Rational),
+    One(Number),
     /// Several, from one to another.
-    Between(Rational, Rational),
+    Between(Number, Number),
 }
 
 fn shape(text: &str) -> Result<ShapeArgument, String> {
+    let exact = |value: &str| Number::parse(value).ok_or_else(|| inexact(value));
     let Some((left, right)) = text.split_once("..") else {
-        let Assignment { name, value } = assignment(text)?;
-        return Ok(ShapeArgument { name, values: ShapeValues::One(value) });
+        let (name, value) = named(text)?;
+        return Ok(ShapeArgument { name: name.to_string(), values: ShapeValues::One(exact(value)?) });
     };
-    let Assignment { name, value: low } = assignment(left)?;
+    let (name, low) = named(left)?;
+    let (name, low) = (name.to_string(), exact(low)?);
     let right = right.strip_prefix('=').unwrap_or(right).trim();
-    let high = rational::parse(right).ok_or_else(|| {
+    let high = Number::parse(right).ok_or_else(|| {
         format!("`{right}` is not an exact number; a range of values is written {name}=-3..1")
     })?;
-    if low >= high {
+    if low.value() >= high.value() {
         return Err(format!("the range {low}..{high} is empty; write the smaller value first"));
     }
     Ok(ShapeArgument { name, values: ShapeValues::Between(low, high) })
@@ -545,15 +559,6 @@ pub(crate) enum Format {
     Text,
     /// One JSON object
     Json,
-}
-
-/// A name with an exact value, such as `λ1=1/2`.
-#[derive(Clone, Debug)]
-pub(crate) struct Assignment {
-    /// The name as it is typed.
-    pub(crate) name: String,
-    /// The value.
-    pub(crate) value: Rational,
 }
 
 /// A name with its values, such as `t=1/2`, `θ=pi/3` or `t=0..1:1/10`.
@@ -602,12 +607,6 @@ fn order(text: &str) -> Result<u32, String> {
         .map_err(|_| String::from("the highest order of derivatives is a whole number, such as 0 or 2"))
 }
 
-fn assignment(text: &str) -> Result<Assignment, String> {
-    let (name, value) = named(text)?;
-    let value = rational::parse(value).ok_or_else(|| inexact(value))?;
-    Ok(Assignment { name: name.to_string(), value })
-}
-
 /// A name and what stands after its `=`.
 fn named(text: &str) -> Result<(&str, &str), String> {
     let Some((name, value)) = text.split_once('=') else {
@@ -633,9 +632,27 @@ fn inexact(value: &str) -> String {
     if divides_by_zero(value) {
         return format!("`{value}` divides by zero");
     }
+    if let Some(radians) = in_radians(value) {
+        return format!("`{value}` is in degrees, and angles are in radians; write {radians}");
+    }
     format!(
         "`{value}` is not an exact number; write a whole number, a fraction or a decimal, such as 2, -1/3 or 0.62"
     )
+}
+
+/// `pi/4` for `45deg` or `45°`.
+fn in_radians(value: &str) -> Option<String> {
+    let degrees = ["degrees", "deg", "°"].iter().find_map(|unit| value.strip_suffix(unit))?;
+    let turns = rational::parse(degrees.trim())?.checked_div(&Rational::from(180))?;
+    let (above, below) = (turns.numer(), turns.denom());
+    let factor = match above.to_string().as_str() {
+        "0" => return Some(String::from("0")),
+        "1" => String::new(),
+        "-1" => String::from("-"),
+        factor => format!("{factor}*"),
+    };
+    let below = if below.is_one() { String::new() } else { format!("/{below}") };
+    Some(format!("{factor}pi{below}"))
 }
 
 fn divides_by_zero(value: &str) -> bool {

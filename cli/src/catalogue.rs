@@ -47,9 +47,15 @@ fn row(path: &str, items: &[Decided]) -> Option<String> {
     let family = families.first()?;
     let orders = orders::describe(families.iter().map(|f| f.order.as_slice()));
     let orders = if orders.is_empty() { orders } else { format!(", {orders}") };
-    let mut domain = format!("`{}`", domain::describe(family));
-    for shape in &family.shapes {
-        domain += &format!(", `{}`", family.declared(shape));
+    let ranges = |family: &Family| {
+        let mut parts = vec![domain::describe(family)];
+        parts.extend(family.shapes.iter().map(|shape| family.declared(shape)));
+        parts.extend(domain::assumptions(family).iter().map(|text| format!("assume {text}")));
+        parts.iter().map(|part| format!("`{part}`")).collect::<Vec<_>>().join(", ")
+    };
+    let mut domain = ranges(family);
+    if families.iter().any(|other| ranges(other) != domain) {
+        domain += &format!(" for {}", orders::values(&family.order));
     }
     let cells = [
         format!("[{}]({path}){orders}", family.name),
@@ -66,7 +72,7 @@ fn row(path: &str, items: &[Decided]) -> Option<String> {
 
 /// ✓ for a claim that is proved, ✗ for one that is refuted.
 fn known(item: &Decided, is: impl Fn(&ClaimKind) -> bool) -> Option<String> {
-    let claim = item.claims.iter().find(|c| is(&c.claim.kind))?;
+    let claim = item.claims.iter().find(|c| is(c.claim.kind.on_a_span()))?;
     Some(String::from(match claim.verdict {
         Verdict::Proved(_) => "✓",
         Verdict::Refuted(_) => "✗",
@@ -135,7 +141,7 @@ fn joins(items: &[Decided]) -> String {
 fn others(items: &[Decided]) -> String {
     let other = |kind: &ClaimKind| matches!(kind, ClaimKind::Relation { .. });
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    for claim in items.iter().flat_map(|item| &item.claims).filter(|c| other(&c.claim.kind)) {
+    for claim in items.iter().flat_map(|item| &item.claims).filter(|c| other(c.claim.kind.on_a_span())) {
         let verdict = match claim.verdict {
             Verdict::Proved(_) => "proved",
             Verdict::Refuted(_) => "refuted",

@@ -3,16 +3,19 @@
 use basis_engine::Family;
 use basis_engine::Theorem;
 use basis_engine::algebra::range::DisplayRange as _;
+use basis_engine::model::Factor;
 
 /// The domain, such as `0 <= t <= 1` or `triangle (u, v, w)`.
 pub(crate) fn describe(family: &Family) -> String {
-    if family.is_simplex() {
-        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
-        let shape = if names.len() == 3 { "triangle" } else { "tetrahedron" };
-        return format!("{shape} ({})", names.join(", "));
-    }
-    let ranges: Vec<String> = family.domain.iter().map(|p| family.declared(p)).collect();
-    ranges.join(", ")
+    family.domain_text()
+}
+
+/// What is assumed of the shape parameters beside their ranges, such as `α^2 + β^2 <= 1`, and what follows for those that
+/// an equation determines.
+pub(crate) fn assumptions(family: &Family) -> Vec<String> {
+    let conditions = family.constraints.iter().map(|c| c.text.clone());
+    let values = family.determined.iter().map(|(name, f)| format!("{name} = {}", f.display(&family.names)));
+    conditions.chain(values).collect()
 }
 
 /// A title with the curves, surfaces and scalars of a theorem, such as `join G1: P = Quadratic(λ); -2 <= λ <= 1`.
@@ -25,13 +28,16 @@ pub(crate) fn theorem_heading(theorem: &Theorem, title: &str) -> String {
     format!("{title}: {}\n", facts.join("; "))
 }
 
-/// The degree in each variable of a box; the only one, in all variables together, on a simplex.
+/// The degree for each factor of the domain: in its variable, or in all coordinates of a simplex together.
 pub(crate) fn degrees(family: &Family) -> Vec<u32> {
-    if !family.is_simplex() {
-        return family.domain.iter().map(|p| family.degree(p.var)).collect();
-    }
-    let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
-    let degrees =
-        terms.map(|(monomial, _)| family.domain.iter().map(|p| u32::from(monomial.exponent(p.var))).sum());
-    vec![degrees.max().unwrap_or(0)]
+    let degree = |factor: Factor<'_>| match factor {
+        Factor::Interval(p) => family.degree(p.var),
+        Factor::Simplex(independent, _) => {
+            let terms = family.functions.iter().flat_map(|f| f.value.numer().terms());
+            let degrees = terms
+                .map(|(monomial, _)| independent.iter().map(|p| u32::from(monomial.exponent(p.var))).sum());
+            degrees.max().unwrap_or(0)
+        }
+    };
+    family.factors().into_iter().map(degree).collect()
 }

@@ -70,9 +70,15 @@ pub(crate) fn run(arguments: &EmitArguments) -> Status {
     }
 }
 
-/// Whether the language has the scalar type that is asked for; Rust and Python take both as they come.
+/// Whether the language has the scalar type that is asked for; Rust and Python take numbers as they come.
 fn has_scalar(arguments: &EmitArguments) -> Result<(), Diagnostic> {
     let other = match (arguments.to, arguments.scalar) {
+        (EmitTarget::Rust, Some(EmitScalar::F32)) => {
+            "the types of Rust are for f64 and f32: `QuarticBernstein::<f32>::new`"
+        }
+        (EmitTarget::Python, Some(EmitScalar::F32)) => {
+            "Python computes with the numbers that it is given, arrays of float32 included"
+        }
         (EmitTarget::TypeScript, Some(EmitScalar::F32)) => "the numbers of TypeScript are f64",
         (EmitTarget::Wgsl, Some(EmitScalar::F64)) => "WGSL has no f64",
         (EmitTarget::Glsl, Some(EmitScalar::F64)) => "GLSL is written with f32, which every version has",

@@ -16,7 +16,7 @@ pub(crate) fn run(arguments: &FmtArguments) -> Status {
     let mut status = Status::Fine;
     for entry in files::find(&arguments.paths) {
         let done = match entry.problem {
-            Some(problem) => Err(problem.render(&Sources::default(), true)),
+            Some(problem) => Err(Diagnostic::from(problem).render(&Sources::default(), true)),
             None => file(&entry.path, arguments.check),
         };
         status = status.max(done.unwrap_or_else(|message| {

@@ -15,6 +15,16 @@ pub(crate) fn position(word: &str, names: &[&str]) -> Option<usize> {
     same.next().filter(|_| same.next().is_none())
 }
 
+/// Which of the names are meant: the one that [`position`] finds, or else all entries of a list, such as `w[1]` and `w[2]`
+/// for `w`.
+pub(crate) fn positions(word: &str, names: &[&str]) -> Vec<usize> {
+    if let Some(k) = position(word, names) {
+        return vec![k];
+    }
+    let stem = |name: &str| name.split_once('[').map(|(stem, _)| ascii(stem));
+    (0..names.len()).filter(|k| stem(names[*k]).is_some_and(|stem| stem == ascii(word))).collect()
+}
+
 /// The name that differs least from `word`, if it is near enough to be meant.
 pub(crate) fn closest<'n>(word: &str, names: &[&'n str]) -> Option<&'n str> {
     basis_engine::closest(word, names).or_else(|| {
@@ -46,6 +56,13 @@ mod tests {
         assert_eq!(position("λ", &["lambda", "λ"]), Some(1));
         assert_eq!(position("lambda", &["ϕ", "φ", "λ"]), Some(2));
         assert_eq!(position("phi", &["ϕ", "φ", "λ"]), None);
+    }
+
+    #[test]
+    fn a_list_is_all_of_its_entries() {
+        assert_eq!(positions("lambda", &["λ[1]", "μ", "λ[2]"]), [0, 2]);
+        assert_eq!(positions("λ[2]", &["λ[1]", "μ", "λ[2]"]), [2]);
+        assert_eq!(positions("ν", &["λ[1]", "μ"]), [0; 0]);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use basis_engine::generate::ascii;
 use basis_engine::{Sources, query};
+use clap::ValueEnum as _;
 
 use crate::args::{Kind, NewArguments};
 use crate::output::{self, Status};
@@ -23,7 +24,8 @@ pub(crate) fn run(arguments: &NewArguments) -> Status {
         let message = format!("`{name}` is not the name of a family");
         return fail(message, "write letters and digits, beginning with a letter: `basis new RationalCubic`");
     }
-    let text = text(arguments.kind, name);
+    let kind = arguments.kind.unwrap_or_else(|| kind_of(name));
+    let text = text(kind, name);
     let path = arguments.output.clone().unwrap_or_else(|| file_name(name));
     if path == Path::new(STDIN) {
         return output::print(&text);
@@ -35,13 +37,36 @@ pub(crate) fn run(arguments: &NewArguments) -> Status {
         .and_then(|mut file| file.write_all(text.as_bytes()));
     let path = path.display();
     match written {
-        Ok(()) => output::print(&format!("wrote {path}; `basis check {path}` proves its claims\n")),
+        Ok(()) => {
+            let other = match arguments.kind {
+                Some(_) => String::new(),
+                None => format!(", with `--kind {}`", label(kind)),
+            };
+            output::print(&format!("wrote {path}{other}; `basis check {path}` proves its claims\n"))
+        }
         Err(e) if e.kind() == ErrorKind::AlreadyExists => fail(
             format!("there is a file `{path}` already"),
             "choose another name, or another file with `-o FILE`",
         ),
         Err(e) => fail(format!("cannot write `{path}`: {e}"), "name another file with `-o FILE`"),
     }
+}
+
+/// The kind that a name tells: `RationalCubic` is rational.
+fn kind_of(name: &str) -> Kind {
+    let name = ascii(name).to_ascii_lowercase();
+    let words = [
+        ("rational", Kind::Rational),
+        ("trig", Kind::Trigonometric),
+        ("spline", Kind::Spline),
+        ("triang", Kind::Triangle),
+    ];
+    words.into_iter().find(|(word, _)| name.contains(word)).map_or(Kind::Curve, |(_, kind)| kind)
+}
+
+/// The name of a kind on the command line.
+fn label(kind: Kind) -> String {
+    kind.to_possible_value().map_or_else(String::new, |value| value.get_name().to_string())
 }
 
 /// `RationalCubic` → `rational_cubic.basis`.
@@ -62,6 +87,9 @@ fn text(kind: Kind, name: &str) -> String {
     let template = match kind {
         Kind::Curve => CURVE,
         Kind::Degrees => DEGREES,
+        Kind::Rational => RATIONAL,
+        Kind::Trigonometric => TRIGONOMETRIC,
+        Kind::Spline => SPLINE,
         Kind::Triangle => TRIANGLE,
         Kind::Box => BOX,
         Kind::Join => JOIN,
@@ -108,6 +136,70 @@ family NAME(n in 1..=10) {
     // Linear precision: control points at i/n give the straight line.
     prove sum(i/n * b[i] for i in 0..=n) = t;
     prove at t = 0 { b[0] = 1; D(b[0]) = -n; D(b[1]) = n; }
+}
+";
+
+const RATIONAL: &str = "\
+//! Where the formulas come from: author, title, definition.
+
+/// What the family is; ω = 1 gives the quadratic Bernstein basis.
+family NAME {
+    domain 0 <= t <= 1;
+    /// What the weight does: the larger ω, the nearer a curve runs to its control polygon.
+    shape 0 < ω;
+
+    let w = (1 - t)^2 + 2*ω*t*(1 - t) + t^2;
+    b[0] = (1 - t)^2/w;
+    b[1] = 2*ω*t*(1 - t)/w;
+    b[2] = t^2/w;
+
+    prove partition_of_unity;
+    prove nonnegative;
+    prove symmetric;
+    prove independent;
+    prove at t = 0 { b = [1, 0, 0]; D(b) = [-2*ω, 2*ω, 0]; }
+    prove at ω = 1 { b = Bernstein(2); }
+}
+";
+
+const TRIGONOMETRIC: &str = "\
+//! Where the formulas come from: author, title, definition.
+
+/// What the family is, in the variable θ itself.
+family NAME {
+    domain 0 <= θ <= pi/2;
+    /// What the parameter does: the larger λ, the nearer a curve runs to its control polygon.
+    shape -1 <= λ <= 1;
+
+    b[0] = (1 - λ*sin(θ)) * (1 - sin(θ));
+    b[1] = (1 + λ) * (sin(θ) + cos(θ) - 1);
+    b[2] = (1 - λ*cos(θ)) * (1 - cos(θ));
+
+    prove partition_of_unity;
+    prove nonnegative;
+    prove symmetric;
+    prove independent except λ = -1;
+    prove at θ = 0 { b = [1, 0, 0]; D(b) = [-(1 + λ), 1 + λ, 0]; }
+    prove at θ = pi/2 { b = [0, 0, 1]; D(b) = [0, -(1 + λ), 1 + λ]; }
+}
+";
+
+const SPLINE: &str = "\
+//! Where the formulas come from: author, title, definition.
+
+/// What the functions are, with one formula for each span.
+family NAME {
+    domain 0 <= x <= 1, 1 <= x <= 2, 2 <= x <= 3;
+
+    f[0] = x^2/2 | (-2*x^2 + 6*x - 3)/2 | (3 - x)^2/2;
+
+    prove smooth(1);
+    refute smooth(2);
+    prove nonnegative;
+    prove symmetric;
+    prove integral(f[0]) = 1;
+    prove at x = 1 { f[0] = 1/2; D(f[0]) = 1; }
+    prove f[0] <= 3/4;
 }
 ";
 

@@ -315,9 +315,9 @@ fn a_variable_beside_its_sine() {
     );
 }
 
-/// What is false of t beside sin t is never proved, and what is not seen is said to be undecided.
+/// What is false of t beside sin t is refuted, at an end with the exact value.
 #[test]
-fn false_inequalities_stay_open() {
+fn false_inequalities_are_refuted() {
     let spec = "family False {
         domain 0 <= t <= pi/2;
         b[0] = t;
@@ -328,7 +328,8 @@ fn false_inequalities_stay_open() {
     }";
     let run = Folder::with("s.basis", spec).run(&["check", "s.basis"]);
     assert_eq!(run.code, 1, "{}", run.stdout);
-    assert_eq!(run.stdout.matches("undecided").count(), 5, "{}{}", run.stdout, run.stderr);
+    assert_eq!(run.stdout.matches(" refuted ").count(), 4, "{}{}", run.stdout, run.stderr);
+    assert!(run.stderr.contains("is 0 at t = 0"), "{}", run.stderr);
 }
 
 /// What depends on the value of pi beyond its bounds, or on t beside sin t, is left open and never wrong.

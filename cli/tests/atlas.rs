@@ -34,7 +34,7 @@ const FOLDERS: [(&str, &str); 11] = [
         "rational",
         "conics, circles, weights, tension, interpolation without poles, operators on the half line",
     ),
-    ("triangles", "patches and finite elements on triangles and tetrahedra"),
+    ("triangles", "patches and finite elements on triangles, tetrahedra and prisms"),
     ("elements", "finite elements on intervals, squares and cubes"),
     ("polynomials", "orthogonal polynomials, and the sequences of algebra and combinatorics"),
     ("kernels", "compact kernels of statistics, particles and data assimilation; wavelets"),

@@ -77,7 +77,6 @@ fn what_cannot_be_written_is_an_error() {
         .and("false.basis", QUARTIC.replace("refute b[0]", "prove b[0]"))
         .and("broken.basis", "family F { domain 0 <= t <= 1; b[0] = t +; }")
         .and("rational.basis", rational)
-        .and("arc.basis", "family Arc { domain 0 <= t <= 1; b[0] = (1 - t)/(1 + t); b[1] = 2*t/(1 + t); }")
         .and("huge.basis", "family Huge { domain 0 <= t <= 1; b[0] = 10^50*t; b[1] = 1 - t; }")
         .and("theorem.basis", theorem);
     for (arguments, code, message) in [
@@ -99,14 +98,11 @@ fn what_cannot_be_written_is_an_error() {
         (vec!["quartic.basis", "-o", "no/such/folder.rs"], 1, "cannot find `no/such`"),
         (vec!["quartic.basis", "--to", "cobol"], 2, "invalid value 'cobol'"),
         (vec!["rational.basis", "--to", "c"], 1, "no code is generated yet for families with denominators"),
-        (
-            vec!["arc.basis", "--to", "python"],
-            1,
-            "only Rust code is generated yet for families with denominators",
-        ),
         (vec!["quartic.basis", "QuarticBernstein as a b", "--to", "python"], 1, "`a b` cannot be a name"),
         (vec!["bern.basis", "Bern(2)", "Bern(3)", "--to", "wgsl"], 1, "are both called `Bern` in the file"),
         (vec!["quartic.basis", "--to", "wgsl", "--scalar", "f64"], 2, "WGSL has no f64"),
+        (vec!["quartic.basis", "--to", "python", "--scalar", "f32"], 2, "arrays of float32 included"),
+        (vec!["quartic.basis", "--to", "rust", "--scalar", "f32"], 2, "are for f64 and f32"),
         (
             vec!["quartic.basis", "--to", "typescript", "--scalar", "f32"],
             2,

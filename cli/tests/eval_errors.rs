@@ -13,6 +13,10 @@ fn folder() -> Folder {
             "family Pair { domain 0 <= t <= 1; shape 0 <= p <= 1, 0 <= q <= 1; assume p + q <= 1; b[0] = p*t; b[1] = q; }
             family Line { domain 0 <= t <= 1; shape B, C; assume B + 2*C = 1; b[0] = B*t; b[1] = C; }",
         )
+        .and(
+            "prism.basis",
+            "family F { domain triangle (u, v, w), 0 <= z <= 1, triangle (r, s, t); b[0] = u*z*r; }",
+        )
         .and("triangle.basis", "family F { domain triangle (u, v, w); b[0] = u*w; }")
         .and(
             "two.basis",
@@ -215,6 +219,26 @@ fn points_of_a_triangle() {
 }
 
 #[test]
+fn points_of_a_prism() {
+    let missing = |name| format!("the domain variable `{name}` has no value");
+    let one = "one of the barycentric coordinates may be left out";
+    let (v, z, r, s) = (missing("v"), missing("z"), missing("r"), missing("s"));
+    fails(
+        "prism.basis F --at u=1/2",
+        &[(&v, one), (&z, "another value with `0 <= z <= 1`"), (&r, one), (&s, one)],
+    );
+    let domain = "the domain `triangle (u, v, w), 0 <= z <= 1, triangle (r, s, t)`";
+    fails(
+        "prism.basis F --at u=1/2,v=1/3,z=2,r=0,s=0",
+        &[(&format!("z = 2 is outside of {domain}"), "--at z=1/2")],
+    );
+    fails(
+        "prism.basis F --at u=1/2,v=1/3,z=1,r=1/2,s=1/2,t=1/2",
+        &[(&format!("r + s + t = 3/2 on {domain}"), "leave out t")],
+    );
+}
+
+#[test]
 fn malformed_values() {
     let command = "bernstein.basis Bern(2) --at";
     fails(&format!("{command} t"), &[("invalid value 't'", "write a name and its value, such as t=1/2")]);
@@ -231,7 +255,7 @@ fn malformed_values() {
     }
     fails(
         &format!("{command} t=1 --order 999999"),
-        &[("derivatives up to the order 999999 are too many", "ask for --order")],
+        &[("there are too many derivatives up to order 999999", "ask for --order")],
     );
 }
 

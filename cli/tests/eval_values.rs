@@ -3,7 +3,7 @@
 mod support;
 
 use serde_json::json;
-use support::{Folder, QUARTIC};
+use support::{BERNSTEIN, Folder, QUARTIC};
 
 /// A fraction in lowest terms with a positive denominator.
 #[derive(Clone, Copy)]
@@ -116,7 +116,7 @@ fn the_report_is_one_object_in_the_order_of_the_functions() {
     let run = folder.run(&arguments);
     assert_eq!(
         run.stdout,
-        "{\"values\":{\"b[0]\":\"20/81\",\"b[1]\":\"40/81\",\"b[2]\":\"19/81\",\"b[3]\":\"2/81\"},\"derivatives\":{}}\n"
+        "{\"at\":{\"λ\":\"1/2\",\"t\":\"1/3\"},\"values\":{\"b[0]\":\"20/81\",\"b[1]\":\"40/81\",\"b[2]\":\"19/81\",\"b[3]\":\"2/81\"},\"derivatives\":{}}\n"
     );
     let run = folder.run(&[&arguments[..], &["--order", "6"]].concat());
     let report = run.json();
@@ -178,7 +178,11 @@ fn a_point_of_a_triangle_needs_two_coordinates() {
         });
         assert_eq!(
             run.json(),
-            json!({"values": {"b[0]": "1/24", "b[1]": "1/3"}, "derivatives": derivatives})
+            json!({
+                "at": {"u": "1/2", "v": "1/3", "w": "1/6"},
+                "values": {"b[0]": "1/24", "b[1]": "1/3"},
+                "derivatives": derivatives
+            })
         );
     }
 }
@@ -271,7 +275,7 @@ fn several_points_and_steps() {
         eval(&["--shape", "λ=1", "--at", "t=0,t=1", "--at", "t=1/2", "--format", "csv", "--decimal"]);
     assert_eq!(
         several.stdout,
-        "λ,t,b[0],b[1],b[2],b[3]\n1,0,1,0,0,0\n1,1,0,0,0,1\n1,1/2,0.0625,0.4375,0.4375,0.0625\n"
+        "λ,t,b[0],b[1],b[2],b[3]\n1,0,1,0,0,0\n1,1,0,0,0,1\n1,0.5,0.0625,0.4375,0.4375,0.0625\n"
     );
     // The functions are negative outside of the declared range: this is what it is for.
     let run = eval(&["--shape", "λ=3", "--at", "t=-1/2..3/2:1", "--anyway", "--format", "csv"]);
@@ -343,6 +347,37 @@ fn a_grid_on_a_triangle_has_the_points_inside() {
 }
 
 #[test]
+fn points_of_a_prism_and_a_grid_on_it() {
+    let spec = "family F { domain -1 <= z <= 1, triangle (u, v, w); b[0] = u^2*w*z; b[1] = v; }";
+    let folder = Folder::with("f.basis", spec);
+    for at in ["u=1/2,v=1/3,z=-1/2", "z=-1/2,w=1/6,v=1/3", "w=1/6,v=1/3,u=1/2,z=-1/2"] {
+        let run = folder.run(&["eval", "f.basis", "F", "--at", at, "--order", "1", "--format", "json"]);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+        // With w = 1 - u - v.
+        let derivatives = json!({
+            "D(b[0],z)": "1/24", "D(b[1],z)": "0", "D(b[0],u)": "1/24", "D(b[1],u)": "0",
+            "D(b[0],v)": "1/8", "D(b[1],v)": "1",
+        });
+        assert_eq!(run.json()["values"], json!({"b[0]": "-1/48", "b[1]": "1/3"}));
+        assert_eq!(run.json()["derivatives"], derivatives);
+        assert_eq!(run.json()["at"], json!({"z": "-1/2", "u": "1/2", "v": "1/3", "w": "1/6"}));
+    }
+    let run =
+        folder.run(&["eval", "f.basis", "F", "--at", "z=0..1:1,u=0..1:1/2,v=0..1:1/2", "--format", "csv"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    let points: Vec<&str> =
+        run.stdout.lines().skip(1).map(|line| line.rsplitn(3, ',').last().expect("a point")).collect();
+    let of_triangle = ["0,0,1", "0,1/2,1/2", "0,1,0", "1/2,0,1/2", "1/2,1/2,0", "1,0,0"];
+    let all: Vec<String> =
+        ["0", "1"].iter().flat_map(|z| of_triangle.map(|point| format!("{z},{point}"))).collect();
+    assert_eq!(points, all);
+    // A grid that leaves the interval is an error, and not cut off.
+    let run = folder.run(&["eval", "f.basis", "F", "--at", "z=0..2:1,u=0..1:1/2,v=0..1:1/2"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("z = 2 is outside of the domain"), "{}", run.stderr);
+}
+
+#[test]
 fn spans_take_the_points_that_lie_on_them() {
     let spec = "family M { domain 0 <= x <= 1, 1 <= x <= 3; f[0] = x | (3 - x)/2; f[1] = x^2; }";
     let folder = Folder::with("m.basis", spec);
@@ -361,6 +396,68 @@ fn spans_take_the_points_that_lie_on_them() {
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     assert_eq!(
         run.stdout,
-        "x,f[0],f[1],D(f[0]),D(f[1])\n-1,-1,1,1,-2\n0,0,0,1,0\n1,1,1,1,2\n2,1/2,4,-1/2,4\n3,0,9,-1/2,6\n4,-1/2,16,-1/2,8\n"
+        "x,f[0],f[1],D(f[0]),D(f[1])\n-1,-1,1,1,-2\n0,0,0,1,0\n1,1,1,-1/2,2\n2,1/2,4,-1/2,4\n3,0,9,-1/2,6\n4,-1/2,16,-1/2,8\n"
     );
+}
+
+/// At a knot the later span counts, as in generated code, and it is named.
+#[test]
+fn a_knot_belongs_to_the_later_span() {
+    let spec = "family Hat { domain 0 <= x <= 1, 1 <= x <= 3; f[0] = x | (3 - x)/2; }";
+    let folder = Folder::with("h.basis", spec);
+    let run = folder.run(&["eval", "h.basis", "--at", "x=1", "--order", "1"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert!(run.stdout.starts_with("Hat on 1 <= x <= 3 at x = 1\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("D(f[0])   -1/2"), "{}", run.stdout);
+    let json = folder.run(&["eval", "h.basis", "--at", "x=1/2", "--format", "json"]).json();
+    assert_eq!((&json["span"], &json["at"]["x"]), (&"0 <= x <= 1".into(), &"1/2".into()));
+}
+
+#[test]
+fn the_only_family_need_not_be_named() {
+    let folder = Folder::with("q.basis", QUARTIC).and("b.basis", format!("{QUARTIC}{BERNSTEIN}"));
+    let run = folder.run(&["eval", "q.basis", "--shape", "λ=1", "--at", "t=1/2"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert!(run.stdout.starts_with("QuarticBernstein at λ = 1, t = 1/2\n"), "{}", run.stdout);
+    let run = folder.run(&["eval", "b.basis", "--at", "t=1/2"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("name one of them: QuarticBernstein, Bern(1)"), "{}", run.stderr);
+    let run = folder.run(&["explain", "q.basis", "--to", "Bernstein(4)"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+}
+
+#[test]
+fn a_list_has_one_value_or_several() {
+    let spec = "family W { domain 0 <= t <= 1; shape 0 < w[i] for i in 0..=1; b[0] = w[0]*t; b[1] = w[1]; }";
+    let folder = Folder::with("w.basis", spec);
+    let run = folder.run(&["eval", "w.basis", "--shape", "w=2", "--at", "t=1/2"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert!(run.stdout.starts_with("W at w[0] = 2, w[1] = 2, t = 1/2\n"), "{}", run.stdout);
+    let run = folder.run(&["eval", "w.basis", "--shape", "w=2", "--shape", "w[1]=3", "--at", "t=1/2"]);
+    assert_eq!((run.code, run.stderr.matches("error").count()), (2, 1));
+    assert!(run.stderr.contains("`w[1]` is given twice"), "{}", run.stderr);
+    let run = folder.run(&["plot", "w.basis", "--shape", "w=1..2", "-o", "-"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+}
+
+#[test]
+fn decimals_are_decimals_in_all_columns() {
+    let folder = Folder::with("q.basis", QUARTIC);
+    let shape = ["--shape", "λ=1/2", "--at", "t=0..1/2:1/4", "--format", "csv", "--decimal"];
+    let run = folder.run(&[&["eval", "q.basis"], &shape[..]].concat());
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert!(run.stdout.contains("\n0.5,0.25,"), "{}", run.stdout);
+    assert!(!run.stdout.contains('/'), "{}", run.stdout);
+}
+
+#[test]
+fn degrees_are_translated() {
+    let spec = "family T { domain 0 <= θ <= pi/2; b[0] = sin(θ); }";
+    let folder = Folder::with("t.basis", spec);
+    for (typed, meant) in [("45deg", "pi/4"), ("30°", "pi/6"), ("-120 degrees", "-2*pi/3"), ("0deg", "0")] {
+        let run = folder.run(&["eval", "t.basis", "--at", &format!("θ={typed}")]);
+        assert_eq!(run.code, 2);
+        let message = format!("is in degrees, and angles are in radians; write {meant}\n");
+        assert!(run.stderr.contains(&message), "{}", run.stderr);
+    }
 }

@@ -330,3 +330,100 @@ fn verdicts_are_summed_up() {
         assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
     }
 }
+
+/// Families in sines, exponentials, between ends that are shape parameters, and beside the variable itself.
+const ANALYTIC: [&str; 7] = [
+    "family Scaled { shape 0 < h; domain 0 <= x <= h; b[0] = (1 - x/h)^2; b[1] = 2*(x/h)*(1 - x/h); b[2] = (x/h)^2; }",
+    "family Shifted { shape a; shape 0 < h; domain a <= x <= a + h; b[0] = (a + h - x)^3/h^3; b[1] = (x - a)/(2*h); }",
+    "family Cycloid { domain 0 <= t <= pi/2; b[0] = (t - sin(t))/(pi/2 - 1); b[1] = 1 - b[0] - b[2]; b[2] = 1 - cos(t); }",
+    "family Sines { domain 0 <= θ <= pi/2; shape -2 <= λ <= 1; b[0] = (1 - λ*sin(θ))*(1 - sin(θ))^2;
+        b[1] = cos(θ)*(1 - cos(θ))*(2 + λ - λ*cos(θ)); b[2] = 1/(1 + sin(θ))^2; b[3] = tan(θ/2)*(1 + cos(θ)); b[4] = -cos(2*θ)/3; }",
+    "family Arc { shape 0 < α < pi; domain 0 <= t <= α; b[0] = (1 - cos(α - t))/(1 - cos(α)); b[1] = 1 - b[0] - b[2];
+        b[2] = (1 - cos(t))/(1 - cos(α)); b[3] = sin(α - t)/sin(α); }",
+    "family Exponential { domain 0 <= t <= 2; shape 0 < a <= 3; b[0] = exp(-t); b[1] = a*tanh(t/2); b[2] = exp(t) - 1;
+        b[3] = sinh(2*t) - 2*exp(-3*t); b[4] = (a + exp(t))/(a + cosh(t)); b[5] = (exp(2) - exp(t))/(1 - exp(2)); }",
+    "family Catenary { shape 0 < α; domain 0 <= t <= α; b[0] = sinh(α - t)/sinh(α); b[1] = exp(α - t); }",
+];
+
+/// What is printed is a formula of the language, and proved to be the function.
+#[test]
+fn formulas_for_reading_are_the_functions() {
+    for spec in ANALYTIC {
+        let run = Folder::with("f.basis", spec).run(&["explain", "f.basis", "--format", "json"]);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{spec}");
+        let json = run.json();
+        let mut claims = String::new();
+        for f in json["items"][0]["functions"].as_array().expect("a list") {
+            for form in ["factored", "expanded"] {
+                let text = f[form].as_str().expect("a text");
+                assert!(
+                    !text.contains("tan(t/2)/") && !text.contains("--") && !text.contains("*-"),
+                    "{text}"
+                );
+                claims += &format!("prove {} = {text};\n", f["name"].as_str().expect("a name"));
+            }
+            assert_ne!(f["latex"], "", "{f}");
+        }
+        let open = spec.strip_suffix('}').expect("a brace");
+        let run = Folder::with("f.basis", &format!("{open}{claims}}}")).run(&["check", "f.basis"]);
+        assert_eq!(run.code, 0, "{claims}\n{}\n{}", run.stdout, run.stderr);
+    }
+}
+
+#[test]
+fn formulas_look_as_one_writes_them() {
+    let all = ANALYTIC.concat();
+    let run = Folder::with("f.basis", &all).run(&["explain", "f.basis"]);
+    for line in [
+        "b[1] = 2*x*(h - x)/h^2",
+        "b[0] = 2*(t - sin(t))/(pi - 2)",
+        "C(pi/2)   = P[0] - P[1] + P[2]",
+        "C'(pi/2)  = 2/(pi - 2)*P[0] - pi/(pi - 2)*P[1] + P[2]",
+        "b[0] = (1 - λ*sin(θ))*(1 - sin(θ))^2",
+        "b[2] = (1 - cos(t))/(1 - cos(α))",
+        "b[0] = exp(-t)",
+        "b[1] = a*tanh(t/2)",
+        "C'(0)  = -P[0] + 1/2*a*P[1] + P[2] + 8*P[3]",
+        "Scaled: 0 <= x <= h; shape 0 < h\n",
+    ] {
+        assert!(run.stdout.contains(line), "{line} is missing in\n{}", run.stdout);
+    }
+}
+
+#[test]
+fn ranges_stay_where_there_is_a_domain() {
+    assert_eq!(ranges(ANALYTIC[0], "Scaled"), ["0 < h"]);
+    assert_eq!(ranges(&ANALYTIC[0].replace("0 < h;", "1 <= h < 5;"), "Scaled"), ["1 <= h < 5"]);
+    let falls = "family F { shape 0 < h; domain 0 <= x <= h; b[0] = x/h; b[1] = x*(h - 2); }";
+    assert_eq!(ranges(falls, "F"), ["2 <= h (a function is negative somewhere on the declared ranges)"]);
+    // Only at the end that is left out.
+    let never = "family F { shape 0 < h; domain 0 <= x <= 1; b[0] = x; b[1] = -h*x; }";
+    assert_eq!(
+        ranges(never, "F"),
+        ["h: a function is negative somewhere on the declared ranges, whatever h is in its range"]
+    );
+}
+
+#[test]
+fn what_is_assumed_is_said() {
+    let spec = "family A { domain 0 <= t <= 1; shape 0 <= q < p <= 1; shape B; shape C; assume p^2 + q^2 <= 1;
+        assume B + 2*C = 1; b[0] = p*t + C; b[1] = q*(1 - t) + B; prove at p = 1, q = 0, B = 1, t = 0 { b[1] = 1; } }";
+    let folder = Folder::with("a.basis", spec);
+    let assumed = "; assume q < p, p^2 + q^2 <= 1, C = 1/2 - 1/2*B\n";
+    for command in ["check", "explain"] {
+        let run = folder.run(&[command, "a.basis"]);
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+        assert!(run.stdout.contains(assumed), "{}", run.stdout);
+    }
+}
+
+/// Where two sides differ by a number, one note says so, and no point.
+#[test]
+fn a_difference_that_is_a_number_is_said_once() {
+    let spec = "family N { domain 0 <= x <= 1, 1 <= x <= 2; b[0] = x | 2 - x; b[1] = 1 - x | x - 1;
+        prove integral(b[1]) = 3; prove smooth(1); }";
+    let run = Folder::with("n.basis", spec).run(&["check", "n.basis"]);
+    for note in ["= note: `integral(b[1])` differs from `3` by `-2`\n  = help", "after 1` is 2\n  = help"] {
+        assert!(run.stderr.contains(note), "{}", run.stderr);
+    }
+}

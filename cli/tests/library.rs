@@ -66,7 +66,7 @@ fn certificates_of_the_library() {
     assert_eq!(verify.code, 0, "{}", verify.stdout);
     let more = folder.run(&["verify", "proofs", "library:hermite"]);
     assert!(
-        more.code == 1 && more.stdout.contains("library:hermite: the list of the specs lacks it"),
+        more.code == 1 && more.stdout.contains("library:hermite: no certificates were written for it"),
         "{more:?}"
     );
 }
@@ -85,8 +85,15 @@ fn unknown_names() {
             run.stderr.contains(" in the library") && run.stderr.contains("did you mean `quartic`?"),
             "{run:?}"
         );
-        assert!(run.stderr.contains("`ball`, ") && run.stderr.contains("basis table library:"), "{run:?}");
+        assert!(run.stderr.contains("basis table library:") && !run.stderr.contains("`ball`"), "{run:?}");
     }
+    // What contains the word, or where nothing does, all.
+    let run = Folder::new().run(&["check", "library:trigonometric"]);
+    assert!(run.stdout.contains("library:trigonometric/han"), "a folder is one of the names: {run:?}");
+    let run = Folder::new().run(&["explain", "library:chebysh"]);
+    assert!(run.stderr.contains("= note: the library has `polynomials/chebyshev`\n"), "{run:?}");
+    let run = Folder::new().run(&["explain", "library:nope"]);
+    assert!(!run.stderr.contains("others") && run.stderr.contains(", `trigonometric/han`, "), "{run:?}");
 }
 
 /// A file with such a name is named with its folder; Windows has no such names.

@@ -167,6 +167,21 @@ fn what_cannot_be_drawn_is_refused() {
     }
 }
 
+/// A shape parameter that is an angle has its own name and values, multiples of pi among them.
+#[test]
+fn angles_are_given_as_angles() {
+    let spec = "family Arc { shape 0 < α < pi; domain 0 <= t <= α; b[0] = (1 - cos(α - t))/(1 - cos(α)); b[1] = sin(t)/sin(α); }";
+    let folder = Folder::with("a.basis", spec);
+    let svg = drawn(&folder, &["a.basis", "--shape", "α=pi/3"], "Arc.svg");
+    assert!(svg.contains("α = pi/3"), "{svg}");
+    let svg = drawn(&folder, &["a.basis", "--shape", "alpha=0..pi"], "Arc.svg");
+    assert!(svg.contains("α = pi/6") && svg.contains("α = 5*pi/6"), "{svg}");
+    let svg = drawn(&folder, &["a.basis", "--shape", "tan(α/2)=1"], "Arc.svg");
+    assert!(svg.contains("tan(α/2) = 1"), "{svg}");
+    let run = folder.run(&["plot", "a.basis", "--shape", "α=4"]);
+    assert!(run.stderr.contains("α = 4 is outside of the declared range `0 < α < pi`"), "{}", run.stderr);
+}
+
 /// The axis is that of the angle, and the values are those of sines.
 #[test]
 fn angles_are_drawn_as_angles() {

@@ -150,7 +150,26 @@ fn explained_and_evaluated_by_span() {
     let folder = Folder::with("s.basis", SPLINE);
     let run = folder.run(&["explain", "s.basis"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
-    assert!(run.stdout.contains("Spline: 1 <= x <= 3"), "{}", run.stdout);
+    // What is about all spans comes first, and once.
+    let (whole, spans) = run.stdout.split_once("\n  On 0 <= x <= 1\n").expect("the first span");
+    assert!(whole.starts_with("Spline: 0 <= x <= 1, 1 <= x <= 3, 3 <= x <= 4\n\n  Claims: "), "{whole}");
+    assert!(whole.ends_with("  Linear independence\n    independent for all shape values\n"), "{whole}");
+    assert!(
+        !spans.contains("Claims") && !spans.contains("independen") && !spans.contains("Spline"),
+        "{spans}"
+    );
+    assert!(spans.contains("\n  On 1 <= x <= 3\n") && spans.contains("\n  On 3 <= x <= 4\n"), "{spans}");
+    let latex = folder.run(&["explain", "s.basis", "--format", "latex"]).stdout;
+    for part in [
+        "The functions are once continuously differentiable on the whole domain.",
+        "\\item At $x = 1$: $f_{0} = \\frac{1}{4}$.",
+        "It is false that: The functions are 2 times continuously differentiable",
+        "\\subsection*{On $1 \\le x \\le 3$}",
+        "A curve $C = \\sum_i f_i P_i$",
+    ] {
+        assert!(latex.contains(part), "{part} is missing in\n{latex}");
+    }
+    assert!(!latex.contains("mathit"), "{latex}");
     let run = folder.run(&["eval", "s.basis", "Spline", "--at", "x=7/2", "--order", "1", "--format", "json"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
     let json: serde_json::Value = serde_json::from_str(&run.stdout).expect("JSON");

@@ -16,6 +16,9 @@ fn a_new_spec_is_proved_and_in_the_standard_layout() {
     for (kind, family, file) in [
         ("curve", "RationalCubic", "rational_cubic.basis"),
         ("degrees", "Degrees", "degrees.basis"),
+        ("rational", "Hyperbolas", "hyperbolas.basis"),
+        ("trigonometric", "Waves", "waves.basis"),
+        ("spline", "Bells", "bells.basis"),
         ("triangle", "Δ2", "delta2.basis"),
         ("box", "B", "b.basis"),
         ("join", "G1Join", "g1_join.basis"),
@@ -35,6 +38,17 @@ fn a_new_spec_is_proved_and_in_the_standard_layout() {
         assert_eq!(again.code, 2);
         assert!(again.stderr.contains("already"), "{}", again.stderr);
         assert_eq!(fs::read_to_string(folder.path().join(file)).expect("it is there"), text);
+    }
+    // Without a kind the name says what is meant.
+    for (family, kind, word) in [
+        ("RationalQuartic", "rational", "/w;"),
+        ("TrigBezier", "trigonometric", "sin(θ)"),
+        ("CubicSpline", "spline", " | "),
+        ("Quartic", "curve", "λ*t"),
+    ] {
+        let run = Folder::new().run(&["new", family]);
+        assert!(run.stdout.contains(&format!(", with `--kind {kind}`; ")), "{}", run.stdout);
+        assert!(Folder::new().run(&["new", family, "-o", "-"]).stdout.contains(word), "{family}");
     }
     let folder = Folder::new();
     for name in ["2d", "a b", "for", ""] {
@@ -158,7 +172,7 @@ fn a_change_is_checked_again() {
             break line;
         }
     };
-    assert_eq!(wait("watching"), "watching 2 files; Ctrl-C ends");
+    assert_eq!(wait("watching"), "watching 2 files; press Ctrl-C to stop");
     folder.write("q.basis", &QUARTIC.replace("λ*t", "ν*t"));
     wait("error");
     wait("watching");

@@ -39,6 +39,13 @@ pub(crate) fn did_you_mean(word: &str, candidates: &[&str], otherwise: &dyn Fn()
     closest(word, candidates).map_or_else(otherwise, |near| format!("did you mean `{near}`?"))
 }
 
+/// What is written for a word that other languages or papers have; each entry begins with words that are separated by
+/// spaces.
+pub(crate) fn translated(word: &str, entries: &[(&str, &str)]) -> Option<String> {
+    let (_, help) = entries.iter().find(|(words, _)| words.split(' ').any(|known| known == word))?;
+    Some(String::from(*help))
+}
+
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(64).listed(), b.chars().take(64).listed());
     let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];

@@ -143,6 +143,14 @@ impl ClaimKind {
         }
     }
 
+    /// The claim, or of several spans what is claimed on the first one.
+    pub fn on_a_span(&self) -> &Self {
+        match self {
+            Self::Spans(parts) => parts.first().map_or(self, |(_, kind)| kind),
+            kind => kind,
+        }
+    }
+
     /// Counts what the claim keeps in memory.
     pub(crate) fn kept(&self, run: &Run) -> Result<(), TooLarge> {
         let kept = |difference: &Difference| {

@@ -1,10 +1,10 @@
 //! What follows from the formulas of a family, apart from its claims: factored and expanded forms, and what its curves
 //! do at their ends.
 
-mod angles;
 mod contacts;
 mod extrema;
 mod matrices;
+mod reading;
 mod theorems;
 
 pub use contacts::{Contact, contacts};
@@ -19,10 +19,10 @@ use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
 use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
 
-use crate::algebra::divisors::gcd::{gcd, square_free};
+use crate::algebra::divisors::gcd::{gcd, split_monomial, square_free};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
@@ -49,13 +49,13 @@ pub struct Formula {
 
 /// The formulas of a family.
 pub fn formulas(family: &Family) -> Vec<Formula> {
-    if !family.analytic.angles.is_empty() {
+    if !family.analytic.is_empty() {
         let functions = family.functions.iter().enumerate();
         return functions
             .map(|(k, f)| Formula {
                 label: family.function_label(k),
-                factored: angles::text(family, &f.value),
-                expanded: f.value.display(&family.names),
+                factored: reading::factored(family, &f.value),
+                expanded: reading::expanded(family, &f.value),
             })
             .collect();
     }
@@ -85,7 +85,8 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let mut lines = Vec::new();
     let inside = |end: &Rational| family.domain.iter().all(|p| p.range.contains(end));
     let Some(texts) = family.end_texts() else { return lines };
-    for (end, end_text) in [low, high].into_iter().zip(texts).filter(|(end, _)| inside(end)) {
+    let ends = [(low, false), (high, true)].into_iter().zip(texts);
+    for ((_, upper), end_text) in ends.filter(|((end, _), _)| inside(end)) {
         for order in 0..=order {
             let weights: Vec<Fraction> = family
                 .functions
@@ -96,9 +97,7 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
                         family.derivative_within(&f, var, work).unwrap_or_else(Fraction::zero)
                     });
                     // A denominator vanishes nowhere on the domain.
-                    derivative
-                        .substitute(var, &Fraction::constant(end.clone()))
-                        .unwrap_or_else(Fraction::zero)
+                    family.at_end(&derivative, upper, work).unwrap_or_else(Fraction::zero)
                 })
                 .collect();
             let name = match order {
@@ -142,6 +141,12 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
     let range = |shape: &Parameter| {
         let name = &shape.name;
         let open = |remark: String| (Vec::new(), Some(remark));
+        // Beyond its declared range there may be no domain, or no angle.
+        let bound = family
+            .analytic
+            .angles
+            .iter()
+            .any(|a| a.var == shape.var || a.low.depends_on(shape.var) || a.width.depends_on(shape.var));
         let mut budget = Budget::scaled(family.budget);
         let Some(defined) =
             denominators.iter().map(|d| with_simple_zeros(&region, d)).collect::<Option<Vec<_>>>()
@@ -155,21 +160,27 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
         let all = [&polys[..], &defined].concat();
         match largest_range(&all, shape.var, &region, &mut budget) {
             LargestRange::Between(low, high) => {
-                let range = range_text(name, &(low.clone(), high.clone()), &poles);
+                let part = (low.clone(), high.clone());
+                let range =
+                    if bound { within(family, &part, shape) } else { range_text(name, &part, &poles) };
                 if is_nonnegative(family, shape, &(low, high)) {
                     (vec![range], None)
                 } else {
-                    open(format!("undecided: {range} is not seen to be enough"))
+                    open(format!("undecided: {range} could not be proved to be enough"))
                 }
             }
             LargestRange::Negative => {
                 let negative = String::from("a function is negative somewhere on the declared ranges");
                 match nonnegative_parts(&all, shape.var, &region, &mut budget) {
-                    Ok(parts) if parts.is_empty() => {
-                        open(format!("{negative}, whatever {name} is in its range"))
-                    }
-                    Ok(parts) => {
-                        (parts.iter().map(|p| range_text(name, p, &poles)).collect(), Some(negative))
+                    Ok(mut parts) => {
+                        parts.retain(|part| meets(part, &shape.range));
+                        if parts.is_empty() {
+                            return open(format!("{negative}, whatever {name} is in its range"));
+                        }
+                        let text = |part: &Part| {
+                            if bound { within(family, part, shape) } else { range_text(name, part, &poles) }
+                        };
+                        (parts.iter().map(text).collect(), Some(negative))
                     }
                     Err(left) => open(format!("{negative}; where not is undecided: {left}")),
                 }
@@ -182,6 +193,43 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
         NonnegativeRange { name: shape.name.clone(), ranges, remark }
     });
     all.collect()
+}
+
+/// Whether a closed range has a point in a declared one.
+fn meets((low, high): &Part, declared: &Range) -> bool {
+    let end = |c: &Option<Coordinate>, upper: bool| match c {
+        None => End::Infinite,
+        Some(Coordinate::Rational(x)) => End::Included(x.clone()),
+        Some(Coordinate::Algebraic(x)) => End::Included(if upper { x.high() } else { x.low() }.clone()),
+    };
+    let (low, high) = (end(low, false), end(high, true));
+    let apart = |below: &End, above: &End| match (below.value(), above.value()) {
+        (Some(a), Some(b)) => a < b || a == b && !(below.is_included() && above.is_included()),
+        _ => false,
+    };
+    !apart(&high, &declared.low) && !apart(&declared.high, &low)
+}
+
+/// The part of a range that is declared, such as `0 < h`.
+fn within(family: &Family, (low, high): &Part, shape: &Parameter) -> String {
+    let closed = |c: &Option<Coordinate>| match c {
+        Some(Coordinate::Rational(x)) => Some(x.clone()),
+        _ => None,
+    };
+    let narrower =
+        |declared: &End, own: Option<Rational>, inside: core::cmp::Ordering| match (declared.value(), own) {
+            (Some(a), Some(b)) if b.cmp(a) == inside => End::Included(b),
+            (None, Some(b)) => End::Included(b),
+            _ => declared.clone(),
+        };
+    let low = narrower(&shape.range.low, closed(low), core::cmp::Ordering::Greater);
+    let high = narrower(&shape.range.high, closed(high), core::cmp::Ordering::Less);
+    let range = Range { low, high };
+    if range == shape.range {
+        family.declared(shape)
+    } else {
+        range.display(&family.names[shape.var.0]).to_string()
+    }
 }
 
 /// `-3 <= λ <= 1`; ends at which a denominator vanishes are left out.
@@ -269,7 +317,7 @@ fn is_nonnegative(family: &Family, shape: &Parameter, (low, high): &Part) -> boo
 /// The shape values at which the functions of a family are dependent, and what is left open: nothing only if it is
 /// proved that they are independent everywhere else.
 pub fn exceptional_set(family: &Family) -> ExceptionalSet {
-    let state::Table { rows, symmetries } = state::coefficient_table(family);
+    let state::Table { rows, symmetries } = state::table(family);
     let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };
     let mut set = basis_prover::rank::exceptional_set(table, &family.shape_region(), family.budget);
     let mut except = Vec::new();
@@ -287,7 +335,7 @@ pub fn exceptional_set(family: &Family) -> ExceptionalSet {
     if rational && set.open.is_none() {
         let statement = Statement::Independent { rows, except, region: family.shape_region() };
         if decide(statement, &symmetries, family.budget).is_err() {
-            set.open = Some(String::from("that there are no others is not proved"));
+            set.open = Some(String::from("it is not proved that there are no others"));
         }
     }
     set
@@ -309,8 +357,26 @@ pub fn describe_exception(family: &Family, exception: &Exceptional) -> String {
     format!("{at}: {} = 0", state::combination_text(family, &scaled))
 }
 
-/// Σ weight·P[i] with common factors taken out.
+/// Σ weight·P[i] with common factors taken out, if they are polynomials in the shape parameters.
 fn combination(family: &Family, weights: &[Fraction]) -> String {
+    let numbers = family.analytic.numbers();
+    if family.analytic.is_transcendental() || numbers.iter().any(|v| weights.iter().any(|w| w.depends_on(*v)))
+    {
+        let separate = separate(family, weights);
+        let angles = |w: &Fraction| family.analytic.angles.iter().any(|a| w.depends_on(a.var));
+        let exponential =
+            |w: &Fraction| family.analytic.exponential.as_ref().is_some_and(|(e, _)| w.depends_on(*e));
+        if weights.iter().any(|w| angles(w) || exponential(w)) {
+            return separate;
+        }
+        let common = over_one_denominator(family, weights);
+        return if common.chars().count() < separate.chars().count() { common } else { separate };
+    }
+    over_one_denominator(family, weights)
+}
+
+/// Σ weight·P[i], the common factors of the weights before it.
+fn over_one_denominator(family: &Family, weights: &[Fraction]) -> String {
     // Over one denominator.
     let mut denom = Poly::one();
     for w in weights {
@@ -335,10 +401,7 @@ fn combination(family: &Family, weights: &[Fraction]) -> String {
         if weight.is_zero() {
             continue;
         }
-        let point = format!(
-            "P[{}]",
-            family.functions[k].index.iter().map(i64::to_string).collect::<Vec<_>>().join(",")
-        );
+        let point = point(family, k);
         let negative = weight.display(&family.names).to_string().starts_with('-');
         let magnitude = if negative { -&weight } else { weight };
         text += match (text.is_empty(), negative) {
@@ -357,23 +420,54 @@ fn combination(family: &Family, weights: &[Fraction]) -> String {
     let factor = factor(&common, &denom, &family.names);
     match factor.as_str() {
         "1" => text,
-        _ if single && !text.starts_with('-') => format!("{factor}*{text}"),
+        _ if single => match text.strip_prefix('-') {
+            Some(text) => format!("-{factor}*{text}"),
+            None => format!("{factor}*{text}"),
+        },
         _ => format!("{factor}*({text})"),
     }
+}
+
+/// Σ weight·P[i], each weight for itself.
+fn separate(family: &Family, weights: &[Fraction]) -> String {
+    let mut text = String::new();
+    for (k, weight) in weights.iter().enumerate().filter(|(_, weight)| !weight.is_zero()) {
+        let of = reading::as_factor(family, weight);
+        let (negative, of) = of.strip_prefix('-').map_or((false, of.as_str()), |of| (true, of));
+        text += match (text.is_empty(), negative) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        let point = point(family, k);
+        text += &if of == "1" { point } else { format!("{of}*{point}") };
+    }
+    if text.is_empty() { String::from("0") } else { text }
+}
+
+/// The control point of a function, such as `P[2]`.
+fn point(family: &Family, k: usize) -> String {
+    format!("P[{}]", family.functions[k].index.iter().map(i64::to_string).collect::<Vec<_>>().join(","))
 }
 
 /// A common factor for reading.
 fn factor(numer: &Poly, denom: &Poly, names: &[String]) -> String {
     let bracket = |p: &Poly| {
         let content = p.numeric_content();
-        let rest = p.scale(&content.recip().unwrap_or(Rational::ONE));
-        match (p.len() > 1, content.is_one()) {
-            (false, _) => p.display(names).to_string(),
-            (true, true) => format!("({})", p.display(names)),
-            (true, false) => format!("{content}*({})", rest.display(names)),
+        let (monomial, rest) = split_monomial(&p.scale(&content.recip().unwrap_or(Rational::ONE)));
+        if rest.as_constant().is_some() {
+            return p.display(names).to_string();
         }
+        let single = Poly::from_terms([(monomial, content)]);
+        if single.is_one() {
+            return format!("({})", rest.display(names));
+        }
+        format!("{}*({})", single.display(names), rest.display(names))
     };
-    if denom.is_one() { bracket(numer) } else { format!("{}/{}", bracket(numer), bracket(denom)) }
+    let below = bracket(denom);
+    let below = if below.contains('*') && !below.starts_with('(') { format!("({below})") } else { below };
+    if denom.is_one() { bracket(numer) } else { format!("{}/{below}", bracket(numer)) }
 }
 
 /// Proved bounds of the rounding errors of the values, and of a point of a curve, each with what it is about; nothing for

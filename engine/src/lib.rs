@@ -180,7 +180,7 @@ pub fn expand(library: &Library<'_>, request: &Request) -> (TokenStream, Vec<Dia
             let place = diagnostic::Place::Token(Span::call_site(), Span::call_site());
             let message = "every family of the spec has index parameters, and no order is chosen";
             let help = format!(
-                "name the families with their orders: `basis!(\"…\", {name}(3))`; a spec in place has no room for them, a file has"
+                "name the families with their orders: `basis!(\"…\", {name}(3))`; put a spec that stands in the call into a file"
             );
             diagnostics.push(Diagnostic::error(place, message).help(help));
         }

@@ -1,8 +1,8 @@
 //! Counts, lists and long formulas as messages have them.
 
-/// `here is 1`, `here are 2`: how many there are instead.
+/// `found 1`: how many there are instead.
 pub(crate) fn here(n: usize) -> String {
-    if n == 1 { String::from("here is 1") } else { format!("here are {n}") }
+    format!("found {n}")
 }
 
 /// `1 index`, `2 indices`.

@@ -146,6 +146,30 @@ pub fn add_file(all: &mut Vec<Published>, doc: &[String]) {
     }
 }
 
+/// Adds the statements that another file names to those of the files before it.
+pub fn join(all: &mut Vec<Published>, more: Vec<Published>) {
+    for new in more {
+        let Some(known) = all.iter_mut().find(|p| p.id == new.id) else {
+            all.push(new);
+            continue;
+        };
+        // That a file does not express it says nothing where another one does.
+        if new.fate == Fate::NotExpressed {
+            continue;
+        }
+        if known.statement.is_empty() {
+            known.statement = new.statement;
+        }
+        known.fate = known.fate.max(new.fate);
+        if let Some(correction) = new.corrected {
+            match &mut known.corrected {
+                Some(known) => known.fate = known.fate.max(correction.fate),
+                none => *none = Some(correction),
+            }
+        }
+    }
+}
+
 fn add(all: &mut Vec<Published>, tag: &Tag, claim: Decided<'_>) {
     let at = all.iter().position(|p| p.id == tag.id).unwrap_or_else(|| {
         let (id, statement) = (tag.id.clone(), String::new());

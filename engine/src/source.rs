@@ -248,9 +248,16 @@ pub fn library(files: &dyn Files, name: &str) -> Result<Source, ReadError> {
     let (_, last) = typed.rsplit_once('/').unwrap_or(("", typed));
     let same = names.iter().copied().find(|known| *known == last);
     let near = same.or_else(|| closest(typed, &names)).or_else(|| closest(last, &names));
+    let quoted = |names: &[&str]| list(&names.mapped(|name| format!("`{name}`")));
+    let like: Vec<&str> = names.iter().copied().filter(|known| known.contains(last)).listed();
+    let notes = match (like.as_slice(), near) {
+        ([], Some(_)) => Vec::new(),
+        ([], None) => vec![format!("the library has `{}`", names.join("`, `"))],
+        (like, _) => vec![format!("the library has {}", quoted(like))],
+    };
     Err(ReadError {
         message: format!("there is no spec `{name}` in the library"),
-        notes: vec![format!("the library has {}", list(&names.mapped(|name| format!("`{name}`"))))],
+        notes,
         help: near.map(|near| format!("did you mean `{near}`?")),
     })
 }
@@ -266,7 +273,8 @@ pub(crate) fn beside(from: &str, path: &str) -> Result<String, ReadError> {
         notes: vec![String::from(why)],
         help: None,
     };
-    let file = path.strip_suffix(".basis").ok_or_else(|| refuse("its files are called `*.basis`"))?;
+    let file =
+        path.strip_suffix(".basis").ok_or_else(|| refuse("the names of its files end with `.basis`"))?;
     let mut parts: Vec<&str> = from.split('/').listed();
     parts.pop();
     for part in file.split('/') {

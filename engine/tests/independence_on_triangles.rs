@@ -16,7 +16,7 @@ fn symmetric_families_fall_apart() {
         let library = Library::from_source(&Disk, &Prover, Source::text("triangular.basis", spec));
         let item = library.item(name, &[n]).expect("an order of the family");
         let Subject::Family(family) = &item.subject else { panic!("a family") };
-        let state::Table { rows, symmetries } = state::coefficient_table(family);
+        let state::Table { rows, symmetries } = state::table(family);
         let statement = Statement::Independent { rows, except: Vec::new(), region: family.shape_region() };
         match decide(statement.clone(), &symmetries, 1) {
             Ok(shown) => {

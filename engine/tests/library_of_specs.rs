@@ -113,6 +113,6 @@ fn wrong_uses() {
     let of = |name: &str| errors(&shelf, source::library(&shelf, name).expect("it is there")).join("\n");
     assert!(of("a").contains("cyclic `use`: library:a uses library:b uses library:a"), "{}", of("a"));
     assert!(of("out").contains("leads out of the library"), "{}", of("out"));
-    assert!(of("name").contains("its files are called `*.basis`"), "{}", of("name"));
+    assert!(of("name").contains("the names of its files end with `.basis`"), "{}", of("name"));
     assert!(of("gone").contains("there is no spec `c` in the library"), "{}", of("gone"));
 }

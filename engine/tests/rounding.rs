@@ -119,7 +119,9 @@ fn no_error_is_beyond_its_bound() {
                 continue;
             }
             last.clone_from(&family.name);
-            let Some(steps) = FamilySteps::new(family) else { continue };
+            // Nothing is proved of sines, nor of several spans.
+            let known = |steps: &FamilySteps<'_>| steps.spans() == 1 && family.analytic.is_empty();
+            let Some(steps) = FamilySteps::new(family).filter(known) else { continue };
             let bounds: Vec<Option<Error>> = rounding::values(family)
                 .unwrap_or_default()
                 .into_iter()

@@ -5,7 +5,7 @@
 use std::time::Instant;
 
 use basis_runtime::bspline::{
-    BSplineSurface, Edge, Joint, KnotVector, Method, Net, SpliceError, SpliceOptions, splice,
+    BSplineSurface, Edge, EdgePair, KnotVector, Method, Net, SpliceError, SpliceOptions, splice,
 };
 
 type P3 = [f64; 3];
@@ -56,16 +56,16 @@ fn cases() -> Vec<Case> {
 }
 
 fn main() {
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
-    let least = SpliceOptions { method: Method::LeastSquares, ..SpliceOptions::default() };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let least = SpliceOptions::default().method(Method::LeastSquares);
     let methods = [
-        ("paper", SpliceOptions { method: Method::Midpoints, carry: false, merge: false, ..least }),
-        ("paper, carry", SpliceOptions { method: Method::Midpoints, merge: false, ..least }),
-        ("paper, carry, merged", SpliceOptions { method: Method::Midpoints, ..least }),
-        ("least squares", SpliceOptions { carry: false, merge: false, ..least }),
-        ("least squares, carry", SpliceOptions { merge: false, ..least }),
+        ("paper", least.method(Method::Midpoints).carry(false).merge(false)),
+        ("paper, carry", least.method(Method::Midpoints).merge(false)),
+        ("paper, carry, merged", least.method(Method::Midpoints)),
+        ("least squares", least.carry(false).merge(false)),
+        ("least squares, carry", least.merge(false)),
         ("least squares, carry, merged", least),
-        ("exact", SpliceOptions { method: Method::Exact, ..least }),
+        ("exact", least.method(Method::Exact)),
     ];
     println!("| case | method | spans | rounds | gap | angle | change | time |");
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");

@@ -29,7 +29,8 @@
 //! denominators, angles or exponentials implements [`RationalBasis`] and makes a [`RationalCurve`], one on
 //! several spans [`SpannedBasis`] and a [`SpannedCurve`]. A family on a
 //! triangle or a tetrahedron implements [`SimplexBasis`] and makes a [`TriangularPatch`] or a [`SimplexPatch`], one on
-//! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`].
+//! a box of several variables implements [`BoxBasis`] and makes a [`BoxPatch`], one on a product of simplices and intervals,
+//! such as a prism, [`ProductBasis`] and a [`ProductPatch`].
 //!
 //! # Where things are
 //!
@@ -38,15 +39,19 @@
 //! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
 //! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
 //! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
+//! | the curve beside a curve, with joins and trimmed; the outline of a stroke | [`Offset`], [`Stroke`] |
 //! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
 //! | a curve that turns about an axis | [`SurfaceOfRevolution`] |
-//! | a patch on a triangle, a tetrahedron, a box | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`] |
+//! | a patch on a triangle, a tetrahedron, a box, a prism | [`TriangularPatch`], [`SimplexPatch`], [`BoxPatch`], [`ProductPatch`] |
 //! | normals and curvatures of all of these surfaces | the trait [`Surface`] |
 //! | how smoothly two surfaces meet | [`edge_continuity`] |
+//! | where curves, rays and lines meet surfaces | [`SurfaceMeeting`] |
 //! | Bézier curves and patches without a spec | [`Bezier`], [`BernsteinBasis`], [`TriangularBezier`] |
 //! | a curve over a family with denominators | [`RationalCurve`] over a [`RationalBasis`]; its Bézier form [`RationalBezier`] |
 //! | a curve over a family on several spans | [`SpannedCurve`] over a [`SpannedBasis`]; its Bézier form [`RationalSpline`] |
 //! | B-splines | [`bspline`] |
+//! | the same path with fewer segments, of lower degree | [`Path::simplified`], [`Path::to_cubics`], [`Path::to_quadratics`] |
+//! | points in, a curve over any family, a B-spline or a path out; grids of points to surfaces | [`Fit`], [`GridFit`] |
 //! | finite elements: quadrature, gradients at many points, nodes, functions of edges and faces | [`Quadrature`], [`SimplexBasis::tabulate`], [`SimplexBasis::nodes`], [`Entities`] |
 //! | triangles, files of meshes | [`Tessellation`], [`Mesh`] |
 //! | Bernstein coefficients as slices: roots, products, degrees | [`bernstein`] |
@@ -76,8 +81,10 @@
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes |
 //! | the first point with that value of a component: `first_where` | yes | yes | yes | yes | yes |
 //! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes |
+//! | the curve beside it at a distance: `offset` | yes | yes | yes | yes | yes |
 //! | where it and another curve are nearest to each other: `closest` | yes | yes | yes | yes | yes |
 //! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
+//! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
 //! | parts: `split`, `subsegment`, `reversed` | yes | yes | yes | yes | no: a part has a type of its own |
 //!
@@ -95,6 +102,7 @@
 //! | rational Bézier patches: `pieces` | yes | yes | yes | yes | yes | yes |
 //! | boxes: `control_box`, `bounding_box` | yes | yes | yes | yes | yes | yes |
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes |
+//! | where rays and lines meet it: `ray_intersections`, `line_intersections` | yes | yes | yes | yes | yes | yes |
 //!
 //! Triangular patches are surfaces by [`to_tensor_surface`](SimplexPatch::to_tensor_surface).
 //!
@@ -124,10 +132,11 @@
 //! | `joins` | yes | theorems and joins in specs; without it the first of them is an error that names the feature; implies `macros` |
 //! | `rounding` | yes | proved bounds of the rounding errors of generated functions, as constants and in claims; implies `macros` |
 //! | `geometry` | yes | what all types of curves answer, `ParametricCurve`, and what surfaces of Bézier patches do, `BoundedSurface`; implies `alloc` |
-//! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; implies `geometry` |
+//! | `bspline` | yes | B-spline curves and surfaces over any knots, polynomial and rational; their joints and networks: [`bspline`]; points to curves of all types: [`Fit`]; implies `geometry` |
 //! | `elements` | yes | finite elements: rules of quadrature, [`Quadrature`], functions at many points, [`Tabulation`], nodes, and what belongs to corners, edges and faces, [`Entities`]; implies `alloc` |
 //! | `mesh` | yes | surfaces as triangles within a tolerance: [`Tessellation`]; implies `geometry` |
 //! | `glam` | yes | `Vec2`, `Vec3`, `Vec3A`, `Vec4`, `DVec2`, `DVec3`, `DVec4` of glam 0.34 are points |
+//! | `glam_030` | no | those of glam 0.30 too, such as the `Vec3` of Bevy 0.17 and 0.18; both versions can be on |
 //! | `nalgebra` | no | `SVector<S, D>` and `Point<S, D>` of nalgebra 0.34 are points; with `std` and `bspline` also the published method of splicing |
 //! | `kurbo`, `lyon_geom` | no | the points of kurbo 0.13 and lyon_geom 1 are points, and curves go to and from their segments where the degree allows; `kurbo::fit_to_bezpath` takes curves of any degree. `lyon_geom` implies `std` |
 //! | `gltf`, `obj`, `stl` | no | meshes are written as binary glTF, Wavefront OBJ, binary STL; imply `std` and `mesh` |
@@ -177,6 +186,8 @@ mod domain;
 #[cfg(feature = "elements")]
 mod elements;
 mod error;
+#[cfg(feature = "bspline")]
+mod fit;
 mod form;
 #[cfg(any(feature = "elements", feature = "geometry"))]
 mod gauss;
@@ -193,6 +204,7 @@ mod nearest;
 #[cfg(feature = "geometry")]
 mod path;
 mod point;
+mod product;
 mod rational;
 mod revolution;
 mod scalar;
@@ -227,18 +239,22 @@ pub use curve::{Bezier, BezierOf, Contact, Curve, CurveError, Frame, Joint, Samp
 #[cfg(feature = "elements")]
 pub use elements::{Entities, Entity, Quadrature, QuadratureError, Tabulation};
 pub use error::{CountError, ShapeError};
+#[cfg(feature = "bspline")]
+pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridCorners, GridFit};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
 pub use geometry::{
     Closest, CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting,
+    SurfaceMeeting,
 };
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
 #[cfg(feature = "alloc")]
 pub use nearest::Nearest;
 #[cfg(feature = "geometry")]
-pub use path::{Path, PathSegment, SvgError, SvgMistake, to_svg};
+pub use path::{LineCap, LineJoin, Offset, Path, PathSegment, Stroke, SvgError, SvgMistake, to_svg};
 pub use point::Point;
+pub use product::{DomainFactor, ProductBasis, ProductPatch};
 pub use rational::{Chart, RationalBasis, RationalCurve, SpanOf, SpannedBasis, SpannedCurve};
 #[cfg(feature = "geometry")]
 pub use rational::{RationalBezier, RationalSpline};
@@ -252,8 +268,8 @@ pub use simplex::{
     TriangularPatch,
 };
 pub use surface::{
-    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, JoinError, RationalPatchOf, RationalSurface,
-    ScalarOf, Surface, TensorSurface, edge_continuity,
+    BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, RationalPatchOf,
+    RationalSurface, ScalarOf, Surface, TensorSurface, edge_continuity,
 };
 #[cfg(feature = "geometry")]
 pub use surface::{BoundedSurface, SurfacePiece};

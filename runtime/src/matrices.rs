@@ -8,7 +8,7 @@
 //! and `∂B_α/∂x_k = n (B_(α - e_k) - B_(α - e_0))`. An interval is a simplex with d = 1, a box a product of intervals.
 
 use crate::binomial::binomial;
-use crate::{Array, Point, Scalar, SimplexIndex};
+use crate::{Array, DomainFactor, Point, Scalar, SimplexIndex};
 
 /// `∫ B_a B_b` over the simplex, for two indices with the same sum.
 fn product<S: Scalar, const K: usize>(a: [usize; K], b: [usize; K]) -> S {
@@ -70,11 +70,16 @@ where
     V: Point + Array<V::Scalar>,
     M: Array<V>,
 {
-    matrix(net, &|a, b| match (SimplexIndex::<K>::at(degree, a), SimplexIndex::<K>::at(degree, b)) {
-        (Some(a), Some(b)) if kind == Kind::Mass => product::<V::Scalar, K>(a.components(), b.components()),
-        (Some(a), Some(b)) => slope::<V::Scalar, K>(a.components(), b.components()),
-        _ => V::Scalar::ZERO,
-    })
+    matrix(net, &|a, b| on_simplex::<V::Scalar, K>(kind, degree, a, b))
+}
+
+/// The integral for two Bernstein polynomials of a degree on the reference simplex, by their places.
+fn on_simplex<S: Scalar, const K: usize>(kind: Kind, degree: usize, a: usize, b: usize) -> S {
+    match (SimplexIndex::<K>::at(degree, a), SimplexIndex::<K>::at(degree, b)) {
+        (Some(a), Some(b)) if kind == Kind::Mass => product::<S, K>(a.components(), b.components()),
+        (Some(a), Some(b)) => slope::<S, K>(a.components(), b.components()),
+        _ => S::ZERO,
+    }
 }
 
 /// The matrix on the box with these corners.
@@ -109,6 +114,51 @@ where
         Kind::Mass => along(a, b, None),
         Kind::Stiffness => {
             (0..degrees.len()).fold(V::Scalar::ZERO, |sum, axis| sum + along(a, b, Some(axis)))
+        }
+    })
+}
+
+/// The integral for two Bernstein polynomials on a factor of a domain with these ends, by their places.
+fn on_factor<S: Scalar>(kind: Kind, factor: DomainFactor, [a, b]: [usize; 2], [low, high]: [S; 2]) -> S {
+    match factor {
+        DomainFactor::Interval { degree } => {
+            let (value, width) = (on_interval::<S>(kind, degree, a, b), high - low);
+            if kind == Kind::Mass { value * width } else { value / width }
+        }
+        DomainFactor::Triangle { degree } => on_simplex::<S, 3>(kind, degree, a, b),
+        DomainFactor::Tetrahedron { degree } => on_simplex::<S, 4>(kind, degree, a, b),
+    }
+}
+
+/// The matrix on a product of simplices and intervals, with the ends of all coordinates.
+pub(crate) fn on_product<V, M>(
+    kind: Kind,
+    net: &[V],
+    factors: &[DomainFactor],
+    low: &[V::Scalar],
+    high: &[V::Scalar],
+) -> M
+where
+    V: Point + Array<V::Scalar>,
+    M: Array<V>,
+{
+    // The product of integrals over each factor, over one of them perhaps of derivatives.
+    let along = |a: usize, b: usize, differentiated: Option<usize>| {
+        let (mut a, mut b, mut value, mut coordinate) = (a, b, V::Scalar::ONE, low.len());
+        for (place, &factor) in factors.iter().enumerate().rev() {
+            coordinate -= factor.coordinates().0;
+            let size = factor.size();
+            let kind = if differentiated == Some(place) { Kind::Stiffness } else { Kind::Mass };
+            let ends = [low[coordinate], high[coordinate]];
+            value = value * on_factor(kind, factor, [a % size, b % size], ends);
+            (a, b) = (a / size, b / size);
+        }
+        value
+    };
+    matrix(net, &|a, b| match kind {
+        Kind::Mass => along(a, b, None),
+        Kind::Stiffness => {
+            (0..factors.len()).fold(V::Scalar::ZERO, |sum, place| sum + along(a, b, Some(place)))
         }
     })
 }

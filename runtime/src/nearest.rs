@@ -16,6 +16,7 @@ use crate::serialize::{Read, Written};
         deserialize = "P: Read<'de>, T: serde::Deserialize<'de>"
     ))
 )]
+#[non_exhaustive]
 pub struct Nearest<P: Point, T = <P as Point>::Scalar> {
     /// The parameter or the parameters of the point.
     pub at: T,

@@ -6,9 +6,9 @@ use crate::scalar::{FUSED_HERE, Scalar};
 
 /// A point of an affine space, as components: what control points and points of a curve are.
 ///
-/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the feature `glam` for its float vectors, and with
-/// the feature `nalgebra` for its vectors and points. Sums of points are formed component by component, derivatives of
-/// curves have the type of their points.
+/// Implemented for `f32` and `f64` (dimension one), `[S; D]`, with the features `glam` and `glam_030` for the float
+/// vectors of glam, and with the feature `nalgebra` for its vectors and points. Sums of points are formed component by
+/// component, derivatives of curves have the type of their points.
 ///
 /// Two functions make a type of your own a point:
 ///
@@ -108,58 +108,65 @@ impl<S: Scalar, const D: usize> Point for [S; D] {
     }
 }
 
-#[cfg(feature = "glam")]
-mod glam {
-    use super::{FUSED_HERE, Point};
+/// The float vectors of one version of glam as points, with their own operators, which use the vector registers where
+/// glam does.
+#[cfg(any(feature = "glam", feature = "glam_030"))]
+macro_rules! glam_points {
+    ($glam:ident: $($point:ident($scalar:ident: $($index:literal)+);)+) => {$(
+        impl Point for $glam::$point {
+            type Scalar = $scalar;
+            const DIM: usize = [$($index),+].len();
 
-    // The vectors' own operators, which use the vector registers where glam does.
-    macro_rules! points {
-        ($($point:ident($scalar:ident: $($index:literal)+);)+) => {$(
-            impl Point for glam::$point {
-                type Scalar = $scalar;
-                const DIM: usize = [$($index),+].len();
+            #[inline]
+            fn from_components(mut component: impl FnMut(usize) -> $scalar) -> Self {
+                Self::new($(component($index)),+)
+            }
 
-                #[inline]
-                fn from_components(mut component: impl FnMut(usize) -> $scalar) -> Self {
-                    Self::new($(component($index)),+)
-                }
+            #[inline]
+            fn component(&self, index: usize) -> $scalar {
+                self[index]
+            }
 
-                #[inline]
-                fn component(&self, index: usize) -> $scalar {
-                    self[index]
-                }
+            #[inline]
+            fn scale(self, factor: $scalar) -> Self {
+                self * factor
+            }
 
-                #[inline]
-                fn scale(self, factor: $scalar) -> Self {
-                    self * factor
-                }
+            #[inline]
+            fn minus(self, point: Self) -> Self {
+                self - point
+            }
 
-                #[inline]
-                fn minus(self, point: Self) -> Self {
-                    self - point
-                }
-
-                #[inline]
-                fn add_scaled(self, point: Self, factor: $scalar) -> Self {
-                    if FUSED_HERE {
-                        point.mul_add(Self::splat(factor), self)
-                    } else {
-                        self + point * factor
-                    }
+            #[inline]
+            fn add_scaled(self, point: Self, factor: $scalar) -> Self {
+                if FUSED_HERE {
+                    point.mul_add(Self::splat(factor), self)
+                } else {
+                    self + point * factor
                 }
             }
-        )+};
-    }
-    points! {
-        Vec2(f32: 0 1);
-        Vec3(f32: 0 1 2);
-        Vec3A(f32: 0 1 2);
-        Vec4(f32: 0 1 2 3);
-        DVec2(f64: 0 1);
-        DVec3(f64: 0 1 2);
-        DVec4(f64: 0 1 2 3);
-    }
+        }
+    )+};
+    ($glam:ident) => {
+        glam_points! {
+            $glam:
+            Vec2(f32: 0 1);
+            Vec3(f32: 0 1 2);
+            Vec3A(f32: 0 1 2);
+            Vec4(f32: 0 1 2 3);
+            DVec2(f64: 0 1);
+            DVec3(f64: 0 1 2);
+            DVec4(f64: 0 1 2 3);
+        }
+        impl crate::Point3 for $glam::Vec3 {}
+        impl crate::Point3 for $glam::Vec3A {}
+        impl crate::Point3 for $glam::DVec3 {}
+    };
 }
+#[cfg(feature = "glam")]
+glam_points!(glam);
+#[cfg(feature = "glam_030")]
+glam_points!(glam_030);
 
 #[cfg(feature = "nalgebra")]
 mod nalgebra {

@@ -4,7 +4,7 @@ use crate::{Point, Scalar};
 
 /// A point of three-dimensional space, where surfaces have normals.
 ///
-/// Implemented for `[S; 3]`, with the feature `glam` for `Vec3`, `Vec3A` and `DVec3`, and with the feature `nalgebra`
+/// Implemented for `[S; 3]`, with the features `glam` and `glam_030` for `Vec3`, `Vec3A` and `DVec3`, and with the feature `nalgebra`
 /// for `Vector3` and `Point3`. A type of your own needs one line, and `DIM = 3`:
 ///
 /// ```
@@ -32,13 +32,6 @@ use crate::{Point, Scalar};
 pub trait Point3: Point {}
 
 impl<S: Scalar> Point3 for [S; 3] {}
-
-#[cfg(feature = "glam")]
-mod glam {
-    impl super::Point3 for glam::Vec3 {}
-    impl super::Point3 for glam::Vec3A {}
-    impl super::Point3 for glam::DVec3 {}
-}
 
 #[cfg(feature = "nalgebra")]
 mod nalgebra {

@@ -7,20 +7,22 @@ mod sources;
 
 use basis_runtime::bspline::{
     BSplineCurve, BSplineSurface, BezierPatch, BezierPiece, Constrained, ConstraintError, ConstructionError,
-    Continuity, Direction, FitError, FollowOptions, Followed, Homogeneous, Joint as SplineJoint,
-    JointMeasure, KnotError, KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface,
-    PointConstraint, Seam, Spacing, Splice, SpliceError, SpliceOptions, SplineError, splice,
+    Continuity, Direction, FitError, FollowOptions, Followed, Homogeneous, JointMeasure, KnotError,
+    KnotVector, Method, Net, Network, NetworkError, NurbsCurve, NurbsSurface, PointConstraint, Seam, Spacing,
+    Splice, SpliceError, SpliceOptions, SplineError, splice,
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
-    BernsteinBasis, BernsteinForm, Bezier, BoxPatch, Chart, Closest, Contact, CountError, Curvature, Curve,
-    CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, Enclosed, EndpointForm, Entities, Entity, Frame,
-    JoinError, Joint, Meeting, MeetingKind, Mesh, MeshError, Nearest, ParametricCurve, Path, PathSegment,
-    PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
-    RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
-    SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Surface, SurfaceOfRevolution, SurfacePiece, SvgError,
-    SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis,
-    TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
+    BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact, CountError,
+    Curvature, Curve, CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, EdgePair, Enclosed,
+    EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridCorners, GridFit,
+    JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest, Offset,
+    ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError,
+    RationalBezier, RationalCurve, RationalSpline, RationalSurface, RevolutionError, RevolutionPatch,
+    Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke,
+    Surface, SurfaceMeeting, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation,
+    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
+    bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -124,6 +126,11 @@ fn bases_forms_and_curves() {
     again(nearest);
     let meetings: Vec<Meeting<P>> = curve().intersections(&curve(), 1e-3).unwrap();
     let met: Vec<PlaneMeeting<P>> = curve().plane_intersections([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
+    let ruled = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 1.0], [4.0, 1.0]]), 6.0).unwrap();
+    let pierced: Vec<SurfaceMeeting<P>> =
+        ruled.ray_intersections([1.0, -2.0, 0.5], [0.0, 1.0, 0.0], 1e-9).unwrap();
+    assert_eq!(pierced.len(), 2);
+    pierced.into_iter().for_each(again);
     again(MeetingKind::Crossing);
     let mut square = Path::rectangle([[1.0, 2.0], [3.0, 4.0]]);
     again(square.enclosed().unwrap());
@@ -167,7 +174,7 @@ fn surfaces_and_meshes() {
 
     again(Edge::UStart);
     let continuity: EdgeContinuity<f64> =
-        edge_continuity(&surface(), Edge::UEnd, &surface(), Edge::UEnd, false, 5);
+        edge_continuity(&surface(), &surface(), EdgePair::along(Edge::UEnd, Edge::UEnd), 5);
     again(EdgeContinuity { angle: 0.5, curvature: 0.25, gap: 0.0, ..continuity });
     let bend: Curvature<P> =
         serde_json::from_value(serde_json::to_value(surface().curvature(0.5, 0.5).unwrap()).unwrap())
@@ -226,6 +233,23 @@ fn splines() {
 }
 
 #[test]
+fn fits() {
+    let points: Vec<P> = (0..9).map(|i| [f64::from(i), f64::from(i % 3), 0.5]).collect();
+    let ends = [FitEnd::Free, FitEnd::Tangent([1.0, 0.0, 0.0])];
+    again(ends);
+    // Points of a curve with short numbers.
+    let fit = Fit::new(&points).ends(ends).spline_with(1, 9).unwrap();
+    let read: Fitted<BSplineCurve<P>> = serde_json::from_str(&serde_json::to_string(&fit).unwrap()).unwrap();
+    assert_eq!(read.parameters.len(), 9);
+    let grid = Net::from_fn(3, 3, |i, j| [i as f64, j as f64, (i * j) as f64]).unwrap();
+    again(GridCorners::Interpolated);
+    let fit = GridFit::new(&grid).corners(GridCorners::Interpolated).spline_with([1, 1], [2, 2]).unwrap();
+    let read: FittedSurface<BSplineSurface<P>, f64> =
+        serde_json::from_str(&serde_json::to_string(&fit).unwrap()).unwrap();
+    assert_eq!(read.surface.net().rows(), 2);
+}
+
+#[test]
 fn joints_and_networks_of_splines() {
     let seam = Seam { patches: [0, 1], edges: [Edge::VEnd, Edge::VStart], reversed: false };
     let network = Network::new([spline(), spline()].to_vec(), [seam].to_vec()).unwrap();
@@ -236,9 +260,9 @@ fn joints_and_networks_of_splines() {
     again(measure);
     again(Followed { network, changed: [1].to_vec(), seams: [(0, measure)].to_vec() });
     again(FollowOptions::default());
-    again(SplineJoint { edge: Edge::UStart, target: Edge::UEnd, reversed: true });
+    again(EdgePair::against(Edge::UStart, Edge::UEnd));
     again((Continuity::G0, Method::LeastSquares, Spacing::Chord, SpliceOptions::default()));
-    let joint = SplineJoint { edge: Edge::UEnd, target: Edge::UEnd, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UEnd);
     let Splice { spans, .. } = splice(&spline(), &spline(), joint, &SpliceOptions::default()).unwrap();
     again(Splice { surface: spline(), measure, spans, rounds: 1, change: 0.5 });
     again((PointConstraint::At([0.5, 0.25], [1.0, 0.0, 2.0]), PointConstraint::Nearest([1.0, 0.0, 2.0])));
@@ -297,6 +321,12 @@ fn all_else_is_shared() {
     shared::<Entities>();
     shared::<Entity>();
     shared::<Chart<f64>>();
+    again(LineJoin::Miter { limit: 4.0 });
+    again(LineCap::Square);
+    shared::<Offset<f64>>();
+    shared::<Stroke<f64>>();
+    shared::<Fit<'_, P>>();
+    shared::<GridFit<'_, P>>();
 }
 
 /// Every public struct and enum of the crate stands in this file; the surfaces that a tessellation borrows are of any

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Independent judges: random families, theorems and joins, and verdicts of `basis check` on them held against values that
-are computed here: `judge.py BASIS [--claims 1000] [--seed N] [--keep DIR]`.
+are computed here: `judge.py BASIS [--claims 1000] [--seed N] [--kind product] [--keep DIR]`.
 
 Nothing of the engine is used but its verdicts. A claim that is proved is evaluated at many points, one that is refuted at the
 point that the counterexample names. Where the truth is known, by construction or because sympy counts roots or
@@ -26,7 +26,7 @@ import mpmath
 import sympy
 
 from algebra import rank
-from formula import Call, Derivative, Member, Name, Number, formula, to_float
+from formula import Call, Derivative, Formula, Member, Name, Number, formula, to_float
 
 mpmath.mp.dps = 60
 TINY = mpmath.mpf(10) ** -40
@@ -116,12 +116,13 @@ def square_sum(r, names):
 
 
 class Family:
-    """A family with its domain: `domain` has a range for each variable, `simplex` says that they are barycentric."""
+    """A family with its domain: `domain` has a range for each variable, `simplices` those that are barycentric."""
 
     def __init__(self, r, name):
         self.r, self.name = r, name
         self.shapes, self.domain, self.lines, self.functions = {}, {}, [], {}
-        self.simplex = self.recursive = self.floats = False
+        self.recursive = self.floats = False
+        self.simplices = []
         self.spans = None
         self.orders = [None]
 
@@ -142,29 +143,50 @@ class Family:
         return f'family {self.name} {{\n    {self.domain_text()}\n{shapes}{own}'
 
     def domain_text(self):
-        if self.simplex:
-            kind = {3: 'triangle', 4: 'tetrahedron'}[len(self.domain)]
-            return f'domain {kind} ({", ".join(self.domain)});'
-        return f'domain {", ".join(s.text(n) for n, s in self.domain.items())};'
+        factors = {n: s.text(n) for n, s in self.domain.items()}
+        for names in self.simplices:
+            kind = {3: 'triangle', 4: 'tetrahedron'}[len(names)]
+            for name in names[1:]:
+                del factors[name]
+            factors[names[0]] = f'{kind} ({", ".join(names)})'
+        return f'domain {", ".join(factors.values())};'
 
     def sample(self, r):
         """A point of the domain with shape values."""
         env = {n: s.sample(r) for n, s in self.shapes.items()}
-        if self.simplex:
-            weights = [r.choice([0, 0, 1, 1, 2, 3, 5]) for _ in self.domain]
+        for names in self.simplices:
+            weights = [r.choice([0, 0, 1, 1, 2, 3, 5]) for _ in names]
             if not any(weights):
                 weights[0] = 1
-            env.update({n: Fraction(w, sum(weights)) for n, w in zip(self.domain, weights)})
-        else:
-            env.update({n: s.sample(r) for n, s in self.domain.items()})
+            env.update({n: Fraction(w, sum(weights)) for n, w in zip(names, weights)})
+        env.update({n: s.sample(r) for n, s in self.domain.items() if n not in env})
         return env
 
     def contains(self, env):
         if not all(s.contains(env[n]) for n, s in self.shapes.items()):
             return False
-        if self.simplex:
-            return all(env[n] >= 0 for n in self.domain) and is_zero(sum(env[n] for n in self.domain) - 1)
-        return all(s.contains(env[n]) for n, s in self.domain.items())
+        return all(s.contains(env[n]) for n, s in self.domain.items()) and all(
+            is_zero(sum(env[n] for n in names) - 1) for names in self.simplices)
+
+    def integral(self, f):
+        """The integral of a polynomial over the domain, as a polynomial in the shape parameters."""
+        x = sympy.expand(f.eval(self.symbols()))
+        for n, s in self.domain.items():
+            if not any(n in names for names in self.simplices):
+                x = sympy.integrate(x, (n, sympy.Rational(str(s.low)), sympy.Rational(str(s.high))))
+        for names in self.simplices:
+            rest = sympy.Integer(1) - sum(map(sympy.Symbol, names[:-1]))
+            for n in names[-2::-1]:
+                rest = rest + sympy.Symbol(n)
+                x = sympy.integrate(x, (n, 0, rest))
+        return sympy.expand(x)
+
+    def symbols(self):
+        """Symbols for all variables, of each simplex the last one expressed by the others."""
+        at = {n: sympy.Symbol(n) for n in [*self.domain, *self.shapes]}
+        for names in self.simplices:
+            at[names[-1]] = 1 - sum(at[n] for n in names[:-1])
+        return at
 
 
 class Spans(Family):
@@ -222,10 +244,10 @@ def basis_like(r, t, names, low, high):
     return f
 
 
-def family(r, name):
-    """A random family."""
-    kind = r.choices(['poly', 'rational', 'box', 'triangle', 'tetrahedron', 'angle', 'exp', 'spans', 'raise'],
-                     [7, 3, 2, 2, 1, 3, 2, 3, 2])[0]
+def family(r, name, kind=None):
+    """A random family, of any kind or of this one."""
+    kind = kind or r.choices(['poly', 'rational', 'box', 'triangle', 'tetrahedron', 'product', 'angle', 'exp', 'spans', 'raise'],
+                             [7, 3, 2, 2, 1, 2, 3, 2, 3, 2])[0]
     own = {'spans': Spans, 'raise': Raised}.get(kind, Family)(r, name)
     own.kind = kind
     n = r.randint(2, 3)
@@ -254,11 +276,26 @@ def family(r, name):
     elif kind in ('triangle', 'tetrahedron'):
         names = own.shape(r, 1)
         variables = ['u', 'v', 'w', 'x'][:3 if kind == 'triangle' else 4]
-        own.simplex = True
+        own.simplices = [variables]
         own.domain = {v: Range(Fraction(0), Fraction(1)) for v in variables}
         indices = [tuple(int(i == j) for j in range(len(variables))) for i in range(len(variables))]
         for k, i in enumerate(indices):
             own.functions[i] = Name(variables[k]) + polynomial(r, variables + names, 1, 2) * r.choice([0, 1])
+    elif kind == 'product':
+        names = own.shape(r, 1)
+        low = number(r, 2)
+        z = ('z', Range(low, low + r.randint(1, 3), r.random() < 0.9, r.random() < 0.9))
+        unit = Range(Fraction(0), Fraction(1))
+        first, second = [(v, unit) for v in 'uvw'], [(v, unit) for v in 'pqr'[:3]]
+        factors = r.choice([[first, [z]], [[z], first], [first, second], [[z], [*first, ('x', unit)]],
+                            [first, [z], [('y', unit)]]])
+        own.domain = {n: s for factor in factors for n, s in factor}
+        own.simplices = [[n for n, _ in factor] for factor in factors if len(factor) > 1]
+        for i in range(n):
+            f = polynomial(r, r.sample(list(own.domain), 2) + names, 1, 3)
+            if r.random() < 0.5:
+                f = f * polynomial(r, r.sample(list(own.domain), 2), 1, 1)
+            own.functions[(i,)] = f
     elif kind == 'angle':
         names, own.floats = own.shape(r, 1), True
         own.domain['t'] = r.choice([Range(Fraction(0), 'pi/2'), Range(Fraction(0), 'pi'), Range('-pi/2', 'pi/2')])
@@ -307,7 +344,7 @@ def family(r, name):
         if r.random() < 0.4:
             own.p, own.q = polynomial(r, ['t'], 1, 1), polynomial(r, ['t'], 1, 1)
         own.functions = {(i,): None for i in range(own.order + 1)}
-    if kind in ('poly', 'box') and r.random() < 0.4:
+    if kind in ('poly', 'box', 'product') and r.random() < 0.4:
         last = list(own.functions)[-1]
         rest = formula(1)
         for i, f in own.functions.items():
@@ -334,6 +371,8 @@ def relation_claim(r, own, f, relation, g):
 
 def decided(own, relation, f):
     """Whether f ≥ 0 (> 0) on an interval, or f = 0; `None` where sympy is not asked."""
+    if own.simplices and relation == '=':
+        return sympy.expand(f.eval(own.symbols())) == 0
     if own.kind not in ('poly', 'raise') or own.shapes and relation != '=':
         return None
     t = sympy.Symbol('t')
@@ -365,7 +404,7 @@ def claims(r, own):
     result = []
     for _ in range(r.randint(4, 7)):
         kind = r.choice(['order', 'order', 'order', 'square', 'equal', 'unity', 'nonnegative', 'independent', 'at',
-                         'slope', 'symmetric', 'smooth'])
+                         'slope', 'symmetric', 'smooth'] + ['face', 'partial', 'integral', 'swap'] * bool(own.simplices))
         f = r.choice(members)
         if kind == 'order':
             g = r.choice([formula(number(r)), r.choice(members), formula(0)])
@@ -391,7 +430,7 @@ def claims(r, own):
             known = [decided(own, '>=', m) for m in members]
             truth = False if False in known else None if None in known else True
             result.append(Claim('nonnegative', [('>=', m, {}) for m in members], truth))
-        elif kind == 'independent' and not own.simplex and own.kind != 'box':
+        elif kind == 'independent' and not own.simplices and own.kind != 'box':
             result.append(Independent(own))
         elif kind == 'slope' and len(own.domain) == 1:
             d = Derivative(f, 't')
@@ -424,6 +463,31 @@ def claims(r, own):
                 parts = [('=', Difference(a, b, mirrored), {}) for a, b in zip(members, members[::-1])]
                 if own.kind != 'spans':
                     result.append(Claim('symmetric', parts))
+        elif kind == 'face':
+            # A coordinate of a simplex, or a variable, has a fixed value: an end, mostly.
+            name, s = r.choice(list(own.domain.items()))
+            x = r.choice(s.ends() or [s.sample(r)])
+            relation, g = r.choice(['>=', '=', '>']), formula(number(r))
+            text = f'at {name} = {x} {{ {f.text()} {relation} {g.text()}; }}'
+            result.append(Claim(text, [(relation, f - g, Fixed(own, name, x))]))
+        elif kind == 'partial':
+            result.append(partial_claim(r, own, f))
+        elif kind == 'integral':
+            value = own.integral(f)
+            if not value.free_symbols:
+                value = Fraction(str(value)) + r.choice([0, 0, Fraction(1, 1000)])
+                truth = own.integral(f) == sympy.Rational(str(value))
+                result.append(Claim(f'integral({f.text()}) = {Number(value).text()}', [('=', Integral(own, f, value), {})], truth))
+        elif kind == 'swap':
+            # The function with two coordinates of a simplex exchanged, written with arguments.
+            names = r.choice(own.simplices)
+            a, b = r.sample(names, 2)
+            g = r.choice(members)
+            arguments = [b if n == a else a if n == b else n for n in own.domain]
+            p = Moved(g, dict(zip(own.domain, map(Name, arguments))))
+            relation = r.choice(['=', '>='])
+            result.append(Claim(f'{f.text()} {relation} {g.text()}({", ".join(arguments)})', [(relation, f - p, {})],
+                                decided(own, relation, f - p)))
         elif kind == 'smooth' and own.kind == 'spans':
             result.append(Smooth(own, r.randint(0, 2)))
     seen = set()
@@ -438,6 +502,71 @@ class Difference:
 
     def eval(self, env):
         return self.a.eval(env) - self.b.eval({**env, 't': self.mirrored.eval(env)})
+
+
+class Moved(Formula):
+    """f at formulas in place of the variables."""
+
+    def __init__(self, f, by):
+        self.f, self.by = f, by
+
+    def eval(self, env):
+        return self.f.eval({**env, **{n: g.eval(env) for n, g in self.by.items()}})
+
+
+class Integral(Formula):
+    """The integral of f over the domain, less a number."""
+
+    def __init__(self, own, f, value):
+        self.x = own.integral(f) - sympy.Rational(str(value))
+
+    def eval(self, env):
+        return Fraction(str(self.x))
+
+
+class Fixed(dict):
+    """A value of a domain variable; on a simplex the others are scaled to what it leaves."""
+
+    def __init__(self, own, name, x):
+        super().__init__({name: x})
+        self.others = [n for names in own.simplices if name in names for n in names if n != name]
+        self.left = 1 - x
+
+    def of(self, env):
+        env = {**env, **self}
+        total = sum(env[n] for n in self.others)
+        for n in self.others:
+            env[n] = self.left * env[n] / total if total else self.left / len(self.others)
+        return env
+
+
+def partial_claim(r, own, f):
+    """D(f, x) ≥ c or = g, for a variable of an interval or a coordinate of a simplex but the last."""
+    x = r.choice([n for n in own.domain if not any(n == names[-1] for names in own.simplices)])
+    last = [names[-1] for names in own.simplices if x in names]
+    # Along the edge from the last corner its coordinate falls as the other one grows.
+    d = Derivative(f, x, x)
+    if last:
+        d = Derivative(Moved(f, {last[0]: Falling(x, last[0])}), x)
+        d.text = lambda: f'D({f.text()}, {x})'
+    relation, g = r.choice(['>=', '=', '>']), formula(number(r))
+    if relation == '=' and r.random() < 0.5:
+        return Claim(f'D({f.text()} + {x}, {x}) = {d.text()} + 1', [('=', formula(0), {})], True)
+    return Claim(f'{d.text()} {relation} {g.text()}', [(relation, d - g, {})])
+
+
+class Falling(Formula):
+    """A coordinate w, which is 1 minus the others, as one of them, u, moves: w + u − (u with its derivative)."""
+
+    def __init__(self, x, last):
+        self.x, self.last = x, last
+
+    def eval(self, env):
+        x = env[self.x]
+        base = x
+        while hasattr(base, 'a'):
+            base = base.a
+        return env[self.last] + (base - x)
 
 
 class Smooth(Claim):
@@ -551,7 +680,7 @@ def witness_point(own, at):
                 value *= mpmath.tanh(mpmath.mpf(int(match[4])) / int(match[5]))
             value = (mpmath.atan if match[1] == 'tan' else mpmath.atanh)(value) * int(match[3] or 1)
             name = match[2]
-        elif match := re.fullmatch(r'tan\(\((\w+) - pi(?:/(\d+))?\)(?:/(\d+))?\)', name):
+        elif match := re.fullmatch(r'tan\(\(?(\w+) - pi(?:/(\d+))?\)?(?:/(\d+))?\)', name):
             value = mpmath.pi / int(match[2] or 1) + mpmath.atan(to_float(value)) * int(match[3] or 1)
             name = match[1]
         env[name] = value
@@ -576,7 +705,8 @@ def judge_claim(own, claim, answer, r):
             return None
         for relation, f, fixed in claim.parts:
             for _ in range(6 if relation == '=' else 40):
-                env = floats(own, {**own.sample(r), **fixed})
+                env = own.sample(r)
+                env = floats(own, fixed.of(env) if isinstance(fixed, Fixed) else {**env, **fixed})
                 try:
                     x = f.eval(env)
                 except ZeroDivisionError:
@@ -713,8 +843,8 @@ def judge_theorem(theorem, claim, answer):
     return None
 
 
-def subject(r, name):
-    own = Theorem(r, name) if r.random() < 0.12 else family(r, name)
+def subject(r, name, kind=None):
+    own = Theorem(r, name) if not kind and r.random() < 0.12 else family(r, name, kind)
     if not isinstance(own, Theorem):
         text = own.text()
         replace_ends(own)
@@ -734,6 +864,7 @@ def main():
     parser.add_argument('basis')
     parser.add_argument('--claims', type=int, default=1000)
     parser.add_argument('--seed', type=int, default=int(time.time()))
+    parser.add_argument('--kind', help='families of one kind only, such as product')
     parser.add_argument('--keep', help='a folder for the specs')
     parser.add_argument('--lie', action='store_true', help='turn every refuted into proved: this has to be noticed')
     options = parser.parse_args()
@@ -744,7 +875,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     counts, wrong, done = Counter(), 0, 0
     while done < options.claims:
-        batch = [subject(r, f'F{k}') for k in range(min(40, 1 + (options.claims - done) // 4))]
+        batch = [subject(r, f'F{k}', options.kind) for k in range(min(40, 1 + (options.claims - done) // 4))]
         paths = []
         for k, own in enumerate(batch):
             path = folder / f'{done}-{k}.basis'

@@ -44,7 +44,9 @@ const BLOCKS: [Block; 4] = [
         name: "surfaces",
         says: "TensorSurface::with_rows(",
         before: "
-            use basis_runtime::{Curve, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, basis};
+            use basis_runtime::{
+                BoundedSurface as _, Curve, Surface, SurfaceOfRevolution, TensorSurface, Tessellation, basis,
+            };
             use std::f64::consts::PI;
             use std::fs::File;
             basis!(library \"quartic\");
@@ -54,6 +56,7 @@ const BLOCKS: [Block; 4] = [
             let curve = Curve::new(family, [[0.0, 1.0], [1.0, 2.0], [2.0, 0.5], [3.0, 1.0]]);",
         after: "
             assert!(normal.is_some() && nearest.distance.is_finite() && !mesh.triangles.is_empty());
+            assert_eq!(hits.map(|hits| hits.len()), Some(2));
             assert!(std::fs::read(\"vase.glb\")?.starts_with(b\"glTF\"));",
     },
     Block {

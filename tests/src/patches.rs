@@ -1,8 +1,13 @@
-//! Every family of the library on a triangle, a tetrahedron or a box, generated in this crate as in any other.
+//! Every family of the library on a triangle, a tetrahedron or a box, and some on prisms, generated in this crate as in
+//! any other.
 
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::rational::Rational;
-use basis_runtime::{BoxBasis, BoxPatch, Scalar, ShapeError, SimplexBasis, SimplexPatch, basis};
+use basis_engine::model::Factor;
+use basis_runtime::{
+    BoxBasis, BoxPatch, DomainFactor, ProductBasis, ProductPatch, Scalar, ShapeError, SimplexBasis,
+    SimplexPatch, basis,
+};
 
 use crate::exact::{Reference, fraction};
 use crate::random::Random;
@@ -28,9 +33,10 @@ basis!(
     TriangularII(5) as TriangularII5,
     TriangularII(8) as TriangularII8
 );
+basis!(library "triangles/prisms", QuadraticWedge, TriquadraticWedge);
 basis!("../specs/good/patches.basis");
 
-/// A generated type, with what it needs to be compared with its spec; the same for simplices and boxes.
+/// A generated type, with what it needs to be compared with its spec; the same for simplices, boxes and products.
 pub trait ShippedPatch: Copy {
     /// The scalar type.
     type Scalar: Scalar;
@@ -65,31 +71,36 @@ pub trait ShippedPatch: Copy {
         let family = &reference.family;
         let unit = if size_of::<Self::Scalar>() == 4 { 1_u64 << 23 } else { 1 << 52 };
         let whole = |k: u64| Self::Scalar::of(k as f64 / unit as f64);
-        if !family.is_simplex() {
-            let along = |p: &basis_engine::model::Parameter| {
-                let (low, high) = p.range.finite().expect("a box");
-                let x: f64 = random.unit();
-                Self::Scalar::of(low.to_f64() + (high.to_f64() - low.to_f64()) * x)
+        let mut all = Vec::new();
+        for factor in family.factors() {
+            let corners = match factor {
+                Factor::Interval(p) => {
+                    let (low, high) = p.range.finite().expect("two ends");
+                    let x: f64 = random.unit();
+                    all.push(Self::Scalar::of(low.to_f64() + (high.to_f64() - low.to_f64()) * x));
+                    continue;
+                }
+                Factor::Simplex(independent, _) => independent.len() + 1,
             };
-            return family.domain.iter().map(along).collect();
+            let mut rest = unit;
+            let mut point: Vec<Self::Scalar> = Vec::new();
+            for _ in 1..corners {
+                let part = match random.below(5) {
+                    0 => 0,
+                    1 => rest,
+                    2 => random.below(8) as u64,
+                    _ => random.below(rest as usize + 1) as u64,
+                };
+                let part = part.min(rest);
+                rest -= part;
+                point.push(whole(part));
+            }
+            point.push(whole(rest));
+            let turn = random.below(point.len());
+            point.rotate_left(turn);
+            all.extend(point);
         }
-        let mut rest = unit;
-        let mut point: Vec<Self::Scalar> = Vec::new();
-        for _ in &family.domain {
-            let part = match random.below(5) {
-                0 => 0,
-                1 => rest,
-                2 => random.below(8) as u64,
-                _ => random.below(rest as usize + 1) as u64,
-            };
-            let part = part.min(rest);
-            rest -= part;
-            point.push(whole(part));
-        }
-        point.push(whole(rest));
-        let turn = random.below(point.len());
-        point.rotate_left(turn);
-        point
+        all
     }
 }
 
@@ -99,8 +110,11 @@ pub trait ShippedPatch: Copy {
 /// When a denominator vanishes.
 pub fn exact<S: Scalar>(reference: &Reference, shape: &[S], at: &[S], orders: &[usize]) -> Vec<Rational> {
     let family = &reference.family;
-    let coordinates: Vec<Rational> =
-        shape.iter().chain(at).map(|x| fraction(*x)).chain([Rational::ZERO]).collect();
+    let mut coordinates: Vec<Rational> = vec![Rational::ZERO; family.names.len() + 1];
+    let variables = family.shapes.iter().chain(family.domain_variables());
+    for (p, x) in variables.zip(shape.iter().chain(at)) {
+        coordinates[p.var.0] = fraction(*x);
+    }
     let derivative = |f: &Fraction| {
         family
             .domain
@@ -110,6 +124,16 @@ pub fn exact<S: Scalar>(reference: &Reference, shape: &[S], at: &[S], orders: &[
     };
     let one = |f: &basis_engine::model::Function| derivative(&f.value).eval(&coordinates).expect("no pole");
     family.functions.iter().map(one).collect()
+}
+
+/// The degree in the coordinates of a factor.
+fn degree(factor: &DomainFactor) -> usize {
+    match *factor {
+        DomainFactor::Interval { degree }
+        | DomainFactor::Triangle { degree }
+        | DomainFactor::Tetrahedron { degree } => degree,
+        _ => unreachable!("another factor"),
+    }
 }
 
 macro_rules! patches {
@@ -153,6 +177,12 @@ macro_rules! patches {
     (@patch box $basis:expr, $points:ident, $at:ident, $orders:ident) => {
         BoxPatch::new($basis, $points).partial($at, $orders.try_into().expect("all orders"))
     };
+    (@patch product $basis:expr, $points:ident, $at:ident, $orders:ident) => {
+        ProductPatch::new($basis, $points).partial($at, $orders.try_into().expect("all orders"))
+    };
+    (@degree product $type:ty) => {
+        <$type as ProductBasis>::FACTORS.iter().map(degree).max().unwrap_or(0)
+    };
     (@degree simplex $type:ty) => { <$type as SimplexBasis>::DEGREE };
     (@degree box $type:ty) => { <$type as BoxBasis>::DEGREES.iter().copied().max().unwrap_or(0) };
 }
@@ -174,9 +204,12 @@ patches! {
     simplex TriangularII: "triangular.basis" TriangularII [3], (a, b) => Self::new(a, b);
     simplex TriangularII5: "triangular.basis" TriangularII [5], (a, b) => Self::new(a, b);
     simplex TriangularII8: "triangular.basis" TriangularII [8], (a, b) => Self::new(a, b);
+    product QuadraticWedge: "triangles/prisms.basis" QuadraticWedge [], () => Ok(Self::new());
+    product TriquadraticWedge: "triangles/prisms.basis" TriquadraticWedge [], () => Ok(Self::new());
     simplex Bubble: "../tests/specs/good/patches.basis" Bubble [], (mu) => Self::new(mu);
     simplex Quotients: "../tests/specs/good/patches.basis" Quotients [], (mu) => Self::new(mu);
     box Brick: "../tests/specs/good/patches.basis" Brick [], (lambda) => Self::new(lambda);
+    product Column: "../tests/specs/good/patches.basis" Column [], (lambda) => Self::new(lambda);
 }
 
 /// Calls a function, generic over [`ShippedPatch`], for every family on a simplex or a box with that scalar type.
@@ -185,7 +218,7 @@ macro_rules! each_patch {
     ($scalar:ty, $visit:ident $(, $argument:expr)*) => {
         $crate::each_patch!(@ $scalar, $visit, ($($argument),*),
             CrouzeixRaviart HermiteTriangle Trilinear Bilinear Serendipity P1 P4 Tetrahedral1 Tetrahedral2 TriangularLinear TriangularBernstein TriangularI
-            TriangularI3 TriangularI8 TriangularII TriangularII5 TriangularII8 Bubble Quotients Brick)
+            TriangularI3 TriangularI8 TriangularII TriangularII5 TriangularII8 QuadraticWedge TriquadraticWedge Bubble Quotients Brick Column)
     };
     (@ $scalar:ty, $visit:ident, $arguments:tt, $($type:ident)+) => {
         $($crate::each_patch!(% $visit::<$crate::patches::$type<$scalar>>, $arguments);)+

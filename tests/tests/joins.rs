@@ -2,7 +2,7 @@
 //! curves and surfaces, which know nothing of the formulas.
 
 use basis_runtime::{
-    Contact, Curve, CurveError, Edge, EdgeContinuity, TensorSurface, basis, edge_continuity,
+    Contact, Curve, CurveError, Edge, EdgeContinuity, EdgePair, TensorSurface, basis, edge_continuity,
 };
 use basis_tests::random::Random;
 
@@ -187,7 +187,7 @@ fn surfaces_join_u_u() {
             row[..2].copy_from_slice(&new);
         }
         let next = surface(lambda, g2, &t);
-        let joint = edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 33);
+        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
         assert_eq!(measured(joint), (Some(1), true), "{joint:?}");
         // The published steps: everything but the last column.
         let steps = quartic_surface::g2_uu(&s, g1, g2, f).unwrap();
@@ -195,7 +195,7 @@ fn surfaces_join_u_u() {
             row[..3].copy_from_slice(&new);
         }
         let next = surface(lambda, g2, &t);
-        let joint = edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 33);
+        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
         assert_eq!(measured(joint), (Some(2), true), "{joint:?}");
     }
 }
@@ -210,11 +210,13 @@ fn surfaces_join_u_v_with_opposite_normals() {
         let first = surface(l1, g1, &s);
         let gamma = [l1, l1, random.between(-2.5, 1.0), random.between(-2.5, 1.0)];
         t[..2].copy_from_slice(&quartic_surface::g1_uv(&s, g1, l2, f).unwrap());
-        let joint = edge_continuity(&first, Edge::VEnd, &surface(l2, gamma, &t), Edge::UStart, false, 33);
+        let joint =
+            edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(1), false), "{joint:?}");
         let gamma = [l1, l1, l1, random.between(-2.5, 1.0)];
         t[..3].copy_from_slice(&quartic_surface::g2_uv(&s, g1, l2, f).unwrap());
-        let joint = edge_continuity(&first, Edge::VEnd, &surface(l2, gamma, &t), Edge::UStart, false, 33);
+        let joint =
+            edge_continuity(&first, &surface(l2, gamma, &t), EdgePair::along(Edge::VEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(2), false), "{joint:?}");
     }
 }
@@ -230,11 +232,11 @@ fn surfaces_join_v_v() {
         let first = surface(l1, [free, eta, eta, eta], &s);
         t[..2].copy_from_slice(&quartic_surface::g1_vv(&s, l1, l2, f).unwrap());
         let next = surface(l2, [eta, eta, other, other], &t);
-        let joint = edge_continuity(&first, Edge::UEnd, &next, Edge::UStart, false, 33);
+        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(1), true), "{joint:?}");
         t[..3].copy_from_slice(&quartic_surface::g2_vv(&s, l1, l2, f).unwrap());
         let next = surface(l2, [eta, eta, eta, other], &t);
-        let joint = edge_continuity(&first, Edge::UEnd, &next, Edge::UStart, false, 33);
+        let joint = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
         assert_eq!(measured(joint), (Some(2), true), "{joint:?}");
     }
 }

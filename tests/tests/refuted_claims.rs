@@ -1,7 +1,9 @@
 //! Every published claim that is refuted fails on floats, too, and its correction holds; the claims are stated and
 //! decided in `specs/papers`.
 
-use basis_runtime::{Curve, Edge, Surface, SurfaceOfRevolution, TensorSurface, basis, edge_continuity};
+use basis_runtime::{
+    Curve, Edge, EdgePair, Surface, SurfaceOfRevolution, TensorSurface, basis, edge_continuity,
+};
 use basis_tests::random::Random;
 
 basis!("../../specs/quadratic.basis", QuadraticBezier);
@@ -245,7 +247,7 @@ fn order(
     next: &TensorSurface<QuarticBernstein, QuarticBernstein, [f64; 3]>,
     other: Edge,
 ) -> Option<usize> {
-    edge_continuity(first, edge, next, other, false, 33).order(1e-13, 1e-11, 1e-9)
+    edge_continuity(first, next, EdgePair::along(edge, other), 33).order(1e-13, 1e-11, 1e-9)
 }
 
 /// The parameter γ' with 3 + γ' = k (3 + γ).

@@ -47,7 +47,7 @@ impl<'j> Fields<'j> {
     pub(super) fn end(self) -> Result<(), String> {
         match self.left.first() {
             None => Ok(()),
-            Some((name, _)) => Err(format!("`{name}` does not belong there")),
+            Some((name, _)) => Err(format!("`{name}` does not belong here")),
         }
     }
 }

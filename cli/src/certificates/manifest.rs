@@ -104,7 +104,7 @@ pub(super) fn verify(folder: &Path, asked: &[PathBuf], specs: &mut Specs) -> Vec
     let expected: BTreeSet<String> = given.flat_map(|path| specs.under(&path)).collect();
     for spec in &expected {
         if !manifest.specs.contains_key(spec) {
-            problems.push(format!("{spec}: the list of the specs lacks it"));
+            problems.push(format!("{spec}: no certificates were written for it"));
         }
     }
     for spec in expected.iter().chain(manifest.specs.keys()).collect::<BTreeSet<_>>() {
@@ -116,10 +116,10 @@ pub(super) fn verify(folder: &Path, asked: &[PathBuf], specs: &mut Specs) -> Vec
             }
         };
         if manifest.specs.get(spec).is_some_and(|listed| *listed != says) {
-            problems.push(format!("{spec}: the list of the specs has other claims than the spec"));
+            problems.push(format!("{spec}: its claims are not those for which certificates were written"));
         }
         if !expected.contains(spec) {
-            problems.push(format!("{spec}: no path of the list of the specs leads to it"));
+            problems.push(format!("{spec}: it is in none of the checked folders"));
         }
     }
     problems

@@ -12,7 +12,7 @@ use basis_engine::claim::Expected;
 use basis_engine::model::obligation::Obligation;
 use basis_engine::state::{self, Stated as Statements};
 use basis_engine::{Claim, Sources, Subject};
-use basis_kernel::{Certificate, Proof, Refutation, Statement, text as kernel};
+use basis_kernel::{Certificate, Proof, Refutation, Statement, Witness, text as kernel};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -188,7 +188,7 @@ fn against(value: &Value, spec: &str, stated: &Stated) -> Result<Vec<String>, St
         return Err(format!("the format is not `{FORMAT}`"));
     }
     if fields.text("spec")? != spec {
-        return Err(String::from("the spec is another one"));
+        return Err(String::from("it belongs to another spec"));
     }
     let item = &stated.item;
     for (key, expected) in head::subject(&item.subject) {
@@ -201,13 +201,13 @@ fn against(value: &Value, spec: &str, stated: &Stated) -> Result<Vec<String>, St
     fields.end()?;
     if obligations.len() != item.obligations.len() {
         return Err(format!(
-            "there are {} obligations, and not {}",
+            "the spec has {} obligations, the certificate {}",
             item.obligations.len(),
             obligations.len()
         ));
     }
     if claims.len() != item.claims.len() {
-        return Err(format!("there are {} claims, and the spec makes {}", claims.len(), item.claims.len()));
+        return Err(format!("the certificate has {} claims, the spec {}", claims.len(), item.claims.len()));
     }
     let budget = item.subject.budget();
     let mut problems = Vec::new();
@@ -233,7 +233,7 @@ fn obligation(value: &Value, known: &Obligation, budget: u32) -> Result<(), Stri
     let negative = match fields.take_if_any("negative") {
         None => false,
         Some(Value::Bool(true)) => true,
-        Some(_) => return Err(String::from("`negative` is `true` or not there")),
+        Some(_) => return Err(String::from("`negative` is either `true` or absent")),
     };
     let proof = fields.take_if_any("proof");
     fields.end()?;
@@ -247,7 +247,7 @@ fn shown(statement: Statement, proof: Option<&Value>, budget: u32) -> Result<(),
     let certificate = match proof {
         None => Certificate::Direct,
         Some(proof) => match kernel::certificate(word(proof)?).map_err(|e| e.to_string())? {
-            Certificate::Direct => return Err(String::from("a proof that only computes is not written")),
+            Certificate::Direct => return Err(String::from("a proof by computation alone is left out")),
             other => other,
         },
     };
@@ -269,8 +269,12 @@ pub(super) fn claim(
         }
     }
     if let Some(steps) = fields.take_if_any("steps") {
-        let statements = state::statements(subject, claim)
-            .ok_or("the budget of the spec does not suffice to expand what the claim says")?;
+        let ways = match fields.take_if_any("ways") {
+            None => Vec::new(),
+            Some(ways) => self::ways(ways)?,
+        };
+        let statements = state::statements(subject, claim, &ways)
+            .ok_or("expanding the claim takes more work than the budget of the spec allows")?;
         if steps.as_u64() != Some(statements.len() as u64) {
             return Err(format!("the claim makes {}", count(statements.len(), "statement")));
         }
@@ -291,16 +295,44 @@ pub(super) fn claim(
         Some(given) => list(given)?.iter().map(place).collect::<Result<_, _>>()?,
     };
     let value = fields.take_if_any("value");
+    let proof = fields.take_if_any("proof");
     fields.end()?;
     let instances = state::instances(subject, claim, &given)?;
-    let found = instances.into_iter().find(|stated| stated.of == of);
-    let Statements { statement, .. } = found.ok_or_else(|| format!("the claim says nothing of `{of}`"))?;
+    let found = instances.into_iter().find(|stated| stated.of == of).map(|stated| stated.statement);
+    let statement = match found {
+        Some(_) if proof.is_some() => {
+            return Err(String::from("a value that is a number at a point needs no proof"));
+        }
+        Some(statement) => statement,
+        None => {
+            let [statement, negation] = beside(subject, claim, of, &witness)
+                .ok_or_else(|| format!("the claim says nothing about `{of}`"))?;
+            shown(negation, proof, subject.budget())?;
+            statement
+        }
+    };
     let refutation = Refutation::new(Rc::new(statement), witness, &mut Work::usual(subject.budget()));
     let refutation = refutation.map_err(|e| e.to_string())?;
     if value.map(Value::as_str) != refutation.value().map(Rational::to_string).as_deref().map(Some) {
-        return Err(String::from("the value is another one"));
+        return Err(String::from("the value is not that of the claim there"));
     }
     declared(claim, Expected::False)
+}
+
+/// What a claim says of `of` at the point of a witness, and that it fails whatever the numbers are that are not rational there.
+fn beside(subject: &Subject, claim: &Claim, of: &str, witness: &Witness) -> Option<[Statement; 2]> {
+    let Witness::At(point) = witness else { return None };
+    let rational = point.root.is_none();
+    let coordinates: Vec<_> = point.coordinates.iter().map(|(var, x)| (*var, x.leading())).collect();
+    if rational { state::at_point(subject, claim, of, &coordinates) } else { None }
+}
+
+/// The numbers of the ways to what is enough for comparisons, not all of them 0.
+fn ways(value: &Value) -> Result<Vec<usize>, String> {
+    let ways: Option<Vec<usize>> =
+        list(value)?.iter().map(|way| way.as_u64().and_then(|n| usize::try_from(n).ok())).collect();
+    ways.filter(|all| all.iter().any(|way| *way > 0))
+        .ok_or_else(|| String::from("`ways` is not as it is written"))
 }
 
 /// Whether a claim is declared as it was found to be.
@@ -317,7 +349,7 @@ fn proofs(statements: Vec<Statements>, written: Option<&Value>, budget: u32) -> 
     let mut fields = match written {
         None => None,
         Some(Value::Object(object)) if object.is_empty() => {
-            return Err(String::from("an empty list of proofs is not written"));
+            return Err(String::from("an empty list of proofs is left out"));
         }
         Some(written) => Some(Fields::of(written)?),
     };

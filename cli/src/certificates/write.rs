@@ -92,6 +92,9 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Value {
     match &decided.verdict {
         Verdict::Proved(evidence) => {
             put("steps", Value::from(evidence.steps().len()));
+            if evidence.ways().iter().any(|way| *way > 0) {
+                put("ways", Value::from(evidence.ways()));
+            }
             let proofs = evidence.steps().iter().enumerate();
             let proofs: Map<String, Value> =
                 proofs.filter_map(|(k, (_, step))| Some((k.to_string(), proof(step)?))).collect();
@@ -104,6 +107,9 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Value {
             put("witness", Value::from(text::witness_text(witness.refutation().witness())));
             if let Some(value) = witness.refutation().value() {
                 put("value", Value::from(value.to_string()));
+            }
+            if let Some(text) = witness.everywhere().and_then(proof) {
+                put("proof", text);
             }
             if !witness.given.is_empty() {
                 let place = |place: &Vec<Rational>| {

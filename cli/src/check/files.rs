@@ -10,12 +10,27 @@ use crate::output::error;
 use crate::spec::{self, EXTENSION};
 
 /// A file to check, or what stands in the way.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Entry {
     /// The path, beginning as the user wrote it.
     pub(crate) path: PathBuf,
     /// Why there is nothing to check.
-    pub(crate) problem: Option<Diagnostic>,
+    pub(crate) problem: Option<Problem>,
+}
+
+/// Why there is nothing to check.
+#[derive(Clone, Debug)]
+pub(crate) struct Problem {
+    message: String,
+    help: Option<String>,
+}
+
+impl From<Problem> for Diagnostic {
+    fn from(problem: Problem) -> Self {
+        let mut error = error(problem.message);
+        error.help = problem.help;
+        error
+    }
 }
 
 /// The files in the order of the paths; those in a folder sorted by path, each once.
@@ -61,8 +76,10 @@ fn folder(root: &Path) -> Vec<Entry> {
         linked = next;
     }
     if found.is_empty() {
-        let problem = error(format!("there is no spec in the folder `{}`", root.display()))
-            .help(format!("the name of a spec file ends with `.{EXTENSION}`"));
+        let problem = Problem {
+            message: format!("there is no spec in the folder `{}`", root.display()),
+            help: Some(format!("the name of a spec file ends with `.{EXTENSION}`")),
+        };
         found.push(Entry { path: root.to_path_buf(), problem: Some(problem) });
     }
     found.sort_by(|a, b| a.path.cmp(&b.path));
@@ -71,7 +88,8 @@ fn folder(root: &Path) -> Vec<Entry> {
 
 fn walk(folder: &Path, seen: &mut BTreeSet<PathBuf>, found: &mut Vec<Entry>, linked: &mut Vec<PathBuf>) {
     let fail = |e: std::io::Error| {
-        let problem = error(format!("cannot read the folder `{}`: {e}", folder.display()));
+        let message = format!("cannot read the folder `{}`: {e}", folder.display());
+        let problem = Problem { message, help: None };
         Entry { path: folder.to_path_buf(), problem: Some(problem) }
     };
     match folder.canonicalize().map(|real| seen.insert(real)) {

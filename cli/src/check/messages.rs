@@ -16,12 +16,10 @@ pub(crate) struct Printer {
 }
 
 impl Printer {
-    /// The messages about one file that are new.
-    pub(crate) fn render(&mut self, outcome: &Outcome) -> String {
+    /// Those of the messages about one file that are new.
+    pub(crate) fn render(&mut self, messages: Vec<String>) -> String {
         let mut text = String::new();
-        let all: Diagnostics = outcome.diagnostics.iter().cloned().chain(claims(outcome)).collect();
-        for diagnostic in all.into_list() {
-            let rendered = diagnostic.render(&outcome.sources, true);
+        for rendered in messages {
             if self.printed.insert(rendered.clone()) {
                 text += &rendered;
                 text += "\n\n";
@@ -29,6 +27,12 @@ impl Printer {
         }
         text
     }
+}
+
+/// The messages about one file.
+pub(crate) fn of(outcome: &Outcome) -> Vec<String> {
+    let all: Diagnostics = outcome.diagnostics.iter().cloned().chain(claims(outcome)).collect();
+    all.into_list().iter().map(|diagnostic| diagnostic.render(&outcome.sources, true)).collect()
 }
 
 /// The first of the claims of each statement that fail in the same way, and how many more there are.

@@ -3,6 +3,7 @@
 pub(crate) mod files;
 mod messages;
 pub(crate) mod orders;
+mod parallel;
 pub(crate) mod prove;
 mod published;
 mod report;
@@ -14,6 +15,7 @@ mod watch;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use basis_engine::published::Published;
 use basis_engine::{Diagnostic, Sources};
 
 use crate::args::{CheckArguments, Format};
@@ -124,7 +126,7 @@ impl Exports<'_> {
     }
 }
 
-/// Every file is printed when it is done.
+/// Every file is printed when it and those before it are done.
 fn as_text(
     entries: Vec<files::Entry>,
     quiet: bool,
@@ -136,38 +138,79 @@ fn as_text(
     let mut summary = text::Summary::default();
     let mut messages = messages::Printer::default();
     let mut statements = Vec::new();
-    for entry in entries {
-        let outcome = prove::file(entry, exports.formulas());
-        status = status.max(outcome.status());
-        exports.add(&outcome);
-        summary.add(&outcome);
-        published::collect(&outcome, &mut statements);
-        read.extend(outcome.sources.iter().filter_map(|(_, source)| source.path.clone()));
-        if outcome.readable && !quiet {
-            status = status.max(output::print(&text::file(&outcome, output::width())));
-        }
-        output::complain(&messages.render(&outcome));
-    }
+    let width = output::width();
+    each(entries, exports, &|outcome| FileText::new(outcome, quiet, width), &mut |file| {
+        status = status.max(file.status);
+        summary.join(&file.summary);
+        published::join(&mut statements, file.statements);
+        read.extend(file.read);
+        status = status.max(output::print(&file.table));
+        output::complain(&messages.render(file.messages));
+    });
     if quiet {
         return status;
     }
-    status = status.max(output::print(&published::text(&statements, output::width())));
+    status = status.max(output::print(&published::text(&statements, width)));
     status.max(output::print(&summary.line(start.elapsed())))
+}
+
+/// What is printed of one file, and counted.
+struct FileText {
+    status: Status,
+    summary: text::Summary,
+    statements: Vec<Published>,
+    read: Vec<PathBuf>,
+    table: String,
+    messages: Vec<String>,
+}
+
+impl FileText {
+    fn new(outcome: &prove::Outcome, quiet: bool, width: Option<u16>) -> Self {
+        let mut summary = text::Summary::default();
+        summary.add(outcome);
+        let shown = outcome.readable && !quiet;
+        Self {
+            status: outcome.status(),
+            summary,
+            statements: published::collect(outcome),
+            read: outcome.sources.iter().filter_map(|(_, source)| source.path.clone()).collect(),
+            table: if shown { text::file(outcome, width) } else { String::new() },
+            messages: messages::of(outcome),
+        }
+    }
 }
 
 fn as_json(entries: Vec<files::Entry>, exports: &mut Exports<'_>) -> Status {
     let mut status = Status::Fine;
     let mut files = Vec::new();
     let mut statements = Vec::new();
-    for entry in entries {
-        let outcome = prove::file(entry, exports.formulas());
-        status = status.max(outcome.status());
-        exports.add(&outcome);
-        published::collect(&outcome, &mut statements);
-        files.push(report::File::new(&outcome));
-    }
+    let report = |outcome: &prove::Outcome| {
+        (outcome.status(), published::collect(outcome), report::File::new(outcome))
+    };
+    each(entries, exports, &report, &mut |(of_file, named, file)| {
+        status = status.max(of_file);
+        published::join(&mut statements, named);
+        files.push(file);
+    });
     status.max(output::print_json(&report::Report::new(
         files,
         statements.into_iter().map(Into::into).collect(),
     )))
+}
+
+/// Checks files on all cores and hands over what is kept of each, in their order; one by one where something is exported.
+fn each<T: Send>(
+    entries: Vec<files::Entry>,
+    exports: &mut Exports<'_>,
+    keep: &(dyn Fn(&prove::Outcome) -> T + Sync),
+    done: &mut dyn FnMut(T),
+) {
+    if exports.certificates.is_none() && exports.coq.is_none() {
+        return parallel::each(entries, keep, done);
+    }
+    for entry in entries {
+        let outcome = prove::file(entry, exports.formulas());
+        exports.add(&outcome);
+        done(keep(&outcome));
+    }
 }

@@ -116,8 +116,13 @@ impl Outcome {
 
 /// Checks one file; `formulas` are kept for [`crate::coq`].
 pub(crate) fn file(entry: Entry, formulas: Formal) -> Outcome {
+    watched(entry, formulas, &|| ())
+}
+
+/// Checks one file, and says of each claim that it is decided.
+pub(crate) fn watched(entry: Entry, formulas: Formal, decided: &dyn Fn()) -> Outcome {
     let path = entry.path.display().to_string();
-    let source = match entry.problem.map_or_else(|| spec::read(&entry.path), Err) {
+    let source = match entry.problem.map_or_else(|| spec::read(&entry.path), |problem| Err(problem.into())) {
         Ok(source) => source,
         Err(problem) => {
             let (items, doc, sources) = (Vec::new(), Vec::new(), Sources::default());
@@ -129,7 +134,7 @@ pub(crate) fn file(entry: Entry, formulas: Formal) -> Outcome {
     let families = library.items(Selected::EveryOrder);
     let warnings = generate::no_floats(&families);
     let items = families.into_iter().chain(theorems(&library));
-    let mut items: Vec<Decided> = items.map(|i| item(i, run)).collect();
+    let mut items: Vec<Decided> = items.map(|i| item(i, run, decided)).collect();
     if formulas == Formal::Kept {
         for item in &mut items {
             if let Subject::Family(family) = &item.subject {
@@ -148,13 +153,14 @@ pub(crate) fn file(entry: Entry, formulas: Formal) -> Outcome {
     }
 }
 
-fn item(item: Item, run: &mut state::Run) -> Decided {
+fn item(item: Item, run: &mut state::Run, decided: &dyn Fn()) -> Decided {
     let Item { subject, obligations, claims } = item;
     let decide = |claim: Claim| {
         let start = Instant::now();
         let verdict = run.decide(&subject, &claim);
         let time = start.elapsed();
         let error = state::diagnose(&subject, &claim, &verdict);
+        decided();
         DecidedClaim { claim, verdict, error, time }
     };
     let claims = claims.into_iter().map(decide).collect();

@@ -1,5 +1,6 @@
 //! Published statements and their fate, as a table and as JSON.
 
+pub(crate) use basis_engine::published::join;
 use basis_engine::published::{self, Decided, Fate, Published};
 use serde::Serialize;
 
@@ -41,17 +42,19 @@ const fn in_json(fate: Fate) -> &'static str {
     }
 }
 
-/// The statements that files name, in the order in which they name them first.
-pub(crate) fn collect(outcome: &Outcome, all: &mut Vec<Published>) {
+/// The statements that a file names, in the order in which it names them first.
+pub(crate) fn collect(outcome: &Outcome) -> Vec<Published> {
+    let mut all = Vec::new();
     for item in &outcome.items {
         let claims = item.claims.iter().map(|claim| Decided {
             doc: &claim.claim.doc,
             expected: claim.claim.expected,
             verdict: &claim.verdict,
         });
-        published::add_subject(all, item.subject.doc(), claims);
+        published::add_subject(&mut all, item.subject.doc(), claims);
     }
-    published::add_file(all, &outcome.doc);
+    published::add_file(&mut all, &outcome.doc);
+    all
 }
 
 /// The statements as a table; empty when there are none.

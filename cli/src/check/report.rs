@@ -127,7 +127,12 @@ fn claim(outcome: &Outcome, decided: &DecidedClaim) -> Claim {
 fn counterexample(witness: &Witness) -> Counterexample {
     let at = witness.at.iter().map(|(name, coordinate)| (name.clone(), Value::from(coordinate.value(name))));
     let net = witness.net.iter().map(|(name, place)| (name.clone(), Value::from(point_text(place))));
-    Counterexample { at: at.chain(net).collect(), value: witness.value_text(), of: witness.of.clone() }
+    let value = witness.value_text();
+    Counterexample {
+        at: at.chain(net).collect(),
+        value: value.strip_prefix("about ").map_or(value.clone(), String::from),
+        of: witness.of.clone(),
+    }
 }
 
 fn message(outcome: &Outcome, diagnostic: &Diagnostic) -> Message {

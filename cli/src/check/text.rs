@@ -99,6 +99,10 @@ fn family_heading(families: &[&Family]) -> String {
     if !family.shapes.is_empty() {
         facts.push(format!("shape {}", same(families, shapes)));
     }
+    let assumed = |family: &Family| domain::assumptions(family).join(", ");
+    if families.iter().any(|family| !assumed(family).is_empty()) {
+        facts.push(format!("assume {}", same(families, assumed)));
+    }
     format!("{}: {}\n", styled(STRONG, &title), facts.join("; "))
 }
 
@@ -182,6 +186,29 @@ impl Summary {
                 Standing::Undecided => &mut self.undecided,
                 Standing::Open => &mut self.open,
             } += 1;
+        }
+    }
+
+    /// Counts what another run has counted.
+    pub(crate) fn join(&mut self, other: &Self) {
+        let Self { files, unreadable, families, theorems, orders, claims, proved, .. } = other;
+        let Self { refuted, wrong, undecided, open, errors, .. } = other;
+        let sums = [
+            (&mut self.files, files),
+            (&mut self.unreadable, unreadable),
+            (&mut self.families, families),
+            (&mut self.theorems, theorems),
+            (&mut self.orders, orders),
+            (&mut self.claims, claims),
+            (&mut self.proved, proved),
+            (&mut self.refuted, refuted),
+            (&mut self.wrong, wrong),
+            (&mut self.undecided, undecided),
+            (&mut self.open, open),
+            (&mut self.errors, errors),
+        ];
+        for (sum, more) in sums {
+            *sum += more;
         }
     }
 

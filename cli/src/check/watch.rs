@@ -36,7 +36,7 @@ pub(super) fn run(arguments: &CheckArguments) -> Status {
                 state.1 = old.1;
             }
         }
-        output::complain(&format!("watching {}; Ctrl-C ends\n", count(known.len(), "file")));
+        output::complain(&format!("watching {}; press Ctrl-C to stop\n", count(known.len(), "file")));
         while states(arguments, &read) == known {
             sleep(PAUSE);
         }

@@ -289,7 +289,7 @@ impl Subject<'_> {
         let independent: Vec<usize> = self.family.domain.iter().map(|p| p.var.0).collect();
         let free = self.family.shapes.iter().filter(|p| values.iter().all(|(v, _)| *v != p.var));
         let env: Vec<usize> = independent.iter().copied().chain(free.clone().map(|p| p.var.0)).collect();
-        let last = |term: Term| match &self.family.dependent {
+        let last = |term: Term| match self.family.simplices.first().map(|s| &s.last) {
             None => term,
             Some(p) => {
                 let others = independent.iter().map(|v| (Sign::Minus, Term::Variable(*v)));
@@ -304,7 +304,7 @@ impl Subject<'_> {
         let sum = Term::Sum(parts.collect());
         let names: Vec<&str> = coordinates.iter().map(|v| self.names[*v].as_str()).collect();
         text += &format!("  intros {}; intros.\n", names.join(" "));
-        if let Some(p) = &self.family.dependent {
+        if let Some(p) = self.family.simplices.first().map(|s| &s.last) {
             let others: Vec<&str> = independent.iter().map(|v| self.names[*v].as_str()).collect();
             let w = &self.names[p.var.0];
             text += &format!("  assert ({w} = 1 - {}) by lra; subst {w}.\n", others.join(" - "));
@@ -405,7 +405,7 @@ impl Subject<'_> {
         let writer = self.writer(&none);
         let independent = self.family.domain.iter().map(|p| (Sign::Minus, Term::Variable(p.var.0)));
         let rest = Term::Sum(std::iter::once((Sign::Plus, Term::integer(1))).chain(independent).collect());
-        let dependent = self.family.dependent.as_ref().map(|p| p.var.0);
+        let dependent = self.family.simplices.first().map(|s| s.last.var.0);
         let args: Vec<Term> = (0..self.names.len())
             .map(|v| if Some(v) == dependent { rest.clone() } else { Term::Variable(v) })
             .collect();

@@ -75,10 +75,15 @@ impl Export {
             // Tangents in place of angles, and formulas by span, have no counterpart either.
             let plain = family.analytic.is_empty() && family.pieces.is_empty();
             let Some(formulas) = decided.formulas.as_ref().filter(|_| plain) else {
-                let why = "a formula of the family has no counterpart";
+                let why = "a formula of the family cannot be stated in Coq yet";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
             };
+            if family.is_product() {
+                let why = "a family on a product of a simplex and something else";
+                self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
+                continue;
+            }
             let obligations: Vec<&Obligation> =
                 family.obligations.iter().chain(&decided.obligations).collect();
             // On a simplex one of the coordinates is expressed by the others.
@@ -240,7 +245,7 @@ impl Text {
                 obligations: &obligations,
             };
             let Some(claimed) = claimed else {
-                missing.push((k, "a formula without a counterpart"));
+                missing.push((k, "a formula that cannot be stated in Coq yet"));
                 continue;
             };
             match subject.theorems(&name, &decided.claim, claimed, &decided.verdict) {

@@ -177,7 +177,7 @@ impl Subject<'_> {
             return self.refuted_independence(name, except, witness);
         }
         let subject = basis_engine::Subject::Family(std::rc::Rc::new(self.family.clone()));
-        let statements = state::statements(&subject, claim).ok_or("a claim that is too long")?;
+        let statements = state::statements(&subject, claim, &[]).ok_or("a claim that is too long")?;
         let refuted = witness.refutation().statement();
         let place = statements
             .iter()

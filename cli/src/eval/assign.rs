@@ -4,8 +4,8 @@ use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::Var;
 use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::algebra::rational::Rational;
-use basis_engine::model::Parameter;
 use basis_engine::model::angle::{Angle, Kind};
+use basis_engine::model::{Factor, Parameter};
 use basis_engine::{Diagnostic, Family};
 
 use super::number::{self, Number};
@@ -57,11 +57,18 @@ pub(super) fn values(
     table.numbers();
     for (role, given) in [(Role::Shape, shapes), (Role::At, at)] {
         for given in given {
-            table.assign(role, given);
+            // A list without an index is all of it.
+            let names = role.names(family);
+            match name::positions(given.name, &names).as_slice() {
+                [] => table.assign(role, given),
+                several => several
+                    .iter()
+                    .for_each(|k| table.assign(role, &Given { name: names[*k], value: given.value })),
+            }
         }
     }
-    if family.is_simplex() {
-        table.complete();
+    for factor in family.factors() {
+        table.complete(factor);
     }
     table.miss(Role::Shape);
     table.miss(Role::At);
@@ -322,15 +329,17 @@ impl Table<'_> {
     }
 
     /// On a simplex the barycentric coordinates are not negative and sum to 1; one of them may be left out.
-    fn complete(&mut self) {
+    fn complete(&mut self, factor: Factor<'_>) {
+        let Factor::Simplex(..) = factor else { return };
         let family = self.family;
+        let own: Vec<&Parameter> = family.domain_variables().filter(|p| contains(factor, p)).collect();
         let (given, missing): (Vec<&Parameter>, Vec<&Parameter>) =
-            family.domain_variables().partition(|p| self.values[p.var.0].is_some());
+            own.iter().partition(|p| self.values[p.var.0].is_some());
         let mut rest = Rational::ONE;
         for value in given.iter().filter_map(|p| self.values[p.var.0].as_ref()) {
             rest -= value;
         }
-        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).collect();
+        let names: Vec<&str> = own.iter().map(|p| p.name.as_str()).collect();
         let sum = names.join(" + ");
         match missing.as_slice() {
             [] if !rest.is_zero() => {
@@ -363,17 +372,21 @@ impl Table<'_> {
 
     /// The parameters without a value.
     fn miss(&mut self, role: Role) {
-        let mut missing = role.parameters(self.family);
-        missing.retain(|p| self.values[p.var.0].is_none());
-        let free = role == Role::At && self.family.is_simplex();
-        if free {
-            // One coordinate follows from the others.
-            missing.pop();
-        }
         let family = self.family;
+        let mut missing = role.parameters(family);
+        missing.retain(|p| self.values[p.var.0].is_none());
+        let mut barycentric: Vec<&str> = Vec::new();
+        for factor in family.factors().into_iter().filter(|_| role == Role::At) {
+            if let Factor::Simplex(..) = factor {
+                // One coordinate follows from the others.
+                let last = missing.iter().rposition(|p| contains(factor, p));
+                last.map(|k| missing.remove(k));
+                barycentric.extend(factor.variables().map(|p| p.name.as_str()));
+            }
+        }
         for parameter in missing.into_iter().filter(|p| !self.meant.contains(&written(family, p))) {
             let (flag, noun, name) = (role.flag(), role.noun(), written(family, parameter));
-            let help = if free {
+            let help = if barycentric.contains(&parameter.name.as_str()) {
                 format!("add {flag} {name}=…; one of the barycentric coordinates may be left out")
             } else if family.analytic.angle(parameter.var).is_some() {
                 format!("add {flag} {name}=…, a value with `{}`", family.declared(parameter))
@@ -384,6 +397,11 @@ impl Table<'_> {
             self.errors.push(error(format!("the {noun} `{name}` has no value")).help(help));
         }
     }
+}
+
+/// Whether a domain variable belongs to a factor.
+fn contains(factor: Factor<'_>, parameter: &Parameter) -> bool {
+    factor.variables().any(|p| p.var == parameter.var)
 }
 
 /// A simple number inside a range.

@@ -32,7 +32,7 @@ pub(super) fn up_to(
     let most =
         (0..=order).take_while(|k| number(functions.len(), variables, *k) <= MAX_VALUES).last().unwrap_or(0);
     if most < order {
-        let message = format!("derivatives up to the order {order} are too many");
+        let message = format!("there are too many derivatives up to order {order}");
         return Err(error(message)
             .help(format!("ask for --order {most} at most; above the degree all derivatives are zero")));
     }

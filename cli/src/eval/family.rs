@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use basis_engine::{Diagnostic, Family, Library, Severity, Subject};
+use basis_engine::{Diagnostic, Family, Library, Selected, Severity, Subject};
 
 use crate::name;
 use crate::output::error;
@@ -36,6 +36,31 @@ pub(super) fn find(library: &Library<'_>, text: &str) -> Result<Rc<Family>, Vec<
         },
         Ok(_) | Err(None) => Err(problems),
         Err(Some(error)) => Err(problems.into_iter().chain([error]).collect()),
+    }
+}
+
+/// The only family of a spec, in its lowest order.
+pub(super) fn only(library: &Library<'_>) -> Result<Rc<Family>, Vec<Diagnostic>> {
+    let mut families: Vec<Rc<Family>> = Vec::new();
+    for item in library.items(Selected::EveryOrder) {
+        if let Subject::Family(family) = item.subject
+            && families.iter().all(|known| known.name != family.name)
+        {
+            families.push(family);
+        }
+    }
+    let errors = errors(library.diagnostics());
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    match families.as_slice() {
+        [one] => Ok(Rc::clone(one)),
+        [] => Err(vec![error("the spec has no family")]),
+        several => {
+            let names: Vec<String> = several.iter().map(|f| f.title()).collect();
+            let message = "the spec has several families";
+            Err(vec![error(message).help(format!("name one of them: {}", names.join(", ")))])
+        }
     }
 }
 

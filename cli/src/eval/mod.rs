@@ -4,7 +4,7 @@ mod assign;
 mod control;
 mod derivatives;
 mod family;
-mod number;
+pub(crate) mod number;
 mod point;
 mod report;
 
@@ -22,7 +22,6 @@ use point::{Combination, Point};
 use report::{Report, Values};
 
 pub(crate) use assign::inside_of;
-pub(crate) use number::Number;
 
 /// More values than this are not printed.
 const MAX_VALUES: usize = 1_000_000;
@@ -48,6 +47,11 @@ pub(crate) fn find_family(library: &Library<'_>, text: &str) -> Result<Rc<Family
     family::find(library, text)
 }
 
+/// The only family of a spec, in its lowest order.
+pub(crate) fn only_family(library: &Library<'_>) -> Result<Rc<Family>, Vec<Diagnostic>> {
+    family::only(library)
+}
+
 fn refuse(sources: &Sources, errors: &[Diagnostic]) -> Status {
     for error in errors {
         complain(&(error.render(sources, true) + "\n\n"));
@@ -56,7 +60,10 @@ fn refuse(sources: &Sources, errors: &[Diagnostic]) -> Status {
 }
 
 fn evaluate(arguments: &EvalArguments, library: &Library<'_>) -> Result<Report, Vec<Diagnostic>> {
-    let family = family::find(library, &arguments.family)?;
+    let family = match &arguments.family {
+        Some(name) => family::find(library, name)?,
+        None => family::only(library)?,
+    };
     let one = |e: Diagnostic| vec![e];
     let control = match &arguments.points {
         Some(text) => control::points(text, &family).map_err(one)?,
@@ -93,25 +100,28 @@ fn evaluate(arguments: &EvalArguments, library: &Library<'_>) -> Result<Report, 
                 let message = format!("there are more than {MAX_VALUES} values");
                 return Err(one(error(message).help("choose a larger step, or fewer derivatives")));
             }
-            let row = Values::new(&point, all, &control);
+            let row = Values::new(&family, &point, all, &control);
             rows.push(row.ok_or_else(|| one(pole(&point)))?);
         }
     }
     if rows.is_empty() {
-        return Err(one(error("no point lies on the domain").help("choose a smaller step")));
+        return Err(one(error("no point lies in the domain").help("choose a smaller step")));
     }
     Ok(Report { title: family.title(), rows, single })
 }
 
-/// Whether a point of a grid is outside of a triangle although each coordinate is between 0 and 1.
+/// Whether a point of a grid is outside of a simplex although each coordinate is in its range.
 fn skips(family: &Rc<Family>, setting: &Combination<'_>, place: &Combination<'_>, anyway: bool) -> bool {
-    let unit = |given: &assign::Given<'_>| {
-        basis_engine::algebra::range::Range::unit().contains(&given.value.value())
+    let variables: Vec<_> = family.domain_variables().collect();
+    let names: Vec<&str> = variables.iter().map(|p| p.name.as_str()).collect();
+    let inside = |given: &assign::Given<'_>| {
+        crate::name::position(given.name, &names)
+            .is_some_and(|k| variables[k].range.contains(&given.value.value()))
     };
-    family.is_simplex()
+    !family.simplices.is_empty()
         && place.stepped
         && !anyway
-        && place.given.iter().all(unit)
+        && place.given.iter().all(inside)
         && Point::new(family, &setting.given, &place.given, true).is_ok()
 }
 

@@ -6,6 +6,7 @@
 use std::fmt;
 
 use basis_engine::algebra::rational::{self, Rational};
+use basis_engine::model::angle::{Angle, Kind};
 
 /// a + b·π.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +68,23 @@ impl Number {
         let slack = Rational::new(1, 1_000_000_000_000_000_000);
         let steps = (&high.value() - &low.value()).checked_div(&self.value())?;
         (&steps + &slack).floor().to_i64()
+    }
+
+    /// The number at k of n equal steps from one to another.
+    pub(crate) fn between(low: &Self, high: &Self, k: i64, n: i64) -> Self {
+        let part = Rational::new(k, n);
+        let at = |a: &Rational, b: &Rational| a + &(&(b - a) * &part);
+        Self { rational: at(&low.rational, &high.rational), turns: at(&low.turns, &high.turns) }
+    }
+
+    /// The value of the variable that stands for a shape parameter: of an angle its tangent; `None` where it has none.
+    pub(crate) fn of_parameter(&self, angle: Option<&Angle>) -> Option<Rational> {
+        let phase = |angle: &Angle| self.phase(&angle.rate, angle.turns, &angle.shift);
+        match angle.map(|angle| (angle, angle.kind)) {
+            Some((angle, Kind::Circular)) => phase(angle).tan().map(|(value, _)| value),
+            Some((angle, Kind::Hyperbolic)) => phase(angle).tanh().map(|(value, _)| value),
+            Some((_, Kind::Linear)) | None => Some(self.value()),
+        }
     }
 
     /// This number and k steps.

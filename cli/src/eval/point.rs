@@ -10,6 +10,7 @@ use basis_engine::{Diagnostic, Family};
 
 use super::assign::{self, Given, Known};
 use crate::args::Axis;
+use crate::domain;
 use crate::name;
 use crate::output::error;
 
@@ -80,8 +81,8 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// The point that the options give; of a family on several spans on the first one that contains it, or with `anyway`
-    /// next to it.
+    /// The point that the options give; of a family on several spans on the last one that contains it, as in generated
+    /// code, or with `anyway` next to it.
     ///
     /// # Errors
     /// As for [`assign::values`].
@@ -92,7 +93,7 @@ impl Point {
         anyway: bool,
     ) -> Result<Self, Vec<Diagnostic>> {
         let spans = if family.pieces.is_empty() { std::slice::from_ref(family) } else { &family.pieces };
-        for piece in spans {
+        for piece in spans.iter().rev() {
             if let Ok(known) = assign::values(piece, shapes, at, false) {
                 return Ok(Self { family: Rc::clone(piece), known });
             }
@@ -107,6 +108,11 @@ impl Point {
             return Ok(Self { family: Rc::clone(last), known });
         }
         Ok(Self { family: Rc::clone(first), known })
+    }
+
+    /// The span of several on which the point lies, such as `1 <= x <= 3`.
+    pub(super) fn span(&self, whole: &Family) -> Option<String> {
+        (!whole.pieces.is_empty()).then(|| domain::describe(&self.family))
     }
 
     /// All values, by variable.

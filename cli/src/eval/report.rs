@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::derivatives::Derivative;
+use super::number::Number;
 use super::point::Point;
 use crate::table::{self, Row, STRONG, styled};
 
@@ -41,6 +42,8 @@ impl Cell {
 /// The values of a family at a point.
 #[derive(Debug)]
 pub(super) struct Values {
+    /// The span of several on which the point lies, such as `1 <= x <= 3`.
+    span: Option<String>,
     /// The names of the parameters with their values as they were typed: the shape parameters, then the domain variables.
     parameters: Vec<(String, String)>,
     /// `b[0]` and so on, with their values.
@@ -65,8 +68,9 @@ pub(super) struct Report {
 /// What is printed of a point as JSON.
 #[derive(Debug, Serialize)]
 pub(super) struct Record {
-    #[serde(skip_serializing_if = "Map::is_empty")]
     at: Map<String, Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    span: Option<String>,
     values: Map<String, Value>,
     derivatives: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
@@ -86,7 +90,12 @@ pub(super) enum Json {
 impl Values {
     /// The values of functions and derivatives at a point, and of the curve or surface with some control points;
     /// `None` where a denominator vanishes.
-    pub(super) fn new(point: &Point, all: &[Derivative], control: &[Vec<Rational>]) -> Option<Self> {
+    pub(super) fn new(
+        whole: &Family,
+        point: &Point,
+        all: &[Derivative],
+        control: &[Vec<Rational>],
+    ) -> Option<Self> {
         let family: &Family = &point.family;
         let labels: Vec<String> = (0..family.functions.len()).map(|k| family.function_label(k)).collect();
         let mut tables = Vec::new();
@@ -124,6 +133,7 @@ impl Values {
         }
         let mut tables = tables.into_iter();
         Some(Self {
+            span: point.span(whole),
             parameters: family
                 .shapes
                 .iter()
@@ -136,14 +146,18 @@ impl Values {
         })
     }
 
-    fn record(&self, with_point: bool) -> Record {
-        let at = self.parameters.iter().filter(|_| with_point);
+    fn record(&self) -> Record {
         let map = |values: &[(String, Cell)]| {
             values.iter().map(|(key, cell)| (key.clone(), Value::from(cell.text()))).collect()
         };
         let coordinates = |cells: &[Cell]| cells.iter().map(Cell::text).collect::<Vec<_>>();
         Record {
-            at: at.map(|(name, value)| (name.clone(), Value::from(value.clone()))).collect(),
+            at: self
+                .parameters
+                .iter()
+                .map(|(name, value)| (name.clone(), Value::from(value.clone())))
+                .collect(),
+            span: self.span.clone(),
             values: map(&self.functions),
             derivatives: map(&self.derivatives),
             curve: self.points.iter().map(|(key, p)| (key.clone(), Value::from(coordinates(p)))).collect(),
@@ -172,8 +186,8 @@ impl Report {
     /// Fractions as strings, by function; what is not rational as a decimal.
     pub(super) fn json(&self) -> Json {
         match self.rows.as_slice() {
-            [one] if self.single => Json::One(Box::new(one.record(false))),
-            rows => Json::Several { points: rows.iter().map(|row| row.record(true)).collect() },
+            [one] if self.single => Json::One(Box::new(one.record())),
+            rows => Json::Several { points: rows.iter().map(Values::record).collect() },
         }
     }
 
@@ -196,7 +210,7 @@ impl Report {
             line(names.chain(first.columns().into_iter().map(|(key, _)| key)).collect());
         }
         for row in &self.rows {
-            let values = row.parameters.iter().map(|(_, value)| value.clone());
+            let values = row.parameters.iter().map(|(_, value)| typed(value, decimals));
             line(values.chain(row.columns().iter().map(|(_, cell)| cell.shown(decimals))).collect());
         }
         text
@@ -227,7 +241,9 @@ impl Report {
             let fractions = if exact { joined(p.iter().map(Cell::exact).collect()) } else { String::new() };
             rows.push((key.clone(), fractions, joined(p.iter().map(Cell::decimal).collect())));
         }
-        let heading = format!("{} at {}", self.title, assignments(&values.parameters));
+        // At a knot two spans meet.
+        let span = values.span.as_ref().map_or_else(String::new, |span| format!(" on {span}"));
+        let heading = format!("{}{span} at {}", self.title, assignments(&values.parameters));
         let rows: Vec<Row> =
             rows.into_iter().map(|(a, b, c)| Row { mark: None, cells: vec![a, b, c] }).collect();
         let first = if values.points.is_empty() { "function" } else { "point" };
@@ -250,7 +266,8 @@ impl Report {
         let mut header: Vec<&str> = varying.iter().map(|k| first.parameters[*k].0.as_str()).collect();
         header.extend(columns.iter().map(|(key, _)| key.as_str()));
         let line = |row: &Values| {
-            let mut cells: Vec<String> = varying.iter().map(|k| row.parameters[*k].1.clone()).collect();
+            let mut cells: Vec<String> =
+                varying.iter().map(|k| typed(&row.parameters[*k].1, decimals)).collect();
             cells.extend(row.columns().iter().map(|(_, cell)| cell.shown(decimals)));
             Row { mark: None, cells }
         };
@@ -258,6 +275,12 @@ impl Report {
         let right: Vec<usize> = (0..header.len()).collect();
         format!("{}\n{}", styled(STRONG, &heading), table::layout(&header, &lines, &right, width))
     }
+}
+
+/// The value of a parameter as it was typed, or as a decimal.
+fn typed(value: &str, decimals: bool) -> String {
+    let number = Number::parse(value).filter(|_| decimals);
+    number.map_or_else(|| value.to_string(), |number| decimal(&number.value()))
 }
 
 /// `λ = 1/2, t = 1/3`.

@@ -33,10 +33,15 @@ pub(super) struct FamilyFacts {
     pub(super) title: String,
     /// The doc comment, one string a line.
     pub(super) doc: Vec<String>,
-    /// Such as `0 <= t <= 1`.
+    /// Such as `0 <= t <= 1`; of one span where there are several.
     pub(super) domain: String,
+    /// All spans, where there are several; what is said of the family is about all of them, formulas and ends are those
+    /// of one.
+    pub(super) whole_domain: Option<String>,
     /// Such as `-3 <= λ <= 1`.
     pub(super) shapes: Vec<String>,
+    /// What is assumed of the shape parameters, such as `α^2 + β^2 <= 1`.
+    pub(super) assumptions: Vec<String>,
     /// The functions in all their forms.
     pub(super) functions: Vec<Function>,
     /// The derivatives of a curve at both ends as combinations of its control points.
@@ -206,10 +211,11 @@ fn extrema(facts: explain::Extrema) -> ExtremaFacts {
 }
 
 impl FamilyFacts {
-    /// What follows from the formulas of a family; its claims are those in `checked`, `next` is its next order, and
-    /// `conversions` are matrices to and from another family.
+    /// What follows from the formulas of a family, on one span if it has several; its claims are those in `checked`, `next`
+    /// is its next order, and `conversions` are matrices to and from another family.
     pub(super) fn new(
         family: &Family,
+        span: &Family,
         checked: Option<&Checked>,
         next: Option<&Family>,
         conversions: &[explain::Matrix],
@@ -229,20 +235,22 @@ impl FamilyFacts {
             name: family.name.clone(),
             title: family.title(),
             doc: family.doc.clone(),
-            domain: domain::describe(family),
+            domain: domain::describe(span),
+            whole_domain: (!family.pieces.is_empty()).then(|| domain::describe(family)),
             shapes: family.shapes.iter().map(|p| family.declared(p)).collect(),
-            functions: function_facts(family).into_iter().map(function).collect(),
-            ends: explain::end_derivatives(family, ORDER).into_iter().map(equation).collect(),
+            assumptions: domain::assumptions(family),
+            functions: function_facts(span).into_iter().map(function).collect(),
+            ends: explain::end_derivatives(span, ORDER).into_iter().map(equation).collect(),
             dependent: set.exceptions.iter().map(|e| explain::describe_exception(family, e)).collect(),
             dependent_open: set.open,
             rounding: explain::rounding(family)
                 .into_iter()
                 .map(|(of, bound)| Rounding { of, bound })
                 .collect(),
-            contacts: explain::contacts(family).into_iter().map(contact).collect(),
-            matrices: conversions.iter().chain(&explain::matrices(family, next)).map(matrix).collect(),
-            extrema: explain::extrema(family).into_iter().map(extrema).collect(),
-            nonnegative: explain::nonnegative_ranges(family).iter().map(ToString::to_string).collect(),
+            contacts: explain::contacts(span).into_iter().map(contact).collect(),
+            matrices: conversions.iter().chain(&explain::matrices(span, next)).map(matrix).collect(),
+            extrema: explain::extrema(span).into_iter().map(extrema).collect(),
+            nonnegative: explain::nonnegative_ranges(span).iter().map(ToString::to_string).collect(),
             claims: checked.map_or_else(Vec::new, claims),
         }
     }
@@ -294,20 +302,20 @@ fn claims(checked: &Checked) -> Vec<ClaimFacts> {
 fn sentence(subject: &Subject, claim: &Claim) -> String {
     let Subject::Family(family) = subject else { return formula(&claim.statement.text, "") };
     let b = latex::name(&family.function_name);
-    match &claim.kind {
+    // What is claimed on several spans has one wording.
+    match claim.kind.on_a_span() {
         ClaimKind::PartitionOfUnity => format!("The functions sum to one, $\\sum_i {b}_i = 1$."),
         ClaimKind::Nonnegative => {
             let shapes =
                 if family.shapes.is_empty() { "" } else { " and for all shape values in their ranges" };
             format!("The functions are nonnegative on the domain{shapes}, ${b}_i \\ge 0$.")
         }
-        ClaimKind::Symmetric => match family.interval() {
-            Some((var, low, high)) if family.analytic.is_empty() => {
-                let (t, n) = (latex::name(&family.names[var.0]), family.functions.len() - 1);
-                let sum = latex::math(&(low + high).to_string()).unwrap_or_default();
-                format!("The functions are symmetric, ${b}_i({t}) = {b}_{{{n}-i}}({sum} - {t})$.")
+        ClaimKind::Symmetric => match reversed(family) {
+            Some((t, image)) => {
+                let n = family.functions.len() - 1;
+                format!("The functions are symmetric, ${b}_i({t}) = {b}_{{{n}-i}}({image})$.")
             }
-            _ => String::from("The functions are symmetric under the symmetries of the domain."),
+            None => String::from("The functions are symmetric under the symmetries of the domain."),
         },
         ClaimKind::Independent(exceptions) => {
             let point = |values: &basis_kernel::Values| {
@@ -334,6 +342,15 @@ fn sentence(subject: &Subject, claim: &Claim) -> String {
                 "Neighbouring segments, the control points shifted by one, join with {order} continuous derivatives{other}."
             )
         }
+        ClaimKind::Rounding(bound) => {
+            let bound = latex::inline(&bound.to_string());
+            format!("The computed values are within {bound} machine epsilons of the exact ones.")
+        }
+        ClaimKind::Smooth(0) => String::from("The functions are continuous on the whole domain."),
+        ClaimKind::Smooth(order) => {
+            let order = if *order == 1 { String::from("once") } else { format!("{order} times") };
+            format!("The functions are {order} continuously differentiable on the whole domain.")
+        }
         ClaimKind::TotallyPositive => {
             format!("The functions are totally positive: no minor of $({b}_j(t_i))$ is negative.")
         }
@@ -347,6 +364,28 @@ fn sentence(subject: &Subject, claim: &Claim) -> String {
         }
         _ => formula(&claim.statement.text, ""),
     }
+}
+
+/// A domain variable and where the reversal of the domain takes it, in math mode; nothing on other domains than intervals.
+fn reversed(family: &Family) -> Option<(String, String)> {
+    let (var, ..) = family.interval()?;
+    let (first, last) = match family.pieces.as_slice() {
+        [] => (family, family),
+        [first, .., last] => (&**first, &**last),
+        [only] => (&**only, &**only),
+    };
+    let ([low, _], [_, high]) = (first.end_texts()?, last.end_texts()?);
+    let parameter = family.domain.iter().find(|p| p.var == var)?;
+    let name = family.name_of(parameter);
+    let sum = match (low.parse::<i64>(), high.parse::<i64>()) {
+        (Ok(low), Ok(high)) => match low.checked_add(high)? {
+            0 => String::new(),
+            sum => sum.to_string(),
+        },
+        (Ok(0), _) => high,
+        _ => format!("{low} + {high}"),
+    };
+    Some((latex::name(name), latex::math(&format!("{sum} - {name}"))?))
 }
 
 /// An equation or inequality as a sentence; what is no formula stands as it is written.

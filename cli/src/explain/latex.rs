@@ -1,15 +1,27 @@
 //! A paper's section about each family: definition, properties, ends, contacts. A whole document, ready to compile.
 
-use basis_engine::query::latex::{escape, inline, math};
+use basis_engine::query::latex::{escape, inline, math, name as latex_name};
 
 use super::facts::{ClaimFacts, Contact, Equation, Facts, FamilyFacts, TheoremFacts};
 
 /// The document.
 pub(super) fn document(all: &[Facts]) -> String {
     let mut text = String::from(HEAD);
-    for facts in all {
+    for (k, facts) in all.iter().enumerate() {
         text += &match facts {
-            Facts::Family(facts) => family(facts),
+            Facts::Family(facts) => {
+                let is_span = |other: Option<&Facts>| matches!(other, Some(Facts::Family(f)) if f.title == facts.title && f.whole_domain.is_some());
+                // What is about all spans together stands with the first one, after the formulas of all of them.
+                let others = all[k..].iter().take_while(|other| is_span(Some(other)));
+                let others: Vec<&FamilyFacts> = others
+                    .filter_map(|other| if let Facts::Family(f) = other { Some(&**f) } else { None })
+                    .collect();
+                match others.as_slice() {
+                    [] => family(facts, &[facts]),
+                    _ if k > 0 && is_span(all.get(k - 1)) => String::new(),
+                    spans => family(facts, spans),
+                }
+            }
             Facts::Theorem(facts) | Facts::Join(facts) => theorem(facts),
         };
     }
@@ -33,34 +45,45 @@ const HEAD: &str = "\
 \\begin{document}
 ";
 
-fn family(facts: &FamilyFacts) -> String {
+/// The section of a family on one span or several.
+fn family(facts: &FamilyFacts, spans: &[&FamilyFacts]) -> String {
     let mut text = head(&facts.title, &facts.doc);
-    let ranges: Vec<String> = facts.shapes.iter().map(|range| inline(range)).collect();
-    let given = match ranges.as_slice() {
-        [] => String::from("The"),
-        ranges => format!("For shape parameters {} the", ranges.join(", ")),
-    };
-    text += &format!("\\begin{{definition}}\n{given} functions on {} are\n", inline(&facts.domain));
-    let line = |f: &super::facts::Function| {
-        let (name, value) = (math(&f.name).unwrap_or_default(), &f.latex);
-        if value.is_empty() {
-            format!("{name} &= \\text{{{}}}", escape(&f.factored))
-        } else {
-            format!("{name} &= {value}")
-        }
-    };
-    text += &display(facts.functions.iter().map(line));
+    let ranges: Vec<String> =
+        facts.shapes.iter().chain(&facts.assumptions).map(|range| inline(range)).collect();
+    text += "\\begin{definition}\n";
+    for (k, span) in spans.iter().enumerate() {
+        let given = match (k, ranges.as_slice()) {
+            (0, []) => String::from("The functions"),
+            (0, ranges) => format!("For shape parameters {} the functions", ranges.join(", ")),
+            _ => String::from("and"),
+        };
+        text += &format!("{given} on {}{}\n", inline(&span.domain), if k == 0 { " are" } else { "" });
+        text += &display(span.functions.iter().map(function));
+    }
     text += "\\end{definition}\n\n";
     text += &claims(&facts.claims);
-    if !facts.ends.is_empty() {
-        text += "A curve $C = \\sum_i b_i P_i$ has at its ends\n";
-        text += &display(facts.ends.iter().map(|e| e.latex.clone()));
-    }
     for exception in &facts.dependent {
         let (values, relation) = exception.split_once(": ").unwrap_or((exception, ""));
         text += &format!("The functions are linearly dependent at {}", inline(values));
         text +=
             &if relation.is_empty() { String::from(".\n\n") } else { format!(": {}.\n\n", inline(relation)) };
+    }
+    for span in spans {
+        if spans.len() > 1 {
+            text += &format!("\\subsection*{{On {}}}\n", inline(&span.domain));
+        }
+        text += &of_span(span);
+    }
+    text
+}
+
+/// Ends, contacts, matrices and extrema of a family, or on one of its spans.
+fn of_span(facts: &FamilyFacts) -> String {
+    let mut text = String::new();
+    if !facts.ends.is_empty() {
+        let b = facts.functions.first().and_then(|f| f.name.split_once('[')).map_or("b", |(b, _)| b);
+        text += &format!("A curve $C = \\sum_i {}_i P_i$ has at its ends\n", latex_name(b));
+        text += &display(facts.ends.iter().map(|e| e.latex.clone()));
     }
     for contact in &facts.contacts {
         text += &of_contact(contact);
@@ -90,6 +113,16 @@ fn family(facts: &FamilyFacts) -> String {
         );
     }
     text
+}
+
+/// `name &= formula`
+fn function(f: &super::facts::Function) -> String {
+    let (name, value) = (math(&f.name).unwrap_or_default(), &f.latex);
+    if value.is_empty() {
+        format!("{name} &= \\text{{{}}}", escape(&f.factored))
+    } else {
+        format!("{name} &= {value}")
+    }
 }
 
 /// Wider matrices do not fit on a page.

@@ -38,6 +38,9 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             }
             (found, Vec::new())
         }
+        (None, _) if arguments.to.is_some() => {
+            (eval::only_family(&library).map(|family| vec![family]), Vec::new())
+        }
         (None, _) => (Ok(lowest_orders(&library)), theorems),
     };
     let mut errors = match &families {
@@ -64,18 +67,12 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
     let run = &mut Run::default();
     let mut all = Vec::new();
     let mut left_out = 0;
-    // On several spans each has formulas of its own.
-    let spans = |family: Rc<Family>| {
-        if family.pieces.is_empty() { vec![family] } else { family.pieces.clone() }
-    };
-    for family in families.unwrap_or_default().into_iter().flat_map(spans) {
+    for family in families.unwrap_or_default() {
         if run.is_spent() {
             left_out += 1;
             continue;
         }
-        // Claims are about all spans together, and stand with the first one.
-        let seen = all.iter().any(|facts| matches!(facts, Facts::Family(f) if f.title == family.title()));
-        let checked = (!seen).then(|| checked(&library, &family, run)).flatten();
+        let checked = checked(&library, &family, run);
         let next = next_order(&library, &family);
         let conversions = match &target {
             Some(target) => match explain::conversions(&family, target) {
@@ -89,16 +86,28 @@ pub(crate) fn run(arguments: &ExplainArguments) -> Status {
             },
             None => Vec::new(),
         };
-        let facts = run.counted_work(family.budget, &mut || {
-            FamilyFacts::new(&family, checked.as_ref(), next.as_deref(), &conversions)
-        });
-        all.push(Facts::Family(Box::new(facts)));
+        // On several spans each has formulas of its own; claims are about all of them, and stand with the first one.
+        let spans =
+            if family.pieces.is_empty() { core::slice::from_ref(&family) } else { &family.pieces[..] };
+        for (k, span) in spans.iter().enumerate() {
+            let checked = checked.as_ref().filter(|_| k == 0);
+            let facts = run.counted_work(family.budget, &mut || {
+                FamilyFacts::new(&family, span, checked, next.as_deref(), &conversions)
+            });
+            all.push(Facts::Family(Box::new(facts)));
+        }
     }
     all.extend(theorems.into_iter().filter_map(|theorem| Facts::theorem(&decide_within(theorem, run))));
     let printed = match arguments.format {
         ExplainFormat::Text => {
-            let texts: Vec<String> = all.iter().map(as_text).collect();
-            output::print(&texts.join("\n"))
+            let mut text = String::new();
+            for (k, facts) in all.iter().enumerate() {
+                if !text.is_empty() {
+                    text.push('\n');
+                }
+                text += &as_text(facts, is_another_span(&all, k));
+            }
+            output::print(&text)
         }
         ExplainFormat::Json => output::print_json(&serde_json::json!({ "items": all })),
         ExplainFormat::Latex => output::print(&latex::document(&all)),
@@ -126,9 +135,18 @@ fn next_order(library: &Library<'_>, family: &Family) -> Option<Rc<Family>> {
     }
 }
 
-fn as_text(facts: &Facts) -> String {
+/// Whether these are facts of another span of the family before them.
+fn is_another_span(all: &[Facts], k: usize) -> bool {
+    let title = |k: usize| match all.get(k) {
+        Some(Facts::Family(f)) => f.whole_domain.as_ref().map(|_| &f.title),
+        _ => None,
+    };
+    k > 0 && title(k).is_some() && title(k) == title(k - 1)
+}
+
+fn as_text(facts: &Facts, another_span: bool) -> String {
     match facts {
-        Facts::Family(facts) => text(facts),
+        Facts::Family(facts) => text(facts, another_span),
         Facts::Theorem(facts) | Facts::Join(facts) => theorem_text(facts),
     }
 }
@@ -151,26 +169,39 @@ fn lowest_orders(library: &Library<'_>) -> Vec<Rc<Family>> {
     families
 }
 
-fn text(facts: &FamilyFacts) -> String {
-    let mut text = format!("{}: {}\n", facts.title, facts.domain);
-    for line in &facts.doc {
-        text += &format!("    {line}\n");
+/// What is said of a family, or of another span of it.
+fn text(facts: &FamilyFacts, another_span: bool) -> String {
+    let mut text = String::new();
+    if !another_span {
+        text += &format!("{}: {}", facts.title, facts.whole_domain.as_ref().unwrap_or(&facts.domain));
+        for (word, parts) in [("shape", &facts.shapes), ("assume", &facts.assumptions)] {
+            if !parts.is_empty() {
+                text += &format!("; {word} {}", parts.join(", "));
+            }
+        }
+        text.push('\n');
+        for line in &facts.doc {
+            text += format!("    {line}").trim_end();
+            text.push('\n');
+        }
+    }
+    // On several spans what is about the whole family comes first.
+    if facts.whole_domain.is_some() {
+        if !another_span {
+            summary(&mut text, &facts.claims);
+            independence(&mut text, facts);
+            text.push('\n');
+        }
+        text += &format!("  On {}\n", facts.domain);
     }
     section(&mut text, "Functions", facts.functions.iter().map(|f| (&f.name, &f.factored)));
     section(&mut text, "Expanded", facts.functions.iter().map(|f| (&f.name, &f.expanded)));
-    summary(&mut text, &facts.claims);
-    section(&mut text, "A curve with the control points P at both ends", pairs(&facts.ends));
-    let mut independence: Vec<String> = facts.dependent.iter().map(|e| format!("dependent at {e}")).collect();
-    match &facts.dependent_open {
-        Some(left) => independence.push(format!("undecided: {left}")),
-        None if independence.is_empty() => {
-            independence.push(String::from("independent for all shape values"));
-        }
-        None => {}
+    if facts.whole_domain.is_none() {
+        summary(&mut text, &facts.claims);
     }
-    text += "\n  Linear independence\n";
-    for line in independence {
-        text += &format!("    {line}\n");
+    section(&mut text, "A curve with the control points P at both ends", pairs(&facts.ends));
+    if facts.whole_domain.is_none() {
+        independence(&mut text, facts);
     }
     section(
         &mut text,
@@ -206,6 +237,20 @@ fn text(facts: &FamilyFacts) -> String {
         }
     }
     text
+}
+
+/// Where the functions are linearly dependent.
+fn independence(text: &mut String, facts: &FamilyFacts) {
+    let mut lines: Vec<String> = facts.dependent.iter().map(|e| format!("dependent at {e}")).collect();
+    match &facts.dependent_open {
+        Some(left) => lines.push(format!("undecided: {left}")),
+        None if lines.is_empty() => lines.push(String::from("independent for all shape values")),
+        None => {}
+    }
+    *text += "\n  Linear independence\n";
+    for line in lines {
+        *text += &format!("    {line}\n");
+    }
 }
 
 /// How many claims are proved and refuted, and which; claims of one statement with the same verdict share a line.

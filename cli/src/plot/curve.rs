@@ -4,7 +4,7 @@ use svg::node::element::{Circle, Group, Rectangle, Title};
 
 use super::Scene;
 use super::frame::{FAINT, Frame, INK, extent, hex, mix, text};
-use super::lines::{Sampled, strength};
+use super::samples::{Sampled, strength};
 
 /// The colour of curves.
 const CURVE: [u8; 3] = [0, 90, 160];

@@ -6,13 +6,10 @@ use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle, Title};
 
 use super::frame::{BAD, FAINT, Frame, INK, colour, extent, hex, mix, rounded, text};
-use super::values::{Functions, between};
+use super::samples::{pieces, sampled, strength};
+use super::values::Functions;
 use super::{Scene, curve};
 use crate::domain;
-use crate::output::error;
-
-/// How many parts of the domain have a line each.
-const PARTS: i64 = 160;
 
 /// The size of the rectangle in which functions are drawn.
 const SIZE: [f64; 2] = [560.0, 380.0];
@@ -20,51 +17,9 @@ const SIZE: [f64; 2] = [560.0, 380.0];
 /// How many names of functions stand below each other in the legend.
 const ROWS: usize = 18;
 
-/// The functions at one setting: a list of values for each point.
-pub(super) struct Sampled {
-    pub(super) at: Vec<f64>,
-    /// By point, then by function.
-    pub(super) values: Vec<Vec<Option<f64>>>,
-}
-
-/// The families on the spans of the domain; of a domain of one span the family itself.
-fn pieces(family: &Family) -> Vec<&Family> {
-    if family.pieces.is_empty() { vec![family] } else { family.pieces.iter().map(AsRef::as_ref).collect() }
-}
-
-/// The values of all functions at every setting.
-pub(super) fn sampled(scene: &Scene) -> Result<Vec<Sampled>, Diagnostic> {
-    let sample = |setting| {
-        let mut all = Sampled { at: Vec::new(), values: Vec::new() };
-        for piece in pieces(&scene.family) {
-            let range = piece.domain.first().and_then(|p| p.range.finite());
-            let Some((low, high)) = range else {
-                return Err(error("the domain is not an interval with two ends"));
-            };
-            let functions = Functions::new(piece, setting);
-            // Between two spans the pen is lifted: functions may jump.
-            if let Some(last) = all.at.last().copied() {
-                all.at.push(last);
-                all.values.push(vec![None; piece.functions.len()]);
-            }
-            for t in between(low, high, PARTS) {
-                all.at.push(functions.axis(&t));
-                all.values.push(functions.values(core::slice::from_ref(&t)));
-            }
-        }
-        Ok(all)
-    };
-    scene.settings.iter().map(sample).collect()
-}
-
 /// The name of a domain variable, of an angle its own.
 fn name<'f>(family: &'f Family, parameter: &'f Parameter) -> &'f str {
     family.analytic.angle(parameter.var).map_or(parameter.name.as_str(), |angle| angle.name.as_str())
-}
-
-/// How strong the colour of a setting is: the last one has the full colour.
-pub(super) fn strength(setting: usize, of: usize) -> f64 {
-    if of == 1 { 0.0 } else { 0.72 * (1.0 - setting as f64 / (of - 1) as f64) }
 }
 
 /// The picture.

@@ -4,6 +4,7 @@
 //! of sines and exponentials in floating point.
 
 mod curve;
+mod failures;
 mod frame;
 mod lines;
 mod maps;
@@ -11,6 +12,7 @@ mod marks;
 mod page;
 #[cfg(feature = "png")]
 mod raster;
+mod samples;
 mod settings;
 mod values;
 
@@ -19,15 +21,14 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use basis_engine::generate::ascii;
-use basis_engine::{
-    Checked, Diagnostic, Disk, Family, Library, Prover, Selected, Severity, Sources, Subject, decide,
-};
+use basis_engine::{Checked, Diagnostic, Disk, Family, Library, Prover, Sources, decide};
 
 use crate::args::PlotArguments;
 use crate::output::{self, Status, complain, error};
 use crate::spec::STDIN;
 use crate::{eval, spec};
-use marks::{Failure, Mark};
+use failures::Failure;
+use marks::Mark;
 use settings::Setting;
 
 /// What is drawn.
@@ -114,7 +115,7 @@ fn kind(path: &Path) -> Result<Kind, Diagnostic> {
 fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<Diagnostic>> {
     let family = match &arguments.family {
         Some(name) => eval::find_family(library, name)?,
-        None => only(library)?,
+        None => eval::only_family(library)?,
     };
     if family.domain.len() > 1 && (!family.analytic.is_empty() || !family.pieces.is_empty()) {
         let message = format!("`{}` has angles in several variables and no picture", family.title());
@@ -131,7 +132,7 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
     let checked = library.item(&family.name, &order).ok().map(decide);
     let failures =
-        checked.as_ref().map_or_else(Vec::new, |checked: &Checked| marks::failures(&family, checked));
+        checked.as_ref().map_or_else(Vec::new, |checked: &Checked| failures::failures(&family, checked));
     let settings = settings::settings(&family, &arguments.shapes, failures.first())?;
     if settings.len() > 1 && variables > 1 {
         let message = "a range of shape values is drawn for functions of one variable only";
@@ -152,32 +153,6 @@ fn scene(arguments: &PlotArguments, library: &Library<'_>) -> Result<Scene, Vec<
     }
     let marks = marks::at(&failures, &settings);
     Ok(Scene { family, settings, points, failures, marks })
-}
-
-/// The only family of a spec, in its lowest order.
-fn only(library: &Library<'_>) -> Result<Rc<Family>, Vec<Diagnostic>> {
-    let mut families: Vec<Rc<Family>> = Vec::new();
-    for item in library.items(Selected::EveryOrder) {
-        if let Subject::Family(family) = item.subject
-            && families.iter().all(|known| known.name != family.name)
-        {
-            families.push(family);
-        }
-    }
-    let mut errors = library.diagnostics();
-    errors.retain(|d| d.severity == Severity::Error);
-    if !errors.is_empty() {
-        return Err(errors);
-    }
-    match families.as_slice() {
-        [one] => Ok(Rc::clone(one)),
-        [] => Err(vec![error("the spec has no family to draw")]),
-        several => {
-            let names: Vec<String> = several.iter().map(|f| f.title()).collect();
-            let message = "the spec has several families";
-            Err(vec![error(message).help(format!("name one of them: {}", names.join(", ")))])
-        }
-    }
 }
 
 fn draw(scene: &Scene, kind: Kind) -> Result<Vec<u8>, Diagnostic> {

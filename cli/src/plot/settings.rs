@@ -1,13 +1,15 @@
 //! The shape values for which a picture is drawn.
 
-use basis_engine::algebra::range::{DisplayRange as _, Range};
+use basis_engine::algebra::range::{DisplayRange as _, End};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::Parameter;
+use basis_engine::model::angle::Angle;
 use basis_engine::{Diagnostic, Family};
 
-use super::marks::Failure;
+use super::failures::Failure;
 use crate::args::{ShapeArgument, ShapeValues};
 use crate::eval::inside_of as inside;
+use crate::eval::number::Number;
 use crate::name;
 use crate::output::error;
 
@@ -35,44 +37,34 @@ pub(super) fn settings(
     arguments: &[ShapeArgument],
     failure: Option<&Failure>,
 ) -> Result<Vec<Setting>, Vec<Diagnostic>> {
-    let names: Vec<&str> = family.shapes.iter().map(|p| p.name.as_str()).collect();
-    let mut values: Vec<Option<Vec<Rational>>> = vec![None; family.shapes.len()];
+    let names: Vec<&str> = family.shapes.iter().map(|p| family.name_of(p)).collect();
+    let mut values: Vec<Option<Vec<Value>>> = vec![None; family.shapes.len()];
     let mut errors = Vec::new();
     for argument in arguments {
-        let Some(k) = name::position(&argument.name, &names) else {
+        // Of an angle its own name, or that of its tangent.
+        let mut meant = name::positions(&argument.name, &names);
+        let tangent = meant.is_empty();
+        if tangent {
+            let tangents: Vec<&str> = family.shapes.iter().map(|p| p.name.as_str()).collect();
+            meant.extend(name::position(&argument.name, &tangents));
+        }
+        if meant.is_empty() {
             let message = format!("`{}` is not a shape parameter of `{}`", argument.name, family.title());
             let help = match names.as_slice() {
                 [] => String::from("the family has no shape parameters"),
                 all => format!("the shape parameters are {}", name::list(all)),
             };
             errors.push(error(message).help(help));
-            continue;
-        };
-        let parameter = &family.shapes[k];
-        if values[k].is_some() {
-            errors.push(error(format!("the shape parameter `{}` is given twice", parameter.name)));
         }
-        let wanted = match &argument.values {
-            ShapeValues::One(value) => vec![value.clone()],
-            ShapeValues::Between(low, high) => steps(&parameter.range, low, high),
-        };
-        if let Some(outside) = wanted.iter().find(|value| !parameter.range.contains(value)) {
-            let range = parameter.range.display(&parameter.name);
-            let message =
-                format!("{} = {outside} is outside of the declared range `{range}`", parameter.name);
-            let help = format!("choose a value inside: --shape {}={}", parameter.name, inside(parameter));
-            errors.push(error(message).help(help));
+        for k in meant {
+            let known = values[k].is_some();
+            let own = Own::new(family, k, tangent);
+            values[k] = Some(wanted(&own, argument, known, &mut errors));
         }
-        values[k] = Some(wanted);
     }
-    let ranged: Vec<&Parameter> = family
-        .shapes
-        .iter()
-        .zip(&values)
-        .filter(|(_, v)| v.as_ref().is_some_and(|v| v.len() > 1))
-        .map(|(p, _)| p)
-        .collect();
-    if let [first, second, ..] = ranged.as_slice() {
+    // Entries of a list change together.
+    let ranged = arguments.iter().filter(|a| matches!(a.values, ShapeValues::Between(..)));
+    if let [first, second, ..] = ranged.collect::<Vec<_>>().as_slice() {
         let message = format!("`{}` and `{}` are both given as ranges", first.name, second.name);
         errors.push(error(message).help("draw one range at a time, and give the other parameter a value"));
     }
@@ -80,33 +72,98 @@ pub(super) fn settings(
         return Err(errors);
     }
     let fixed = |k: usize| {
-        failure.and_then(|f| f.shapes.get(k).cloned()).unwrap_or_else(|| inside(&family.shapes[k]))
+        let parameter = &family.shapes[k];
+        let value = failure.and_then(|f| f.shapes.get(k).cloned()).unwrap_or_else(|| inside(parameter));
+        Value { shown: format!("{} = {value}", parameter.name), value }
     };
-    let all: Vec<Vec<Rational>> =
+    let all: Vec<Vec<Value>> =
         values.into_iter().enumerate().map(|(k, v)| v.unwrap_or_else(|| vec![fixed(k)])).collect();
     let count = all.iter().map(Vec::len).max().unwrap_or(1);
     let setting = |step: usize| {
-        let values: Vec<Rational> = all.iter().map(|v| v[step.min(v.len() - 1)].clone()).collect();
-        let named = names.iter().zip(&values).zip(&all);
-        let named = named.map(|((name, value), own)| (own.len() > 1, format!("{name} = {value}")));
+        let values: Vec<&Value> = all.iter().map(|v| &v[step.min(v.len() - 1)]).collect();
+        let named = values.iter().zip(&all).map(|(value, own)| (own.len() > 1, value.shown.as_str()));
         let (own, common): (Vec<_>, Vec<_>) = named.partition(|(differs, _)| count == 1 || *differs);
-        let text = |parts: Vec<(bool, String)>| parts.into_iter().map(|p| p.1).collect::<Vec<_>>().join(", ");
+        let text = |parts: Vec<(bool, &str)>| parts.into_iter().map(|p| p.1).collect::<Vec<_>>().join(", ");
         let (label, common) = (text(own), text(common));
-        Setting { values, label, common }
+        Setting { values: values.into_iter().map(|v| v.value.clone()).collect(), label, common }
     };
     Ok((0..count).map(setting).collect())
 }
 
-/// Values from one to another, without an end that the declared range leaves out.
-fn steps(range: &Range, low: &Rational, high: &Rational) -> Vec<Rational> {
-    let at = |k: i64, n: i64| low + &(&(high - low) * &Rational::new(k, n));
-    let all = |n: i64, from: i64| (from..from + STEPS).map(|k| at(k, n)).collect::<Vec<_>>();
-    match (range.contains(low), range.contains(high)) {
-        (false, true) if range.low.value() == Some(low) => all(STEPS, 1),
-        (true, false) if range.high.value() == Some(high) => all(STEPS, 0),
-        (false, false) if range.low.value() == Some(low) && range.high.value() == Some(high) => {
-            all(STEPS + 1, 1)
+/// A value of a shape parameter.
+#[derive(Clone, Debug)]
+struct Value {
+    /// Such as `α = pi/3`.
+    shown: String,
+    /// What its variable becomes: of an angle the tangent.
+    value: Rational,
+}
+
+/// A shape parameter as it is named: an angle, or its tangent.
+struct Own<'f> {
+    parameter: &'f Parameter,
+    name: &'f str,
+    angle: Option<&'f Angle>,
+    /// Such as `0 < α < pi`.
+    declared: String,
+}
+
+impl<'f> Own<'f> {
+    fn new(family: &'f Family, k: usize, tangent: bool) -> Self {
+        let parameter = &family.shapes[k];
+        if tangent {
+            let declared = parameter.range.display(&parameter.name).to_string();
+            return Self { parameter, name: &parameter.name, angle: None, declared };
         }
-        _ => all(STEPS - 1, 0),
+        let (name, angle) = (family.name_of(parameter), family.analytic.angle(parameter.var));
+        Self { parameter, name, angle, declared: family.declared(parameter) }
+    }
+}
+
+/// The values of one shape parameter; `known` if it has some already.
+fn wanted(own: &Own<'_>, argument: &ShapeArgument, known: bool, errors: &mut Vec<Diagnostic>) -> Vec<Value> {
+    let Own { parameter, name, angle, declared } = own;
+    let (parameter, angle) = (*parameter, *angle);
+    if known {
+        errors.push(error(format!("the shape parameter `{name}` is given twice")));
+    }
+    let value = |number: &Number| number.of_parameter(angle).filter(|value| parameter.range.contains(value));
+    let numbers = match &argument.values {
+        ShapeValues::One(number) => vec![number.clone()],
+        ShapeValues::Between(low, high) => {
+            // An end that the range leaves out; one without a tangent is one.
+            let left_out = |number: &Number, end: &End| {
+                let at_end = |value: Rational| end.value() == Some(&value) && !end.is_included();
+                number.of_parameter(angle).is_none_or(at_end)
+            };
+            steps([low, high], [left_out(low, &parameter.range.low), left_out(high, &parameter.range.high)])
+        }
+    };
+    let mut all = Vec::new();
+    for number in numbers {
+        match value(&number) {
+            Some(value) => all.push(Value { shown: format!("{name} = {number}"), value }),
+            None => {
+                let message = format!("{name} = {number} is outside of the declared range `{declared}`");
+                let help = match angle {
+                    Some(_) => String::from("choose a value inside"),
+                    None => format!("choose a value inside: --shape {name}={}", inside(parameter)),
+                };
+                errors.push(error(message).help(help));
+                break;
+            }
+        }
+    }
+    all
+}
+
+/// Values from one to another, without the ends that are left out.
+fn steps([low, high]: [&Number; 2], left_out: [bool; 2]) -> Vec<Number> {
+    let all = |n: i64, from: i64| (from..from + STEPS).map(|k| Number::between(low, high, k, n)).collect();
+    match left_out {
+        [true, false] => all(STEPS, 1),
+        [false, true] => all(STEPS, 0),
+        [true, true] => all(STEPS + 1, 1),
+        [false, false] => all(STEPS - 1, 0),
     }
 }

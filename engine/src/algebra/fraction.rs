@@ -246,10 +246,11 @@ impl Fraction {
         }
         match self.as_poly() {
             Some(p) => p.display(names).to_string(),
-            None if self.denom.total_degree() > 1 && self.denom.len() == 1 => {
-                format!("{}/({})", part(&self.numer), self.denom.display(names))
+            None => {
+                let (above, below) = (part(&self.numer), part(&self.denom));
+                let product = self.denom.len() == 1 && below.contains('*');
+                if product { format!("{above}/({below})") } else { format!("{above}/{below}") }
             }
-            None => format!("{}/{}", part(&self.numer), part(&self.denom)),
         }
     }
 }

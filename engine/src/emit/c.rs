@@ -4,13 +4,14 @@
 //! any number of components, `dimension`, one after the other; nothing is allocated.
 
 use super::write::{
-    body, bound, bound_text, comment_line, coordinate, derivative, indented, inside, join_body, member,
-    point, slashes, used, used_shapes,
+    body, bound, bound_text, comment_line, coordinate, derivative, indented, inner_knots, inside, join_body,
+    join_components, knot_text, member, on_spans, point, slashes, used, used_shapes,
 };
-use super::{Expressions, FamilyCode, JoinCode, Language, Shape, decimal, decimal_f32, is_input};
+use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, decimal, decimal_f32, is_input};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::steps::{EndSteps, Steps};
+use crate::plan::Input;
+use crate::steps::{EndSteps, FamilySteps, Function, Steps};
 
 /// The scalar type of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +82,22 @@ impl Language for C {
         }
     }
 
+    fn call(&self, function: Function, argument: &str) -> String {
+        let name = match function {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Tan => "tan",
+            Function::Tanh => "tanh",
+            Function::Expm1 => "expm1",
+        };
+        let suffix = if self.0 == Scalar::F32 { "f" } else { "" };
+        format!("{name}{suffix}({argument})")
+    }
+
+    fn unless(&self, [a, b, c]: &[String; 3]) -> String {
+        format!("({a} == {b} ? {} : {c})", self.literal(&Rational::ZERO))
+    }
+
     fn is_single(&self) -> bool {
         self.0 == Scalar::F32
     }
@@ -106,7 +123,9 @@ impl Language for C {
                 let name = member(&code.name, &format!("partials_{of}"));
                 let about =
                     format!("The partial derivatives along {} of {}.", of.replace('_', ", "), code.listed());
-                parts.push(family.functions(&name, "derivatives", &about, &code.steps.derivatives(&orders)));
+                parts.push(
+                    family.functions(&name, "derivatives", &about, &|steps| steps.derivatives(&orders)),
+                );
             }
             parts.push(family.bind());
             parts.extend(family.patch());
@@ -143,17 +162,7 @@ impl Language for C {
         for unused in unused_scalars(join) {
             lines += &format!("(void){unused};\n");
         }
-        let inputs: Vec<(String, String)> = used(&join.steps.steps, point)
-            .into_iter()
-            .map(|k| {
-                let (net, place) = join.given[k];
-                (format!("P{k}"), element(&join.points[net].name, place))
-            })
-            .collect();
-        let mut outputs = Vec::new();
-        for net in &join.results {
-            outputs.extend((0..net.labels.len()).map(|k| element(&net.name, k)));
-        }
+        let (inputs, outputs) = join_components(join, element, element);
         let unused: Vec<String> = (0..join.points.len())
             .filter(|net| used(&join.steps.steps, point).iter().all(|k| join.given[*k].0 != *net))
             .map(|net| join.points[net].name.clone())
@@ -293,21 +302,29 @@ impl Family<'_> {
         self.code.coordinates.iter().map(|name| format!("{} {name}", self.language.scalar())).collect()
     }
 
-    /// The shape values and coordinates that steps use as constants, and a mention of those that they do not.
-    fn inputs(&self, steps: &Steps, with_shapes: bool) -> String {
-        let t = self.language.scalar();
-        let mut lines = String::new();
-        if with_shapes && !self.code.shapes.is_empty() {
-            let used = used_shapes(steps);
-            for k in &used {
-                let name = &self.code.shapes[*k].name;
-                lines += &format!("const {t} {name} = family.{name};\n");
-            }
-            if used.is_empty() {
-                lines += "(void)family;\n";
-            }
+    /// The shape values that steps use as constants, and a mention of the family where they use none.
+    fn inputs(&self, steps: &Steps) -> String {
+        if self.code.shapes.is_empty() {
+            return String::new();
         }
-        lines
+        let used = used_shapes(steps);
+        if used.is_empty() { String::from("(void)family;\n") } else { self.named_shapes(&used) }
+    }
+
+    fn named_shapes(&self, used: &[usize]) -> String {
+        let t = self.language.scalar();
+        let names = used.iter().map(|k| self.code.input(Input::Shape(*k)));
+        names.map(|name| format!("const {t} {name} = family.{name};\n")).collect()
+    }
+
+    /// Lines for each span, with the knots that are shape values.
+    fn on_spans(&self, lines: &dyn Fn(&FamilySteps<'_>) -> String) -> String {
+        self.named_shapes(&inner_knots(self.code)) + &on_spans(self.code, &self.language, lines)
+    }
+
+    /// Whether points need the shape values.
+    fn points_need_shapes(&self) -> bool {
+        self.code.steps.is_quotient() && !self.code.shapes.is_empty()
     }
 
     fn unused_coordinates(&self, steps: &Steps) -> String {
@@ -326,6 +343,12 @@ impl Family<'_> {
             let own = if code.is_curve() { String::new() } else { format!("_{name}") };
             text += &define(&format!("LOW{own}"), format!("({})", self.language.signed(&low)));
             text += &define(&format!("HIGH{own}"), format!("({})", self.language.signed(&high)));
+        }
+        let all = code.knots();
+        if code.steps.spans() > 1 && all.iter().all(|knot| matches!(knot, Knot::Number(_))) {
+            let all: Vec<String> = all.iter().map(|knot| knot_text(code, knot, &self.language)).collect();
+            let all: Vec<&str> = all.iter().map(String::as_str).collect();
+            text += &wrapped_define(&self.member("KNOTS"), &all);
         }
         let epsilon = format!("{}_EPSILON", self.language.limits());
         text += "// Rounding errors of the values in units of ";
@@ -361,6 +384,9 @@ impl Family<'_> {
             let doc = if shape.doc.is_empty() { String::new() } else { format!(": {}", shape.doc.join(" ")) };
             fields += &format!("{t} {}; // {}\n", shape.name, comment_line(&format!("{}{doc}", shape.shown)));
         }
+        for name in &code.derived {
+            fields += &format!("{t} {name}; // computed from these\n");
+        }
         let definition = format!("typedef struct {0} {{\n{1}}} {0};\n", code.name, indented(&fields, "    "));
         let mut lines = String::from("int wrong = 0;\n");
         let mut messages = Vec::new();
@@ -386,6 +412,14 @@ impl Family<'_> {
         for shape in &code.shapes {
             lines += &format!("family->{0} = wrong ? ({t})NAN : {0};\n", shape.name);
         }
+        if let Some(derived) = code.steps.derived() {
+            let expressions = body(code, &derived.steps, &self.language);
+            let mut inner = self.language.scalar_lets(&expressions);
+            for (name, value) in code.derived.iter().zip(&expressions.outputs) {
+                inner += &format!("family->{name} = wrong ? ({t})NAN : {};\n", value.text);
+            }
+            lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
+        }
         lines += "return wrong;\n";
         let mut arguments = vec![format!("{} *family", code.name)];
         arguments.extend(code.shapes.iter().map(|shape| format!("{t} {}", shape.name)));
@@ -398,28 +432,52 @@ impl Family<'_> {
                 "Infinite values and NaN meet none. Then all shape values become NaN, and so does what is computed.",
             ),
         ];
-        vec![
+        let mut parts = vec![
             definition,
             slashes(&about) + &function(&format!("int {}", self.member("init")), &arguments, &lines),
-        ]
+        ];
+        if let Some(ends) = code.moving_ends() {
+            let mut lines = String::new();
+            for (k, end) in ends.iter().enumerate() {
+                let value = knot_text(code, end, &self.language);
+                let of = if matches!(end, Knot::Shape(_)) { "family." } else { "" };
+                lines += &format!("ends[{k}] = {of}{value};\n");
+            }
+            let arguments = [format!("{} family", code.name), format!("{t} *ends")];
+            let about = [String::from("The two ends of the domain.")];
+            parts.push(
+                slashes(&about) + &function(&format!("void {}", self.member("domain")), &arguments, &lines),
+            );
+        }
+        parts
     }
 
     /// A function that computes a number for each function of the family.
-    fn functions(&self, name: &str, array: &str, about: &str, steps: &Steps) -> String {
-        let expressions = body(self.code, steps, &self.language);
-        let mut lines = self.inputs(steps, true) + &self.unused_coordinates(steps);
-        lines += &self.language.scalar_lets(&expressions);
-        for (k, value) in expressions.outputs.iter().enumerate() {
-            lines += &format!("{array}[{k}] = {};\n", value.text);
-        }
+    fn functions(
+        &self,
+        name: &str,
+        array: &str,
+        about: &str,
+        of: &dyn Fn(&FamilySteps<'_>) -> Steps,
+    ) -> String {
+        let lines = self.on_spans(&|on_span| {
+            let steps = of(on_span);
+            let expressions = body(self.code, &steps, &self.language);
+            let mut lines = self.inputs(&steps) + &self.unused_coordinates(&steps);
+            lines += &self.language.scalar_lets(&expressions);
+            for (k, value) in expressions.outputs.iter().enumerate() {
+                lines += &format!("{array}[{k}] = {};\n", value.text);
+            }
+            lines
+        });
         let mut others = self.coordinates();
-        others.push(format!("{} {array}[{}]", self.language.scalar(), expressions.outputs.len()));
+        others.push(format!("{} {array}[{}]", self.language.scalar(), self.code.count()));
         slashes(&[about.to_string()]) + &function(&format!("void {name}"), &self.arguments(&others), &lines)
     }
 
     fn values(&self) -> String {
         let about = format!("The values of {}.", self.code.listed());
-        self.functions(&self.member("values"), "values", &about, &self.code.steps.values())
+        self.functions(&self.member("values"), "values", &about, &|steps| steps.values())
     }
 
     fn derivatives(&self) -> Vec<String> {
@@ -427,7 +485,7 @@ impl Family<'_> {
         let t = &self.code.coordinates[0];
         let one = |name: &str, word: &str, order: usize| {
             let about = format!("The {word} derivatives of {of} by {t}.");
-            self.functions(&self.member(name), "derivatives", &about, &self.code.steps.derivatives(&[order]))
+            self.functions(&self.member(name), "derivatives", &about, &|steps| steps.derivatives(&[order]))
         };
         vec![one("derivatives", "first", 1), one("second_derivatives", "second", 2)]
     }
@@ -443,7 +501,7 @@ impl Family<'_> {
         let expressions = body(code, &steps, &self.language);
         let inputs = Self::elements("points", "P", &used(&steps, point));
         let outputs: Vec<String> = (0..code.steps.bound()).map(|k| element("bound", k)).collect();
-        let lines = self.inputs(&steps, true)
+        let lines = self.inputs(&steps)
             + &self.language.on_components(&expressions, &inputs, &outputs, Check::Nothing);
         let others = [String::from("size_t dimension"), format!("const {t} *points"), format!("{t} *bound")];
         let about = [
@@ -461,20 +519,34 @@ impl Family<'_> {
     }
 
     /// A function from bound coefficients to points.
-    fn evaluator(&self, name: &str, about: &[String], steps: &Steps, result: &str) -> String {
+    fn evaluator(
+        &self,
+        name: &str,
+        about: &[String],
+        of: &dyn Fn(&FamilySteps<'_>) -> Option<Steps>,
+        result: &str,
+    ) -> Option<String> {
+        of(&self.code.steps)?;
         let t = self.language.scalar();
-        let expressions = body(self.code, steps, &self.language);
-        let inputs = Self::elements("bound", "B", &used(steps, bound));
-        let outputs: Vec<String> = (0..expressions.outputs.len()).map(|k| element(result, k)).collect();
-        let mut lines = self.unused_coordinates(steps);
-        if inputs.is_empty() {
-            lines += "(void)bound;\n";
-        }
-        lines += &self.language.on_components(&expressions, &inputs, &outputs, Check::Nothing);
+        let lines = self.on_spans(&|on_span| {
+            let Some(steps) = of(on_span) else { return String::new() };
+            let expressions = body(self.code, &steps, &self.language);
+            let inputs = Self::elements("bound", "B", &used(&steps, bound));
+            let outputs: Vec<String> = (0..expressions.outputs.len()).map(|k| element(result, k)).collect();
+            let mut lines = if self.points_need_shapes() { self.inputs(&steps) } else { String::new() };
+            lines += &self.unused_coordinates(&steps);
+            if inputs.is_empty() {
+                lines += "(void)bound;\n";
+            }
+            lines + &self.language.on_components(&expressions, &inputs, &outputs, Check::Nothing)
+        });
         let mut others = vec![String::from("size_t dimension"), format!("const {t} *bound")];
+        if self.points_need_shapes() {
+            others.insert(0, format!("{} family", self.code.name));
+        }
         others.extend(self.coordinates());
         others.push(format!("{t} *{result}"));
-        slashes(about) + &function(&format!("void {}", self.member(name)), &others, &lines)
+        Some(slashes(about) + &function(&format!("void {}", self.member(name)), &others, &lines))
     }
 
     /// The loop over points of the domain.
@@ -489,17 +561,21 @@ impl Family<'_> {
             })
             .collect();
         let lines = format!(
-            "for (size_t row = 0; row < count; row++) {{\n    {}(dimension, bound, {}, points + row * dimension);\n}}\n",
+            "for (size_t row = 0; row < count; row++) {{\n    {}({}dimension, bound, {}, points + row * dimension);\n}}\n",
             self.member("eval"),
+            if self.points_need_shapes() { "family, " } else { "" },
             at.join(", ")
         );
-        let others = [
+        let mut others = vec![
             String::from("size_t dimension"),
             format!("const {t} *bound"),
             String::from("size_t count"),
             format!("const {t} *at"),
             format!("{t} *points"),
         ];
+        if self.points_need_shapes() {
+            others.insert(0, format!("{} family", self.code.name));
+        }
         let about = if count == 1 {
             String::from("The points at `count` parameters `at`, one after the other.")
         } else {
@@ -512,19 +588,14 @@ impl Family<'_> {
     }
 
     fn curve(&self) -> Vec<String> {
-        let steps = &self.code.steps;
         let t = &self.code.coordinates[0];
         let mut parts = Vec::new();
-        if let Some(point) = steps.curve(1) {
-            let about = [format!("The point of the curve at {t}.")];
-            parts.push(self.evaluator("eval", &about, &point, "point"));
-        }
-        if let Some(derivatives) = steps.curve(3) {
-            let about = [format!(
-                "The point of the curve at {t}, and the first and second derivatives by {t}, 3 * dimension numbers."
-            )];
-            parts.push(self.evaluator("eval_with_derivatives", &about, &derivatives, "derivatives"));
-        }
+        let about = [format!("The point of the curve at {t}.")];
+        parts.extend(self.evaluator("eval", &about, &|steps| steps.curve(1), "point"));
+        let about = [format!(
+            "The point of the curve at {t}, and the first and second derivatives by {t}, 3 * dimension numbers."
+        )];
+        parts.extend(self.evaluator("eval_with_derivatives", &about, &|steps| steps.curve(3), "derivatives"));
         parts.push(self.slices());
         parts
     }
@@ -533,19 +604,14 @@ impl Family<'_> {
         let none = vec![0; self.code.family.domain.len()];
         let mut parts = Vec::new();
         for orders in std::iter::once(none).chain(self.code.orders()) {
-            let Some(steps) = self.code.steps.patch(&orders) else { continue };
             let of = self.code.along(&orders);
-            if of.is_empty() {
-                parts.push(self.evaluator(
-                    "eval",
-                    &[String::from("The point of the patch.")],
-                    &steps,
-                    "point",
-                ));
+            let (name, about) = if of.is_empty() {
+                (String::from("eval"), String::from("The point of the patch."))
             } else {
                 let about = format!("The partial derivative of the patch along {}.", of.replace('_', ", "));
-                parts.push(self.evaluator(&format!("eval_partial_{of}"), &[about], &steps, "point"));
-            }
+                (format!("eval_partial_{of}"), about)
+            };
+            parts.extend(self.evaluator(&name, &[about], &|steps| steps.patch(&orders), "point"));
         }
         parts.push(self.slices());
         parts

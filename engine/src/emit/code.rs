@@ -1,7 +1,7 @@
 //! What a target gets of a family and of a join: names, ranges, documentation, and steps.
 
 use super::{DECIDED, Language, Wanted};
-use crate::algebra::range::{DisplayRange as _, Range};
+use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::generate;
@@ -35,8 +35,19 @@ pub struct FamilyCode<'a> {
     /// A bound of the rounding errors of each component of a point of a curve, from its control points, relative to
     /// the largest absolute value of that component of a control point; `None` where none is proved.
     pub point_rounding: Option<Error>,
+    /// The names of what is computed once from the shape values: the inputs [`Input::Shape`] after these.
+    pub derived: Vec<String>,
     /// All that can be evaluated.
     pub steps: FamilySteps<'a>,
+}
+
+/// An end of a span.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Knot {
+    /// A number.
+    Number(Rational),
+    /// A shape value, or one that is computed from these.
+    Shape(usize),
 }
 
 /// A join, as a target writes it.
@@ -92,7 +103,7 @@ pub struct Shape<'a> {
     /// Its doc comment, one string a line.
     pub doc: &'a [String],
     /// The declared range.
-    pub range: &'a Range,
+    pub range: Range,
     /// The range as text, such as `-3 <= λ <= 1`.
     pub shown: String,
     /// The same with the name in the file, in ASCII.
@@ -110,6 +121,7 @@ impl<'a> FamilyCode<'a> {
         }
         let rounding: Vec<Option<Error>> =
             value_errors(family).into_iter().map(|known| known.map(|(error, _)| error)).collect();
+        let rounding = if rounding.is_empty() { vec![None; family.functions.len()] } else { rounding };
         let known: &[Option<Error>] = if rounding.iter().all(Option::is_none) { &[] } else { &rounding };
         let (Some(steps), Some(mut documentation)) = (
             FamilySteps::new(family),
@@ -120,18 +132,30 @@ impl<'a> FamilyCode<'a> {
         if let Some(error) = generate::beyond_floats(family, &steps) {
             return Err(error);
         }
-        let evaluators = [steps.values(), steps.bernstein_weights(), steps.bind()];
+        let evaluators: Vec<Steps> = (0..steps.spans())
+            .map(|span| steps.on_span(span))
+            .flat_map(|steps| [steps.values(), steps.bernstein_weights(), steps.bind()])
+            .collect();
         let message = |number: &Rational| {
             format!("`{}` has the number {number}, which is beyond what f32 holds", family.title())
         };
         single(evaluators.iter(), language, &family.place, &message)?;
         let name = named(wanted.name.as_ref().unwrap_or(&family.name), language)?;
-        let shapes = shapes(family.shapes.iter(), language);
+        let shapes = shapes(family.shapes.iter(), Some(family), language);
         let mut taken: Vec<String> = shapes.iter().map(|shape| shape.name.clone()).collect();
+        let derived = steps.derived().map_or(&[][..], |derived| &derived.names);
+        let derived: Vec<String> = derived
+            .iter()
+            .map(|name| {
+                let name = language.free(name, &taken);
+                taken.push(name.clone());
+                name
+            })
+            .collect();
         let coordinates: Vec<String> = family
             .domain_variables()
             .map(|variable| {
-                let name = language.free(&variable.name, &taken);
+                let name = language.free(family.name_of(variable), &taken);
                 taken.push(name.clone());
                 name
             })
@@ -154,6 +178,7 @@ impl<'a> FamilyCode<'a> {
             labels,
             rounding,
             point_rounding,
+            derived,
             steps,
         })
     }
@@ -163,7 +188,10 @@ impl<'a> FamilyCode<'a> {
     /// a name: [`is_input`].
     pub fn input(&self, input: Input) -> String {
         match input {
-            Input::Shape(k) => self.shapes[k].name.clone(),
+            Input::Shape(k) => match self.shapes.get(k) {
+                Some(shape) => shape.name.clone(),
+                None => self.derived[k - self.shapes.len()].clone(),
+            },
             Input::Coordinate(k) => self.coordinates[k].clone(),
             Input::Point(k) => format!("P{k}"),
             Input::Derivative(k) => format!("D{k}"),
@@ -171,10 +199,10 @@ impl<'a> FamilyCode<'a> {
         }
     }
 
-    /// The names of the shape values and coordinates.
+    /// The names of the shape values, of what is computed from these, and of the coordinates.
     pub fn taken(&self) -> Vec<String> {
         let shapes = self.shapes.iter().map(|shape| shape.name.clone());
-        shapes.chain(self.coordinates.iter().cloned()).collect()
+        shapes.chain(self.derived.iter().cloned()).chain(self.coordinates.iter().cloned()).collect()
     }
 
     /// The number of functions.
@@ -205,8 +233,32 @@ impl<'a> FamilyCode<'a> {
         names.collect::<Vec<_>>().join("_")
     }
 
-    /// The lower and upper end of each domain variable; of a simplex nothing.
+    /// The ends of the domain of a curve with the knots between its spans.
+    pub fn knots(&self) -> Vec<Knot> {
+        let knots = self.steps.knots();
+        let one = |output: &usize| match &knots.steps[*output] {
+            Step::Constant(value) => Knot::Number(value.clone()),
+            Step::Input(Input::Shape(k)) => Knot::Shape(*k),
+            other => unreachable!("a knot is no {other:?}"),
+        };
+        knots.outputs.iter().map(one).collect()
+    }
+
+    /// The two ends of the domain of a curve, where they are not numbers.
+    pub fn moving_ends(&self) -> Option<[Knot; 2]> {
+        let knots = self.knots();
+        let ends = [knots.first()?.clone(), knots.last()?.clone()];
+        ends.iter().any(|end| matches!(end, Knot::Shape(_))).then_some(ends)
+    }
+
+    /// The lower and upper end of each domain variable; nothing of a simplex, and where they depend on shape values.
     pub fn ends(&self) -> Vec<(Rational, Rational)> {
+        if self.is_curve() {
+            return match self.knots().as_slice() {
+                [Knot::Number(low), .., Knot::Number(high)] => vec![(low.clone(), high.clone())],
+                _ => Vec::new(),
+            };
+        }
         if self.family.is_simplex() {
             return Vec::new();
         }
@@ -309,7 +361,7 @@ impl<'a> JoinCode<'a> {
         let own = own.strip_prefix("r#").unwrap_or(&own).to_string();
         let name = named(wanted.name.as_ref().unwrap_or(&own), language)?;
         let documentation = generate::join::about(theorem, &wanted.checked.claims, DECIDED);
-        let scalars = shapes(steps.scalars.iter().copied(), language);
+        let scalars = shapes(steps.scalars.iter().copied(), None, language);
         let mut taken: Vec<String> = scalars.iter().map(|scalar| scalar.name.clone()).collect();
         let mut net = |written: &str, labels: Vec<String>, single: bool| {
             let name = language.free(&plain(written), &taken);
@@ -372,23 +424,45 @@ fn plain(name: &str) -> String {
     name.split(['[', ']', ',', ' ']).filter(|part| !part.is_empty()).collect::<Vec<_>>().join("_")
 }
 
-/// Parameters under names that differ.
-fn shapes<'a>(parameters: impl Iterator<Item = &'a Parameter>, language: &dyn Language) -> Vec<Shape<'a>> {
+/// Parameters under names that differ: of a family, or the scalars of a join.
+fn shapes<'a>(
+    parameters: impl Iterator<Item = &'a Parameter>,
+    family: Option<&'a Family>,
+    language: &dyn Language,
+) -> Vec<Shape<'a>> {
     let mut names: Vec<String> = Vec::new();
     parameters
         .map(|parameter| {
-            let name = language.free(&plain(&parameter.name), &names);
+            let angle = family.and_then(|family| family.analytic.angle(parameter.var));
+            let written = family.map_or(parameter.name.as_str(), |family| family.name_of(parameter));
+            let name = language.free(&plain(written), &names);
             names.push(name.clone());
-            let shown = parameter.range.display(&parameter.name).to_string();
-            let condition = parameter.range.display(&name).to_string();
-            Shape {
-                name,
-                written: &parameter.name,
-                doc: &parameter.doc,
-                range: &parameter.range,
-                shown,
-                condition,
-            }
+            let range = match family {
+                Some(family) => {
+                    let [low, high] = generate::shape_ends(family, parameter);
+                    Range { low, high }
+                }
+                None => parameter.range.clone(),
+            };
+            let shown = |name: &str| match angle {
+                Some(angle) => angle_range(&range, &angle.ends, name),
+                None => range.display(name).to_string(),
+            };
+            let (shown, condition) = (shown(written), shown(&name));
+            Shape { name, written, doc: &parameter.doc, range, shown, condition }
         })
         .collect()
+}
+
+/// The range of an angle with its ends as they are written, such as `0 < α <= pi/2`.
+fn angle_range(range: &Range, ends: &[String; 2], name: &str) -> String {
+    let sign = |end: &End| if end.is_included() { "<=" } else { "<" };
+    let mut text = String::from(name);
+    if !ends[0].is_empty() {
+        text = format!("{} {} {text}", ends[0], sign(&range.low));
+    }
+    if !ends[1].is_empty() {
+        text += &format!(" {} {}", sign(&range.high), ends[1]);
+    }
+    text
 }

@@ -34,6 +34,8 @@ enum Form {
     Sum,
     Product,
     Signed,
+    /// Of a function: needs no parentheses, and is computed.
+    Call,
     Atom,
 }
 
@@ -124,6 +126,10 @@ fn expression<'a>(
                 None => (pair(*a, first_factor, "/", *b, second_factor), Form::Product),
             }
         }
+        Step::Call(function, a) => (language.call(*function, &texts[*a].value.text), Form::Call),
+        Step::Unless(a, b, c) => {
+            (language.unless(&[*a, *b, *c].map(|k| within(k, first_factor))), Form::Call)
+        }
     };
     let depends = |which: fn(&Value) -> bool| step.operands().iter().any(|k| which(&texts[*k].value));
     let (of_points, of_domain) = match step {
@@ -160,6 +166,7 @@ mod tests {
     use crate::diagnostic::Diagnostic;
     use crate::emit::{FamilyCode, JoinCode, Wanted};
     use crate::source;
+    use crate::steps::Function;
     use crate::{Disk, Family, Library, Prover, Source, Subject, decide};
 
     /// The language of specs: what is written is read again by the engine, exactly.
@@ -177,6 +184,12 @@ mod tests {
         }
         fn is_reserved(&self, name: &str) -> bool {
             ["b", "t", "v", "w", "x", "s"].contains(&name)
+        }
+        fn call(&self, function: Function, _: &str) -> String {
+            panic!("{function:?} is not written here")
+        }
+        fn unless(&self, parts: &[String; 3]) -> String {
+            panic!("{parts:?} is not written here")
         }
         fn family(&self, code: &FamilyCode<'_>) -> Result<String, Diagnostic> {
             let Expressions { lets, outputs } = Expressions::new(

@@ -44,10 +44,11 @@ mod write;
 
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
+use crate::steps::Function;
 use crate::subject::Subject;
 use crate::{Checked, generate};
 
-pub use code::{Assumption, FamilyCode, JoinCode, Net, Shape, is_input};
+pub use code::{Assumption, FamilyCode, JoinCode, Knot, Net, Shape, is_input};
 pub use expressions::{Expressions, Value, decimal, decimal_f32};
 
 /// What the documentation of emitted code says about the time of the proofs.
@@ -81,6 +82,12 @@ pub trait Language {
     /// A constant ≥ 0 as an expression of the scalar type: the `f64` nearest to it, rounded to that type. See
     /// [`decimal`].
     fn literal(&self, value: &Rational) -> String;
+
+    /// An elementary function of an expression.
+    fn call(&self, function: Function, argument: &str) -> String;
+
+    /// 0 where the first two expressions are equal, else the third; all can stand beside an operator, and so can this.
+    fn unless(&self, parts: &[String; 3]) -> String;
 
     /// Whether it computes with `f32` only, so that every constant has to be one.
     fn is_single(&self) -> bool;
@@ -170,7 +177,7 @@ impl Names {
 /// What stands behind the name of a family in names of a file: of the class of its curves or patches, and, after a `_`, of
 /// functions and constants where a language has no scopes.
 const CLASSES: [&str; 2] = ["Curve", "Patch"];
-const MEMBERS: [&str; 20] = [
+const MEMBERS: [&str; 28] = [
     "init",
     "check",
     "values",
@@ -187,6 +194,14 @@ const MEMBERS: [&str; 20] = [
     "COEFFICIENTS",
     "LOW",
     "HIGH",
+    "KNOTS",
+    "shape",
+    "derived",
+    "sin",
+    "cos",
+    "tan",
+    "tanh",
+    "expm1",
     "ROUNDING",
     "after",
     "before",

@@ -1,13 +1,18 @@
-//! Python: classes on numbers and on arrays that follow numpy's protocol, without an import.
+//! Python: classes on numbers and on arrays that follow numpy's protocol, without an import but `math`, for sines of
+//! numbers.
 //!
-//! The code has operators only, so that floats, numpy's arrays of any type of float and JAX's traced arrays take the same
-//! path. Points are numbers, arrays, or tuples of numbers; the last are computed component by component.
+//! But for sines and exponentials the code has operators only, so that floats, numpy's arrays of any type of float and
+//! JAX's traced arrays take the same path. Points are numbers, arrays, or tuples of numbers; the last are computed
+//! component by component.
 
-use super::write::{body, bound_text, comment_line, indented, inside, join_body, used_shapes};
-use super::{FamilyCode, JoinCode, Language, Net, Shape, Value, decimal, is_input};
+use super::write::{
+    body, bound_text, comment_line, indented, inner_knots, inside, join_body, knot_text, used_shapes,
+};
+use super::{FamilyCode, JoinCode, Knot, Language, Net, Shape, Value, decimal, is_input};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::steps::{EndSteps, Steps};
+use crate::plan::Input;
+use crate::steps::{EndSteps, FamilySteps, Function, Steps};
 
 /// Python 3.9 and later.
 #[derive(Clone, Copy, Debug)]
@@ -17,7 +22,7 @@ pub struct Python;
 const RESERVED: &str = "False None True and as assert async await break case class continue def del elif else except \
     finally for from global if import in is lambda match nonlocal not or pass raise return try type while with yield \
     abs bool float getattr hasattr isinstance len list range str tuple zip TypeError ValueError INFINITY \
-    self points bound order curve derivatives point at f c family values column columns evaluate";
+    math self points bound order curve derivatives point at f c family values column columns evaluate";
 
 /// What every file begins with.
 const SUPPORT: &str = r#"INFINITY = float("inf")
@@ -31,14 +36,14 @@ def _check(message, value, inside):
     except TypeError:  # a value that JAX traces is not known yet
         return
     if not known:
-        raise ValueError(f"{message}, and not {value!r}")
+        raise ValueError(f"{message}; got {value!r}")
 
 
 def _finite(points):
-    """The points, which have to be finite."""
+    """The points, which must be finite."""
     for point in points:
         for number in point if isinstance(point, (list, tuple)) else (point,):
-            _check("a computed point has to be finite", point, abs(number) < INFINITY)
+            _check("a computed point must be finite", point, abs(number) < INFINITY)
     return points
 
 
@@ -55,6 +60,10 @@ def _evaluate(function, bound, *at):
     """The results of a function of bound coefficients at a point of the domain."""
     if isinstance(bound[0], (list, tuple)):
         return tuple(zip(*(function(*column, *at) for column in zip(*bound))))
+    most = max(getattr(x, "ndim", 0) for x in at)
+    if getattr(bound[0], "ndim", 0) == 1 and most:  # components first: few long loops in place of many short ones
+        bound = [b.reshape(b.shape + (1,) * most) for b in bound]
+        return tuple(value.transpose((*range(1, most + 1), 0)) for value in function(*bound, *at))
     if getattr(bound[0], "ndim", 0):  # one axis more, for the components of the points
         at = tuple(x[..., None] if getattr(x, "ndim", 0) else x for x in at)
     return function(*bound, *at)
@@ -63,9 +72,9 @@ def _evaluate(function, bound, *at):
 def _end(curve, last, order, f, c, points, count):
     """The derivatives that the end of a curve Q has where it touches `curve`, and the points of Q."""
     if len(points) != count:
-        raise ValueError(f"{count} control points are needed, and not {len(points)}")
-    _check("f has to be positive and finite", f, (f > 0.0) & (f < INFINITY))
-    _check("c has to be finite", c, (c > -INFINITY) & (c < INFINITY))
+        raise ValueError(f"{count} control points are needed; got {len(points)}")
+    _check("f must be positive and finite", f, (f > 0.0) & (f < INFINITY))
+    _check("c must be finite", c, (c > -INFINITY) & (c < INFINITY))
     t = curve.family.DOMAIN[1 if last else 0]
     derivatives = list(curve.eval_with_derivatives(t)[: order + 1])
     inverse = 1.0 / f
@@ -83,6 +92,46 @@ def _end(curve, last, order, f, c, points, count):
     return list(_combine(moved, derivatives)), points
 "#;
 
+/// What a file with angles or exponentials has beside that.
+const CALL: &str = r#"
+
+def _call(name, x):
+    """sin, cos, tan, tanh or expm1 of a number, and of an array as its own library has it."""
+    if hasattr(x, "__array_namespace__"):
+        return getattr(x.__array_namespace__(), name)(x)
+    if type(x).__module__ == "numpy":  # before numpy 2
+        import numpy
+
+        return getattr(numpy, name)(x)
+    try:
+        return getattr(math, name)(x)
+    except OverflowError:
+        return INFINITY
+"#;
+
+/// What a file with a family on several spans has beside that.
+const ON_SPANS: &str = r#"
+
+def _on_spans(t, knots, functions):
+    """The results of the function of the span in which t lies, at a knot of the later one."""
+    try:
+        later = sum(bool(t >= knot) for knot in knots)
+    except (TypeError, ValueError):  # an array, or a value that JAX traces
+        pass
+    else:
+        return functions[later](t)
+    sums = None
+    for k, function in enumerate(functions):
+        inside = t < knots[0] if k == 0 else t >= knots[k - 1]
+        if 0 < k < len(knots):
+            inside = inside & (t < knots[k])
+        # Elsewhere at a knot of the span, so that nothing overflows.
+        values = function(t * inside + (t * 0.0 + knots[max(k - 1, 0)]) * (inside ^ True))
+        values = [value * inside for value in values]
+        sums = values if sums is None else [a + b for a, b in zip(sums, values)]
+    return tuple(sums)
+"#;
+
 impl Python {
     fn signed(self, value: &Rational) -> String {
         let sign = if value.is_negative() { "-" } else { "" };
@@ -92,7 +141,7 @@ impl Python {
     /// The line that checks a shape value.
     fn check(self, of: &str, shape: &Shape<'_>) -> String {
         let inside = inside(shape, &self, "&", ("<", "INFINITY"));
-        let message = quoted(&format!("{of}: `{}` has to be finite with {}", shape.written, shape.shown));
+        let message = quoted(&format!("{of}: `{}` must be finite, with {}", shape.written, shape.shown));
         format!("_check({message}, {}, {inside})\n", shape.name)
     }
 
@@ -138,6 +187,21 @@ impl Language for Python {
 
     fn literal(&self, value: &Rational) -> String {
         decimal(value)
+    }
+
+    fn call(&self, function: Function, argument: &str) -> String {
+        let name = match function {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Tan => "tan",
+            Function::Tanh => "tanh",
+            Function::Expm1 => "expm1",
+        };
+        format!("_call(\"{name}\", {argument})")
+    }
+
+    fn unless(&self, [a, b, c]: &[String; 3]) -> String {
+        format!("({c} * ({a} != {b}))")
     }
 
     fn is_single(&self) -> bool {
@@ -191,8 +255,13 @@ impl Language for Python {
     }
 
     fn file(&self, header: &str, items: &[String]) -> String {
+        let all = items.concat();
+        let calls = all.contains("_call(");
+        let import = if calls { "import math\n\n" } else { "" };
         let mut text =
-            format!("{header}#\n# `float` stands for a number or an array of numbers.\n\n{SUPPORT}");
+            format!("{header}#\n# `float` stands for a number or an array of numbers.\n\n{import}{SUPPORT}");
+        text += if calls { CALL } else { "" };
+        text += if all.contains("_on_spans(") { ON_SPANS } else { "" };
         for item in items {
             text += "\n\n";
             text += item;
@@ -241,6 +310,15 @@ impl Class<'_> {
             .collect();
         match ends.as_slice() {
             [] => {}
+            [one] if code.steps.spans() > 1 => {
+                text += &format!("DOMAIN = {one}\n");
+                let knots = code.knots();
+                if knots.iter().all(|knot| matches!(knot, Knot::Number(_))) {
+                    let knots: Vec<String> =
+                        knots.iter().map(|knot| knot_text(code, knot, &self.language)).collect();
+                    text += &format!("KNOTS = {}\n", tuple(&knots));
+                }
+            }
             [one] => text += &format!("DOMAIN = {one}\n"),
             _ => text += &format!("DOMAIN = {}\n", tuple(&ends)),
         }
@@ -276,6 +354,20 @@ impl Class<'_> {
             lines += &format!("_check({message}, {}, {value} {sign} 0.0)\n", tuple(&names));
         }
         lines += &code.shapes.iter().map(|s| format!("self.{0} = {0}\n", s.name)).collect::<String>();
+        if let Some(derived) = code.steps.derived() {
+            let expressions = body(code, &derived.steps, &self.language);
+            lines += &Python::lets(&expressions.lets);
+            for (name, value) in code.derived.iter().zip(&expressions.outputs) {
+                lines += &format!("self.{name} = {}\n", value.text);
+            }
+        }
+        if let Some(ends) = code.moving_ends() {
+            let ends = ends.map(|end| {
+                let of = if matches!(end, Knot::Shape(_)) { "self." } else { "" };
+                format!("{of}{}", knot_text(code, &end, &self.language))
+            });
+            lines += &format!("self.DOMAIN = {}\n", tuple(&ends));
+        }
         let doc = if code.shapes.is_empty() {
             lines += "pass\n";
             String::from("There are no shape parameters.")
@@ -298,8 +390,28 @@ impl Class<'_> {
 
     /// The shape values that steps use as local names.
     fn shapes(&self, steps: &Steps) -> String {
-        let names = used_shapes(steps).into_iter().map(|k| &self.code.shapes[k].name);
+        self.named_shapes(&used_shapes(steps))
+    }
+
+    fn named_shapes(&self, used: &[usize]) -> String {
+        let names = used.iter().map(|k| self.code.input(Input::Shape(*k)));
         names.map(|name| format!("{name} = self.{name}\n")).collect()
+    }
+
+    /// The inner knots as a tuple.
+    fn knots(&self) -> String {
+        let knots = self.code.knots();
+        let inner = &knots[1..knots.len() - 1];
+        let texts: Vec<String> =
+            inner.iter().map(|knot| knot_text(self.code, knot, &self.language)).collect();
+        tuple(&texts)
+    }
+
+    /// The names of shape values that a point needs beside its coordinates.
+    fn point_shapes(&self) -> Vec<String> {
+        let code = self.code;
+        let count = if code.steps.is_quotient() { code.shapes.len() + code.derived.len() } else { 0 };
+        (0..count).map(|k| code.input(Input::Shape(k))).collect()
     }
 
     /// Results that do not depend on the point of the domain, or on points, get the shape of those that do.
@@ -321,7 +433,25 @@ impl Class<'_> {
             .collect()
     }
 
-    fn numbers(&self, name: &str, doc: &str, steps: &Steps) -> String {
+    fn numbers(&self, name: &str, doc: &str, of: &dyn Fn(&FamilySteps<'_>) -> Steps) -> String {
+        let spans = self.code.steps.spans();
+        if spans == 1 {
+            return self.numbers_on(name, doc, &of(&self.code.steps));
+        }
+        let t = &self.code.coordinates[0];
+        let own = name.trim_start_matches('_');
+        let each: Vec<String> = (0..spans).map(|span| format!("self._{own}_on_{span}")).collect();
+        let lines = self.named_shapes(&inner_knots(self.code))
+            + &format!("return _on_spans({t}, {}, {})\n", self.knots(), tuple(&each));
+        let mut text = function(&format!("{name}(self, {t}: float) -> \"tuple[float, ...]\""), doc, &lines);
+        for span in 0..spans {
+            text += "\n";
+            text += &self.numbers_on(&format!("_{own}_on_{span}"), "", &of(&self.code.steps.on_span(span)));
+        }
+        text
+    }
+
+    fn numbers_on(&self, name: &str, doc: &str, steps: &Steps) -> String {
         let expressions = body(self.code, steps, &self.language);
         let mut lines = self.shapes(steps) + &Python::lets(&expressions.lets);
         lines += &format!("return {}\n", tuple(&self.spread(&expressions.outputs, None)));
@@ -333,7 +463,7 @@ impl Class<'_> {
 
     fn values(&self) -> String {
         let doc = format!("The values of {}.", self.code.listed());
-        self.numbers("values", &doc, &self.code.steps.values())
+        self.numbers("values", &doc, &|steps| steps.values())
     }
 
     fn derivatives(&self) -> Vec<String> {
@@ -343,12 +473,12 @@ impl Class<'_> {
         let lines = format!(
             "if order == 1:\n    return self._derivatives_1({t})\nif order == 2:\n    return self._derivatives_2({t})\n\
              if order == 0:\n    return self.values({t})\n\
-             raise ValueError(f\"derivatives have order 0, 1 or 2, and not {{order!r}}\")\n"
+             raise ValueError(f\"the order of a derivative is 0, 1 or 2; got {{order!r}}\")\n"
         );
         vec![
             function(&head, &doc, &lines),
-            self.numbers("_derivatives_1", "", &self.code.steps.derivatives(&[1])),
-            self.numbers("_derivatives_2", "", &self.code.steps.derivatives(&[2])),
+            self.numbers("_derivatives_1", "", &|steps| steps.derivatives(&[1])),
+            self.numbers("_derivatives_2", "", &|steps| steps.derivatives(&[2])),
         ]
     }
 
@@ -363,8 +493,7 @@ impl Class<'_> {
                 of.replace("{}", &name).replace("()", arguments)
             );
         }
-        lines
-            + "raise ValueError(f\"partial derivatives have orders with a sum of at most 2, and not {orders!r}\")\n"
+        lines + "raise ValueError(f\"the orders of a partial derivative sum to at most 2; got {orders!r}\")\n"
     }
 
     fn partials(&self) -> Vec<String> {
@@ -381,7 +510,7 @@ impl Class<'_> {
         let mut parts = vec![function(&head, &doc, &choice)];
         for orders in code.orders() {
             let name = format!("_partials{}", suffix(&orders));
-            parts.push(self.numbers(&name, "", &code.steps.derivatives(&orders)));
+            parts.push(self.numbers(&name, "", &|steps| steps.derivatives(&orders)));
         }
         parts
     }
@@ -423,7 +552,7 @@ impl Class<'_> {
         let doc = format!("Control points that are bound to a family `{}`.", code.name);
         let init = format!(
             "points = list(points)\nif len(points) != {count}:\n    \
-             raise ValueError(f\"{}: {count} control points are needed, and not {{len(points)}}\")\n\
+             raise ValueError(f\"{}: {count} control points are needed; got {{len(points)}}\")\n\
              self.family = family\nself.points = points\nself.bound = _combine(family._bind, points)\n",
             code.name
         );
@@ -432,7 +561,8 @@ impl Class<'_> {
         let coordinates: Vec<String> = code.coordinates.iter().map(|name| format!("{name}: float")).collect();
         let (names, typed) = (code.coordinates.join(", "), coordinates.join(", "));
         let own = self.curve_name();
-        let call = |name: &str| format!("_evaluate(_{own}{name}, self.bound, {names})");
+        let shapes: String = self.point_shapes().iter().map(|name| format!(", self.family.{name}")).collect();
+        let call = |name: &str| format!("_evaluate(_{own}{name}, self.bound, {names}{shapes})");
         let arrays =
             "for arrays of coordinates an array of points, whose last axis is that of the components";
         let mut functions = Vec::new();
@@ -448,8 +578,8 @@ impl Class<'_> {
                 &format!("The point at {t} and the first and second derivatives by {t}."),
                 &format!("return {}\n", call("_derivatives")),
             ));
-            functions.extend(code.steps.curve(1).map(|steps| self.evaluator("_point", &steps)));
-            functions.extend(code.steps.curve(3).map(|steps| self.evaluator("_derivatives", &steps)));
+            functions.extend(self.evaluator("_point", &|steps| steps.curve(1)));
+            functions.extend(self.evaluator("_derivatives", &|steps| steps.curve(3)));
         } else {
             parts.push(function(
                 &format!("eval(self, {typed})"),
@@ -470,10 +600,9 @@ impl Class<'_> {
                 &choice,
             ));
             let zeros = vec![0; code.family.domain.len()];
-            functions.extend(code.steps.patch(&zeros).map(|steps| self.evaluator("_point", &steps)));
+            functions.extend(self.evaluator("_point", &|steps| steps.patch(&zeros)));
             for orders in code.orders() {
-                let steps = code.steps.patch(&orders);
-                functions.extend(steps.map(|steps| self.evaluator(&suffix(&orders), &steps)));
+                functions.extend(self.evaluator(&suffix(&orders), &|steps| steps.patch(&orders)));
             }
         }
         let class =
@@ -482,14 +611,34 @@ impl Class<'_> {
     }
 
     /// A function of bound coefficients and coordinates.
-    fn evaluator(&self, name: &str, steps: &Steps) -> String {
+    fn evaluator(&self, name: &str, of: &dyn Fn(&FamilySteps<'_>) -> Option<Steps>) -> Option<String> {
         let code = self.code;
-        let expressions = body(code, steps, &self.language);
+        let first = of(&code.steps)?;
         let mut arguments: Vec<String> = (0..code.steps.bound()).map(|k| format!("B{k}")).collect();
         arguments.extend(code.coordinates.iter().cloned());
-        let lines = Python::lets(&expressions.lets)
-            + &format!("return {}\n", tuple(&self.spread(&expressions.outputs, Some("B0"))));
-        function(&format!("_{}{name}({})", self.curve_name(), arguments.join(", ")), "", &lines)
+        arguments.extend(self.point_shapes());
+        let (name, arguments) = (format!("_{}{name}", self.curve_name()), arguments.join(", "));
+        let on = |name: &str, steps: &Steps| {
+            let expressions = body(code, steps, &self.language);
+            let lines = Python::lets(&expressions.lets)
+                + &format!("return {}\n", tuple(&self.spread(&expressions.outputs, Some("B0"))));
+            function(&format!("{name}({arguments})"), "", &lines)
+        };
+        let spans = code.steps.spans();
+        if spans == 1 {
+            return Some(on(&name, &first));
+        }
+        let mut parts = Vec::new();
+        let mut calls = Vec::new();
+        let t = &code.coordinates[0];
+        for span in 0..spans {
+            let own = format!("{name}_on_{span}");
+            parts.push(on(&own, &of(&code.steps.on_span(span))?));
+            calls.push(format!("lambda {t}: {own}({arguments})"));
+        }
+        let lines = format!("return _on_spans({t}, {}, {})\n", self.knots(), tuple(&calls));
+        parts.push(function(&format!("{name}({arguments})"), "", &lines));
+        Some(parts.join("\n\n"))
     }
 
     fn continuations(&self) -> Vec<String> {
@@ -507,7 +656,7 @@ impl Class<'_> {
         let mut lines = String::new();
         let orders: Vec<String> = all.iter().map(|end| (end.positions.len() - 1).to_string()).collect();
         lines += &format!(
-            "if order not in {}:\n    raise ValueError(f\"the order of contact can be {}, and not {{order!r}}\")\n",
+            "if order not in {}:\n    raise ValueError(f\"the order of contact is {}; got {{order!r}}\")\n",
             tuple(&orders),
             orders.join(", ")
         );

@@ -3,11 +3,14 @@
 //! Both compute with single floats. A point is a `vec4`, of which a caller uses as many components as points have. There
 //! are no errors on a graphics processor: `Bell_check` says whether shape values may be used.
 
-use super::write::{body, bound_text, indented, inside, join_body, member, slashes};
-use super::{Expressions, FamilyCode, JoinCode, Language, Shape, Value, decimal_f32, is_input};
+use super::write::{
+    body, bound_text, indented, inner_knots, inside, join_body, knot_text, member, on_spans, slashes,
+    used_shapes,
+};
+use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, Value, decimal_f32, is_input};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
-use crate::steps::{EndSteps, Step, Steps};
+use crate::steps::{EndSteps, FamilySteps, Function, Step, Steps};
 
 /// A language of shaders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,9 +56,85 @@ const GLSL: &str = "attribute const uniform varying buffer shared coherent volat
 const UNBOUNDED: &str = "UNBOUNDED";
 
 /// Names inside of the functions.
-const OWN: &str = "points bound derivatives f c inverse_f id at result";
+const OWN: &str = "points bound derivatives f c inverse_f id at result derived";
+
+/// What the names of functions begin with that a family has of its own, until its name takes the place of it.
+const HELPERS: &str = "basis_";
+
+/// The name of a function, and what it is made of.
+const fn helper(function: Function) -> (&'static str, &'static [Function]) {
+    match function {
+        Function::Sin => ("basis_sin", &[]),
+        Function::Cos => ("basis_cos", &[]),
+        Function::Tan => ("basis_tan", &[Function::Sin, Function::Cos]),
+        Function::Tanh => ("basis_tanh", &[Function::Expm1]),
+        Function::Expm1 => ("basis_expm1", &[]),
+    }
+}
+
+/// Functions whose errors are relative, for |x| < pi; those of the languages have absolute errors.
+const SERIES: [(Function, &str); 5] = [
+    (
+        Function::Sin,
+        "LET h = 0.5 * x;
+LET q = h * h;
+LET s = h + h * q * (-0.16666667 + q * (0.008333334 + q * (-0.0001984127 + q * (2.7557319e-6 + q * (-2.505211e-8 + q * 1.6059044e-10)))));
+LET c = 1.0 + q * (-0.5 + q * (0.041666668 + q * (-0.0013888889 + q * (2.4801588e-5 + q * (-2.755732e-7 + q * 2.0876756e-9)))));
+return 2.0 * s * c;
+",
+    ),
+    (
+        Function::Cos,
+        "LET h = 0.5 * x;
+LET q = h * h;
+LET s = h + h * q * (-0.16666667 + q * (0.008333334 + q * (-0.0001984127 + q * (2.7557319e-6 + q * (-2.505211e-8 + q * 1.6059044e-10)))));
+LET c = 1.0 + q * (-0.5 + q * (0.041666668 + q * (-0.0013888889 + q * (2.4801588e-5 + q * (-2.755732e-7 + q * 2.0876756e-9)))));
+return (c - s) * (c + s);
+",
+    ),
+    (Function::Tan, "return basis_sin(x) / basis_cos(x);\n"),
+    (
+        Function::Expm1,
+        "if (abs(x) > 0.7) {
+    return exp(x) - 1.0;
+}
+return x + x * x * (0.5 + x * (0.16666667 + x * (0.041666668 + x * (0.008333334 + x * (0.0013888889 + x * (0.0001984127 + x * (2.4801588e-5 + x * (2.7557319e-6 + x * 2.755732e-7))))))));
+",
+    ),
+    (
+        Function::Tanh,
+        "LET e = basis_expm1(2.0 * clamp(x, -20.0, 20.0));
+return e / (e + 2.0);
+",
+    ),
+];
 
 impl Shader {
+    /// The functions of [`SERIES`] that a text needs.
+    fn helpers(self, text: &str) -> String {
+        let calls = |function: Function| text.contains(&format!("{}(", helper(function).0));
+        let all = SERIES.map(|(function, _)| function);
+        let needed = |function: Function| {
+            calls(function) || all.iter().any(|other| calls(*other) && helper(*other).1.contains(&function))
+        };
+        let mut functions = Vec::new();
+        for (function, lines) in SERIES.iter().filter(|(function, _)| needed(*function)) {
+            let lines = lines.replace("LET", if self == Self::Wgsl { "let" } else { "float" });
+            let (name, argument) = (helper(*function).0, self.argument("x", self.float()));
+            functions.push(self.function(name, &[argument], self.float(), &lines));
+        }
+        if functions.is_empty() {
+            return String::new();
+        }
+        let about = [
+            String::from(
+                "By series, so that the error is relative, next to 0 too, for |x| < pi: that of the language's own",
+            ),
+            String::from("functions is absolute."),
+        ];
+        slashes(&about) + &functions.join("\n") + "\n"
+    }
+
     const fn float(self) -> &'static str {
         if matches!(self, Self::Wgsl) { "f32" } else { "float" }
     }
@@ -182,6 +261,17 @@ impl Language for Shader {
         if *self == Self::Wgsl { text + "f" } else { text }
     }
 
+    fn call(&self, function: Function, argument: &str) -> String {
+        format!("{}({argument})", helper(function).0)
+    }
+
+    fn unless(&self, [a, b, c]: &[String; 3]) -> String {
+        match self {
+            Self::Wgsl => format!("select({c}, 0.0f, {a} == {b})"),
+            Self::Glsl => format!("({a} == {b} ? 0.0 : {c})"),
+        }
+    }
+
     fn is_single(&self) -> bool {
         true
     }
@@ -192,6 +282,7 @@ impl Language for Shader {
             || name == "_"
             || name.starts_with("__")
             || name.starts_with("gl_")
+            || name.starts_with(HELPERS)
             || words.split_whitespace().chain(OWN.split_whitespace()).any(|word| word == name)
     }
 
@@ -296,35 +387,33 @@ impl Functions<'_> {
             // One assumption's names would meet another's.
             parts.push(language.check(&code.name, &code.shapes, &assumptions));
         }
-        parts.push(self.numbers(
-            "values",
-            &format!("The values of {}.", code.listed()),
-            &code.steps.values(),
-        ));
+        parts.extend(self.derive());
+        parts.extend(self.domain());
+        let about = format!("The values of {}.", code.listed());
+        parts.push(self.numbers("values", &about, &|steps| steps.values()));
         if code.is_curve() {
             let t = &code.coordinates[0];
             for (name, word, order) in [("derivatives", "first", 1), ("second_derivatives", "second", 2)] {
                 let about = format!("The {word} derivatives of {} by {t}.", code.listed());
-                parts.push(self.numbers(name, &about, &code.steps.derivatives(&[order])));
+                parts.push(self.numbers(name, &about, &|steps| steps.derivatives(&[order])));
             }
         } else {
             for orders in code.orders() {
                 let of = code.along(&orders);
                 let about =
                     format!("The partial derivatives along {} of {}.", of.replace('_', ", "), code.listed());
-                parts.push(self.numbers(&format!("partials_{of}"), &about, &code.steps.derivatives(&orders)));
+                parts.push(
+                    self.numbers(&format!("partials_{of}"), &about, &|steps| steps.derivatives(&orders)),
+                );
             }
         }
         parts.push(self.bind());
         if code.is_curve() {
             let t = &code.coordinates[0];
-            let point = code.steps.curve(1);
-            parts.extend(
-                point.map(|steps| self.evaluator("eval", &format!("The point of the curve at {t}."), &steps)),
-            );
+            let about = format!("The point of the curve at {t}.");
+            parts.extend(self.evaluator("eval", &about, &|steps| steps.curve(1)));
             let about = format!("The point of the curve at {t} and its first and second derivative by {t}.");
-            let all = code.steps.curve(3);
-            parts.extend(all.map(|steps| self.evaluator("eval_with_derivatives", &about, &steps)));
+            parts.extend(self.evaluator("eval_with_derivatives", &about, &|steps| steps.curve(3)));
             for (name, at_start) in [("after", true), ("before", false)] {
                 for end in code.steps.ends(2, at_start) {
                     parts.push(self.continuation(name, at_start, &end));
@@ -342,13 +431,20 @@ impl Functions<'_> {
                         format!("The partial derivative of the patch along {}.", of.replace('_', ", ")),
                     )
                 };
-                parts.extend(code.steps.patch(&orders).map(|steps| self.evaluator(&name, &about, &steps)));
+                parts.extend(self.evaluator(&name, &about, &|steps| steps.patch(&orders)));
             }
         }
         if language == Shader::Wgsl {
             parts.push(self.kernel());
         }
-        parts.join("\n")
+        let text = parts.join("\n");
+        // Each family has functions of its own, so that several files can be put into one shader.
+        let text = language.helpers(&text) + &text;
+        SERIES.iter().fold(text, |text, (function, _)| {
+            let name = helper(*function).0;
+            let own = self.member(name.trim_start_matches(HELPERS));
+            text.replace(&format!("{name}("), &format!("{own}("))
+        })
     }
 
     /// The compute shader over points of the domain.
@@ -364,6 +460,13 @@ impl Functions<'_> {
         };
         let [bound, at_name, points, eval, kernel] =
             ["bound", "at", "points", "eval", "eval_n"].map(|n| self.member(n));
+        let shapes = if self.points_need_shapes() {
+            let (name, count) = (self.member("shape"), self.code.shapes.len());
+            let all: String = (0..count).map(|k| format!("{name}[{k}], ")).collect();
+            (format!("@group(0) @binding(3) var<storage, read> {name}: array<f32, {count}>;\n"), all)
+        } else {
+            (String::new(), String::new())
+        };
         let about = if count == 1 {
             String::from("A compute shader for the points at many parameters.")
         } else {
@@ -378,12 +481,18 @@ impl Functions<'_> {
                 self.code.steps.bound()
             )
             + &format!("@group(0) @binding(1) var<storage, read> {at_name}: array<{of}>;\n")
-            + &format!("@group(0) @binding(2) var<storage, read_write> {points}: array<vec4f>;\n\n")
+            + &format!("@group(0) @binding(2) var<storage, read_write> {points}: array<vec4f>;\n")
+            + &shapes.0
+            + "\n"
             + &format!(
                 "@compute @workgroup_size(64)\nfn {kernel}(@builtin(global_invocation_id) id: vec3u) {{\n"
             )
             + &format!("    if (id.x < arrayLength(&{at_name})) {{\n")
-            + &format!("        {points}[id.x] = {eval}({bound}, {});\n    }}\n}}\n", at.join(", "))
+            + &format!(
+                "        {points}[id.x] = {eval}({}{bound}, {});\n    }}\n}}\n",
+                shapes.1,
+                at.join(", ")
+            )
     }
 
     fn constants(&self) -> String {
@@ -437,14 +546,75 @@ impl Functions<'_> {
         self.code.coordinates.iter().map(|name| self.language.argument(name, float)).collect()
     }
 
-    fn numbers(&self, name: &str, about: &str, steps: &Steps) -> String {
-        let language = self.language;
-        let expressions = body(self.code, steps, &language);
+    /// What is computed from the shape values, if these steps or the inner knots need it.
+    fn derived(&self, steps: &[Steps]) -> String {
+        let used: Vec<usize> = steps.iter().flat_map(used_shapes).chain(inner_knots(self.code)).collect();
+        self.derived_if(used.iter().any(|k| *k >= self.code.shapes.len()))
+    }
+
+    fn derived_if(&self, needed: bool) -> String {
+        let (code, language) = (self.code, self.language);
+        if !needed {
+            return String::new();
+        }
+        let shapes: Vec<&str> = code.shapes.iter().map(|shape| shape.name.as_str()).collect();
+        let call = format!("{}({})", self.member("derived"), shapes.join(", "));
+        let array = language.array("float", code.derived.len());
+        let mut lines = language.named("derived", &array, &call);
+        for (k, name) in code.derived.iter().enumerate() {
+            lines += &language.named(name, "float", &format!("derived[{k}]"));
+        }
+        lines
+    }
+
+    /// The function with what is computed from the shape values.
+    fn derive(&self) -> Option<String> {
+        let (code, language) = (self.code, self.language);
+        let expressions = body(code, &code.steps.derived()?.steps, &language);
         let outputs: Vec<String> = expressions.outputs.iter().map(|value| value.text.clone()).collect();
         let lines =
             language.lets(&expressions) + &format!("return {};\n", language.list(language.float(), &outputs));
-        let arguments = [self.shapes(), self.coordinates()].concat();
         let result = language.array(language.float(), outputs.len());
+        let about =
+            format!("What the other functions need of the shape values: {}.", code.derived.join(", "));
+        let function = language.function(&self.member("derived"), &self.shapes(), &result, &lines);
+        Some(slashes(&[about]) + &function)
+    }
+
+    /// All steps of a kind, one for each span.
+    fn all(&self, of: &dyn Fn(&FamilySteps<'_>) -> Steps) -> Vec<Steps> {
+        let steps = &self.code.steps;
+        (0..steps.spans()).map(|span| of(&steps.on_span(span))).collect()
+    }
+
+    /// Whether points need the shape values.
+    fn points_need_shapes(&self) -> bool {
+        self.code.steps.is_quotient() && !self.code.shapes.is_empty()
+    }
+
+    /// The function with the ends of the domain, where these are no constants.
+    fn domain(&self) -> Option<String> {
+        let (code, language) = (self.code, self.language);
+        let ends = code.moving_ends()?;
+        let is_derived = |end: &Knot| matches!(end, Knot::Shape(k) if *k >= code.shapes.len());
+        let outputs = ends.each_ref().map(|end| knot_text(code, end, &language));
+        let lines = self.derived_if(ends.iter().any(is_derived))
+            + &format!("return {};\n", language.list(language.float(), &outputs));
+        let result = language.array(language.float(), 2);
+        let function = language.function(&self.member("domain"), &self.shapes(), &result, &lines);
+        Some(slashes(&[String::from("The two ends of the domain.")]) + &function)
+    }
+
+    fn numbers(&self, name: &str, about: &str, of: &dyn Fn(&FamilySteps<'_>) -> Steps) -> String {
+        let language = self.language;
+        let lines = on_spans(self.code, &language, &|on_span| {
+            let expressions = body(self.code, &of(on_span), &language);
+            let outputs: Vec<String> = expressions.outputs.iter().map(|value| value.text.clone()).collect();
+            language.lets(&expressions) + &format!("return {};\n", language.list(language.float(), &outputs))
+        });
+        let lines = self.derived(&self.all(of)) + &lines;
+        let arguments = [self.shapes(), self.coordinates()].concat();
+        let result = language.array(language.float(), self.code.count());
         slashes(&[about.to_string()]) + &language.function(&self.member(name), &arguments, &result, &lines)
     }
 
@@ -458,6 +628,7 @@ impl Functions<'_> {
             "Binds {} control points: the coefficients from which points are computed.",
             code.count()
         );
+        let lines = self.derived(std::slice::from_ref(&steps)) + &lines;
         self.with_vectors("bind", &about, &arguments, &steps, &lines)
     }
 
@@ -479,25 +650,62 @@ impl Functions<'_> {
         inputs: &str,
     ) -> String {
         let language = self.language;
-        let expressions = body(self.code, steps, &language);
-        let outputs = language.vectors(&expressions.outputs);
-        let is_one = outputs.len() == 1 && name.starts_with("eval");
-        let (result, value) = if is_one {
-            (language.vector().to_string(), outputs[0].clone())
+        let lines = inputs.to_string() + &self.vectors(name, steps);
+        let count = steps.outputs.len();
+        let result = if count == 1 && name.starts_with("eval") {
+            language.vector().to_string()
         } else {
-            (language.array(language.vector(), outputs.len()), language.list(language.vector(), &outputs))
+            language.array(language.vector(), count)
         };
-        let lines = format!("{inputs}{}return {value};\n", language.lets(&expressions));
         slashes(&[about.to_string()]) + &language.function(&self.member(name), arguments, &result, &lines)
     }
 
-    fn evaluator(&self, name: &str, about: &str, steps: &Steps) -> String {
+    /// The lines that compute vectors and return them.
+    fn vectors(&self, name: &str, steps: &Steps) -> String {
+        let language = self.language;
+        let expressions = body(self.code, steps, &language);
+        let outputs = language.vectors(&expressions.outputs);
+        let value = if outputs.len() == 1 && name.starts_with("eval") {
+            outputs[0].clone()
+        } else {
+            language.list(language.vector(), &outputs)
+        };
+        language.lets(&expressions) + &format!("return {value};\n")
+    }
+
+    fn evaluator(
+        &self,
+        name: &str,
+        about: &str,
+        of: &dyn Fn(&FamilySteps<'_>) -> Option<Steps>,
+    ) -> Option<String> {
         let (code, language) = (self.code, self.language);
+        let first = of(&code.steps)?;
         let count = code.steps.bound();
-        let lines = self.elements("B", "bound", count);
         let bound = language.argument("bound", &language.array(language.vector(), count));
-        let arguments = [vec![bound], self.coordinates()].concat();
-        self.with_vectors(name, about, &arguments, steps, &lines)
+        let shapes = if self.points_need_shapes() { self.shapes() } else { Vec::new() };
+        let arguments = [shapes, vec![bound], self.coordinates()].concat();
+        if code.steps.spans() == 1 {
+            let lines = self.derived(std::slice::from_ref(&first)) + &self.elements("B", "bound", count);
+            return Some(self.with_vectors(name, about, &arguments, &first, &lines));
+        }
+        let of = |on_span: &FamilySteps<'_>| of(on_span).unwrap_or_else(|| first.clone());
+        let lines = on_spans(code, &language, &|on_span| {
+            let steps = of(on_span);
+            let one = |k: &usize| language.named(&format!("B{k}"), language.vector(), &format!("bound[{k}]"));
+            let inputs: String = super::write::used(&steps, super::write::bound).iter().map(one).collect();
+            inputs + &self.vectors(name, &steps)
+        });
+        let lines = self.derived(&self.all(&of)) + &lines;
+        let result = if first.outputs.len() == 1 {
+            language.vector().to_string()
+        } else {
+            language.array(language.vector(), first.outputs.len())
+        };
+        Some(
+            slashes(&[about.to_string()])
+                + &language.function(&self.member(name), &arguments, &result, &lines),
+        )
     }
 
     /// The determined control points for one order of contact.

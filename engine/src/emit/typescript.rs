@@ -4,13 +4,15 @@
 //! can be given, so that a loop allocates nothing.
 
 use super::write::{
-    body, bound, comment_line, coordinate, derivative, indented, inside, join_body, point, used, used_shapes,
+    body, bound, comment_line, coordinate, derivative, indented, inner_knots, inside, join_body,
+    join_components, knot_text, on_spans, point, used, used_shapes,
 };
-use super::{Expressions, FamilyCode, JoinCode, Language, Shape, decimal, is_input};
+use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape, decimal, is_input};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Diagnostic;
+use crate::plan::Input;
 use crate::rounding::{Error, decimal as hundredths};
-use crate::steps::{EndSteps, Steps};
+use crate::steps::{EndSteps, FamilySteps, Function, Steps};
 
 /// TypeScript, checked strictly.
 #[derive(Clone, Copy, Debug)]
@@ -154,6 +156,21 @@ impl Language for TypeScript {
         decimal(value)
     }
 
+    fn call(&self, function: Function, argument: &str) -> String {
+        let name = match function {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Tan => "tan",
+            Function::Tanh => "tanh",
+            Function::Expm1 => "expm1",
+        };
+        format!("Math.{name}({argument})")
+    }
+
+    fn unless(&self, [a, b, c]: &[String; 3]) -> String {
+        format!("({a} === {b} ? 0.0 : {c})")
+    }
+
     fn is_single(&self) -> bool {
         false
     }
@@ -177,17 +194,7 @@ impl Language for TypeScript {
         for net in &join.results {
             lines += &format!("const {} = new Float64Array({} * dimension);\n", net.name, net.labels.len());
         }
-        let inputs: Vec<(String, String)> = used(&join.steps.steps, point)
-            .into_iter()
-            .map(|k| {
-                let (net, place) = join.given[k];
-                (format!("P{k}"), element(&join.points[net].name, place))
-            })
-            .collect();
-        let mut outputs = Vec::new();
-        for net in &join.results {
-            outputs.extend((0..net.labels.len()).map(|k| place(&net.name, k)));
-        }
+        let (inputs, outputs) = join_components(join, element, place);
         lines += &Self::on_components(&join_body(join, self), &inputs, &outputs, true);
         let names: Vec<&str> = join.results.iter().map(|net| net.name.as_str()).collect();
         lines += &format!("return {{ {} }};\n", names.join(", "));
@@ -232,12 +239,9 @@ impl Class<'_> {
         let code = self.code;
         let mut parts = vec![self.constants()];
         parts.extend(self.constructor());
-        parts.push(self.numbers(
-            "values",
-            "",
-            &format!("The values of {}.", code.listed()),
-            &code.steps.values(),
-        ));
+        parts.push(
+            self.numbers("values", "", &format!("The values of {}.", code.listed()), &|steps| steps.values()),
+        );
         let sized = format!("result: Float64Array = new Float64Array({})", code.count());
         let names = code.coordinates.join(", ");
         if code.is_curve() {
@@ -245,15 +249,15 @@ impl Class<'_> {
             let lines = format!(
                 "switch (order) {{\n    case 0: return this.values({t}, result);\n    case 1: return this.derivatives1({t}, result);\n    \
                  case 2: return this.derivatives2({t}, result);\n    \
-                 default: throw new RangeError(`derivatives have order 0, 1 or 2, and not ${{String(order)}}`);\n}}\n"
+                 default: throw new RangeError(`the order of a derivative is 0, 1 or 2; got ${{String(order)}}`);\n}}\n"
             );
             parts.push(function(
                 &format!("derivatives({t}: number, order: 0 | 1 | 2 = 1, {sized}): Float64Array"),
                 &format!("The derivatives of the functions by {t}, of order 0, 1 or 2."),
                 &lines,
             ));
-            parts.push(self.numbers("derivatives1", "private ", "", &code.steps.derivatives(&[1])));
-            parts.push(self.numbers("derivatives2", "private ", "", &code.steps.derivatives(&[2])));
+            parts.push(self.numbers("derivatives1", "private ", "", &|steps| steps.derivatives(&[1])));
+            parts.push(self.numbers("derivatives2", "private ", "", &|steps| steps.derivatives(&[2])));
         } else {
             let doc = format!(
                 "The partial derivatives of the functions, `orders` in {}, with a sum of at most 2.",
@@ -264,7 +268,7 @@ impl Class<'_> {
             parts.push(function(&head, &doc, &self.choice(&names)));
             for orders in code.orders() {
                 let name = format!("partials{}", suffix(&orders));
-                parts.push(self.numbers(&name, "private ", "", &code.steps.derivatives(&orders)));
+                parts.push(self.numbers(&name, "private ", "", &|steps| steps.derivatives(&orders)));
             }
         }
         parts.push(self.bind());
@@ -298,7 +302,7 @@ impl Class<'_> {
             lines += &format!("    case '{}': return this.{name}({names}, result);\n", joined(&orders));
         }
         lines
-            + "    default: throw new RangeError(`partial derivatives have orders with a sum of at most 2, and not ${orders.join()}`);\n}\n"
+            + "    default: throw new RangeError(`the orders of a partial derivative sum to at most 2; got ${orders.join()}`);\n}\n"
     }
 
     fn constants(&self) -> String {
@@ -318,6 +322,11 @@ impl Class<'_> {
                     ends.join(", ")
                 );
             }
+        }
+        let knots = code.knots();
+        if code.steps.spans() > 1 && knots.iter().all(|knot| matches!(knot, Knot::Number(_))) {
+            let knots: Vec<String> = knots.iter().map(|knot| knot_text(code, knot, &self.language)).collect();
+            text += &format!("static readonly knots: readonly number[] = [{}];\n", knots.join(", "));
         }
         text += &documented(&[String::from(
             "Rounding errors of the values, proved. They hold as long as nothing overflows; a product that underflows adds half the smallest number.",
@@ -354,6 +363,13 @@ impl Class<'_> {
             text += &documented(&[format!("{}{doc}", shape.shown)]);
             text += &format!("readonly {}: number;\n", shape.name);
         }
+        for name in &code.derived {
+            text += &format!("readonly {name}: number;\n");
+        }
+        if code.moving_ends().is_some() {
+            text += &documented(&[String::from("The two ends of the domain.")]);
+            text += "readonly domain: readonly [number, number];\n";
+        }
         let mut lines: String = code.shapes.iter().map(|s| self.language.check(&code.name, s)).collect();
         for assumption in &code.assumptions {
             let expressions = body(code, &assumption.steps, &self.language);
@@ -368,6 +384,20 @@ impl Class<'_> {
             lines += &format!("{{\n{}}}\n", indented(&inner, "    "));
         }
         lines += &code.shapes.iter().map(|s| format!("this.{0} = {0};\n", s.name)).collect::<String>();
+        if let Some(derived) = code.steps.derived() {
+            let expressions = body(code, &derived.steps, &self.language);
+            lines += &TypeScript::scalar_lets(&expressions);
+            for (name, value) in code.derived.iter().zip(&expressions.outputs) {
+                lines += &format!("this.{name} = {};\n", value.text);
+            }
+        }
+        if let Some(ends) = code.moving_ends() {
+            let ends = ends.map(|end| {
+                let of = if matches!(end, Knot::Shape(_)) { "this." } else { "" };
+                format!("{of}{}", knot_text(code, &end, &self.language))
+            });
+            lines += &format!("this.domain = [{}];\n", ends.join(", "));
+        }
         let arguments: Vec<String> = code.shapes.iter().map(|s| format!("{}: number", s.name)).collect();
         let doc = "Throws a RangeError for shape values outside of their ranges, infinite ones, and NaN.";
         Some(text + "\n" + &function(&format!("constructor({})", arguments.join(", ")), doc, &lines))
@@ -375,9 +405,17 @@ impl Class<'_> {
 
     /// The shape values that steps use as local names, and a mention of coordinates that they do not use.
     fn inputs(&self, steps: &Steps, of: &str) -> String {
-        let names = used_shapes(steps).into_iter().map(|k| &self.code.shapes[k].name);
-        let shapes: String = names.map(|name| format!("const {name} = {of}.{name};\n")).collect();
-        shapes
+        self.named_shapes(&used_shapes(steps), of)
+    }
+
+    fn named_shapes(&self, used: &[usize], of: &str) -> String {
+        let names = used.iter().map(|k| self.code.input(Input::Shape(*k)));
+        names.map(|name| format!("const {name} = {of}.{name};\n")).collect()
+    }
+
+    /// Lines for each span, with the knots that are shape values.
+    fn on_spans(&self, of: &str, lines: &dyn Fn(&FamilySteps<'_>) -> String) -> String {
+        self.named_shapes(&inner_knots(self.code), of) + &on_spans(self.code, &self.language, lines)
     }
 
     fn unused(&self, steps: &Steps) -> String {
@@ -387,13 +425,23 @@ impl Class<'_> {
     }
 
     /// A method that computes a number for each function.
-    fn numbers(&self, name: &str, visible: &str, doc: &str, steps: &Steps) -> String {
-        let expressions = body(self.code, steps, &self.language);
-        let mut lines =
-            self.inputs(steps, "this") + &self.unused(steps) + &TypeScript::scalar_lets(&expressions);
-        for (k, value) in expressions.outputs.iter().enumerate() {
-            lines += &format!("result[{k}] = {};\n", value.text);
-        }
+    fn numbers(
+        &self,
+        name: &str,
+        visible: &str,
+        doc: &str,
+        of: &dyn Fn(&FamilySteps<'_>) -> Steps,
+    ) -> String {
+        let mut lines = self.on_spans("this", &|on_span| {
+            let steps = of(on_span);
+            let expressions = body(self.code, &steps, &self.language);
+            let mut lines =
+                self.inputs(&steps, "this") + &self.unused(&steps) + &TypeScript::scalar_lets(&expressions);
+            for (k, value) in expressions.outputs.iter().enumerate() {
+                lines += &format!("result[{k}] = {};\n", value.text);
+            }
+            lines
+        });
         lines += "return result;\n";
         let result = if visible.is_empty() {
             format!("result: Float64Array = new Float64Array({})", self.code.count())
@@ -428,7 +476,11 @@ impl Class<'_> {
             code.name
         );
         if code.is_curve() {
-            fields += &format!("readonly domain: readonly [number, number] = {}.domain;\n", code.name);
+            fields += &if code.moving_ends().is_some() {
+                String::from("readonly domain: readonly [number, number];\n")
+            } else {
+                format!("readonly domain: readonly [number, number] = {}.domain;\n", code.name)
+            };
         }
         let steps = code.steps.bind();
         let expressions = body(code, &steps, &self.language);
@@ -439,6 +491,7 @@ impl Class<'_> {
             "points",
             &format!("{} * dimension", code.count()),
         ) + "this.family = family;\nthis.dimension = dimension;\nthis.points = Float64Array.from(points);\n"
+            + if code.moving_ends().is_some() { "this.domain = family.domain;\n" } else { "" }
             + &format!(
                 "const bound = new Float64Array({} * dimension);\nthis.bound = bound;\n",
                 code.steps.bound()
@@ -454,25 +507,22 @@ impl Class<'_> {
         let sized = "point: Float64Array = new Float64Array(this.dimension)";
         if code.is_curve() {
             let t = &code.coordinates[0];
-            parts.extend(code.steps.curve(1).map(|steps| {
-                let head = format!("eval({}, {sized}): Float64Array", self.typed());
-                self.evaluator(&head, &format!("The point of the curve at {t}."), &steps)
-            }));
-            parts.extend(code.steps.curve(3).map(|steps| {
-                let head = format!(
-                    "evalWithDerivatives({}, point: Float64Array = new Float64Array(3 * this.dimension)): Float64Array",
-                    self.typed()
-                );
-                let doc = format!("The point of the curve at {t}, and its first and second derivative by {t}, one after the other.");
-                self.evaluator(&head, &doc, &steps)
-            }));
+            let head = format!("eval({}, {sized}): Float64Array", self.typed());
+            let doc = format!("The point of the curve at {t}.");
+            parts.extend(self.evaluator(&head, &doc, &|steps| steps.curve(1)));
+            let head = format!(
+                "evalWithDerivatives({}, point: Float64Array = new Float64Array(3 * this.dimension)): Float64Array",
+                self.typed()
+            );
+            let doc = format!(
+                "The point of the curve at {t}, and its first and second derivative by {t}, one after the other."
+            );
+            parts.extend(self.evaluator(&head, &doc, &|steps| steps.curve(3)));
         } else {
             let names = code.coordinates.join(", ");
             let zeros = vec![0; code.family.domain.len()];
-            parts.extend(code.steps.patch(&zeros).map(|steps| {
-                let head = format!("eval({}, {sized}): Float64Array", self.typed());
-                self.evaluator(&head, "The point of the patch.", &steps)
-            }));
+            let head = format!("eval({}, {sized}): Float64Array", self.typed());
+            parts.extend(self.evaluator(&head, "The point of the patch.", &|steps| steps.patch(&zeros)));
             let mut lines = format!(
                 "switch (orders.join()) {{\n    case '{}': return this.eval({names}, point);\n",
                 joined(&zeros)
@@ -484,7 +534,7 @@ impl Class<'_> {
                     suffix(&orders)
                 );
             }
-            lines += "    default: throw new RangeError(`partial derivatives have orders with a sum of at most 2, and not ${orders.join()}`);\n}\n";
+            lines += "    default: throw new RangeError(`the orders of a partial derivative sum to at most 2; got ${orders.join()}`);\n}\n";
             let doc = format!(
                 "A partial derivative of the patch, `orders` in {}, with a sum of at most 2.",
                 self.independent()
@@ -492,14 +542,12 @@ impl Class<'_> {
             let head = format!("partial({}, orders: readonly number[], {sized}): Float64Array", self.typed());
             parts.push(function(&head, &doc, &lines));
             for orders in code.orders() {
-                parts.extend(code.steps.patch(&orders).map(|steps| {
-                    let head = format!(
-                        "private partial{}({}, point: Float64Array): Float64Array",
-                        suffix(&orders),
-                        self.typed()
-                    );
-                    self.evaluator(&head, "", &steps)
-                }));
+                let head = format!(
+                    "private partial{}({}, point: Float64Array): Float64Array",
+                    suffix(&orders),
+                    self.typed()
+                );
+                parts.extend(self.evaluator(&head, "", &|steps| steps.patch(&orders)));
             }
         }
         parts.push(self.slices());
@@ -508,17 +556,26 @@ impl Class<'_> {
     }
 
     /// A method from bound coefficients to points.
-    fn evaluator(&self, head: &str, doc: &str, steps: &Steps) -> String {
-        let expressions = body(self.code, steps, &self.language);
-        let needed = used(steps, bound);
-        let inputs = Self::elements("bound", "B", &needed);
-        let outputs: Vec<String> = (0..expressions.outputs.len()).map(|k| place("point", k)).collect();
-        let bound = if needed.is_empty() { "" } else { "const bound = this.bound;\n" };
-        let lines = format!("const dimension = this.dimension;\n{bound}")
-            + &self.unused(steps)
-            + &TypeScript::on_components(&expressions, &inputs, &outputs, false)
-            + "return point;\n";
-        function(head, doc, &lines)
+    fn evaluator(
+        &self,
+        head: &str,
+        doc: &str,
+        of: &dyn Fn(&FamilySteps<'_>) -> Option<Steps>,
+    ) -> Option<String> {
+        of(&self.code.steps)?;
+        let lines = self.on_spans("this.family", &|on_span| {
+            let Some(steps) = of(on_span) else { return String::new() };
+            let expressions = body(self.code, &steps, &self.language);
+            let needed = used(&steps, bound);
+            let inputs = Self::elements("bound", "B", &needed);
+            let outputs: Vec<String> = (0..expressions.outputs.len()).map(|k| place("point", k)).collect();
+            let bound = if needed.is_empty() { "" } else { "const bound = this.bound;\n" };
+            bound.to_string()
+                + &self.inputs(&steps, "this.family")
+                + &self.unused(&steps)
+                + &TypeScript::on_components(&expressions, &inputs, &outputs, false)
+        });
+        Some(function(head, doc, &format!("const dimension = this.dimension;\n{lines}return point;\n")))
     }
 
     fn slices(&self) -> String {

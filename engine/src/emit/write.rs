@@ -1,11 +1,11 @@
 //! What the targets share: lines of code, conditions on shape values, and the constants of a file.
 
-use super::{Expressions, FamilyCode, JoinCode, Language, Shape};
+use super::{Expressions, FamilyCode, JoinCode, Knot, Language, Shape};
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
 use crate::rounding::{Error, decimal};
-use crate::steps::Steps;
+use crate::steps::{FamilySteps, Steps};
 
 /// A line of a comment without what would end or continue it: control characters, line ends of Unicode, and a backslash
 /// or a trigraph for one at its end.
@@ -44,6 +44,71 @@ pub(super) fn body(code: &FamilyCode<'_>, steps: &Steps, language: &dyn Language
 /// The body of the function of a join.
 pub(super) fn join_body(join: &JoinCode<'_>, language: &dyn Language) -> Expressions {
     Expressions::new(&join.steps.steps, language, &|input| join.input(input), &join.taken())
+}
+
+/// The components of given and of determined points of a join, as a loop over components has them: inputs with names, and
+/// the places of the results. `element` is the component of a point in a list.
+pub(super) fn join_components(
+    join: &JoinCode<'_>,
+    element: fn(&str, usize) -> String,
+    place: fn(&str, usize) -> String,
+) -> (Vec<(String, String)>, Vec<String>) {
+    let mut inputs = Vec::new();
+    for k in used(&join.steps.steps, point) {
+        let (net, place) = join.given[k];
+        inputs.push((join.input(Input::Point(k)), element(&join.points[net].name, place)));
+    }
+    let mut outputs = Vec::new();
+    for net in &join.results {
+        outputs.extend((0..net.labels.len()).map(|k| place(&net.name, k)));
+    }
+    (inputs, outputs)
+}
+
+/// Lines for each span of the domain, in a language with `if (…) {} else {}`; at a knot those of the later one.
+pub(super) fn on_spans(
+    code: &FamilyCode<'_>,
+    language: &dyn Language,
+    lines: &dyn Fn(&FamilySteps<'_>) -> String,
+) -> String {
+    let spans = code.steps.spans();
+    if spans == 1 {
+        return lines(&code.steps);
+    }
+    let (knots, t) = (code.knots(), &code.coordinates[0]);
+    let mut text = String::new();
+    for span in 0..spans {
+        let own = indented(&lines(&code.steps.on_span(span)), "    ");
+        text += &match span {
+            _ if span + 1 == spans => format!("else {{\n{own}}}\n"),
+            0 => format!("if ({t} < {}) {{\n{own}}}\n", knot_text(code, &knots[1], language)),
+            _ => format!("else if ({t} < {}) {{\n{own}}}\n", knot_text(code, &knots[span + 1], language)),
+        };
+    }
+    text
+}
+
+/// A knot as an expression.
+pub(super) fn knot_text(code: &FamilyCode<'_>, knot: &Knot, language: &dyn Language) -> String {
+    match knot {
+        Knot::Number(value) if value.is_negative() => format!("-{}", language.literal(&value.abs())),
+        Knot::Number(value) => language.literal(value),
+        Knot::Shape(k) => code.input(Input::Shape(*k)),
+    }
+}
+
+/// The shape values that the inner knots are, by position.
+pub(super) fn inner_knots(code: &FamilyCode<'_>) -> Vec<usize> {
+    let knots = code.knots();
+    let inner = if code.is_curve() && knots.len() > 2 { &knots[1..knots.len() - 1] } else { &[] };
+    let shape = |knot: &Knot| if let Knot::Shape(k) = knot { Some(*k) } else { None };
+    let mut found = Vec::new();
+    for k in inner.iter().filter_map(shape) {
+        if !found.contains(&k) {
+            found.push(k);
+        }
+    }
+    found
 }
 
 /// The shape values that some steps use, by position.

@@ -8,7 +8,7 @@ use crate::algebra::poly::{Monomial, Poly, PolyExt as _, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::angle::{Angle, Kind};
-use crate::model::{Family, Function};
+use crate::model::{Factor, Family, Function};
 use crate::plan::patch_form::{PatchForm, exponents};
 
 /// The work for the matrices of a family.
@@ -81,7 +81,7 @@ impl Matrix {
     }
 }
 
-/// The matrices of a family on an interval, a triangle, a tetrahedron or a box; `next` is the family in its next order.
+/// The matrices of a family on an interval, a triangle, a tetrahedron, a box or a product of these; `next` is the family in its next order.
 ///
 /// Families with sin, exp or the like have none, nor have those with many functions; what takes too much work, and the
 /// inverse of a matrix that has none, is left out.
@@ -232,7 +232,7 @@ fn elevation(family: &Family, next: Option<&Family>, work: &mut Work) -> Option<
             names: family.names.clone(),
         });
     }
-    if family.is_simplex() || family.domain.len() != 1 || family.is_rational() {
+    if family.interval().is_none() || family.is_rational() {
         return None;
     }
     // The coefficients c of degree n are (k·c[k−1] + (n + 1 − k)·c[k])/(n + 1) in degree n + 1.
@@ -293,7 +293,7 @@ pub fn conversions(family: &Family, other: &Family) -> Result<Vec<Matrix>, Strin
         };
         let entries = in_terms_of(from, to, work).ok_or_else(spent)?;
         if let Some(missing) = entries.iter().position(Option::is_none) {
-            reasons.push(format!("`{}` is no combination of those of `{}`", rows[missing], to.title()));
+            reasons.push(format!("`{}` is not a combination of those of `{}`", rows[missing], to.title()));
             continue;
         }
         let title = format!("{} in terms of {}: {equation}", from.title(), to.title());
@@ -341,7 +341,8 @@ fn same_domain(family: &Family, other: &Family) -> bool {
     let ends = |f: &Family| {
         f.domain.iter().map(|p| (p.range.low.value().cloned(), p.range.high.value().cloned())).listed()
     };
-    family.is_simplex() == other.is_simplex()
+    let simplices = |f: &Family| f.simplices.iter().map(|s| s.places.clone()).listed();
+    simplices(family) == simplices(other)
         && ends(family) == ends(other)
         && family.analytic.angles.is_empty()
         && other.analytic.angles.is_empty()
@@ -527,32 +528,40 @@ fn names(monomials: &[(String, Fraction)]) -> String {
     monomials.mapped(|(name, _)| name.clone()).join(", ")
 }
 
-/// The integral over the domain of a function whose denominator holds no domain variable: on a simplex
-/// ∏ aₖ!/(Σ aₖ + d)! for each monomial, on a box the product of the integrals in each variable. A variable low + width·y
-/// brings its width as a factor.
+/// The integral over the domain of a function whose denominator holds no domain variable: of each monomial the product
+/// of the integrals over the factors of the domain, ∏ aₖ!/(Σ aₖ + d)! for a simplex. A variable low + width·y brings its
+/// width as a factor.
 fn integral(family: &Family, f: &Fraction, work: &mut Work) -> Option<Fraction> {
     if family.domain.iter().any(|p| f.denom().depends_on(p.var)) {
         return None;
     }
     let factorial =
         |n: u32| (1..=i64::from(n)).fold(Rational::ONE, |product, k| &product * &Rational::from(k));
+    let factors = family.factors();
     let mut terms = Vec::new();
     for (m, c) in f.numer().terms() {
-        let (mut rest, mut value, mut sum) = (m.clone(), c.clone(), family.domain.len() as u32);
+        let (mut rest, mut value) = (m.clone(), c.clone());
         for p in &family.domain {
-            let e = u32::from(m.exponent(p.var));
             rest = rest.with_exponent(p.var, 0);
-            if family.is_simplex() {
-                value *= &factorial(e);
-                sum += e;
-            } else {
-                let (low, high) = p.range.finite()?;
-                let difference = &high.pow(e + 1) - &low.pow(e + 1);
-                value = &(&value * &difference) * &Rational::new(1, i64::from(e) + 1);
-            }
         }
-        if family.is_simplex() {
-            value = value.checked_div(&factorial(sum))?;
+        for factor in &factors {
+            match factor {
+                Factor::Simplex(independent, _) => {
+                    let mut sum = independent.len() as u32;
+                    for p in *independent {
+                        let e = u32::from(m.exponent(p.var));
+                        value *= &factorial(e);
+                        sum += e;
+                    }
+                    value = value.checked_div(&factorial(sum))?;
+                }
+                Factor::Interval(p) => {
+                    let e = u32::from(m.exponent(p.var));
+                    let (low, high) = p.range.finite()?;
+                    let difference = &high.pow(e + 1) - &low.pow(e + 1);
+                    value = &(&value * &difference) * &Rational::new(1, i64::from(e) + 1);
+                }
+            }
         }
         terms.push((rest, value));
     }

@@ -2,8 +2,7 @@
 
 use std::rc::Rc;
 
-use super::read::{Functions, Reader, Scope};
-use super::value::Value;
+use super::scope::{Functions, Reader, Scope, Value};
 use super::{Claimed, Compared, Comparison, Role, Sign, Term};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;

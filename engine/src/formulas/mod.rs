@@ -6,6 +6,7 @@
 
 mod claims;
 mod read;
+mod scope;
 mod value;
 
 use std::rc::Rc;

@@ -1,24 +1,13 @@
 //! Families as they are written: the functions that they define, in the order in which they call each other.
 
-use std::cell::RefCell;
-
-use super::value::Value;
+use super::scope::{Constants, Functions, Planned, Reader, Scope, Value};
 use super::{Claimed, Definition, Formulas, Term};
 use crate::claim::Claim;
 use crate::model::label;
-use crate::model::tuples::{grid, multi_indices};
+use crate::model::tuples::numbered;
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding, ExprKind, FunctionDef, NameDef, StatementKind};
 use basis_prover::collections::map::SortedMap;
-
-/// Functions by their indices.
-pub(super) type Functions = SortedMap<Vec<i64>, usize>;
-
-/// Index variables with their values.
-pub(super) type Constants = Vec<(String, i64)>;
-
-/// The spec and the place of a family, and its order.
-type Key = (usize, usize, Vec<i64>);
 
 /// The most parts of all formulas of a family; more are not exported.
 const MAX_PARTS: usize = 4_000_000;
@@ -28,20 +17,6 @@ const MAX_DEPTH: usize = 200;
 
 /// The variables of derivatives have numbers from here on.
 const BOUND: usize = 1 << 20;
-
-/// Reads formulas.
-pub(super) struct Reader<'a, 'f> {
-    pub(super) library: &'a Library<'f>,
-    pub(super) definitions: Vec<Definition>,
-    /// The families that were read, each with its functions.
-    known: Vec<(Key, Functions)>,
-    /// The number of the next variable of a derivative.
-    pub(super) fresh: usize,
-    /// How many parts of formulas may still be made.
-    parts: usize,
-    /// How many definitions are being read, one inside of the other.
-    depth: usize,
-}
 
 /// The formulas of a family of the spec that was asked for, and of its claims; `None` when one of its functions has no
 /// counterpart.
@@ -68,107 +43,6 @@ const fn is_algebraic(family: &Family) -> bool {
         && analytic.pi.is_none()
         && analytic.exponential.is_none()
         && family.pieces.is_empty()
-}
-
-/// A function that no formula has needed yet, or that is being read.
-struct Planned<'w> {
-    def: &'w FunctionDef,
-    constants: Constants,
-}
-
-/// What names mean while formulas of one family are read.
-pub(super) struct Scope<'w> {
-    pub(super) unit: usize,
-    title: RefCell<String>,
-    /// Index parameters and index variables, the innermost last.
-    pub(super) constants: RefCell<Constants>,
-    /// The index parameters.
-    order: Constants,
-    /// What `let` gives, as it is written.
-    pub(super) lets: Vec<&'w NameDef>,
-    /// What it gives, as far as it was needed.
-    known: RefCell<Vec<(String, Value)>>,
-    /// The arguments of the name with arguments whose formula is being read.
-    pub(super) arguments: RefCell<Vec<(String, Value)>>,
-    pub(super) names: Vec<String>,
-    domain: usize,
-    pub(super) dependent: bool,
-    pub(super) function_name: String,
-    pub(super) functions: RefCell<Functions>,
-    planned: RefCell<SortedMap<Vec<i64>, Planned<'w>>>,
-    /// While an order is raised: functions outside of the order before are 0.
-    pub(super) missing_is_zero: RefCell<bool>,
-}
-
-impl<'w> Scope<'w> {
-    pub(super) fn new(unit: usize, family: &Family, written: &'w syntax::Family) -> Self {
-        let lets = written.statements.iter().filter_map(|s| match &s.kind {
-            StatementKind::Let(def) => Some(def),
-            _ => None,
-        });
-        Self {
-            unit,
-            title: RefCell::new(family.title()),
-            constants: RefCell::new(family.order.clone()),
-            order: family.order.clone(),
-            lets: lets.collect(),
-            known: RefCell::default(),
-            arguments: RefCell::default(),
-            names: family.names.clone(),
-            domain: family.domain.len(),
-            dependent: family.is_simplex(),
-            function_name: family.function_name.clone(),
-            functions: RefCell::new(SortedMap::new()),
-            planned: RefCell::new(SortedMap::new()),
-            missing_is_zero: RefCell::new(false),
-        }
-    }
-
-    pub(super) fn constant(&self, name: &str) -> Option<i64> {
-        self.constants.borrow().iter().rev().find(|(n, _)| n == name).map(|(_, value)| *value)
-    }
-
-    /// Does something with index variables that have values.
-    pub(super) fn with<T>(&self, values: &[(String, i64)], run: impl FnOnce() -> T) -> T {
-        let depth = self.constants.borrow().len();
-        self.constants.borrow_mut().extend(values.iter().cloned());
-        let result = run();
-        self.constants.borrow_mut().truncate(depth);
-        result
-    }
-
-    /// Does something in which only the names of the family have a meaning, and some arguments.
-    pub(super) fn alone<T>(&self, arguments: Vec<(String, Value)>, run: impl FnOnce() -> T) -> T {
-        let constants = self.constants.replace(self.order.clone());
-        let arguments = self.arguments.replace(arguments);
-        let result = run();
-        self.constants.replace(constants);
-        self.arguments.replace(arguments);
-        result
-    }
-
-    /// The first function that was noted and not read.
-    pub(super) fn next(&self) -> Option<Vec<i64>> {
-        self.planned.borrow().keys().next().cloned()
-    }
-
-    /// Whether a name has a meaning of its own, so that it is no family.
-    pub(super) fn is_taken(&self, name: &str) -> bool {
-        name == self.function_name
-            || self.constant(name).is_some()
-            || self.names.iter().any(|n| n == name)
-            || self.lets.iter().any(|def| def.name.text == name)
-    }
-
-    /// The numbers of the domain variables, the dependent one last.
-    pub(super) fn coordinates(&self) -> Vec<usize> {
-        (self.names.len() - self.domain - usize::from(self.dependent)..self.names.len()).collect()
-    }
-
-    /// A function at the point itself.
-    pub(super) fn call(&self, definition: usize) -> Term {
-        Term::Call(definition, (0..self.names.len()).map(Term::Variable).collect())
-    }
 }
 
 impl Reader<'_, '_> {
@@ -337,18 +211,29 @@ impl Reader<'_, '_> {
         if index.len() != corners {
             return;
         }
-        for order in grid(&vec![corners as i64; corners], usize::MAX - 1) {
-            let twice = (0..corners).any(|k| order[..k].contains(&order[k]));
+        // Each coordinate goes to a place of its own simplex.
+        let mut orders: Vec<Vec<usize>> = vec![Vec::new()];
+        for own in scope.index_places(corners) {
+            for _ in own.clone() {
+                let longer = |start: &Vec<usize>| {
+                    let free: Vec<usize> = own.clone().filter(|k| !start.contains(k)).collect();
+                    let start = start.clone();
+                    free.into_iter().map(move |k| [&start[..], &[k]].concat())
+                };
+                orders = orders.iter().flat_map(longer).collect();
+            }
+        }
+        for order in orders {
             let mut moved = vec![0; corners];
             for (from, to) in order.iter().enumerate() {
-                moved[*to as usize] = index[from];
+                moved[*to] = index[from];
             }
-            if twice || scope.functions.borrow().get(&moved).is_some() {
+            if scope.functions.borrow().get(&moved).is_some() {
                 continue;
             }
             let args = (0..scope.names.len()).map(|v| {
                 let k = coordinates.iter().position(|c| *c == v);
-                Term::Variable(k.map_or(v, |k| coordinates[order[k] as usize]))
+                Term::Variable(k.map_or(v, |k| coordinates[order[k]]))
             });
             let value = Term::Call(place, args.collect());
             let new = self.define(scope, label(&scope.function_name, &moved), value);
@@ -367,12 +252,11 @@ impl Reader<'_, '_> {
         let title = scope.title.borrow().clone();
         for current in lowest + 1..=wanted {
             let last = scope.functions.borrow().keys().next_back()?.clone();
-            let indices = if scope.dependent && last.len() == scope.domain + 1 {
-                multi_indices(last.len(), last.iter().sum::<i64>() + 1, usize::MAX - 1)
-            } else {
+            let indices = {
                 let known = scope.functions.borrow();
                 let size = |k: usize| known.keys().map(|i| i[k]).max().map(|most| most + 2);
-                grid(&(0..last.len()).map(size).collect::<Option<Vec<i64>>>()?, usize::MAX - 1)
+                let sizes = (0..last.len()).map(size).collect::<Option<Vec<i64>>>()?;
+                numbered(&scope.index_places(last.len()), &last, 1, &sizes, usize::MAX - 1)
             };
             if current < wanted {
                 scope.title.replace(format!("{title}, {order} = {current}"));

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::read::{Constants, Reader, Scope};
+use super::scope::{Constants, Reader, Scope, Value};
 use super::{Comparison, Role, Sign, Term};
 use crate::algebra::number::binomial;
 use crate::algebra::rational::Rational;
@@ -12,15 +12,6 @@ use crate::syntax::{Condition, Expr, ExprKind, Generator, Loops};
 
 /// Terms with their signs.
 type Signed = Vec<(Sign, Term)>;
-
-/// One formula or several, each with its index.
-#[derive(Clone)]
-pub(super) enum Value {
-    /// One.
-    Scalar(Term),
-    /// Several.
-    List(Vec<(Vec<i64>, Term)>),
-}
 
 /// A family that an expression names, perhaps with its order and shape values.
 struct Named<'e> {
@@ -260,11 +251,19 @@ impl Reader<'_, '_> {
         let mut args = shapes.iter().map(|x| self.scalar(scope, x)).collect::<Option<Vec<Term>>>()?;
         match arguments {
             Some(arguments) => {
-                for x in arguments {
-                    args.push(self.scalar(scope, x)?);
+                // In the order of the variables' numbers, in which the last coordinates of simplices follow the others.
+                let mut all = Vec::new();
+                for (p, x) in family.domain_variables().zip(arguments) {
+                    all.push((p.var, self.scalar(scope, x)?));
                 }
+                all.sort_by_key(|(var, _)| *var);
+                args.extend(all.into_iter().map(|(_, x)| x));
             }
-            None => args.extend(scope.coordinates().into_iter().map(Term::Variable)),
+            None => {
+                let mut own = scope.coordinates();
+                own.sort_unstable();
+                args.extend(own.into_iter().map(Term::Variable));
+            }
         }
         if args.len() != family.names.len() {
             return None;
@@ -450,22 +449,16 @@ impl Reader<'_, '_> {
     pub(super) fn differentiated(&mut self, scope: &Scope<'_>, term: &Term, var: usize) -> Term {
         let bound = self.fresh;
         self.fresh += 1;
-        let coordinates = scope.coordinates();
         let here = |v: usize| Term::Variable(if v == var { bound } else { v });
-        let last = coordinates.last().copied().filter(|_| scope.dependent);
-        let rest = |w: usize| {
-            let others = coordinates.iter().filter(|c| **c != w).map(|c| (Sign::Minus, here(*c)));
+        let simplex = scope.simplex_of(var);
+        let rest = |others: &[usize]| {
+            let others = others.iter().map(|c| (Sign::Minus, here(*c)));
             Term::Sum(std::iter::once((Sign::Plus, Term::integer(1))).chain(others).collect())
         };
-        let inner = coordinates.contains(&var);
-        let body = term.put(&|v| {
-            if v == var {
-                Some(here(v))
-            } else if inner && Some(v) == last {
-                Some(rest(v))
-            } else {
-                None
-            }
+        let body = term.put(&|v| match &simplex {
+            _ if v == var => Some(here(v)),
+            Some((others, last)) if v == *last => Some(rest(others)),
+            _ => None,
         });
         Term::Derivative { body: Rc::new(body), bound, at: Rc::new(Term::Variable(var)) }
     }

@@ -25,8 +25,17 @@ pub(crate) fn factored_on_box(family: &Family, form: &PatchForm, function: &Patc
         return String::from("0");
     }
     let (mut whole, mut powers) = (function.inner_polynomial(form), Vec::new());
-    for (group, exponents) in form.groups.iter().zip(function.powers.chunks(2)) {
-        let (Some((low, high)), Some(var)) = (&group.range, group.vars.first()) else { continue };
+    let mut rest = function.powers.as_slice();
+    for group in &form.groups {
+        let (exponents, others) = rest.split_at(group.vars.len() + 1);
+        rest = others;
+        let Some(var) = group.vars.first() else { continue };
+        let Some((low, high)) = &group.range else {
+            let last = family.simplices.iter().find(|s| family.domain[s.places.start].var == *var);
+            let coordinates = group.vars.iter().copied().chain(last.map(|s| s.last.var));
+            powers.extend(coordinates.map(Poly::var).zip(exponents.iter().copied()));
+            continue;
+        };
         // x^a s^b = (t − low)^a (high − t)^b / (high − low)^(a + b)
         let unit = (high - low).recip().unwrap_or(Rational::ONE);
         whole = whole.scale(&unit.pow(exponents.iter().sum()));
@@ -77,5 +86,13 @@ fn product(whole: &Poly, powers: &[(Poly, u32)], denom: &Poly, names: &[String])
         }
     }
     let text = factors.join("*");
-    if denom.is_one() { text } else { format!("{text}/({})", denom.display(names)) }
+    if denom.is_one() {
+        return text;
+    }
+    let below = denom.display(names).to_string();
+    if denom.len() > 1 || below.contains('*') {
+        format!("{text}/({below})")
+    } else {
+        format!("{text}/{below}")
+    }
 }

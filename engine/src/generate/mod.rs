@@ -11,25 +11,28 @@ mod interval;
 #[cfg(feature = "joins")]
 pub(crate) mod join;
 mod patch;
-mod rational;
+pub(crate) mod rational;
 #[cfg(any(test, feature = "rounding"))]
 mod rounding;
 #[cfg(not(any(test, feature = "rounding")))]
 #[path = "no_rounding.rs"]
 mod rounding;
 mod rust;
+mod series;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::{Family, Function};
+use crate::model::Family;
 use crate::plan::form::{IntervalForm, RationalForm};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
 use code::shell::Shell;
+#[cfg(any(test, feature = "tools"))]
+pub(crate) use code::shell::shape_ends;
 use code::tokens::{doc, site};
 use code::{floats, names};
 #[cfg(any(test, feature = "tools"))]
@@ -66,16 +69,31 @@ pub fn family(
     Ok(in_module(&name, &definition(family, verdicts, name.clone(), options)?))
 }
 
-/// Why no steps of evaluators are known of a family of any size; `None` where they are.
+/// Whether the steps of the evaluators of a family are known, if it is small enough.
 #[cfg(any(test, feature = "rounding"))]
+pub(crate) fn is_evaluated(family: &Family) -> bool {
+    no_type(family).is_none() && !series::is_mixed(family)
+}
+
+/// Why a family of any size is generated in no language but Rust; `None` where it is.
+#[cfg(any(test, feature = "tools"))]
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
     let error = no_type(family);
-    if error.is_some() || !is_rational(family) {
+    if error.is_some() {
         return error;
     }
-    let message = "only Rust code is generated yet for families with denominators, angles, exponentials, spans or open ends";
-    let error = Diagnostic::error(family.place.clone(), message);
-    Some(error.help("use `basis!` or `--to rust`, or take the numerators as a family of their own"))
+    let (families, instead) = if series::is_mixed(family) {
+        ("with the domain variable beside its sine or exponential", ", or leave such functions out")
+    } else if family.is_product() {
+        ("on a product of a simplex and something else", "")
+    } else {
+        return None;
+    };
+    let error = Diagnostic::error(
+        family.place.clone(),
+        format!("only Rust code is generated yet for families {families}"),
+    );
+    Some(error.help(format!("use `basis!` or `--to rust`{instead}")))
 }
 
 /// Whether the functions are evaluated as quotients, or span by span.
@@ -86,14 +104,14 @@ fn is_rational(family: &Family) -> bool {
         || family.interval().is_some() && family.leaves_an_end_out()
 }
 
+/// What there is in place of code.
+const NO_CODE: &str =
+    "its claims are proved, and `basis explain` and `basis eval` know it; for code, leave such functions out";
+
 /// Why no type is generated for a family of any size; `None` where one is.
 fn no_type(family: &Family) -> Option<Diagnostic> {
-    let mixed = |family: &Family| {
-        let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
-        family.functions.iter().any(of)
-    };
-    let message = if mixed(family) || family.pieces.iter().any(|piece| mixed(piece)) {
-        "no code is generated for families with the domain variable beside its sine or exponential yet"
+    let message = if family.pieces.iter().any(|piece| series::is_mixed(piece)) {
+        "no code is generated yet for families on several spans with the domain variable beside its sine or exponential"
     } else if is_rational(family) && family.interval().is_none() {
         "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
     } else if family.leaves_an_end_out() && family.interval().is_none() {
@@ -102,8 +120,7 @@ fn no_type(family: &Family) -> Option<Diagnostic> {
         return None;
     };
     let error = Diagnostic::error(family.place.clone(), message);
-    let help = "its claims are proved, and `basis explain` and `basis eval` know it; for code, leave such functions out";
-    Some(error.help(help))
+    Some(error.help(NO_CODE))
 }
 
 /// The error for a family with too many coefficients.
@@ -119,11 +136,17 @@ pub(crate) fn beyond_floats(family: &Family, steps: &crate::steps::FamilySteps<'
     if !floats::of_family(family) {
         return None;
     }
-    let evaluators = [steps.values(), steps.bernstein_weights(), steps.bind()];
-    let missing = evaluators.iter().flat_map(|steps| &steps.steps).any(|step| match step {
-        crate::steps::Step::Constant(value) => floats::nearest(&value.abs()).is_none(),
-        _ => false,
-    });
+    let missing = |steps: &crate::steps::Steps| {
+        steps.steps.iter().any(|step| match step {
+            crate::steps::Step::Constant(value) => floats::nearest(&value.abs()).is_none(),
+            _ => false,
+        })
+    };
+    let on_span = |span: usize| {
+        let steps = steps.on_span(span);
+        [steps.values(), steps.bernstein_weights(), steps.bind()].iter().any(missing)
+    };
+    let missing = (0..steps.spans()).any(on_span);
     let direct = floats::direct(family);
     if missing && direct.is_none() { Some(floats::indirect(family)) } else { direct }
 }
@@ -148,7 +171,7 @@ pub fn documentation(
 }
 
 /// The quotients of a family that is evaluated by them, one for each span.
-fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {
+pub(crate) fn rational_forms(family: &Family) -> Option<Vec<RationalForm>> {
     if !is_rational(family) {
         return None;
     }
@@ -174,9 +197,17 @@ pub(crate) fn definition(
     }
     let fields = names::fields(family)?;
     let Options { runtime, decided, .. } = options;
+    let replaced = if series::is_mixed(family) { series::in_polynomials(family) } else { None };
+    if replaced.is_none() && series::is_mixed(family) {
+        let message = "no code is generated yet for families with the domain variable beside its sine or exponential and \
+                       parameters at the ends or in denominators";
+        return Err(vec![Diagnostic::error(family.place.clone(), message).help(NO_CODE)]);
+    }
+    let told = family;
+    let family = replaced.as_ref().unwrap_or(family);
     let shell = Shell { family, name, fields, runtime, decided };
     let code = match (rational_forms(family), IntervalForm::new(family)) {
-        (Some(forms), _) => rational::emit(&shell, &forms, verdicts),
+        (Some(forms), _) => rational::emit(&shell, told, &forms, verdicts),
         (_, Some(form)) => interval::emit(&shell, &form, verdicts),
         _ => patch::emit(&shell, verdicts).map_err(|error| vec![error])?,
     };

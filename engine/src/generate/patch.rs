@@ -1,4 +1,4 @@
-//! Families on triangles, tetrahedra and boxes: values, and the table from which everything else follows.
+//! Families on triangles, tetrahedra, boxes and products of these: values, and the table from which everything else follows.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote_spanned};
@@ -11,14 +11,15 @@ use super::rounding;
 use super::rust::Body;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
-use crate::model::label;
+use crate::model::{Factor, label};
 use crate::plan::Input;
 use crate::plan::patch::{PatchPlans, Table, lattice};
 use crate::plan::patch_form::factored_text;
+use crate::plural::list;
 use crate::state::Verdict;
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// The type of a family on a simplex or a box.
+/// The type of a family on a simplex, a box or a product of simplices and intervals.
 ///
 /// # Errors
 /// When the family is too large.
@@ -99,15 +100,18 @@ impl Emitter<'_> {
         let (k, orders) =
             (Literal::usize_unsuffixed(self.corners()), Literal::usize_unsuffixed(family.domain.len()));
         let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
-        let (at, independent) = (names.join(", "), names[..family.domain.len()].join(", "));
+        let own: Vec<&str> = family.domain.mapped(|p| p.name.as_str());
+        let (at, independent) = (names.join(", "), own.join(", "));
         let (first, last) = (family.function_label(0), family.function_label(family.functions.len() - 1));
         let values_doc = doc(&format!("The values `[{first}, …, {last}]` at `[{at}]`."));
-        let partials_doc = doc(&if simplex {
-            let rest = names[..family.domain.len()].join(" − ");
-            let last = names[family.domain.len()];
-            format!("The partial derivatives of these orders in `{independent}`, with `{last} = 1 − {rest}`.")
-        } else {
+        let last = family
+            .simplices
+            .mapped(|s| format!("`{} = 1 − {}`", s.last.name, own[s.places.clone()].join(" − ")));
+        let partials_doc = doc(&if last.is_empty() {
             format!("The partial derivatives of these orders in `{independent}`.")
+        } else {
+            let last = list(&last);
+            format!("The partial derivatives of these orders in `{independent}`, with {last}.")
         });
         let basis = self.basis();
         let along = simplex.then(|| {
@@ -172,6 +176,8 @@ impl Emitter<'_> {
         let runtime = self.shell.runtime;
         if self.shell.family.is_simplex() {
             quote_spanned!(site()=> #runtime::SimplexBasis)
+        } else if self.shell.family.is_product() {
+            quote_spanned!(site()=> #runtime::ProductBasis)
         } else {
             quote_spanned!(site()=> #runtime::BoxBasis)
         }
@@ -198,6 +204,30 @@ impl Emitter<'_> {
                 const DEGREE: usize = #degree;
                 const MULTINOMIALS: &'static [f64] = &#runtime::__private::multinomials::<#terms>(#k, #degree);
                 const ORDER: #core::option::Option<usize> = #order;
+            }
+        } else if family.is_product() {
+            let factors = family.factors().into_iter().zip(&degrees).map(|(factor, degree)| match factor {
+                Factor::Interval(_) => {
+                    quote_spanned!(site()=> #runtime::DomainFactor::Interval { degree: #degree })
+                }
+                Factor::Simplex([_, _], _) => {
+                    quote_spanned!(site()=> #runtime::DomainFactor::Triangle { degree: #degree })
+                }
+                Factor::Simplex(..) => {
+                    quote_spanned!(site()=> #runtime::DomainFactor::Tetrahedron { degree: #degree })
+                }
+            });
+            let factors = factors.listed();
+            let ranges = || family.domain_variables().filter_map(|p| p.range.finite());
+            let low = ranges().map(|(low, _)| number(low));
+            let high = ranges().map(|(_, high)| number(high));
+            quote_spanned! {site()=>
+                const FACTORS: &'static [#runtime::DomainFactor] = &[#(#factors),*];
+
+                #[inline]
+                fn domain() -> [[S; #k]; 2] {
+                    [[#(#low),*], [#(#high),*]]
+                }
             }
         } else {
             let ranges = || family.domain.iter().filter_map(|p| p.range.finite());

@@ -18,8 +18,14 @@ use crate::plan::{Input, Plan, rational};
 use crate::state::Verdict;
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// The type of a family that is evaluated by quotients, one form for each span.
-pub(super) fn emit(shell: &Shell<'_>, forms: &[RationalForm], verdicts: &[(Claim, Verdict)]) -> TokenStream {
+/// The type of a family that is evaluated by quotients, one form for each span; `told` is the family as its documentation has
+/// it.
+pub(super) fn emit(
+    shell: &Shell<'_>,
+    told: &Family,
+    forms: &[RationalForm],
+    verdicts: &[(Claim, Verdict)],
+) -> TokenStream {
     let Shell { family, name, runtime, .. } = shell;
     let spans = if family.pieces.is_empty() {
         vec![OnSpan { shell, family, form: &forms[0], runtime }]
@@ -35,7 +41,13 @@ pub(super) fn emit(shell: &Shell<'_>, forms: &[RationalForm], verdicts: &[(Claim
             #basis
         }
     };
-    let docs = docs::family(family, &formulas(family, forms), &[], verdicts, shell.decided);
+    let mut formulas = formulas(told, forms);
+    if told.pieces.len() != family.pieces.len() {
+        let count = forms.len();
+        formulas.push(String::new());
+        formulas.push(format!("evaluated as polynomials on {count} spans, as near to these as floats are"));
+    }
+    let docs = docs::family(told, &formulas, &[], verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 
@@ -54,8 +66,12 @@ pub(super) fn formulas(family: &Family, forms: &[RationalForm]) -> Vec<String> {
     }
     let form = &forms[0];
     let text = |f| factored(family, &form.numerators, f);
-    let mut lines = vec![format!("w = {}", text(&form.denominator))];
-    lines.extend(labels.map(|(k, label)| format!("{label} = {}/w", text(&form.numerators.functions[k]))));
+    // A name that the family does not have.
+    let taken = |name: &str| family.names.iter().any(|known| known == name) || family.function_name == name;
+    let below = ["w", "d", "q", "below"].into_iter().find(|name| !taken(name)).unwrap_or("denominator");
+    let function = |(k, label)| format!("{label} = {}/{below}", text(&form.numerators.functions[k]));
+    let mut lines: Vec<String> = labels.map(function).listed();
+    lines.push(format!("where {below} = {}", text(&form.denominator)));
     lines
 }
 
@@ -263,11 +279,21 @@ impl OnSpan<'_> {
         };
         let known = angle.limits.each_ref().map(|end| family.analytic.number(end));
         let Body { lets, outputs } = self.body(&rational::ends(family, angle));
+        let lets = if known.iter().all(Option::is_some) { TokenStream::new() } else { lets };
         let ends: Vec<TokenStream> =
             outputs.into_iter().zip(&known).map(|(code, known)| known.as_ref().map_or(code, number)).listed();
         let map = match angle.kind {
             Kind::Linear => {
-                return quote_spanned!(site()=> #lets #runtime::Chart::affine([#(#ends),*]));
+                let missing =
+                    known.each_ref().map(|end| end.as_ref().map_or(Rational::ZERO, |x| split(x, 53).1));
+                let exact = missing.iter().any(|rest| !rest.is_zero()).then(|| {
+                    let float = |end: &Option<Rational>| {
+                        literal(&end.as_ref().map_or(Rational::ZERO, |x| split(x, 53).0))
+                    };
+                    let (floats, rests) = (known.each_ref().map(float), missing.each_ref().map(literal));
+                    quote_spanned!(site()=> .with_exact_ends([#(#floats),*], [#(#rests),*]))
+                });
+                return quote_spanned!(site()=> #lets #runtime::Chart::affine([#(#ends),*]) #exact);
             }
             Kind::Circular => quote_spanned!(site()=> circular),
             Kind::Hyperbolic => quote_spanned!(site()=> hyperbolic),
@@ -290,7 +316,7 @@ impl OnSpan<'_> {
             .listed();
         let missing = match &known {
             [Some(low), Some(high)] => {
-                let [low, high] = [low, high].map(split);
+                let [low, high] = [low, high].map(|end| split(end, 53));
                 let missing = [&low, &high].into_iter().any(|(float, rest)| {
                     let short = float.is_integer() && float.abs() < Rational::from(1 << 24);
                     !rest.is_zero() || !short
@@ -339,12 +365,12 @@ impl OnSpan<'_> {
     }
 }
 
-/// A number as the nearest float and what is missing to it.
-fn split(value: &Rational) -> (Rational, Rational) {
+/// A number as the nearest one of so many bits and what is missing to it; of 53 bits, the nearest float.
+pub(crate) fn split(value: &Rational, bits: u32) -> (Rational, Rational) {
     let mut unit = Rational::ONE;
     let (half, two) = (Rational::new(1, 2), Rational::from(2));
-    // The float is a multiple of the unit, by a number of 53 bits.
-    let (low, high) = (Rational::from(1 << 52), Rational::from(1 << 53));
+    // It is a multiple of the unit, by a number of so many bits.
+    let (low, high) = (Rational::from(1 << (bits - 1)), Rational::from(1 << bits));
     let size = value.abs();
     while !size.is_zero() && &high * &unit <= size {
         unit = &unit * &two;

@@ -84,7 +84,10 @@ impl Angle {
                 None => format!("({} - {shift})", self.name),
             }
         };
-        format!("{function}({})", times(&self.rate, self.turns, &s))
+        match s.strip_prefix('(').and_then(|s| s.strip_suffix(')')) {
+            Some(s) if self.rate.is_one() && !self.turns => format!("{function}({s})"),
+            _ => format!("{function}({})", times(&self.rate, self.turns, &s)),
+        }
     }
 
     /// The factor of y′ = factor·(1 ± x²), the derivative in s.

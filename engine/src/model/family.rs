@@ -1,5 +1,6 @@
 //! Families as exact tables of functions over a domain and shape parameters.
 
+use core::ops::Range as Places;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Simplex};
@@ -37,11 +38,11 @@ pub struct Family {
     pub constraints: Vec<Constraint>,
     /// The shape parameters that an assumed equation determines, with their values.
     pub determined: Vec<(String, Fraction)>,
-    /// The independent domain variables, the variables after the shape parameters: all variables of a box, all
-    /// but the last barycentric coordinate of a simplex.
+    /// The independent domain variables, the variables after the shape parameters: those of intervals, and of each
+    /// simplex all but the last barycentric coordinate.
     pub domain: Vec<Parameter>,
-    /// The last barycentric coordinate of a simplex, 1 minus the others; it does not occur in the functions.
-    pub dependent: Option<Parameter>,
+    /// The simplices among the factors of the domain: none for an interval or a box.
+    pub simplices: Vec<Barycentric>,
     /// What goes beyond quotients of polynomials: which variables are angles, and π.
     pub analytic: Analytic,
     /// The name that the functions share.
@@ -81,6 +82,35 @@ pub struct Parameter {
     pub range: Range,
 }
 
+/// A triangle or tetrahedron, the domain or a factor of it.
+#[derive(Clone, Debug)]
+pub struct Barycentric {
+    /// The places of its independent coordinates among the independent domain variables.
+    pub places: Places<usize>,
+    /// The last coordinate, 1 minus the others; it does not occur in the functions.
+    pub last: Parameter,
+}
+
+/// A factor of a domain.
+#[derive(Clone, Copy, Debug)]
+pub enum Factor<'a> {
+    /// An interval.
+    Interval(&'a Parameter),
+    /// A simplex: its independent coordinates and the last one.
+    Simplex(&'a [Parameter], &'a Parameter),
+}
+
+impl<'a> Factor<'a> {
+    /// The variables, of a simplex all barycentric coordinates.
+    pub fn variables(self) -> impl Iterator<Item = &'a Parameter> {
+        let (independent, last) = match self {
+            Self::Interval(only) => (core::slice::from_ref(only), None),
+            Self::Simplex(independent, last) => (independent, Some(last)),
+        };
+        independent.iter().chain(last)
+    }
+}
+
 /// A basis function.
 #[derive(Clone, Debug)]
 pub struct Function {
@@ -107,13 +137,64 @@ impl Family {
     }
 
     /// Whether the domain is a triangle or a tetrahedron.
-    pub const fn is_simplex(&self) -> bool {
-        self.dependent.is_some()
+    pub fn is_simplex(&self) -> bool {
+        matches!(self.simplices.as_slice(), [only] if only.places.len() == self.domain.len())
     }
 
-    /// All domain variables; of a simplex all barycentric coordinates.
+    /// Whether the domain is a product of a simplex and something else.
+    pub fn is_product(&self) -> bool {
+        !self.simplices.is_empty() && !self.is_simplex()
+    }
+
+    /// The factors of the domain, in the order of the spec.
+    pub fn factors(&self) -> Vec<Factor<'_>> {
+        let mut all = Vec::new();
+        let mut k = 0;
+        while let Some(variable) = self.domain.get(k) {
+            match self.simplices.iter().find(|s| s.places.start == k) {
+                Some(simplex) => {
+                    all.push(Factor::Simplex(&self.domain[simplex.places.clone()], &simplex.last));
+                    k = simplex.places.end;
+                }
+                None => {
+                    all.push(Factor::Interval(variable));
+                    k += 1;
+                }
+            }
+        }
+        all
+    }
+
+    /// All domain variables in the order of the spec; of a simplex all barycentric coordinates.
     pub fn domain_variables(&self) -> impl Iterator<Item = &Parameter> {
-        self.domain.iter().chain(&self.dependent)
+        self.factors().into_iter().flat_map(Factor::variables)
+    }
+
+    /// The domain as the spec writes it, such as `0 <= t <= 1` or `triangle (u, v, w), -1 <= z <= 1`.
+    pub fn domain_text(&self) -> String {
+        let factors = self.factors().mapped(|factor| match factor {
+            Factor::Interval(p) => self.declared(p),
+            Factor::Simplex(independent, _) => {
+                let kind = if independent.len() == 2 { "triangle" } else { "tetrahedron" };
+                let names: Vec<&str> = factor.variables().map(|p| p.name.as_str()).listed();
+                format!("{kind} ({})", names.join(", "))
+            }
+        });
+        factors.join(", ")
+    }
+
+    /// The independent domain variables that stand for intervals.
+    fn intervals(&self) -> impl Iterator<Item = &Parameter> {
+        let on_simplex = |k: usize| self.simplices.iter().any(|s| s.places.contains(&k));
+        self.domain.iter().enumerate().filter(move |(k, _)| !on_simplex(*k)).map(|(_, p)| p)
+    }
+
+    /// The simplices of the domain, as the kernel knows them.
+    fn corners(&self) -> impl Iterator<Item = Simplex> {
+        self.simplices.iter().map(|s| Simplex {
+            variables: self.domain[s.places.clone()].mapped(|p| p.var),
+            sum: Rational::ONE,
+        })
     }
 
     /// The declared ranges of all independent variables; of a simplex the surrounding box.
@@ -161,15 +242,28 @@ impl Family {
 
     /// The only domain variable and the two ends of its range; `None` when there are several.
     pub fn interval(&self) -> Option<(Var, &Rational, &Rational)> {
-        let ([only], None) = (self.domain.as_slice(), &self.dependent) else { return None };
+        let ([only], []) = (self.domain.as_slice(), self.simplices.as_slice()) else { return None };
         let (low, high) = only.range.finite()?;
         Some((only.var, low, high))
     }
 
-    /// The lower and the upper end of every domain variable of a box; of a simplex nothing.
+    /// The value of a function at the lower or the upper end of an interval: put in place of the variable in sines and the
+    /// like, and of the variable itself beside them. `None` when there is none, or the work is spent.
+    pub fn at_end(&self, f: &Fraction, upper: bool, work: &mut Work) -> Option<Fraction> {
+        let (var, low, high) = self.interval()?;
+        let end = Fraction::constant(if upper { high } else { low }.clone());
+        let value = f.substitute_within(var, &end, work).ok()??;
+        match self.analytic.angle(var) {
+            Some(angle) => {
+                value.substitute_within(angle.itself, &angle.limits[usize::from(upper)], work).ok()?
+            }
+            None => Some(value),
+        }
+    }
+
+    /// The lower and the upper end of every independent domain variable; of barycentric coordinates 0 and 1.
     pub fn ends(&self) -> Vec<(Fraction, Fraction)> {
-        let variables = if self.is_simplex() { &[] } else { &self.domain[..] };
-        variables
+        self.domain
             .iter()
             .filter_map(|p| p.range.finite())
             .map(|(low, high)| (Fraction::constant(low.clone()), Fraction::constant(high.clone())))
@@ -183,16 +277,15 @@ impl Family {
 
     /// All points of the domain with all shape values.
     pub fn points(&self) -> Domain {
-        if !self.is_simplex() {
-            return Domain::of(self.region());
-        }
         let mut domain = Domain::of(self.shape_region());
-        domain.simplices.push(Simplex { variables: self.domain.mapped(|p| p.var), sum: Rational::ONE });
+        domain.region.ranges.extend(self.intervals().map(|p| (p.var, p.range.clone())));
+        domain.simplices.extend(self.corners());
         domain
     }
 
     /// The parts of the points that a claim is about, without the variables that are fixed, each as the image of a box;
-    /// the shape parameters alone, or with the domain variables of a box. Those that are `first` depend on no others.
+    /// the shape parameters alone, or with the domain variables that stand for intervals. Those that are `first` depend
+    /// on no others.
     pub fn pieces(&self, fixed: &[(Var, Fraction)], first: &[Var], shapes_only: bool) -> Vec<Piece> {
         let free = |var: &Var| fixed.iter().all(|(v, _)| v != var);
         let mut ranges: Vec<(Var, Range)> = Vec::new();
@@ -209,8 +302,7 @@ impl Family {
         };
         let constraints = self.constraints.mapped(|c| (put(&c.value), c.relation));
         let mut pieces = chart::pieces(&ranges, &constraints);
-        let domain = if shapes_only || self.is_simplex() { &[] } else { &self.domain[..] };
-        for p in domain.iter().filter(|p| free(&p.var)) {
+        for p in self.intervals().filter(|p| !shapes_only && free(&p.var)) {
             for piece in &mut pieces {
                 piece.ranges.push((p.var, p.range.clone()));
             }
@@ -222,9 +314,8 @@ impl Family {
     pub fn parts(&self, shapes_only: bool) -> Vec<(Piece, Rc<Domain>)> {
         let whole = |piece: Piece| {
             let mut domain = piece.domain();
-            if self.is_simplex() && !shapes_only {
-                let variables = self.domain.mapped(|p| p.var);
-                domain.simplices.push(Simplex { variables, sum: Rational::ONE });
+            if !shapes_only {
+                domain.simplices.extend(self.corners());
             }
             (piece, Rc::new(domain))
         };

@@ -9,6 +9,7 @@ pub mod angle;
 pub(crate) mod bernstein;
 pub(crate) mod budget;
 pub mod chart;
+pub(crate) mod enclosure;
 mod expand;
 mod family;
 pub(crate) mod formula;
@@ -20,5 +21,5 @@ mod unused;
 pub(crate) mod words;
 
 pub(crate) use family::label;
-pub use family::{Family, Function, Parameter};
+pub use family::{Barycentric, Factor, Family, Function, Parameter};
 pub use library::{Library, Selected};

@@ -1,6 +1,9 @@
 //! Tuples of indices: those with one sum, and those below given sizes.
 
+use core::ops::Range;
+
 use basis_prover::collections::list::Listed;
+
 /// All tuples of whole numbers ≥ 0 with the given sum, in lexicographic order; at most `limit` + 1 of them.
 pub(crate) fn multi_indices(len: usize, sum: i64, limit: usize) -> Vec<Vec<i64>> {
     let mut all = Vec::new();
@@ -29,6 +32,36 @@ pub(crate) fn grid(sizes: &[i64], limit: usize) -> Vec<Vec<i64>> {
         all = all
             .iter()
             .flat_map(|start: &Vec<i64>| (0..*size).map(move |k| [start.as_slice(), &[k]].concat()))
+            .take(limit + 1)
+            .listed();
+    }
+    all
+}
+
+/// The indices of functions, in lexicographic order, at most `limit` + 1 of them. At the places of a simplex all tuples
+/// whose sum is greater by `more` than that of the given index, at other places all numbers below the size. Without
+/// places every one is on its own.
+pub(crate) fn numbered(
+    places: &[Range<usize>],
+    of: &[i64],
+    more: i64,
+    sizes: &[i64],
+    limit: usize,
+) -> Vec<Vec<i64>> {
+    if places.is_empty() {
+        return grid(sizes, limit);
+    }
+    let mut all = vec![Vec::new()];
+    for own in places {
+        let parts = if own.len() > 1 {
+            let sum = of[own.clone()].iter().sum::<i64>() + more;
+            multi_indices(own.len(), sum, limit)
+        } else {
+            grid(&sizes[own.clone()], limit)
+        };
+        all = all
+            .iter()
+            .flat_map(|start: &Vec<i64>| parts.iter().map(move |part| [&start[..], part].concat()))
             .take(limit + 1)
             .listed();
     }

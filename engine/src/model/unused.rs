@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use super::words::PI;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::syntax::{
-    self, Binding, ClaimKind, Condition, Expr, ExprKind, Generator, Loops, Relation, StatementKind,
+    self, Binding, ClaimKind, Condition, Expr, ExprKind, Factor, Generator, Loops, Relation, StatementKind,
 };
 
 /// Claims that are written twice are shown up to this number.
@@ -43,6 +43,12 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
                     names(&limit.value, &mut used);
                 }
             }
+            StatementKind::Product(factors) => {
+                let ranges = factors.iter().filter_map(Factor::range);
+                for limit in ranges.flat_map(|d| d.low.iter().chain(&d.high)) {
+                    names(&limit.value, &mut used);
+                }
+            }
             StatementKind::Assume(relation) => in_relation(relation, &mut used),
             StatementKind::Let(def) => names(&def.value, &mut used),
             StatementKind::Function(def) | StatementKind::Raise(def) => {
@@ -58,7 +64,7 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
                 }
             }
             StatementKind::Claim(claim) => in_claim(&claim.kind, &mut used),
-            StatementKind::Budget(_) | StatementKind::Simplex(_) => {}
+            StatementKind::Budget(_) => {}
         }
     }
     used.sort_unstable();

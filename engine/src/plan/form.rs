@@ -13,6 +13,9 @@ use crate::model::bernstein::{affine, to_bernstein};
 /// of the endpoint form would exceed a few ε times the largest control point.
 pub const MAX_ENDPOINT_DEGREE: u32 = 12;
 
+/// A common factor of more bits than this is no help to readers or floats.
+const MAX_CONTENT: u64 = 60;
+
 /// All functions of a family on an interval, rewritten for evaluation in x = (t − low)/(high − low), s = 1 − x.
 #[derive(Clone, Debug)]
 pub struct IntervalForm {
@@ -174,6 +177,10 @@ impl Factored {
         let mut content = c.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
         if c.iter().all(|p| p.leading_term().is_none_or(|(_, c)| c.is_negative())) {
             content = -content;
+        }
+        if content.bits() > MAX_CONTENT {
+            // What is left would be beyond the range of floats.
+            content = Rational::from(i64::from(content.signum()));
         }
         let factor = content.recip().unwrap_or(Rational::ONE);
         let inner = c.mapped(|p| p.scale(&factor));

@@ -1,4 +1,4 @@
-//! Families on simplices and boxes: values, and the table from which everything else follows.
+//! Families on simplices, boxes and products of both: values, and the table from which everything else follows.
 //!
 //! A family that is raised from a lowest order is planned as the functions of that order and the steps, written out, to
 //! its own; each step is a sum of products of nonnegative coordinates with functions, so it keeps signs and small
@@ -12,8 +12,11 @@ use crate::model::{Family, Function};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
-/// Longer sums are not written out.
+/// Longer sums are not written out, but on products of simplices and intervals.
 const MAX_TERMS: usize = 15;
+
+/// The longest sum that is written out there.
+const MAX_ON_PRODUCTS: usize = 512;
 
 /// A family on a simplex or a box, as it is evaluated.
 #[cfg_attr(any(test, feature = "rounding"), derive(Clone, Debug))]
@@ -41,7 +44,12 @@ impl<'a> PatchPlans<'a> {
     pub fn new(family: &'a Family) -> Option<Self> {
         let steps = recursion(family);
         let functions = if steps > 0 { &family.base } else { &family.functions };
-        Some(Self { family, form: PatchForm::of_functions(family, functions)?, steps })
+        let form = PatchForm::of_functions(family, functions)?;
+        let terms = |f: &PatchFunction| f.inner.iter().filter(|c| !c.is_zero()).count();
+        if family.is_product() && form.functions.iter().any(|f| terms(f) > MAX_ON_PRODUCTS) {
+            return None;
+        }
+        Some(Self { family, form, steps })
     }
 
     /// The functions that are written out: all, or those of the lowest order.
@@ -51,7 +59,7 @@ impl<'a> PatchPlans<'a> {
 
     /// The number of coordinates of a point of the domain.
     pub fn corners(&self) -> usize {
-        self.family.domain.len() + usize::from(self.family.is_simplex())
+        self.family.domain.len() + self.family.simplices.len()
     }
 
     /// The degrees of the functions of the family, by group of coordinates.
@@ -81,17 +89,20 @@ impl<'a> PatchPlans<'a> {
         builder.finish_with(lists, vec![values])
     }
 
-    /// All coordinates with their names: x0, x1, … of a simplex, x0, s0, x1, s1, … of a box.
+    /// All coordinates with their names: x0, x1, … of a simplex, x0, s0, x1, s1, … of a box, both of a product.
     fn coordinates(&self, builder: &mut Builder) {
-        if self.family.is_simplex() {
-            for k in 0..self.corners() {
-                let x = builder.input(Input::Coordinate(k));
-                builder.coordinates.push((format!("x{k}"), x));
-            }
-            return;
-        }
-        for (k, group) in self.form.groups.iter().enumerate() {
-            let Some((low, high)) = &group.range else { continue };
+        let mut next = 0;
+        for group in &self.form.groups {
+            let k = next;
+            let Some((low, high)) = &group.range else {
+                next += group.vars.len() + 1;
+                for k in k..next {
+                    let x = builder.input(Input::Coordinate(k));
+                    builder.coordinates.push((format!("x{k}"), x));
+                }
+                continue;
+            };
+            next += 1;
             let (s_name, x_name) = (format!("s{k}"), format!("x{k}"));
             let t = builder.input(Input::Coordinate(k));
             let [s, x] = builder.unit([low, high], t, &[s_name.clone(), x_name.clone()]);
@@ -153,7 +164,7 @@ impl<'a> PatchPlans<'a> {
     /// The sum: written out as long as it is short, which is faster, else by nested multiplication in a loop.
     fn inner(&self, f: &PatchFunction, builder: &mut Builder) -> Ref {
         let present = f.inner.iter().filter(|c| !c.is_zero()).count();
-        if present > MAX_TERMS {
+        if present > MAX_TERMS && !self.family.is_product() {
             let coefficients = f.inner.mapped(|c| builder.scalar(c));
             let at = builder.coordinates.mapped(|(_, x)| *x);
             return builder.push(if self.family.is_simplex() {

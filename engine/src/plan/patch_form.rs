@@ -7,7 +7,7 @@
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::model::{Family, Function};
+use crate::model::{Factor, Family, Function};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -123,14 +123,14 @@ impl Group {
     }
 }
 
-/// One group for a simplex, one for each variable of a box.
+/// One group for each factor of the domain: a simplex, or the variable of an interval.
 fn groups(family: &Family) -> Vec<Group> {
-    if family.is_simplex() {
-        return vec![Group { vars: family.domain.mapped(|p| p.var), range: None }];
-    }
-    family.domain.mapped(|p| Group {
-        vars: vec![p.var],
-        range: p.range.finite().map(|(low, high)| (low.clone(), high.clone())),
+    family.factors().mapped(|factor| match factor {
+        Factor::Simplex(independent, _) => Group { vars: independent.mapped(|p| p.var), range: None },
+        Factor::Interval(p) => Group {
+            vars: vec![p.var],
+            range: p.range.finite().map(|(low, high)| (low.clone(), high.clone())),
+        },
     })
 }
 

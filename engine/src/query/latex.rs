@@ -350,7 +350,13 @@ impl<'t> Reader<'t> {
         self.depth -= 1;
         let sign = if negative { "-" } else { "" };
         let exponent = if negative { exponent.within(Binds::Power) } else { exponent.latex };
-        let latex = format!("{}^{{{sign}{exponent}}}", base.within(Binds::Atom));
+        let sine = ["\\sin", "\\cos", "\\tan", "\\sinh", "\\cosh", "\\tanh"]
+            .iter()
+            .find_map(|f| Some((f, base.latex.strip_prefix(f).filter(|rest| rest.starts_with("\\left("))?)));
+        let latex = match sine {
+            Some((f, argument)) if !negative => format!("{f}^{{{exponent}}}{argument}"),
+            _ => format!("{}^{{{sign}{exponent}}}", base.within(Binds::Atom)),
+        };
         Some(Piece { latex, binds: Binds::Power, digit: base.digit })
     }
 
@@ -413,6 +419,9 @@ impl<'t> Reader<'t> {
             });
         }
         let arguments = self.list(")")?;
+        if let ("exp", [x]) = (word, arguments.as_slice()) {
+            return Some(Piece { latex: format!("e^{{{x}}}"), binds: Binds::Power, digit: false });
+        }
         let latex = match (word, arguments.as_slice()) {
             ("binomial", [n, k]) => format!("\\binom{{{n}}}{{{k}}}"),
             ("factorial", [n]) if n.chars().count() == 1 => format!("{n}!"),
@@ -545,6 +554,8 @@ mod tests {
             ("sum(i/n*b[i] for i in 0..=n) = t", "\\sum_{0 \\le i \\le n} \\frac{i}{n}\\,b_{i} = t"),
             ("b[i] >= 0 for i in 0..n if i != 1", "b_{i} \\ge 0\\quad 0 \\le i < n,\\ i \\ne 1"),
             ("binomial(n, i)", "\\binom{n}{i}"),
+            ("sin(θ)^2*exp(-2*t)", "\\sin^{2}\\left(\\theta\\right) e^{-2\\,t}"),
+            ("exp(t)^2", "\\left(e^{t}\\right)^{2}"),
             ("weight*x", "\\mathit{weight}\\,x"),
             ("P(1)[0]", "P\\left(1\\right)_{0}"),
             ("Q[1][0]", "{Q_{1}}_{0}"),

@@ -93,7 +93,7 @@ pub const WORDS: [Word; 59] = [
         "conjecture",
         EitherStatement,
         " $0;",
-        "a claim that is fine while undecided; refuted it is an error, proved a warning to write `prove`",
+        "a claim that may stay undecided; refuted it is an error, and proved a warning that asks for `prove`",
     ),
     entry("budget", EitherStatement, " $0;", "how many times the usual work may be spent on each claim"),
     entry(

@@ -71,6 +71,7 @@ impl<'a> Exact<'a> {
                 Step::Sub(a, b) => of(a)?.sub_within(&of(b)?, work)?,
                 Step::Mul(a, b) => of(a)?.mul_within(&of(b)?, work)?,
                 Step::Div(a, b) => of(a)?.div_within(&of(b)?, work).ok()??,
+                Step::Call(..) | Step::Unless(..) => return None,
             };
             self.values[k] = Some(value);
         }
@@ -87,7 +88,7 @@ impl<'a> Exact<'a> {
                 (self.is_power(*a) && self.is_exact(*b)) || (self.is_power(*b) && self.is_exact(*a))
             }
             Step::Div(a, b) => self.is_power(*b) && self.is_exact(*a),
-            Step::Add(..) | Step::Sub(..) => false,
+            Step::Add(..) | Step::Sub(..) | Step::Call(..) | Step::Unless(..) => false,
         }
     }
 
@@ -202,6 +203,7 @@ impl<'a> Exact<'a> {
                     }
                     add(&mut weights, *a, w, work)?;
                 }
+                Step::Call(..) | Step::Unless(..) => return None,
             }
         }
         Some(shares)
@@ -250,7 +252,7 @@ impl<'a> Exact<'a> {
             };
             depths[k] = match self.step(k) {
                 _ if self.is_exact(k) => Rational::ZERO,
-                Step::Input(_) | Step::Constant(_) => Rational::ONE,
+                Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) => Rational::ONE,
                 Step::Neg(a) => depths[*a].clone(),
                 Step::Add(a, b) | Step::Sub(a, b) => &larger(*a, *b) + &Rational::ONE,
                 Step::Mul(a, b) => &(&depths[*a] + &depths[*b]) + &Rational::ONE,

@@ -143,9 +143,9 @@ impl Bound {
 
 /// Bounds of the errors of the values of all functions; `None` for one without.
 ///
-/// `None` in place of a list when the work is spent or the family is too large to be generated.
+/// `None` in place of a list when the work is spent, the family is too large to be generated, or has angles or several spans.
 pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
-    let steps = FamilySteps::new(family)?.values();
+    let steps = on_one_span(family)?.values();
     basis_prover::working(family.budget, &mut |work| {
         let inputs = Inputs::of(family, 0);
         let mut exact = Exact::new(&steps, &inputs)?;
@@ -153,12 +153,17 @@ pub fn values(family: &Family) -> Option<Vec<Option<Bound>>> {
     })
 }
 
+/// The steps of a family without angles on one span: none other is known to the theorems here.
+fn on_one_span(family: &Family) -> Option<FamilySteps<'_>> {
+    FamilySteps::new(family).filter(|steps| steps.spans() == 1 && family.analytic.is_empty())
+}
+
 /// A bound of the error of each component of a point of a curve, with the binding of its control points, relative to
 /// the largest absolute value of that component of a control point.
 ///
 /// `None` on simplices and boxes, and when the work is spent or nothing is found.
 pub fn point(family: &Family) -> Option<Bound> {
-    let form = FamilySteps::new(family)?;
+    let form = on_one_span(family)?;
     let steps = form.on_control_points(&form.curve(1)?);
     basis_prover::working(family.budget, &mut |work| {
         let inputs = Inputs::of(family, family.functions.len());
@@ -230,7 +235,7 @@ impl Inputs {
         let shapes = family.shapes.mapped(|p| p.var);
         let mut coordinates = Vec::new();
         for p in family.domain_variables() {
-            ranges.push((p.var, if family.is_simplex() { Range::unit() } else { p.range.clone() }));
+            ranges.push((p.var, p.range.clone()));
             coordinates.push(p.var);
         }
         let first = ranges.iter().map(|(v, _)| v.0 + 1).max().unwrap_or(0);

@@ -215,7 +215,7 @@ fn size(exact: &mut Exact<'_>, of: usize, conditions: &mut Conditions<'_>, work:
                 let divisor = exact.value(*b, work)?.as_constant()?;
                 size(a)?.scale(&divisor.abs().recip()?)
             }
-            Step::Input(_) | Step::Constant(_) => return None,
+            Step::Input(_) | Step::Constant(_) | Step::Call(..) | Step::Unless(..) => return None,
         };
         sizes[k] = Some(here);
     }

@@ -9,8 +9,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Comparison;
-use crate::model::Family;
 use crate::model::chart::Piece;
+use crate::model::{Family, Parameter};
 
 /// What a comparison of x with zero says: of x, or if it is `negated` of −x.
 pub(super) struct Said {
@@ -71,31 +71,28 @@ pub(super) fn compared_on(
 pub(crate) fn parts(family: &Family, fixed: &[(Var, Fraction)]) -> Vec<(Piece, Rc<Domain>)> {
     let whole = |piece: Piece| {
         let mut domain = piece.domain();
-        domain.simplices.extend(simplex(family, fixed));
+        let own = family.simplices.iter().filter_map(|s| simplex(&family.domain[s.places.clone()], fixed));
+        domain.simplices.extend(own);
         (piece, Rc::new(domain))
     };
     family.pieces(fixed, &[], false).into_iter().map(whole).listed()
 }
 
 /// What of a simplex is left when some coordinates are fixed.
-fn simplex(family: &Family, fixed: &[(Var, Fraction)]) -> Option<Simplex> {
+fn simplex(own: &[Parameter], fixed: &[(Var, Fraction)]) -> Option<Simplex> {
     let free = |v: &Var| fixed.iter().all(|(f, _)| f != v);
-    let variables: Vec<Var> = if family.is_simplex() {
-        family.domain.iter().map(|p| p.var).filter(free).listed()
-    } else {
-        Vec::new()
-    };
-    (!variables.is_empty()).then(|| Simplex { variables, sum: left_on_simplex(family, fixed) })
+    let variables: Vec<Var> = own.iter().map(|p| p.var).filter(free).listed();
+    (!variables.is_empty()).then(|| Simplex { variables, sum: left_on_simplex(own, fixed) })
 }
 
 /// What fixed barycentric coordinates leave of 1 for the others; 1 where nothing is fixed.
 ///
 /// A fixed last coordinate stands among the fixed ones as another coordinate that it expresses.
-fn left_on_simplex(family: &Family, fixed: &[(Var, Fraction)]) -> Rational {
+fn left_on_simplex(own: &[Parameter], fixed: &[(Var, Fraction)]) -> Rational {
     let mut left = Rational::ONE;
     let mut sum = Fraction::zero();
     let mut expressed = false;
-    for parameter in &family.domain {
+    for parameter in own {
         let value = fixed.iter().find(|(v, _)| *v == parameter.var).map(|(_, f)| f);
         match value.map(|f| (f, f.as_constant())) {
             Some((_, Some(c))) => left -= &c,

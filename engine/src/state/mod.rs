@@ -22,7 +22,7 @@ mod verdict;
 pub use family::point_error;
 #[cfg(any(test, feature = "rounding"))]
 pub use family::value_errors;
-pub use family::{Table, coefficient_table, statements as family_statements};
+pub use family::{Table, statements as family_statements, table};
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use family::{combination_text, moves};
 pub use judge::Prover;
@@ -31,14 +31,21 @@ pub use report::diagnose;
 pub use run::Run;
 pub use verdict::{Evidence, Stated, Verdict, Witness, WitnessPoints, as_declared, point_text};
 
+use basis_kernel::Statement;
+
+use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::subject::Subject;
 
 /// What a claim says, as statements of which all have to be true; `None` when the budget does not suffice to expand them.
-pub fn statements(subject: &Subject, claim: &Claim) -> Option<Vec<Stated>> {
+///
+/// Of a comparison in which an angle or exponent stands beside its sine or exponential there are several ways to statements
+/// that are enough for it. Their numbers are those of [`Evidence::ways`]; each of them will do, and 0 stands for what is not
+/// given.
+pub fn statements(subject: &Subject, claim: &Claim, ways: &[usize]) -> Option<Vec<Stated>> {
     match subject {
-        Subject::Family(family) => family::statements(family, claim),
+        Subject::Family(family) => family::statements(family, claim, ways),
         Subject::Theorem(theorem) => Some(theorem::statements(theorem, claim)),
     }
 }
@@ -63,6 +70,20 @@ pub fn instances(
         }
         Subject::Family(_) => Err("a family has no control points"),
         Subject::Theorem(theorem) => theorem::instances(theorem, claim, given),
+    }
+}
+
+/// What a claim of a family says of `of` at a point, with bounds for π, exp(r) and angles beside their sines; and that it fails
+/// whatever these are between the bounds. It is false if both are seen: that the first one fails at the point, and the second one.
+pub fn at_point(
+    subject: &Subject,
+    claim: &Claim,
+    of: &str,
+    point: &[(Var, Rational)],
+) -> Option<[Statement; 2]> {
+    match subject {
+        Subject::Family(family) => family::at_point(family, claim, of, point),
+        Subject::Theorem(_) => None,
     }
 }
 

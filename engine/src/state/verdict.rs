@@ -51,12 +51,24 @@ pub enum Verdict {
 pub struct Evidence {
     method: String,
     steps: Vec<(String, Proof)>,
+    ways: Vec<usize>,
 }
 
 impl Evidence {
     /// Proofs of all that a claim says.
     pub(super) const fn new(method: String, steps: Vec<(String, Proof)>) -> Self {
-        Self { method, steps }
+        Self { method, steps, ways: Vec::new() }
+    }
+
+    /// The same proofs, of what is enough for the claim by the ways with these numbers.
+    pub(super) fn by(self, ways: Vec<usize>) -> Self {
+        Self { ways, ..self }
+    }
+
+    /// For each comparison in which an angle or exponent stands beside its sine or exponential the number of the way to
+    /// statements that are enough for it, see [`statements`](super::statements).
+    pub fn ways(&self) -> &[usize] {
+        &self.ways
     }
 
     /// The method and the proofs.
@@ -98,6 +110,7 @@ pub struct Witness {
     /// What the refuted statement is about, as [`Stated::of`] has it.
     stated: String,
     refutation: Refutation,
+    everywhere: Option<Proof>,
 }
 
 /// More points than this are not all written if most of them are zero.
@@ -112,7 +125,19 @@ impl Witness {
         refutation: Refutation,
     ) -> Self {
         let (idle, net, given, notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { stated: of.clone(), of, at, idle, net, given, value, shown: None, notes, refutation }
+        Self {
+            stated: of.clone(),
+            of,
+            at,
+            idle,
+            net,
+            given,
+            value,
+            shown: None,
+            notes,
+            refutation,
+            everywhere: None,
+        }
     }
 
     /// The value of the expression for reading.
@@ -134,6 +159,19 @@ impl Witness {
     /// The statement that is false, and where: what the claim says of `of`, for a theorem about the given points.
     pub const fn refutation(&self) -> &Refutation {
         &self.refutation
+    }
+
+    /// The same witness, with the proof that the value is not as claimed whatever π, exp(r) and angles beside their sines
+    /// are between the bounds for them.
+    pub(super) fn whatever(mut self, proof: Proof) -> Self {
+        self.everywhere = Some(proof);
+        self
+    }
+
+    /// Where the value contains π, exp(r), or an angle beside its sine, of which there are bounds only: the proof that it is
+    /// not as claimed for all numbers between these.
+    pub const fn everywhere(&self) -> Option<&Proof> {
+        self.everywhere.as_ref()
     }
 
     /// The control points that matter.

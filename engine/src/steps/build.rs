@@ -1,6 +1,6 @@
 //! Puts operations together to steps.
 
-use super::{Step, Steps};
+use super::{Function, Step, Steps, series};
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
 use basis_prover::collections::map::SortedMap;
@@ -11,9 +11,16 @@ pub struct Builder {
     steps: Vec<Step>,
     places: SortedMap<Step, usize>,
     names: Vec<(usize, String)>,
+    folds_all: bool,
 }
 
 impl Builder {
+    /// Computes constants with each other before they are rounded to floats, and functions of them to more digits than any
+    /// float has: for numbers that are no operations of the runtime.
+    pub fn folding() -> Self {
+        Self { folds_all: true, ..Self::default() }
+    }
+
     fn push(&mut self, step: Step) -> usize {
         let next = self.steps.len();
         let place = *self.places.get_or_insert_with(step.clone(), || next);
@@ -23,7 +30,7 @@ impl Builder {
         place
     }
 
-    fn constant_at(&self, at: usize) -> Option<&Rational> {
+    pub(super) fn constant_at(&self, at: usize) -> Option<&Rational> {
         match &self.steps[at] {
             Step::Constant(value) => Some(value),
             _ => None,
@@ -49,7 +56,11 @@ impl Builder {
         result: impl Fn(&Rational, &Rational) -> Option<Rational>,
     ) -> Option<Rational> {
         let (a, b) = (self.constant_at(a)?, self.constant_at(b)?);
-        result(a, b).filter(|value| is_exact(a) && is_exact(b) && is_exact(value))
+        let value = result(a, b)?;
+        if self.folds_all {
+            return Some(series::rounded(&value));
+        }
+        (is_exact(a) && is_exact(b) && is_exact(&value)).then_some(value)
     }
 
     /// A number from outside.
@@ -158,6 +169,21 @@ impl Builder {
         self.push(Step::Div(a, b))
     }
 
+    /// A function of a.
+    pub fn call(&mut self, function: Function, a: usize) -> usize {
+        if self.folds_all
+            && let Some(value) = self.constant_at(a).and_then(|value| series::value(function, value))
+        {
+            return self.constant(value);
+        }
+        self.push(Step::Call(function, a))
+    }
+
+    /// 0 where a = b, else c.
+    pub fn unless(&mut self, a: usize, b: usize, c: usize) -> usize {
+        self.push(Step::Unless(a, b, c))
+    }
+
     /// Gives a step a name, if it has none and the name is free.
     pub fn name(&mut self, step: usize, name: &str) {
         let computed = !matches!(self.steps[step], Step::Input(_) | Step::Constant(_));
@@ -179,6 +205,8 @@ impl Builder {
                 Step::Sub(a, b) => self.sub(at(*a), at(*b)),
                 Step::Mul(a, b) => self.mul(at(*a), at(*b)),
                 Step::Div(a, b) => self.div(at(*a), at(*b)),
+                Step::Call(function, a) => self.call(*function, at(*a)),
+                Step::Unless(a, b, c) => self.unless(at(*a), at(*b), at(*c)),
             };
             if let Some(name) = other.name(k) {
                 self.name(place, name);
@@ -213,6 +241,8 @@ impl Builder {
                 Step::Sub(a, b) => Step::Sub(at(a), at(b)),
                 Step::Mul(a, b) => Step::Mul(at(a), at(b)),
                 Step::Div(a, b) => Step::Div(at(a), at(b)),
+                Step::Call(function, a) => Step::Call(function, at(a)),
+                Step::Unless(a, b, c) => Step::Unless(at(a), at(b), at(c)),
             });
         }
         let mut names: Vec<(usize, String)> =

@@ -1,6 +1,6 @@
 //! Interprets steps with floats, exactly, or as rational functions.
 
-use super::{Step, Steps};
+use super::{Function, Step, Steps};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
@@ -20,16 +20,20 @@ pub trait Number: Clone {
     fn mul(&self, other: &Self) -> Self;
     /// self/other; `None` where an exact quotient does not exist.
     fn div(&self, other: &Self) -> Option<Self>;
+    /// A function of self; `None` where there is no exact value.
+    fn call(&self, function: Function) -> Option<Self>;
+    /// Whether two numbers are equal.
+    fn is(&self, other: &Self) -> bool;
 }
 
 impl Steps {
-    /// The results for given inputs; `None` where an exact division is by zero.
+    /// The results for given inputs; `None` where an exact division is by zero, or a value is irrational.
     pub fn evaluate<N: Number>(&self, input: impl FnMut(Input) -> N) -> Option<Vec<N>> {
         let values = self.trace(input)?;
         Some(self.outputs.iter().map(|output| values[*output].clone()).collect())
     }
 
-    /// The values of all steps for given inputs; `None` where an exact division is by zero.
+    /// The values of all steps for given inputs; `None` as for [`evaluate`](Self::evaluate).
     pub fn trace<N: Number>(&self, mut input: impl FnMut(Input) -> N) -> Option<Vec<N>> {
         let mut values: Vec<N> = Vec::new();
         for step in &self.steps {
@@ -42,6 +46,9 @@ impl Steps {
                 Step::Sub(a, b) => at(*a).sub(at(*b)),
                 Step::Mul(a, b) => at(*a).mul(at(*b)),
                 Step::Div(a, b) => at(*a).div(at(*b))?,
+                Step::Call(function, a) => at(*a).call(*function)?,
+                Step::Unless(a, b, _) if at(*a).is(at(*b)) => N::constant(&Rational::ZERO),
+                Step::Unless(_, _, c) => at(*c).clone(),
             };
             values.push(value);
         }
@@ -50,7 +57,7 @@ impl Steps {
 }
 
 macro_rules! numbers {
-    ($($number:ident: $constant:expr, $quotient:expr;)+) => {$(
+    ($($number:ident: $constant:expr, $quotient:expr, $call:expr;)+) => {$(
         impl Number for $number {
             fn constant(value: &Rational) -> Self {
                 $constant(value)
@@ -70,12 +77,30 @@ macro_rules! numbers {
             fn div(&self, other: &Self) -> Option<Self> {
                 $quotient(self, other)
             }
+            fn call(&self, function: Function) -> Option<Self> {
+                $call(self, function)
+            }
+            fn is(&self, other: &Self) -> bool {
+                self == other
+            }
         }
     )+};
 }
 numbers! {
-    f32: |value: &Rational| value.to_f64() as f32, |a: &f32, b: &f32| Some(a / b);
-    f64: Rational::to_f64, |a: &f64, b: &f64| Some(a / b);
-    Rational: Rational::clone, Rational::checked_div;
-    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div;
+    f32: |value: &Rational| value.to_f64() as f32, |a: &f32, b: &f32| Some(a / b), |a: &f32, function| Some(match function {
+        Function::Sin => a.sin(),
+        Function::Cos => a.cos(),
+        Function::Tan => a.tan(),
+        Function::Tanh => a.tanh(),
+        Function::Expm1 => a.exp_m1(),
+    });
+    f64: Rational::to_f64, |a: &f64, b: &f64| Some(a / b), |a: &f64, function| Some(match function {
+        Function::Sin => a.sin(),
+        Function::Cos => a.cos(),
+        Function::Tan => a.tan(),
+        Function::Tanh => a.tanh(),
+        Function::Expm1 => a.exp_m1(),
+    });
+    Rational: Rational::clone, Rational::checked_div, |_: &Rational, _| None;
+    Fraction: |value: &Rational| Fraction::from(Poly::constant(value.clone())), Fraction::checked_div, |_: &Fraction, _| None;
 }

@@ -1,18 +1,21 @@
 //! The steps of all that can be evaluated of a family.
 
+use super::quotient::{Derived, Quotients};
+use super::runtime::NetFactor;
 use super::{Builder, Steps, lower};
 use crate::algebra::rational::Rational;
 use crate::continuation::EndPoints;
-use crate::generate::no_code;
+use crate::generate::is_evaluated;
 use crate::model::Family;
 use crate::plan::ends::end_points;
 use crate::plan::form::IntervalForm;
 use crate::plan::patch::{PatchPlans, Table};
+use crate::plan::patch_form::Group;
 use crate::plan::{Input, interval};
 use crate::weights::{zero, zeros};
 
 /// What can be evaluated of a family, as steps. Their inputs are the shape values, the coordinates of a point of the
-/// domain (t, all barycentric coordinates, or the variables of a box), and one component of the control points or of
+/// domain (t, all barycentric coordinates, the variables of a box, those of all factors of a product), and one component of the control points or of
 /// what binding them gave.
 #[derive(Clone, Debug)]
 pub struct FamilySteps<'a> {
@@ -23,6 +26,8 @@ pub struct FamilySteps<'a> {
 #[derive(Clone, Debug)]
 enum Form<'a> {
     Interval(IntervalForm),
+    /// With the span that is meant.
+    Quotient(Quotients<'a>, usize),
     Patch(PatchPlans<'a>),
 }
 
@@ -41,20 +46,60 @@ pub struct EndSteps {
 impl<'a> FamilySteps<'a> {
     /// The steps of a family; `None` when it is too large to be generated, or of a kind for which no code is generated.
     pub fn new(family: &'a Family) -> Option<Self> {
-        if no_code(family).is_some() {
+        if !is_evaluated(family) {
             return None;
         }
-        let form = match IntervalForm::new(family) {
-            Some(form) => Form::Interval(form),
-            None => Form::Patch(PatchPlans::new(family)?),
+        let form = match (Quotients::new(family), IntervalForm::new(family)) {
+            (Some(quotients), _) => Form::Quotient(quotients, 0),
+            (None, Some(form)) => Form::Interval(form),
+            (None, None) => Form::Patch(PatchPlans::new(family)?),
         };
         Some(Self { family, form })
+    }
+
+    /// The number of spans of the domain.
+    pub fn spans(&self) -> usize {
+        if let Form::Quotient(quotients, _) = &self.form { quotients.len() } else { 1 }
+    }
+
+    /// The same family, of which values, derivatives and points are those on a span of the domain.
+    #[must_use]
+    pub fn on_span(&self, span: usize) -> Self {
+        let mut on_span = self.clone();
+        if let Form::Quotient(_, at) = &mut on_span.form {
+            *at = span;
+        }
+        on_span
+    }
+
+    /// Whether the functions are quotients or have spans, so that the shape values are needed for a point of a curve, too.
+    pub fn is_quotient(&self) -> bool {
+        matches!(self.form, Form::Quotient(..))
+    }
+
+    /// What is computed once from the shape values: the inputs [`Input::Shape`] after these.
+    pub fn derived(&self) -> Option<&Derived> {
+        let Form::Quotient(quotients, _) = &self.form else { return None };
+        (!quotients.derived.names.is_empty()).then_some(&quotients.derived)
+    }
+
+    /// The ends of the domain with the knots between its spans; nothing on simplices and boxes.
+    pub fn knots(&self) -> Steps {
+        match &self.form {
+            Form::Quotient(quotients, _) => quotients.knots(),
+            Form::Interval(form) => {
+                let mut builder = Builder::default();
+                let ends = builder.domain(&form.low, &form.high);
+                builder.finish(&ends)
+            }
+            Form::Patch(_) => Builder::default().finish(&[]),
+        }
     }
 
     /// The number of coordinates of a point of the domain.
     pub fn coordinates(&self) -> usize {
         match &self.form {
-            Form::Interval(_) => 1,
+            Form::Interval(_) | Form::Quotient(..) => 1,
             Form::Patch(plans) => plans.corners(),
         }
     }
@@ -68,12 +113,17 @@ impl<'a> FamilySteps<'a> {
     pub fn values(&self) -> Steps {
         lower(&match &self.form {
             Form::Interval(form) => interval::values(self.family, form),
+            Form::Quotient(quotients, span) => return quotients.values(*span),
             Form::Patch(plans) => plans.values(),
         })
     }
 
-    /// The Bernstein weights: for each Bernstein coefficient one weight of each function.
+    /// The Bernstein weights: for each Bernstein coefficient one weight of each function. Of quotients those of the
+    /// numerators on a span, and then the coefficients of the denominator.
     pub fn bernstein_weights(&self) -> Steps {
+        if let Form::Quotient(quotients, span) = &self.form {
+            return quotients.tables(*span);
+        }
         let mut builder = Builder::default();
         let rows = self.weights(&mut builder);
         builder.finish(&rows.concat())
@@ -86,6 +136,7 @@ impl<'a> FamilySteps<'a> {
                 let entries = builder.plan(&interval::bernstein_weights(self.family, form));
                 entries.chunks(form.len()).map(<[usize]>::to_vec).collect()
             }
+            Form::Quotient(..) => Vec::new(),
             Form::Patch(plans) => {
                 let Table { entries, places } = plans.table();
                 let entries = builder.plan(&entries);
@@ -106,6 +157,9 @@ impl<'a> FamilySteps<'a> {
     pub fn derivatives(&self, orders: &[usize]) -> Steps {
         if orders.iter().all(|order| *order == 0) {
             return self.values();
+        }
+        if let Form::Quotient(quotients, span) = &self.form {
+            return quotients.derivatives(*span, orders[0]);
         }
         let mut builder = Builder::default();
         let rows = self.weights(&mut builder);
@@ -129,6 +183,7 @@ impl<'a> FamilySteps<'a> {
                 };
                 columns.iter().map(of).collect()
             }
+            Form::Quotient(..) => Vec::new(),
             Form::Patch(_) => {
                 columns.iter().map(|net| self.patch_partial(&mut builder, net, &at, orders)).collect()
             }
@@ -136,12 +191,16 @@ impl<'a> FamilySteps<'a> {
         builder.finish(&outputs)
     }
 
-    /// What binding control points gives: E0, E1, R0, R1, … of an endpoint form, or else the Bernstein points.
+    /// What binding control points gives: E0, E1, R0, R1, … of an endpoint form, or else the Bernstein points; of quotients
+    /// the Bernstein points of the numerators, span after span.
     pub fn bind(&self) -> Steps {
         if let Form::Interval(form) = &self.form
             && let Some(plan) = interval::bind(self.family, form)
         {
             return lower(&plan);
+        }
+        if let Form::Quotient(quotients, _) = &self.form {
+            return quotients.bind();
         }
         let mut builder = Builder::default();
         let rows = self.weights(&mut builder);
@@ -154,6 +213,9 @@ impl<'a> FamilySteps<'a> {
     /// The point of a curve and its derivatives in t, so many in all, from what binding gave: `Curve::eval` for one,
     /// `Curve::eval_with_derivs` for more. `None` on simplices and boxes.
     pub fn curve(&self, count: usize) -> Option<Steps> {
+        if let Form::Quotient(quotients, span) = &self.form {
+            return Some(quotients.curve(*span, count));
+        }
         let Form::Interval(form) = &self.form else { return None };
         let mut builder = Builder::default();
         let t = builder.input(Input::Coordinate(0));
@@ -201,9 +263,12 @@ impl<'a> FamilySteps<'a> {
                 None => builder.integer(0),
             };
         }
-        let ranges = plans.form.groups.iter().filter_map(|group| group.range.as_ref());
-        let domain: Vec<[usize; 2]> = ranges.map(|(low, high)| builder.domain(low, high)).collect();
-        builder.box_partial(net, &degrees, &domain, at, orders)
+        let factor = |(group, degree): (&Group, usize)| match &group.range {
+            Some((low, high)) => (degree, NetFactor::Interval(builder.domain(low, high))),
+            None => (degree, NetFactor::Simplex(group.vars.len() + 1)),
+        };
+        let factors: Vec<(usize, NetFactor)> = plans.form.groups.iter().zip(degrees).map(factor).collect();
+        builder.net_partial(net, &factors, at, orders)
     }
 
     /// Binding and evaluating in one: the first steps as the bound coefficients of the second.
@@ -218,8 +283,11 @@ impl<'a> FamilySteps<'a> {
     }
 
     /// The control points next to an end, at the start or else at the end, from the derivatives there: for one
-    /// derivative, for two, and so on up to this order, as far as they are determined.
+    /// derivative, for two, and so on up to this order, as far as they are determined; nothing for quotients.
     pub fn ends(&self, order: u32, at_start: bool) -> Vec<EndSteps> {
+        if self.is_quotient() {
+            return Vec::new();
+        }
         let region = self.family.shape_region();
         let all = EndPoints::up_to(self.family, order, at_start).into_iter();
         all.map(|points| {

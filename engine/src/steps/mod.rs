@@ -1,4 +1,5 @@
-//! Plans written out as single operations: constants, neg, add, sub, mul and div.
+//! Plans written out as single operations: constants, neg, add, sub, mul and div, and for angles and exponentials a few
+//! elementary functions.
 //!
 //! [`Steps`] do what the compiled Rust of a family does, operation by operation, with the functions of the runtime
 //! written out. Each step has an exact meaning, a rational function of the inputs, and a rounded one in each kind of
@@ -17,7 +18,9 @@ mod family;
 #[cfg(any(test, feature = "tools"))]
 mod join;
 mod lower;
+mod quotient;
 mod runtime;
+mod series;
 
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
@@ -28,6 +31,7 @@ pub use family::{EndSteps, FamilySteps};
 #[cfg(any(test, feature = "tools"))]
 pub use join::JoinSteps;
 pub use lower::lower;
+pub use quotient::Derived;
 
 /// A computation in single operations.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,6 +61,25 @@ pub enum Step {
     Mul(usize, usize),
     /// a/b
     Div(usize, usize),
+    /// An elementary function of a.
+    Call(Function, usize),
+    /// 0 where a = b, else c.
+    Unless(usize, usize, usize),
+}
+
+/// A function that no finite number of operations gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Function {
+    /// sin a
+    Sin,
+    /// cos a
+    Cos,
+    /// tan a
+    Tan,
+    /// tanh a
+    Tanh,
+    /// exp(a) − 1
+    Expm1,
 }
 
 impl Step {
@@ -64,8 +87,9 @@ impl Step {
     pub fn operands(&self) -> Vec<usize> {
         match *self {
             Self::Input(_) | Self::Constant(_) => Vec::new(),
-            Self::Neg(a) => vec![a],
+            Self::Neg(a) | Self::Call(_, a) => vec![a],
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => vec![a, b],
+            Self::Unless(a, b, c) => vec![a, b, c],
         }
     }
 }

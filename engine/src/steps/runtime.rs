@@ -366,40 +366,68 @@ impl Builder {
         result
     }
 
-    /// `boxes::partial`: the derivative of these orders of a net with these degrees.
-    pub(super) fn box_partial(
+    /// `boxes::partial` and `product::partial`: the derivative of these orders of a net. For each factor of the domain
+    /// its degree, and the ends of an interval, or of a simplex the number of its corners.
+    pub(super) fn net_partial(
         &mut self,
         net: &[usize],
-        degrees: &[usize],
-        domain: &[[usize; 2]],
+        factors: &[(usize, NetFactor)],
         at: &[usize],
         orders: &[usize],
     ) -> usize {
         let mut net = net.to_vec();
         let mut scale = self.one();
-        for axis in (0..degrees.len()).rev() {
-            let (degree, order, range) = (degrees[axis], orders[axis], domain[axis]);
-            if order > degree {
-                return self.zero();
-            }
-            let inverse = self.inverse_width(range);
-            let [s, x] = self.unit(range, at[axis]);
+        let (mut at, mut orders) = (at, orders);
+        for (degree, factor) in factors.iter().rev() {
+            let (all, free) = match factor {
+                NetFactor::Interval(_) => (1, 1),
+                NetFactor::Simplex(corners) => (*corners, corners - 1),
+            };
+            let (rest, own) = at.split_at(at.len() - all);
+            let (rest_of_orders, own_orders) = orders.split_at(orders.len() - free);
+            (at, orders) = (rest, rest_of_orders);
             let mut next = Vec::new();
-            for fibre in net.chunks(degree + 1) {
-                let mut coefficients = fibre.to_vec();
-                for m in (degree + 1 - order..=degree).rev() {
-                    let factor = self.integer(m);
-                    self.difference(&mut coefficients[..=m]);
-                    coefficients.truncate(m);
-                    coefficients = coefficients.iter().map(|c| self.mul(*c, factor)).collect();
+            match factor {
+                NetFactor::Interval(range) => {
+                    let order = own_orders[0];
+                    if order > *degree {
+                        return self.zero();
+                    }
+                    let inverse = self.inverse_width(*range);
+                    let [s, x] = self.unit(*range, own[0]);
+                    for fibre in net.chunks(degree + 1) {
+                        let mut coefficients = fibre.to_vec();
+                        for m in (degree + 1 - order..=*degree).rev() {
+                            let factor = self.integer(m);
+                            self.difference(&mut coefficients[..=m]);
+                            coefficients.truncate(m);
+                            coefficients = coefficients.iter().map(|c| self.mul(*c, factor)).collect();
+                        }
+                        next.push(self.casteljau(&mut coefficients, s, x));
+                    }
+                    for _ in 0..order {
+                        scale = self.mul(scale, inverse);
+                    }
                 }
-                next.push(self.casteljau(&mut coefficients, s, x));
-            }
-            for _ in 0..order {
-                scale = self.mul(scale, inverse);
+                NetFactor::Simplex(corners) => {
+                    for block in net.chunks(multi_indices(*corners, *degree as u32).len()) {
+                        let Some((block, left)) = self.simplex_partial(block, *degree, own_orders) else {
+                            return self.zero();
+                        };
+                        next.push(self.simplex_finish(&block, left, own));
+                    }
+                }
             }
             net = next;
         }
         self.mul(net[0], scale)
     }
+}
+
+/// A factor of a domain.
+pub(super) enum NetFactor {
+    /// An interval with these ends.
+    Interval([usize; 2]),
+    /// A simplex with so many corners.
+    Simplex(usize),
 }

@@ -8,7 +8,7 @@ use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::words::{at_word, equals, take_word, text_of};
 use super::{Binding, Claim, ClaimKind, Comparison, Expected, Expr, Loops, Relation};
-use crate::advice::did_you_mean;
+use crate::advice::{did_you_mean, translated};
 
 /// The properties that are claimed by a word.
 const PROPERTIES: [&str; 8] = [
@@ -61,8 +61,7 @@ fn property(input: ParseStream<'_>) -> Option<&'static str> {
         Some((TokenTree::Punct(p), _)) => {
             p.as_char() == ';' || (ident == "rounding" && "<>=".contains(p.as_char()))
         }
-        Some((TokenTree::Group(_), _)) => ident == "continuity" || ident == "smooth",
-        _ => false,
+        Some((TokenTree::Group(_) | TokenTree::Literal(_), _)) => ident == "continuity" || ident == "smooth",
     };
     PROPERTIES.into_iter().find(|p| alone && ident == p)
 }
@@ -91,9 +90,45 @@ fn unknown_property(input: ParseStream<'_>) -> syn::Error {
             return error(word.span(), message, format!("write `{text}({next})`"));
         }
         Some(near) => format!("did you mean `{near}`?"),
-        None => properties(),
+        None => of_papers(&text).unwrap_or_else(properties),
     };
     error(word.span(), format!("`{text}` is not a property"), help)
+}
+
+/// Properties that papers name and the language says otherwise.
+const ELSEWHERE: [(&str, &str); 8] = [
+    ("positive positivity", "claim `nonnegative`, or `b > 0` without zeros"),
+    (
+        "convex_hull convex_hull_property affine_invariance",
+        "it follows from `partition_of_unity` and `nonnegative`",
+    ),
+    (
+        "monotone monotonic monotonicity increasing decreasing",
+        "claim the sign of a derivative, such as `D(b[0]) <= 0`",
+    ),
+    ("convex concave convexity", "claim the sign of a second derivative, such as `D(b[0], 2) >= 0`"),
+    (
+        "interpolation interpolatory endpoint_interpolation end_point_interpolation",
+        "claim the values at the ends: `prove at t = 0 { b = [1, 0, 0]; }`",
+    ),
+    ("variation_diminishing shape_preserving", "it follows from `totally_positive` and `partition_of_unity`"),
+    ("normalized normalised normalization", "did you mean `partition_of_unity`?"),
+    ("basis linearly_independent linear_independence", "did you mean `independent`?"),
+];
+
+/// What to write for `C2`, `continuous` or another word of papers.
+fn of_papers(text: &str) -> Option<String> {
+    if let Some(help) = translated(text, &ELSEWHERE) {
+        return Some(help);
+    }
+    let order = match text.strip_prefix(['C', 'c']) {
+        _ if text == "continuous" => 0,
+        Some(order) => order.parse::<u8>().ok()?,
+        None => return None,
+    };
+    Some(format!(
+        "write `smooth({order})` of functions on several spans, `continuity({order})` of neighbouring segments"
+    ))
 }
 
 fn properties() -> String {
@@ -118,7 +153,10 @@ fn order(input: ParseStream<'_>, word: proc_macro2::Span, name: &str) -> Result<
         return Err(error(
             word,
             format!("`{name}` needs the number of continuous derivatives"),
-            format!("write `{name}(2)`"),
+            match input.cursor().literal() {
+                Some((number, _)) => format!("write `{name}({number})`"),
+                None => format!("write `{name}(2)`"),
+            },
         ));
     }
     let content;
@@ -285,7 +323,7 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
                     format!("write `prove {text};` outside of the block"),
                 ));
             }
-            let help = did_you_mean(&text, &PROPERTIES, &properties);
+            let help = of_papers(&text).unwrap_or_else(|| did_you_mean(&text, &PROPERTIES, &properties));
             return Err(error(word.span(), format!("`{text}` is not a property"), help));
         }
         return Err(error(
@@ -310,7 +348,7 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             let message = if turns {
                 format!("`{}` and `{}` do not make a chain", last_sign.symbol(), sign.symbol())
             } else {
-                String::from("`!=` cannot stand in a chain")
+                String::from("`!=` is not allowed in a chain")
             };
             return Err(error(at, message, "write a chain in one direction, `-1 <= x <= 1`, or two claims"));
         }

@@ -145,7 +145,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
     };
     if let Some((name, power)) = function {
         let argument = if found == "(" { "…" } else { &found };
-        let message = format!("the argument of `{name}` stands in parentheses");
+        let message = format!("the argument of `{name}` goes in parentheses");
         return Err(error(input.span(), message, format!("write `{name}({argument}){power}`")));
     }
     let help = match found.as_str() {
@@ -155,6 +155,9 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         "is" => "write `==`, `>=`, …, or of two vectors `a parallel b`",
         "where" | "when" | "with" => {
             "ranges are declared, `scalar 0 < c;`; index variables follow after `for`"
+        }
+        "triangle" | "tetrahedron" => {
+            "the factors of a domain are separated by commas: `domain -1 <= z <= 1, triangle (u, v, w);`"
         }
         _ => "write `*` between the factors of a product",
     };
@@ -437,7 +440,7 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
             if !parts.is_empty() || !content.is_empty() {
                 return Err(error(
                     part.span,
-                    "an expression with `for` stands alone between its brackets",
+                    "an expression with `for` has to be alone between its brackets",
                     "write `sum(t^i for i in 0..=n)`",
                 ));
             }

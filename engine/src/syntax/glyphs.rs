@@ -13,7 +13,7 @@ pub(super) const MAX_NESTING: usize = 64;
 /// After this many errors the text is most likely not a spec at all.
 const MAX_ERRORS: usize = 20;
 
-/// A text without characters that cannot stand in a spec.
+/// A text without characters that is not allowed in a spec.
 pub(super) struct Readable<'a> {
     /// The text, of the same length in bytes, in which every wrong character is replaced.
     pub(super) text: Cow<'a, str>,
@@ -21,7 +21,7 @@ pub(super) struct Readable<'a> {
     pub(super) gaps: Vec<usize>,
 }
 
-/// All characters and brackets of the text that cannot stand in a spec; and the text to go on with; `None` when
+/// All characters and brackets of the text that is not allowed in a spec; and the text to go on with; `None` when
 /// brackets do not balance.
 pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut errors = Vec::new();
@@ -155,7 +155,7 @@ fn quoted(text: &str, at: usize, rest: &mut Scanner<'_>, repaired: &mut Repaired
     } else {
         repaired.replace(at, len(first), "");
     }
-    let mut error = new(text, at, "a path cannot stand in these quotation marks", &help);
+    let mut error = new(text, at, "a path cannot be in these quotation marks", &help);
     error.place = SyntaxPlace::Bytes(at..at + path.len());
     error
 }
@@ -262,7 +262,7 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     }
     let digit = |set: &str| set.chars().position(|d| d == c);
     if let Some(d) = digit(SUPERSCRIPTS) {
-        let message = format!("the superscript `{c}` cannot stand in a spec");
+        let message = format!("the superscript `{c}` is not allowed in a spec");
         let help = match FUNCTIONS.iter().find(|f| before.ends_with(**f)) {
             Some(function) => format!("write `{function}(t)^{d}`"),
             None => format!("write `^{d}` for a power, such as `t^{d}`"),
@@ -271,7 +271,7 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     }
     if let Some(d) = digit(SUBSCRIPTS) {
         let base = before.chars().next_back().filter(|c| c.is_alphanumeric()).unwrap_or('λ');
-        let message = format!("the subscript `{c}` cannot stand in a spec");
+        let message = format!("the subscript `{c}` is not allowed in a spec");
         let help =
             format!("write the digit after the name, such as `{base}{d}`, or an index, such as `b[{d}]`");
         return Some((message, help, d.to_string()));
@@ -280,7 +280,7 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
         let start = before.trim_end_matches(|c: char| c.is_alphanumeric() || c == '_').len();
         let name = if before[start..].is_empty() { "b" } else { &before[start..] };
         let help = format!("write `D({name})` for the derivative of `{name}`, `D({name}, 2)` for the second");
-        return Some((format!("the character `{c}` cannot stand in a spec"), help, String::new()));
+        return Some((format!("the character `{c}` is not allowed in a spec"), help, String::new()));
     }
     let (help, instead) = match c {
         '∥' | '‖' => ("write `a parallel b` for vectors, `dot(a, a)` for the square of a length", ""),
@@ -288,7 +288,9 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
         '∧' => ("write `cross(a, b)` for vectors, `&&` between conditions", ""),
         '⟨' | '⟩' => ("write `dot(a, b)`", ""),
         '√' => ("a claim about a root is one about its square", ""),
-        '∀' | '∈' => ("a claim is about all values in the declared ranges without saying so", ""),
+        '∀' | '∈' => {
+            ("a claim is about all values in the declared ranges, which goes without saying", "")
+        }
         '≡' => ("write `==`", "=="),
         '±' | '∓' => ("write two claims", ""),
         '≈' | '≃' | '≅' => ("numbers are exact here: write `==`, or two inequalities", ""),
@@ -313,7 +315,7 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     };
     let shown =
         if c.is_whitespace() || c.is_control() { format!("U+{:04X}", c as u32) } else { format!("`{c}`") };
-    Some((format!("the character {shown} cannot stand in a spec"), help.to_string(), instead.to_string()))
+    Some((format!("the character {shown} is not allowed in a spec"), help.to_string(), instead.to_string()))
 }
 
 /// Whether Rust allows the character inside a name although it is neither letter nor digit.
@@ -422,7 +424,7 @@ mod tests {
     fn glyphs_of_papers_get_advice() {
         assert_eq!(
             messages("t²"),
-            ["the superscript `²` cannot stand in a spec | write `^2` for a power, such as `t^2`"]
+            ["the superscript `²` is not allowed in a spec | write `^2` for a power, such as `t^2`"]
         );
         assert!(messages("λ₁")[0].contains("such as `λ1`"));
         assert!(messages("b'")[0].contains("D(b)"));

@@ -109,8 +109,8 @@ pub struct Statement {
 pub enum StatementKind {
     /// `domain 0 <= u <= 1, 0 <= v <= 1;`
     Domain(Vec<RangeDecl>),
-    /// `domain triangle (u, v, w);`
-    Simplex(Vec<Name>),
+    /// `domain triangle (u, v, w), -1 <= z <= 1;`: a product in which a simplex occurs.
+    Product(Vec<Factor>),
     /// `shape -3 <= λ <= 1, 0 <= μ[i] for i in 1..=n;`
     Shape(Vec<ShapeDecl>),
     /// `assume q < p;`: only these shape values count.
@@ -374,6 +374,33 @@ pub enum Generator {
     Simplex(Vec<Name>, Expr),
 }
 
+/// A factor of a domain.
+#[derive(Debug)]
+pub enum Factor {
+    /// `triangle (u, v, w)`: the barycentric coordinates.
+    Simplex(Vec<Name>),
+    /// `-1 <= z <= 1`
+    Range(RangeDecl),
+}
+
+impl Factor {
+    /// The names of its variables.
+    pub fn names(&self) -> &[Name] {
+        match self {
+            Self::Simplex(names) => names,
+            Self::Range(decl) => core::slice::from_ref(&decl.name),
+        }
+    }
+
+    /// The range of a variable.
+    pub const fn range(&self) -> Option<&RangeDecl> {
+        match self {
+            Self::Simplex(_) => None,
+            Self::Range(decl) => Some(decl),
+        }
+    }
+}
+
 /// `i in low..=high`.
 #[derive(Clone, Debug)]
 pub struct IndexRange {
@@ -527,6 +554,29 @@ pub struct Expr {
     pub span: Span,
     /// What it is.
     pub kind: ExprKind,
+}
+
+impl Expr {
+    /// The expressions of which it consists.
+    pub fn parts(&self) -> Vec<&Self> {
+        match &self.kind {
+            ExprKind::Number(_) | ExprKind::Name(_) => Vec::new(),
+            ExprKind::Neg(inner) | ExprKind::Each(inner, _) => vec![inner],
+            ExprKind::Sum(terms) => terms.iter().map(|(_, e)| e).collect(),
+            ExprKind::Product(factors) => factors.iter().map(|(_, e)| e).collect(),
+            ExprKind::Power(base, exponent) => vec![base, exponent],
+            ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
+                core::iter::once(&**base).chain(rest).collect()
+            }
+            ExprKind::List(all) | ExprKind::Tuple(all) => all.iter().collect(),
+        }
+    }
+
+    /// Whether one of some names stands in it.
+    pub fn has_name(&self, is_one: &dyn Fn(&String) -> bool) -> bool {
+        matches!(&self.kind, ExprKind::Name(name) if is_one(name))
+            || self.parts().into_iter().any(|part| part.has_name(is_one))
+    }
 }
 
 /// The sign in front of a term.

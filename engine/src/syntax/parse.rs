@@ -76,7 +76,7 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
             let range = e.span().byte_range();
             let range = if range.is_empty() { range.start..(range.start + 1).min(text.len()) } else { range };
             let shown: String = text.get(range.start..).unwrap_or_default().chars().take(1).collect();
-            let message = format!("`{shown}` cannot stand here");
+            let message = format!("`{shown}` is not allowed here");
             let help =
                 Some(String::from("a spec is made of names, numbers, operators, brackets and `//` comments"));
             errors.push(SyntaxError { place: SyntaxPlace::Bytes(range), message, help });

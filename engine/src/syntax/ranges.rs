@@ -1,12 +1,12 @@
 //! Ranges as papers write them: `0 <= t <= 1`, `0 < λ`, `λ >= -2`.
 
-use proc_macro2::Span;
+use proc_macro2::{Delimiter, Span, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Error, Result};
 
 use super::error::error;
 use super::expr::{comparison, expr, loops};
-use super::words::at_word;
+use super::words::{at_word, text_of};
 use super::{Bounds, Comparison, Expr, ExprKind, Limit, Name, RangeDecl, ShapeDecl};
 
 /// What the range of a parameter may look like.
@@ -67,6 +67,7 @@ pub(super) fn bounds(input: ParseStream<'_>, help: &str) -> Result<Bounds> {
 
 /// Expressions with inequalities between them, in ascending order, and whether neighbours may be equal.
 fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
+    let start = input.cursor();
     let mut parts = vec![expr(input)?];
     let mut signs = Vec::new();
     loop {
@@ -76,6 +77,22 @@ fn chain(input: ParseStream<'_>, help: &str) -> Result<(Vec<Expr>, Vec<bool>)> {
         parts.push(expr(input)?);
     }
     if at_word(input, "in") {
+        let name = text_of(start, input.cursor());
+        let interval = input.cursor().ident().and_then(|(_, after)| after.token_tree());
+        let (sign, ends) = match interval {
+            Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {
+                ("<", g.stream().to_string())
+            }
+            Some((TokenTree::Group(g), _)) => ("<=", g.stream().to_string()),
+            _ => ("", String::new()),
+        };
+        let help = match ends.split_once(',') {
+            Some((low, high)) if !high.contains(',') => {
+                let [low, high] = [low, high].map(|end| end.trim().replace("- ", "-"));
+                format!("write `{low} {sign} {name} {sign} {high}`")
+            }
+            _ => String::from(help),
+        };
         return Err(error(input.span(), "`in` cannot be used here", help));
     }
     // With >, the chain is read from the other end.

@@ -9,8 +9,8 @@ use super::error::{error, is_missing_semicolon};
 use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
 use super::ranges::{self, range};
 use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};
-use super::{Binding, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
-use crate::advice::did_you_mean;
+use super::{Binding, Factor, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
+use crate::advice::{did_you_mean, translated};
 use basis_prover::collections::sort::sort_unique;
 
 /// The words that begin a statement.
@@ -110,24 +110,7 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
     let kind = match word.to_string().as_str() {
         "domain" => {
             take_word(input)?;
-            if let Some(names) = simplex(input)? {
-                if input.peek(Token![,]) {
-                    return Err(error(
-                        input.span(),
-                        "the product of a simplex and an interval is not a domain here",
-                        "write a box, with the triangle as the image of a square: `u = r*(1 - s)`, `v = r*s`; or claim what holds on each face",
-                    ));
-                }
-                let end = semicolon(input, None)?;
-                let kind = StatementKind::Simplex(names);
-                return Ok(Statement { doc, span: join(start, end), last: end, kind });
-            }
-            let mut ranges = vec![range(input, DOMAIN_HELP)?];
-            while input.peek(Token![,]) {
-                input.parse::<Token![,]>()?;
-                ranges.push(range(input, DOMAIN_HELP)?);
-            }
-            StatementKind::Domain(ranges)
+            domain(input)?
         }
         "shape" => {
             take_word(input)?;
@@ -171,10 +154,20 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
                 StatementKind::Function(function(input)?)
             }
             Some((TokenTree::Punct(p), _)) if p.as_char() == '=' => {
+                // `b_0` and `b0` are written for `b[0]`.
+                let stem = other.trim_end_matches(|c: char| c.is_ascii_digit());
+                let number = &other[stem.len()..];
+                let (stem, number) = match stem.trim_end_matches('_') {
+                    "" => (other, "0"),
+                    stem if !number.is_empty() => (stem, number),
+                    _ => (other, "0"),
+                };
                 return Err(error(
                     word.span(),
                     format!("`{other}` has no index"),
-                    format!("write `{other}[0] = …;` for a basis function, `let {other} = …;` for a name"),
+                    format!(
+                        "write `{stem}[{number}] = …;` for a basis function, `let {other} = …;` for a name"
+                    ),
                 ));
             }
             _ => return Err(unknown_statement(&word, other)),
@@ -184,8 +177,21 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
     Ok(Statement { doc, span: join(start, end), last: end, kind })
 }
 
+/// Words with which statements begin elsewhere, and what to write.
+const ELSEWHERE: [(&str, &str); 5] = [
+    ("parameter parameters param params", "write `shape -1 <= λ <= 1;` for a shape parameter"),
+    ("claim claims assert lemma show property ensure check verify", "write `prove …;`"),
+    ("disprove deny", "write `refute …;`"),
+    ("define def set var where", "write `let c = …;` for a name, `b[0] = …;` for a basis function"),
+    ("variable variables interval", "write `domain 0 <= t <= 1;`"),
+];
+
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
+    let others = || translated(text, &ELSEWHERE);
     let help = did_you_mean(text, &STATEMENTS, &|| {
+        if let Some(help) = others() {
+            return help;
+        }
         String::from(
             "statements are `domain`, `shape`, `assume`, `let`, `b[i] = …`, `permute`, `base`, `raise`, `prove`, `refute`, `conjecture` and `budget`",
         )
@@ -316,12 +322,52 @@ fn base(input: ParseStream<'_>) -> Result<StatementKind> {
     Ok(StatementKind::Base(Binding { name, indices: Vec::new(), value }, functions))
 }
 
+/// The factors of a domain, `0 <= t <= 1` or `triangle (u, v, w), -1 <= z <= 1`, after its first word.
+fn domain(input: ParseStream<'_>) -> Result<StatementKind> {
+    let (mut factors, mut ranges) = (Vec::new(), Vec::new());
+    loop {
+        match simplex(input)? {
+            Some(names) => {
+                factors.extend(ranges.drain(..).map(Factor::Range));
+                factors.push(Factor::Simplex(names));
+                if !input.is_empty() && !input.peek(Token![,]) && !input.peek(Token![;]) {
+                    return Err(error(
+                        input.span(),
+                        unexpected(input, "`,` or `;`").to_string(),
+                        "the factors of a domain are separated by commas: `domain triangle (u, v, w), -1 <= z <= 1;`",
+                    ));
+                }
+            }
+            None => ranges.push(range(input, DOMAIN_HELP)?),
+        }
+        if !input.peek(Token![,]) {
+            break;
+        }
+        input.parse::<Token![,]>()?;
+    }
+    if factors.is_empty() {
+        return Ok(StatementKind::Domain(ranges));
+    }
+    factors.extend(ranges.into_iter().map(Factor::Range));
+    Ok(StatementKind::Product(factors))
+}
+
 /// `triangle (u, v, w)` or `tetrahedron (u, v, w, x)`; `None` when something else follows.
 fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
     let Some((word, after)) = input.cursor().ident() else { return Ok(None) };
     let text = word.to_string();
+    let is_simplex = matches!(text.as_str(), "triangle" | "tetrahedron");
     match after.token_tree() {
-        Some((TokenTree::Group(g), _)) if g.delimiter() == Delimiter::Parenthesis => {}
+        Some((TokenTree::Group(g), rest)) if g.delimiter() == Delimiter::Parenthesis => {
+            let last = match rest.token_tree() {
+                Some((TokenTree::Punct(p), _)) => matches!(p.as_char(), ',' | ';'),
+                other => other.is_none(),
+            };
+            // The lower end of a range, as `factorial(2) <= t <= 3`.
+            if !is_simplex && !last {
+                return Ok(None);
+            }
+        }
         Some((TokenTree::Ident(_), _)) if text == "triangle" => {
             let help = "write `domain triangle (u, v, w);`";
             return Err(error(word.span(), "a triangle needs its coordinates in parentheses", help));
@@ -335,6 +381,10 @@ fn simplex(input: ParseStream<'_>) -> Result<Option<Vec<Name>>> {
     let corners = match text.as_str() {
         "triangle" => 3,
         "tetrahedron" => 4,
+        "prism" | "wedge" => {
+            let help = "a prism is a product: write `domain triangle (u, v, w), -1 <= z <= 1;`";
+            return Err(error(word.span(), format!("`{text}` is not a domain"), help));
+        }
         _ => {
             let help = did_you_mean(&text, &["triangle", "tetrahedron"], &|| {
                 String::from(

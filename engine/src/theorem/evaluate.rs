@@ -325,7 +325,7 @@ impl Elaboration<'_> {
 
     fn quotient(&mut self, a: Value, b: &Value, span: Span) -> Option<Value> {
         let Value::Scalar(divisor) = b else {
-            let error = self.scope.error(span, format!("{} cannot stand below a fraction line", kind(b)));
+            let error = self.scope.error(span, format!("{} cannot be a denominator", kind(b)));
             self.scope.report(error.help("divide by a scalar; that vectors are multiples of one another is said by `a == f*b` or `a parallel b`"));
             return None;
         };

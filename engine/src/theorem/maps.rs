@@ -121,7 +121,7 @@ impl Elaboration<'_> {
                     let Some(order) = order.filter(|n| (0..=100).contains(n)) else {
                         let error = self.scope.error(argument.span, "this is not the order of a derivative");
                         self.scope.report(error.help(
-                            "write a small whole number, `D(P, 2)`; the parameter value stands in brackets of its own, `D(P)(1/2)`",
+                            "write a small whole number, `D(P, 2)`; the parameter value goes in brackets of its own, `D(P)(1/2)`",
                         ));
                         return None;
                     };

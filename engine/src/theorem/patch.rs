@@ -175,11 +175,18 @@ impl Elaboration<'_> {
             )));
             return None;
         }
+        if family.is_product() {
+            let message =
+                format!("`{}` is a family on a product of a simplex and something else", family.title());
+            let help = "theorems are about families on intervals, triangles, tetrahedra and boxes; claim what holds in the family itself";
+            self.scope.report(self.scope.error(factor.span, message).help(help));
+            return None;
+        }
         for parameter in &family.domain {
             self.parameter(&parameter.name, &parameter.range, factor.span);
             def.parameters.push(parameter.name.clone());
         }
-        def.dependent = family.dependent.as_ref().map(|p| p.name.clone());
+        def.dependent = family.simplices.first().map(|s| s.last.name.clone());
         if let Some(last) = &def.dependent {
             let last = last.clone();
             self.dependent_parameter(&last, family);

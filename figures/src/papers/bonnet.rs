@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use basis_runtime::bspline::{
-    BSplineSurface, Edge, Joint, KnotVector, Net, PointConstraint, SpliceOptions, measure_joint, splice,
+    BSplineSurface, Edge, EdgePair, KnotVector, Net, PointConstraint, SpliceOptions, measure_joint, splice,
 };
 
 type Point3d = [f64; 3];
@@ -52,7 +52,7 @@ pub(crate) fn bonnet() -> Result<Bonnet, Box<dyn Error>> {
     let coarse = KnotVector::clamped(3, &[0.0, 0.22, 0.41, 0.63, 0.8, 1.0])?;
     let fine = KnotVector::clamped(3, &[0.0, 0.09, 0.2, 0.37, 0.45, 0.6, 0.78, 0.9, 1.0])?;
     let options = SpliceOptions::default();
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
 
     let right = patch(&across, &fine, 1.0)?;
     let left = splice(&patch(&across, &coarse, -1.0)?, &right, joint, &options)?.surface;

@@ -4,7 +4,7 @@
 use std::error::Error;
 use std::f64::consts::PI;
 
-use basis_runtime::{Edge, EdgeContinuity, ShapeError, Surface, TensorSurface, edge_continuity};
+use basis_runtime::{Edge, EdgeContinuity, EdgePair, ShapeError, Surface, TensorSurface, edge_continuity};
 
 use super::families::QuarticBernstein;
 use crate::draw::scene::{Point3d, Scene, View};
@@ -244,7 +244,7 @@ fn joined(join: &Join) -> Result<Drawing, Box<dyn Error>> {
     for part in &parts {
         show_net(&mut scene, &net_of(part));
     }
-    let measured = edge_continuity(&first, Edge::VEnd, &second, Edge::VStart, false, SAMPLES);
+    let measured = edge_continuity(&first, &second, EdgePair::along(Edge::VEnd, Edge::VStart), SAMPLES);
     Ok(Drawing {
         picture: Picture::Surfaces(scene, View { azimuth: -28.0, elevation: 30.0 }),
         params: Facts::default()
@@ -293,10 +293,10 @@ fn tablecloth() -> Result<Drawing, Box<dyn Error>> {
     };
     let parts = [quarter(1.0, 1.0)?, quarter(-1.0, 1.0)?, quarter(-1.0, -1.0)?, quarter(1.0, -1.0)?];
     let edges = [
-        edge_continuity(&parts[1], Edge::UEnd, &parts[0], Edge::UStart, false, SAMPLES),
-        edge_continuity(&parts[2], Edge::UEnd, &parts[3], Edge::UStart, false, SAMPLES),
-        edge_continuity(&parts[3], Edge::VEnd, &parts[0], Edge::VStart, false, SAMPLES),
-        edge_continuity(&parts[2], Edge::VEnd, &parts[1], Edge::VStart, false, SAMPLES),
+        edge_continuity(&parts[1], &parts[0], EdgePair::along(Edge::UEnd, Edge::UStart), SAMPLES),
+        edge_continuity(&parts[2], &parts[3], EdgePair::along(Edge::UEnd, Edge::UStart), SAMPLES),
+        edge_continuity(&parts[3], &parts[0], EdgePair::along(Edge::VEnd, Edge::VStart), SAMPLES),
+        edge_continuity(&parts[2], &parts[1], EdgePair::along(Edge::VEnd, Edge::VStart), SAMPLES),
     ];
     let drawing = assembled(&parts, &edges, [lambda, gamma], View { azimuth: -62.0, elevation: 30.0 })?;
     let note = String::from("Four patches that meet in the middle of the table: two u–u and two v–v joins.");
@@ -361,7 +361,14 @@ fn tent() -> Result<Drawing, Box<dyn Error>> {
     };
     let parts = tent_ring(lambda, gamma, net)?;
     let edges: Vec<EdgeContinuity<f64>> = (0..6)
-        .map(|k| edge_continuity(&parts[k], Edge::VEnd, &parts[(k + 1) % 6], Edge::VStart, false, SAMPLES))
+        .map(|k| {
+            edge_continuity(
+                &parts[k],
+                &parts[(k + 1) % 6],
+                EdgePair::along(Edge::VEnd, Edge::VStart),
+                SAMPLES,
+            )
+        })
         .collect();
     let drawing = assembled(&parts, &edges, [lambda, gamma], View { azimuth: -52.0, elevation: 22.0 })?;
     Ok(Drawing { note: String::from("Six three-sided patches joined G1 around the top."), ..drawing })

@@ -13,7 +13,7 @@ use basis_engine::{
 use serde_json::{Value, json};
 
 use crate::layout;
-use crate::session::{NAME, NoFiles};
+use crate::text::{NAME, NoFiles};
 
 /// A language: its name for `basis emit --to`, its usual name, and how a file is written in it.
 type Target = (&'static str, &'static str, fn(&Job<'_>) -> Result<String, Vec<Diagnostic>>);

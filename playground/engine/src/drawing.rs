@@ -26,6 +26,9 @@ pub(crate) fn family(family: &Family) -> Value {
         (_, true) => "simplex",
         (_, false) => "box",
     };
+    if family.is_product() {
+        return json!({ "error": "functions on a product of a simplex and something else have no picture" });
+    }
     let spans: Option<Vec<Value>> = if family.pieces.is_empty() {
         span(family).map(|span| vec![span])
     } else {

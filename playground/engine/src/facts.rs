@@ -1,13 +1,14 @@
 //! What follows from the formulas of a family or theorem, in LaTeX.
 
 use basis_engine::explain;
+use basis_engine::model::Factor;
 use basis_engine::query::{self, latex};
 use basis_engine::source::Source;
 use basis_engine::{Family, Theorem};
 use serde_json::{Value, json};
 
 use crate::places::Places;
-use crate::session::{NAME, NoFiles};
+use crate::text::{NAME, NoFiles};
 
 /// LaTeX, or the text itself where it is no formula.
 fn math(text: &str) -> Value {
@@ -37,16 +38,18 @@ pub(crate) fn family(family: &Family) -> Value {
         .iter()
         .map(|p| json!({ "declared": math(&family.declared(p)), "doc": p.doc }))
         .collect();
-    let domain: Vec<Value> = if family.is_simplex() {
-        let names: Vec<String> = family.domain_variables().map(|p| latex::name(&p.name)).collect();
-        let text: Vec<String> = family.domain_variables().map(|p| p.name.clone()).collect();
-        vec![json!({
-            "text": format!("{} = 1, all ≥ 0", text.join(" + ")),
-            "latex": format!("{} = 1, \\quad {} \\ge 0", names.join(" + "), names.join(", "))
-        })]
-    } else {
-        family.domain.iter().map(|p| math(&family.declared(p))).collect()
+    let factor = |factor: Factor<'_>| match factor {
+        Factor::Interval(p) => math(&family.declared(p)),
+        Factor::Simplex(..) => {
+            let names: Vec<String> = factor.variables().map(|p| latex::name(&p.name)).collect();
+            let text: Vec<String> = factor.variables().map(|p| p.name.clone()).collect();
+            json!({
+                "text": format!("{} = 1, all ≥ 0", text.join(" + ")),
+                "latex": format!("{} = 1, \\quad {} \\ge 0", names.join(" + "), names.join(", "))
+            })
+        }
     };
+    let domain: Vec<Value> = family.factors().into_iter().map(factor).collect();
     json!({
         "title": family.title(),
         "doc": family.doc,

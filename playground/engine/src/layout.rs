@@ -267,7 +267,7 @@ mod tests {
         let mut count = 0;
         for (name, text) in basis_specs::SPECS.iter().filter(|(name, _)| !name.contains('/')) {
             let source = Source::text(*name, &crate::session::alone(name, text));
-            let library = Library::from_source(&crate::session::NoFiles, &Prover, source);
+            let library = Library::from_source(&crate::text::NoFiles, &Prover, source);
             for item in library.items(Selected::WithoutOrder) {
                 let items = [Wanted { checked: decide(item), name: None }];
                 let job = Job { items: &items, spec: name, command: "basis emit" };

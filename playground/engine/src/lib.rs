@@ -10,6 +10,7 @@ mod layout;
 mod places;
 mod report;
 mod session;
+mod text;
 
 use std::cell::RefCell;
 

@@ -1,28 +1,12 @@
 //! What is open, and the questions about it.
 
-use std::io;
-use std::path::Path;
-
 use basis_engine::query::{self, Analysis, Document};
-use basis_engine::{Files, Library, Prover, Source, Subject, published};
+use basis_engine::{Library, Prover, Source, Subject, published};
 use serde_json::{Value, json};
 
 use crate::places::Places;
+use crate::text::{NAME, NoFiles};
 use crate::{code, drawing, facts, report};
-
-/// The name of the text in messages.
-pub(crate) const NAME: &str = "spec.basis";
-
-/// There are no files beside the text, but the library.
-#[derive(Debug)]
-pub(crate) struct NoFiles;
-
-impl Files for NoFiles {
-    fn read(&self, _: &Path) -> io::Result<Vec<u8>> {
-        let message = "a page has no files; `use library \"…\";` names a spec of the library";
-        Err(io::Error::new(io::ErrorKind::NotFound, message))
-    }
-}
 
 /// A text with the verdicts so far.
 #[derive(Debug, Default)]

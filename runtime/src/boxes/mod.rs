@@ -1,7 +1,7 @@
 //! Families on boxes, products of intervals: what they provide, and the patches over them.
 
 mod bounds;
-mod net;
+pub(crate) mod net;
 
 use core::fmt::{self, Debug, Formatter};
 

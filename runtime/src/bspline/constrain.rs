@@ -24,6 +24,7 @@ const ROUNDING: f64 = 32.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
+#[non_exhaustive]
 pub enum PointConstraint<P: Point> {
     /// `S(u, v) = point` at these parameters `[u, v]`.
     At([P::Scalar; 2], P),

@@ -57,13 +57,23 @@ impl<S: Scalar> KnotVector<S> {
     /// The same at degree 3, the one that matters most, without loops or memory.
     #[inline]
     pub(super) fn cubic_values_on(&self, span: usize, t: S) -> [S; 4] {
-        let part = |lo: S, hi: S| (t - lo) / (hi - lo);
-        let &[a, b, c, d, e, f] = &self.as_slice()[span - 2..span + 4] else { return [S::ZERO; 4] };
-        let (r, s0, s1) = (part(c, d), part(b, d), part(c, e));
-        let (q0, q1, q2) = (part(a, d), part(b, e), part(c, f));
-        let one = S::ONE;
+        self.cubic_on(span, t)[0]
+    }
+
+    /// The values and first derivatives at degree 3.
+    #[inline]
+    pub(super) fn cubic_on(&self, span: usize, t: S) -> [[S; 4]; 2] {
+        let &[a, b, c, d, e, f] = &self.as_slice()[span - 2..span + 4] else { return [[S::ZERO; 4]; 2] };
+        // In one list, so that the compiler divides two or four at a time.
+        let (from, to) = ([c, b, c, a, b, c], [d, d, e, d, e, f]);
+        let [r, s0, s1, q0, q1, q2] = core::array::from_fn(|k| (t - from[k]) / (to[k] - from[k]));
+        let (one, three) = (S::ONE, S::from_usize(3));
         let v = [(one - s0) * (one - r), s0 * (one - r) + (one - s1) * r, s1 * r];
-        [(one - q0) * v[0], q0 * v[0] + (one - q1) * v[1], q1 * v[1] + (one - q2) * v[2], q2 * v[2]]
+        let w = [v[0] / (d - a), v[1] / (e - b), v[2] / (f - c)];
+        [
+            [(one - q0) * v[0], q0 * v[0] + (one - q1) * v[1], q1 * v[1] + (one - q2) * v[2], q2 * v[2]],
+            [S::ZERO - w[0], w[0] - w[1], w[1] - w[2], w[2]].map(|slope| three * slope),
+        ]
     }
 
     #[inline]

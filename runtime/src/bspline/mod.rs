@@ -11,6 +11,7 @@
 //! | normals, curvatures, meshes | the traits [`Surface`](crate::Surface) and [`BoundedSurface`](crate::BoundedSurface) |
 //! | other knots and degrees, the same shape | `insert_knots`, `refined`, `remove_knot`, `elevate`, `split`, `to_bezier`, `merged` of all four |
 //! | points in, a curve or a surface out | [`BSplineCurve::interpolate`], [`BSplineCurve::fit`], [`BSplineSurface::interpolate`], [`BSplineSurface::fit`] |
+//! | the same within a tolerance, with a number of control points, smoothing, given directions at the ends | [`Fit`](crate::Fit), [`GridFit`](crate::GridFit) |
 //! | a surface from curves: extruded, ruled, translated, lofted, swept, between four boundary curves | [`BSplineSurface::extruded`], [`ruled`](BSplineSurface::ruled), [`translated`](BSplineSurface::translated), [`lofted`](BSplineSurface::lofted), [`swept`](BSplineSurface::swept), [`coons`](BSplineSurface::coons); rational [`NurbsSurface::extruded`], [`NurbsSurface::ruled`] |
 //! | closed curves without ends | [`KnotVector::periodic`], [`BSplineCurve::periodic`], [`BSplineCurve::interpolate_closed`] |
 //! | surfaces of revolution | [`NurbsSurface::revolved`]; `try_from` of a [`SurfaceOfRevolution`](crate::SurfaceOfRevolution) |
@@ -25,6 +26,23 @@
 //!
 //! The control points are any [`Point`](crate::Point); `f32` and `f64` both work. All of it needs the feature `alloc`,
 //! and the published method of splicing, `Method::Midpoints`, the features `std` and `nalgebra`.
+
+/// Functions that set one field of options each.
+macro_rules! setters {
+    ($options:ty; $($field:ident: $type:ty, $doc:literal;)+) => {
+        impl $options {
+            $(
+                #[doc = $doc]
+                #[must_use]
+                pub fn $field(mut self, $field: $type) -> Self {
+                    self.$field = $field;
+                    self
+                }
+            )+
+        }
+    };
+}
+use setters;
 
 mod buffer;
 mod constrain;
@@ -49,6 +67,7 @@ pub use constrain::{Constrained, ConstraintError, PointConstraint};
 pub use construct::ConstructionError;
 pub use curve::{BSplineCurve, BezierPiece};
 pub use error::{KnotError, SplineError};
+pub(crate) use fit::{Banded, parameters_of_rows};
 pub use fit::{FitError, Spacing, parameters};
 pub use homogeneous::Homogeneous;
 pub use knots::{KnotVector, MAX_DEGREE};
@@ -57,8 +76,8 @@ pub use network::{FollowOptions, Followed, Network, NetworkError, Seam};
 pub use nurbs_curve::NurbsCurve;
 pub use nurbs_surface::NurbsSurface;
 pub use splice::{
-    Continuity, Joint, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
+    Continuity, JointMeasure, Method, Splice, SpliceError, SpliceOptions, measure_joint, splice,
 };
 pub use surface::{BSplineSurface, BezierPatch};
 
-pub use crate::{Direction, Edge};
+pub use crate::{Direction, Edge, EdgePair};

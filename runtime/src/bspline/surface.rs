@@ -7,6 +7,7 @@ use super::rows::{self, Rows};
 use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
+use crate::surface::partials_by_number;
 use crate::{BoundedSurface, Edge, Nearest, Point, Scalar, Surface, SurfacePiece};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
@@ -112,7 +113,37 @@ impl<P: Point> BSplineSurface<P> {
     /// The point `S(u, v)`.
     #[inline]
     pub fn eval(&self, u: P::Scalar, v: P::Scalar) -> P {
+        if self.degrees() == [3, 3] {
+            let spans = [self.u.span(u), self.v.span(v)];
+            let factors = [self.u.cubic_values_on(spans[0], u), self.v.cubic_values_on(spans[1], v)];
+            let [[point]] = self.bicubic(spans, factors.map(|values| [values]));
+            return point;
+        }
         self.partial(u, v, [0, 0])
+    }
+
+    /// The sums of the sixteen control points of a bicubic piece, each times one of the factors of its row and one of
+    /// its column.
+    #[inline]
+    fn bicubic<const K: usize>(
+        &self,
+        spans: [usize; 2],
+        [rows, columns]: [[[P::Scalar; 4]; K]; 2],
+    ) -> [[P; K]; K] {
+        let mut sums = [[P::zero(); K]; K];
+        for i in 0..4 {
+            let &[a, b, c, d] = &self.net.row(spans[0] - 3 + i)[spans[1] - 3..=spans[1]] else { return sums };
+            let line: [P; K] = core::array::from_fn(|k| {
+                let [e, f, g, h] = columns[k];
+                P::zero().add_scaled(a, e).add_scaled(b, f).add_scaled(c, g).add_scaled(d, h)
+            });
+            for (sums, factors) in sums.iter_mut().zip(&rows) {
+                for (sum, &point) in sums.iter_mut().zip(&line) {
+                    *sum = sum.add_scaled(point, factors[i]);
+                }
+            }
+        }
+        sums
     }
 
     /// The point `S(u, v)` for parameters in the domain.
@@ -366,9 +397,29 @@ impl<P: Point> Surface for BSplineSurface<P> {
         }
     }
 
+    partials_by_number!();
+
+    /// The functions and their derivatives once for all partial derivatives.
     fn eval_with_partials<const K: usize>(&self, u: P::Scalar, v: P::Scalar) -> [[P; K]; K] {
         let spans = [self.u.span(u), self.v.span(v)];
-        core::array::from_fn(|i| core::array::from_fn(|j| self.partial_on(spans, [u, v], [i, j])))
+        if K <= 2 && self.degrees() == [3, 3] {
+            let both = [self.u.cubic_on(spans[0], u), self.v.cubic_on(spans[1], v)];
+            return self.bicubic(spans, both.map(|orders| core::array::from_fn(|k| orders[k])));
+        }
+        let first = [spans[0] - self.u.degree(), spans[1] - self.v.degree()];
+        let rows: [_; K] = core::array::from_fn(|order| self.u.derivatives_on(spans[0], u, order));
+        let columns: [_; K] = core::array::from_fn(|order| self.v.derivatives_on(spans[1], v, order));
+        let mut sums = [[P::zero(); K]; K];
+        for i in 0..=self.u.degree() {
+            let row = &self.net.row(first[0] + i)[first[1]..=spans[1]];
+            let line: [P; K] = core::array::from_fn(|k| combine(&columns[k], row));
+            for (sums, factors) in sums.iter_mut().zip(&rows) {
+                for (sum, &point) in sums.iter_mut().zip(&line) {
+                    *sum = sum.add_scaled(point, factors[i]);
+                }
+            }
+        }
+        sums
     }
 }
 

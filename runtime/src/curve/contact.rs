@@ -6,6 +6,7 @@ use crate::{Array, Basis, Curve, CurveError, Point, Scalar};
 /// How the derivatives of two curves P and Q, each in its own parameter, agree at a common point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Contact<S> {
     /// Parametric continuity Cⁿ: `Q⁽ᵏ⁾ = P⁽ᵏ⁾` for all `k` up to this order.
     Parametric {

@@ -38,6 +38,11 @@ pub enum CurveError {
         /// The tolerance.
         value: f64,
     },
+    /// A distance is not finite, or a width not positive and finite.
+    Distance {
+        /// The distance or width.
+        value: f64,
+    },
     /// A control point is infinite or NaN.
     NotFinite,
     /// Two slices that belong together have different lengths.
@@ -121,6 +126,9 @@ impl Display for CurveError {
             }
             Self::Tolerance { value } => {
                 write!(f, "the tolerance {value} is not a positive, finite number")
+            }
+            Self::Distance { value } => {
+                write!(f, "{value} is no distance or width: a distance is finite, a width positive too")
             }
             Self::NotFinite => write!(f, "a control point is infinite or NaN"),
             Self::Length { expected, found } => {

@@ -4,12 +4,12 @@ use alloc::vec::Vec;
 use core::ops::Range;
 
 use super::{
-    Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, bounds, closest, enclosed, flatten, length, local,
-    meeting, nearest,
+    Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, SurfaceMeeting, bounds, closest, enclosed, flatten,
+    length, local, meeting, nearest, surface_meeting,
 };
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
-use crate::{CurveError, Frame, Nearest, Point, Point3, Scalar};
+use crate::{BoundedSurface, CurveError, Frame, Nearest, Offset, Path, Point, Point3, Scalar};
 
 /// The scalar type of a curve: of its parameter and of the components of its points.
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
@@ -421,6 +421,30 @@ pub trait ParametricCurve {
         Ok(enclosed::winding(&pieces, &[0, 1].map(|d| point.component(d).to_f64())))
     }
 
+    /// The curves at a distance beside this curve in the plane, to the left of its direction if the distance is positive, one
+    /// for each contour: each within the tolerance of the exact one, with arcs around outer corners, cusps where the radius
+    /// of curvature is the distance, and not trimmed. Other joins and trimming: [`Offset`](crate::Offset).
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve};
+    ///
+    /// let parabola = Bezier::from_points([[-1.0, 1.0], [0.0, -1.0], [1.0_f64, 1.0]]); // y = x²
+    /// let [beside] = parabola.offset(0.1, 1e-6)?.try_into().unwrap();
+    /// let found = beside.nearest([0.0, 0.0], 1e-9).unwrap();
+    /// assert!((found.distance - 0.1).abs() <= 1e-6);
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Offset::new`](crate::Offset::new) and [`Offset::of`](crate::Offset::of).
+    fn offset(
+        &self,
+        distance: CurveScalar<Self>,
+        tolerance: CurveScalar<Self>,
+    ) -> Result<Vec<Path<Self::Point>>, CurveError> {
+        Offset::new(distance, tolerance)?.of(self)
+    }
+
     /// The points of this curve and another one that are nearest to each other, with a lower bound of the distance of all
     /// pairs: `distance - at_least` is at most about `accuracy`, or some 64 `ε` times the size of the curves. `None` if a
     /// control point is not finite.
@@ -487,6 +511,43 @@ pub trait ParametricCurve {
     /// ```
     fn self_intersections(&self, accuracy: CurveScalar<Self>) -> Option<Vec<Meeting<Self::Point>>> {
         meeting::of_one(self, accuracy)
+    }
+
+    /// All places at which a curve in space meets a surface, in the order of its own parameter.
+    ///
+    /// None is missed: all parameters at which curve and surface have a point in common lie in one of the answers, up to
+    /// rounding errors. An answer is a parameter of the curve and two of the surface, or intervals of them between which
+    /// both are nearer to each other than about `accuracy`: where they touch, where the curve runs along the surface, and
+    /// where it meets a pole, which has many parameters. A point on an edge between patches is one answer; where a surface
+    /// is closed, a point of the seam has two pairs of parameters, and each of them is an answer. An `accuracy` below some
+    /// 500 `ε` times the size of both, also zero or NaN, asks for what the scalar type can give; a curve that runs along
+    /// a surface takes the longer the smaller it is. `None` if a control point is not finite or a weight not positive.
+    ///
+    /// [`BoundedSurface::ray_intersections`] and [`BoundedSurface::line_intersections`] are for rays and lines.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, MeetingKind, ParametricCurve, SurfaceOfRevolution};
+    ///
+    /// // The cone x² = y² + z², and a parabola through it.
+    /// let cone = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 0.0], [2.0, 2.0]]), 6.0)?;
+    /// let arch = Bezier::from_points([[1.0, -2.0, 0.0], [1.0, 0.0, 1.0], [1.0, 2.0_f64, 0.0]]);
+    /// let found = arch.surface_intersections(&cone, 1e-9).unwrap();
+    /// assert_eq!(found.len(), 2);
+    /// for meeting in found {
+    ///     let [x, y, z] = meeting.point;
+    ///     assert!(meeting.kind == MeetingKind::Crossing && (x * x - y * y - z * z).abs() < 1e-12);
+    /// }
+    /// # Ok::<(), basis_runtime::RevolutionError>(())
+    /// ```
+    fn surface_intersections(
+        &self,
+        surface: &dyn BoundedSurface<Point = Self::Point>,
+        accuracy: CurveScalar<Self>,
+    ) -> Option<Vec<SurfaceMeeting<Self::Point>>>
+    where
+        Self::Point: Point3,
+    {
+        surface_meeting::of_curve(self, surface, accuracy)
     }
 
     /// All places at which the curve meets the plane through `point` with that normal, in the plane the line, in the

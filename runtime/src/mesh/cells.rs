@@ -5,10 +5,9 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::MeshError;
-use super::facets::is_crowded;
 use super::flat::{self, Flatness, P3, Part};
 use super::patch::Patch;
-use crate::vector::{cross, dot, length};
+use crate::vector::{cross, distance, dot, length};
 use crate::{Edge, Scalar, SurfacePiece};
 
 /// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised.
@@ -396,6 +395,13 @@ fn displacement<S: Scalar>(sheet: &Sheet<'_, S>, cell: Cell, nodes: &[Node]) -> 
         largest = largest.max(away[0].min(away[1]));
     }
     largest
+}
+
+/// Whether corners that are not next to each other may become one point, so that triangles between them would vanish.
+pub(super) fn is_crowded<S: Scalar>(points: &[[S; 3]], reach: S) -> bool {
+    let count = points.len();
+    let apart = |i: usize, j: usize| j - i >= 2 && (i, j) != (0, count - 1);
+    (0..count).any(|i| (i + 1..count).any(|j| apart(i, j) && distance(points[i], points[j]) <= reach))
 }
 
 /// The node in the middle of a rectangle.

@@ -3,8 +3,6 @@
 use alloc::vec::Vec;
 
 use super::cells::{Cell, Node, middle};
-use crate::Scalar;
-use crate::vector::distance;
 
 /// How a polygon is cut.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -13,13 +11,6 @@ pub(super) enum Cut {
     Shortest,
     /// With triangles that meet in the middle.
     Middle,
-}
-
-/// Whether corners that are not next to each other may become one point, so that triangles between them would vanish.
-pub(super) fn is_crowded<S: Scalar>(points: &[[S; 3]], reach: S) -> bool {
-    let count = points.len();
-    let apart = |i: usize, j: usize| j - i >= 2 && (i, j) != (0, count - 1);
-    (0..count).any(|i| (i + 1..count).any(|j| apart(i, j) && distance(points[i], points[j]) <= reach))
 }
 
 /// Cuts the polygon of the corners around a rectangle into triangles, counter-clockwise in the parameters.

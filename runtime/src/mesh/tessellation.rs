@@ -3,8 +3,8 @@
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Leaf, Limits, Node, Sheet, on_edge, unit};
-use super::facets::{Cut, is_crowded, triangles};
+use super::cells::{Cells, Leaf, Limits, Node, Sheet, is_crowded, on_edge, unit};
+use super::facets::{Cut, triangles};
 use super::meet::meet;
 use super::orient::orient;
 use super::patch::Patch;
@@ -90,7 +90,18 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
         Ok(self)
     }
 
-    /// With one surface more.
+    /// With one surface more; of a list of surfaces of several types each box, which is a surface too.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, BoundedSurface, SurfaceOfRevolution, Tessellation};
+    ///
+    /// let turned = |from, to| SurfaceOfRevolution::about_x(&Bezier::from_points([from, to]), 6.0);
+    /// let cup: [Box<dyn BoundedSurface<Point = [f64; 3]>>; 2] =
+    ///     [Box::new(turned([0.0, 0.0], [0.0, 1.0])?), Box::new(turned([0.0, 1.0], [2.0, 1.5])?)];
+    /// let mesh = cup.iter().fold(Tessellation::new(0.01)?, |all, surface| all.with(surface)).mesh()?;
+    /// assert!(mesh.is_oriented());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
     pub fn with<T, P>(mut self, surface: &'a T) -> Self
     where

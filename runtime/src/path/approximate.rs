@@ -108,7 +108,7 @@ fn candidate<P: Point>(segment: &PathSegment<P>, degree: usize) -> Vec<P> {
 }
 
 /// A bound of `|C(x) - Q(x)|`: with `C = N / w` the largest Bernstein coefficient of `N - Q w` over the smallest weight.
-fn deviation<P: Point>(segment: &PathSegment<P>, candidate: &[P]) -> P::Scalar {
+pub(super) fn deviation<P: Point>(segment: &PathSegment<P>, candidate: &[P]) -> P::Scalar {
     let zero = P::zero();
     let (numerators, product, smallest) = match segment.weights() {
         None => (segment.control_points().to_vec(), candidate.to_vec(), P::Scalar::ONE),

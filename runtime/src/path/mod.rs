@@ -1,13 +1,17 @@
 //! Curves of rational Bézier segments of any degrees: what a drawing consists of.
 
 mod approximate;
+mod offset;
 mod segment;
 mod shapes;
+#[cfg(feature = "bspline")]
+mod simplify;
 mod svg;
 
 use alloc::vec::Vec;
 use core::ops::Range;
 
+pub use offset::{LineCap, LineJoin, Offset, Stroke};
 pub use segment::PathSegment;
 pub use svg::{SvgError, SvgMistake, to_svg};
 

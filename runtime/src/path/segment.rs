@@ -175,6 +175,13 @@ impl<P: Point> PathSegment<P> {
         part
     }
 
+    /// The same segment from another start, next to its own.
+    pub(super) fn started(&self, start: P) -> Self {
+        let mut started = self.clone();
+        started.points[0] = start;
+        started
+    }
+
     /// The same segment in the other direction.
     pub(super) fn reversed(&self) -> Self {
         let mut reversed = self.clone();

@@ -138,7 +138,18 @@ impl<S: Scalar> Chart<S> {
     #[inline]
     pub fn coordinates(&self, t: S) -> [S; 2] {
         let turn = match self.kind {
-            Kind::Affine => return unit(self.domain, t),
+            Kind::Affine if self.tails == [S::ZERO; 2] => return unit(self.domain, t),
+            Kind::Affine => {
+                // An end is what its float stands for.
+                let [lo, hi] = self.domain;
+                let width = (hi - lo) + (self.tails[1] - self.tails[0]);
+                let [after, before] = [(t - lo) - self.tails[0], (hi - t) + self.tails[1]];
+                let ends = [
+                    if t == hi { S::ZERO } else { before / width },
+                    if t == lo { S::ZERO } else { after / width },
+                ];
+                return [if t == lo { S::ONE } else { ends[0] }, if t == hi { S::ONE } else { ends[1] }];
+            }
             Kind::Circular(turn) | Kind::Hyperbolic(turn) => turn,
         };
         let [lo, hi] = self.domain;

@@ -206,14 +206,10 @@ struct WrittenCurve<'a, B, P> {
 }
 
 #[derive(Deserialize)]
-#[serde(
-    rename = "Curve",
-    expecting = "struct Curve",
-    bound(deserialize = "B: Basis + Deserialize<'de>, P: Copy + Deserialize<'de>")
-)]
-struct ReadCurve<B: Basis, P: Copy> {
+#[serde(rename = "Curve", expecting = "struct Curve")]
+struct ReadCurve<B, E> {
     basis: B,
-    points: Elements<B::Points<P>, P>,
+    points: E,
 }
 
 impl<B: Basis + Serialize, P: Point<Scalar = B::Scalar> + Serialize> Serialize for Curve<B, P> {
@@ -228,7 +224,8 @@ where
     P: Point<Scalar = B::Scalar> + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let ReadCurve { basis, points } = ReadCurve::deserialize(deserializer)?;
+        let ReadCurve { basis, points } =
+            ReadCurve::<B, Elements<B::Points<P>, P>>::deserialize(deserializer)?;
         Ok(Self::new(basis, points.0))
     }
 }

@@ -5,8 +5,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{Coefficients, Components, Elements, read_shape, write_shape};
 use crate::{
-    BernsteinForm, BoxBasis, BoxPatch, EndpointForm, Point, Scalar, SimplexBasis, SimplexIndex, SimplexPatch,
-    TriangularBernsteinBasis,
+    BernsteinForm, BoxBasis, BoxPatch, EndpointForm, Point, ProductBasis, ProductPatch, Scalar, SimplexBasis,
+    SimplexIndex, SimplexPatch, TriangularBernsteinBasis,
 };
 
 /// A patch as it is written: its basis and its control points.
@@ -49,6 +49,7 @@ macro_rules! patch {
 }
 patch!(SimplexPatch, SimplexBasis, "SimplexPatch", "struct SimplexPatch");
 patch!(BoxPatch, BoxBasis, "BoxPatch", "struct BoxPatch");
+patch!(ProductPatch, ProductBasis, "ProductPatch", "struct ProductPatch");
 
 impl<S: Scalar, const N: usize, const T: usize> Serialize for TriangularBernsteinBasis<S, N, T> {
     fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {

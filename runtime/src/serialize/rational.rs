@@ -2,19 +2,8 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{Elements, WrittenCurve};
+use super::{Elements, ReadCurve, WrittenCurve};
 use crate::{Point, RationalBasis, RationalCurve, SpannedBasis, SpannedCurve};
-
-#[derive(Deserialize)]
-#[serde(
-    rename = "SpannedCurve",
-    expecting = "struct SpannedCurve",
-    bound(deserialize = "B: SpannedBasis + Deserialize<'de>, P: Copy + Deserialize<'de>")
-)]
-struct ReadSpanned<B: SpannedBasis, P: Copy> {
-    basis: B,
-    points: Elements<B::Points<P>, P>,
-}
 
 impl<B, P> Serialize for SpannedCurve<B, P>
 where
@@ -32,20 +21,10 @@ where
     P: Point<Scalar = B::Scalar> + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let ReadSpanned { basis, points } = ReadSpanned::deserialize(deserializer)?;
+        let ReadCurve { basis, points } =
+            ReadCurve::<B, Elements<B::Points<P>, P>>::deserialize(deserializer)?;
         Ok(Self::new(basis, points.0))
     }
-}
-
-#[derive(Deserialize)]
-#[serde(
-    rename = "RationalCurve",
-    expecting = "struct RationalCurve",
-    bound(deserialize = "B: RationalBasis + Deserialize<'de>, P: Copy + Deserialize<'de>")
-)]
-struct ReadCurve<B: RationalBasis, P: Copy> {
-    basis: B,
-    points: Elements<B::Points<P>, P>,
 }
 
 impl<B, P> Serialize for RationalCurve<B, P>
@@ -64,7 +43,8 @@ where
     P: Point<Scalar = B::Scalar> + Deserialize<'de>,
 {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let ReadCurve { basis, points } = ReadCurve::deserialize(deserializer)?;
+        let ReadCurve { basis, points } =
+            ReadCurve::<B, Elements<B::Points<P>, P>>::deserialize(deserializer)?;
         Ok(Self::new(basis, points.0))
     }
 }

@@ -2,7 +2,7 @@
 
 mod bernstein;
 mod edge;
-mod index;
+pub(crate) mod index;
 #[cfg(feature = "alloc")]
 mod join;
 mod net;
@@ -249,6 +249,17 @@ pub(crate) fn partial<P: Point, C: Array<P::Scalar>>(
         });
         differentiate(net, degree, along.as_ref(), order)
     })
+}
+
+/// The partial derivative of these orders of a net, at a point.
+pub(crate) fn derivative_of_net<P: Point, C: Array<P::Scalar>>(
+    net: &mut [P],
+    degree: usize,
+    at: &[P::Scalar],
+    orders: &[usize],
+) -> P {
+    let degree = partial::<P, C>(net, degree, orders);
+    finish(net, degree, at)
 }
 
 /// De Casteljau's algorithm to the end.

@@ -122,37 +122,91 @@ impl<S: Scalar> EdgeContinuity<S> {
     }
 }
 
-/// Measures how smoothly two surfaces meet along an edge, at `samples` evenly spaced parameters (at least two).
+/// An edge each of two surfaces that belong together: to measure how smoothly they meet there, or to join them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EdgePair {
+    /// The edge of the first surface; of a splice that of the surface that is adjusted.
+    pub first: Edge,
+    /// The edge of the second surface; of a splice that of the target.
+    pub second: Edge,
+    /// Whether the parameters along the two edges run in opposite directions.
+    pub reversed: bool,
+}
+
+impl EdgePair {
+    /// Edges along which the parameters run in the same direction.
+    pub const fn along(first: Edge, second: Edge) -> Self {
+        Self { first, second, reversed: false }
+    }
+
+    /// Edges along which the parameters run in opposite directions.
+    pub const fn against(first: Edge, second: Edge) -> Self {
+        Self { first, second, reversed: true }
+    }
+
+    /// Edges of two surfaces in the direction in which their ends are nearer to each other.
+    ///
+    /// ```
+    /// use basis_runtime::{BernsteinBasis, Edge, EdgePair, TensorSurface};
+    ///
+    /// let linear = BernsteinBasis::<f64, 2>::new();
+    /// let square = |net: [[[f64; 3]; 2]; 2]| TensorSurface::new(linear, linear, net);
+    /// let left = square([[[0.0; 3], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]]);
+    /// let right = square([[[1.0, 1.0, 0.0], [1.0, 0.0, 0.0]], [[2.0, 1.0, 0.0], [2.0, 0.0, 0.0]]]);
+    /// let pair = EdgePair::nearest(&left, Edge::UEnd, &right, Edge::UStart);
+    /// assert_eq!(pair, EdgePair::against(Edge::UEnd, Edge::UStart));
+    /// ```
+    pub fn nearest<A, B>(first: &A, first_edge: Edge, second: &B, second_edge: Edge) -> Self
+    where
+        A: Surface + ?Sized,
+        B: Surface<Point = A::Point> + ?Sized,
+    {
+        let ends = [ScalarOf::<A>::ZERO, ScalarOf::<A>::ONE];
+        let [start, end] = ends.map(|x| {
+            let (u, v) = first_edge.parameters(first.domain(), x);
+            first.eval(u, v)
+        });
+        let [other_start, other_end] = ends.map(|x| {
+            let (u, v) = second_edge.parameters(second.domain(), x);
+            second.eval(u, v)
+        });
+        let same = distance(start, other_start) + distance(end, other_end);
+        let opposite = distance(start, other_end) + distance(end, other_start);
+        Self { first: first_edge, second: second_edge, reversed: opposite < same }
+    }
+}
+
+/// Measures how smoothly two surfaces meet along a pair of edges, at `samples` evenly spaced parameters (at least two).
 ///
-/// The parameters along the edges correspond by the affine map, with `reversed` against each other. Between samples the
-/// numbers may be larger; those of polynomial surfaces of low degree differ little from the largest with 65 samples.
+/// The parameters along the edges correspond by the affine map. Between samples the numbers may be larger; those of
+/// polynomial surfaces of low degree differ little from the largest with 65 samples.
 ///
 /// ```
-/// use basis_runtime::{BernsteinBasis, Edge, TensorSurface, edge_continuity};
+/// use basis_runtime::{BernsteinBasis, Edge, EdgePair, TensorSurface, edge_continuity};
 ///
 /// // Two sides of a roof.
 /// let linear = BernsteinBasis::<f64, 2>::new();
 /// let side = |net: [[[f64; 3]; 2]; 2]| TensorSurface::new(linear, linear, net);
 /// let left = side([[[0.0, 0.0, 0.0], [0.0, 1.0, 1.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]]]);
 /// let right = side([[[0.0, 1.0, 1.0], [0.0, 2.0, 0.0]], [[1.0, 1.0, 1.0], [1.0, 2.0, 0.0]]]);
-/// let ridge = edge_continuity(&left, Edge::VEnd, &right, Edge::VStart, false, 9);
+/// let ridge = edge_continuity(&left, &right, EdgePair::along(Edge::VEnd, Edge::VStart), 9);
 /// assert_eq!(ridge.gap, 0.0);
 /// assert!((ridge.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15 && ridge.same_side);
 /// assert_eq!(ridge.order(1e-9, 1e-6, 1e-3), Some(0));
 /// ```
 pub fn edge_continuity<A, B>(
     first: &A,
-    first_edge: Edge,
     second: &B,
-    second_edge: Edge,
-    reversed: bool,
+    pair: EdgePair,
     samples: usize,
 ) -> EdgeContinuity<ScalarOf<A>>
 where
-    A: Surface,
+    A: Surface + ?Sized,
     A::Point: Point3,
-    B: Surface<Point = A::Point>,
+    B: Surface<Point = A::Point> + ?Sized,
 {
+    let EdgePair { first: first_edge, second: second_edge, reversed } = pair;
     let zero = ScalarOf::<A>::ZERO;
     let one = ScalarOf::<A>::ONE;
     let last = samples.max(2) - 1;
@@ -199,7 +253,7 @@ fn larger<S: Scalar>(a: S, b: S) -> S {
 }
 
 /// The unit tangent that is perpendicular to the edge and points out of the surface.
-fn conormal<A: Surface>(
+fn conormal<A: Surface + ?Sized>(
     surface: &A,
     edge: Edge,
     u: ScalarOf<A>,

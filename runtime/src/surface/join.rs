@@ -112,7 +112,7 @@ where
     /// ```
     /// # include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/numeric/families/quartic_bernstein.rs"));
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// use basis_runtime::{Edge, TensorSurface, edge_continuity};
+    /// use basis_runtime::{Edge, EdgePair, TensorSurface, edge_continuity};
     ///
     /// let net = |y: f64| core::array::from_fn(|i| core::array::from_fn(|j| {
     ///     let (x, y) = (i as f64, y + j as f64);
@@ -122,7 +122,7 @@ where
     /// let [a, b] = [-1.0, 0.8].map(QuarticBernstein::new);
     /// let first = TensorSurface::new(lambda, a?, net(0.0));
     /// let next = first.join_uu(&TensorSurface::new(lambda, b?, net(3.5)), 2, 0.7)?;
-    /// let measured = edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 65);
+    /// let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 65);
     /// assert_eq!(measured.order(1e-12, 1e-12, 1e-12), Some(2));
     /// # Ok(())
     /// # }

@@ -17,7 +17,7 @@ mod tensor;
 mod triangle;
 
 pub use curvature::Curvature;
-pub use edge::{Direction, Edge, EdgeContinuity, edge_continuity};
+pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, edge_continuity};
 pub use join::JoinError;
 pub use parts::BezierPatchOf;
 #[cfg(feature = "geometry")]
@@ -162,6 +162,56 @@ pub trait Surface {
         let first = [[partials[0][0], partials[0][1]], [partials[1][0], partials[1][1]]];
         Curvature::new(&partials, regular_normal(&first, widths)?)
     }
+}
+
+/// A reference to a surface and a box of one are surfaces too, also of a `dyn Surface`.
+macro_rules! surface_behind {
+    ($($(#[$feature:meta])* $pointer:ty;)+) => {$(
+        $(#[$feature])*
+        impl<T: Surface + ?Sized> Surface for $pointer {
+            type Point = T::Point;
+
+            fn domain(&self) -> [[ScalarOf<T>; 2]; 2] {
+                (**self).domain()
+            }
+
+            fn eval(&self, u: ScalarOf<T>, v: ScalarOf<T>) -> T::Point {
+                (**self).eval(u, v)
+            }
+
+            fn partial(&self, u: ScalarOf<T>, v: ScalarOf<T>, orders: [usize; 2]) -> T::Point {
+                (**self).partial(u, v, orders)
+            }
+
+            fn partials_into(&self, u: ScalarOf<T>, v: ScalarOf<T>, count: usize, out: &mut [T::Point]) {
+                (**self).partials_into(u, v, count, out);
+            }
+
+            fn eval_grid(&self, us: &[ScalarOf<T>], vs: &[ScalarOf<T>], out: &mut [T::Point]) {
+                (**self).eval_grid(us, vs, out);
+            }
+
+            fn normal(&self, u: ScalarOf<T>, v: ScalarOf<T>) -> Option<T::Point>
+            where
+                T::Point: Point3,
+            {
+                (**self).normal(u, v)
+            }
+
+            fn curvature(&self, u: ScalarOf<T>, v: ScalarOf<T>) -> Option<Curvature<T::Point>>
+            where
+                T::Point: Point3,
+            {
+                (**self).curvature(u, v)
+            }
+        }
+    )+};
+}
+
+surface_behind! {
+    &T;
+    #[cfg(feature = "alloc")]
+    alloc::boxed::Box<T>;
 }
 
 /// [`Surface::partials_into`] of a type with an `eval_with_partials` of its own: the numbers that normals and

@@ -6,6 +6,7 @@ use super::bounds::largest_quotient;
 use super::nearest::{Piece, nearest_of_pieces};
 use super::net::Net;
 use super::{RationalSurface, ScalarOf, Surface, TensorSurface};
+use crate::geometry::{SurfaceMeeting, of_line};
 use crate::vector::distance;
 use crate::{Basis, CurveError, Nearest, Point, Point3, Scalar, SurfaceOfRevolution};
 
@@ -219,7 +220,79 @@ pub trait BoundedSurface: Surface {
         let at_least = ScalarOf::<Self>::of(bound).min(distance);
         distance.is_finite().then_some(Nearest { at: [u, v], point: found, distance, at_least })
     }
+
+    /// All places at which the ray `origin + t direction`, `t >= 0`, meets the surface, the first one first.
+    ///
+    /// None is missed, and an `accuracy` is needed for those places only at which the ray touches the surface, runs along
+    /// it or meets a pole: see
+    /// [`ParametricCurve::surface_intersections`](crate::ParametricCurve::surface_intersections). `None` if the direction
+    /// is zero, anything is not finite, or a weight of the Bézier form is not positive.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, BoundedSurface, SurfaceOfRevolution};
+    ///
+    /// let cylinder = SurfaceOfRevolution::about_x(&Bezier::from_points([[-2.0, 1.0], [2.0, 1.0]]), 6.0)?;
+    /// let found = cylinder.ray_intersections([0.5, -3.0, 0.6], [0.0, 2.0, 0.0], 1e-9).unwrap();
+    /// let [first, second] = found.try_into().unwrap();
+    /// assert!((first.at - 1.1_f64).abs() < 1e-14 && (second.at - 1.9_f64).abs() < 1e-14);
+    /// assert!((first.surface_at[0] - 0.625).abs() < 1e-14); // of the generatrix
+    /// # Ok::<(), basis_runtime::RevolutionError>(())
+    /// ```
+    fn ray_intersections(
+        &self,
+        origin: Self::Point,
+        direction: Self::Point,
+        accuracy: ScalarOf<Self>,
+    ) -> Option<Vec<SurfaceMeeting<Self::Point>>>
+    where
+        Self::Point: Point3,
+    {
+        of_line(self, origin, direction, 0.0, accuracy)
+    }
+
+    /// All places at which the line `point + t direction`, with any `t`, meets the surface, that with the smallest `t`
+    /// first; see [`ray_intersections`](Self::ray_intersections).
+    fn line_intersections(
+        &self,
+        point: Self::Point,
+        direction: Self::Point,
+        accuracy: ScalarOf<Self>,
+    ) -> Option<Vec<SurfaceMeeting<Self::Point>>>
+    where
+        Self::Point: Point3,
+    {
+        of_line(self, point, direction, f64::NEG_INFINITY, accuracy)
+    }
 }
+
+/// What a reference or a box refers to is asked.
+macro_rules! bounded_behind {
+    ($($pointer:ty),+) => {$(
+        impl<T: BoundedSurface + ?Sized> BoundedSurface for $pointer {
+            fn pieces(&self) -> Vec<SurfacePiece> {
+                (**self).pieces()
+            }
+
+            fn control_box(&self) -> [T::Point; 2] {
+                (**self).control_box()
+            }
+
+            fn bounding_box(&self) -> [T::Point; 2] {
+                (**self).bounding_box()
+            }
+
+            fn nearest(
+                &self,
+                point: T::Point,
+                accuracy: ScalarOf<T>,
+            ) -> Option<Nearest<T::Point, [ScalarOf<T>; 2]>> {
+                (**self).nearest(point, accuracy)
+            }
+        }
+    )+};
+}
+
+bounded_behind!(&T, alloc::boxed::Box<T>);
 
 /// Answers with the methods of the type, which have the same names.
 macro_rules! forward_boxes {

@@ -138,3 +138,20 @@ proptest! {
         }
     }
 }
+
+/// The order of the points does not matter.
+#[test]
+fn parameters_of_any_order() {
+    for case in golden("fits") {
+        let (t, data) = (numbers(&case["parameters"]), points::<2>(&case["data"]));
+        let over = knots(&case["degree"], &case["least_squares"]["knots"]);
+        let expected = BSplineCurve::fit(over.clone(), &t, &data, None).unwrap();
+        for (step, shift) in [(7, 0), (19, 5), (3, 1)] {
+            let order: Vec<usize> = (0..t.len()).map(|i| (step * i + shift) % t.len()).collect();
+            let mixed: Vec<f64> = order.iter().map(|&i| t[i]).collect();
+            let points: Vec<[f64; 2]> = order.iter().map(|&i| data[i]).collect();
+            let curve = BSplineCurve::fit(over.clone(), &mixed, &points, None).unwrap();
+            assert_near(curve.control_points(), expected.control_points(), 1e-10);
+        }
+    }
+}

@@ -2,7 +2,7 @@
 //! attained but for one percent.
 
 use basis_runtime::bspline::{
-    BSplineSurface, Direction, Edge, Joint, KnotVector, Method, Net, SpliceOptions, measure_joint, splice,
+    BSplineSurface, Direction, Edge, EdgePair, KnotVector, Method, Net, SpliceOptions, measure_joint, splice,
 };
 use proptest::prelude::*;
 
@@ -18,10 +18,10 @@ fn breakpoints(surface: &BSplineSurface<P3>, edge: Edge) -> Vec<f64> {
 
 /// The largest gap and angle from nothing but points and partial derivatives, at `count` parameters inside of each
 /// piece on which both surfaces are polynomial; and the least sine of the directions along and across an edge.
-fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint, count: usize) -> [f64; 3] {
+fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair, count: usize) -> [f64; 3] {
     let turned = |part: f64| if joint.reversed { 1.0 - part } else { part };
-    let mut all = breakpoints(a, joint.edge);
-    all.extend(breakpoints(b, joint.target).into_iter().map(turned));
+    let mut all = breakpoints(a, joint.first);
+    all.extend(breakpoints(b, joint.second).into_iter().map(turned));
     all.sort_by(f64::total_cmp);
     let (mut gap, mut angle, mut sine) = (0.0_f64, 0.0_f64, 1.0_f64);
     for piece in all.windows(2).filter(|piece| piece[1] - piece[0] > 1e-9) {
@@ -29,8 +29,8 @@ fn sampled(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint, count: 
             // Closer together towards the ends, where the largest values are as often as not.
             let x = 0.5 - 0.5 * (std::f64::consts::PI * (i as f64 + 0.5) / count as f64).cos();
             let part = piece[0] + (piece[1] - piece[0]) * x;
-            let (p, out, tangent) = at_edge(a, joint.edge, part, 1.0);
-            let (q, into, other) = at_edge(b, joint.target, turned(part), -1.0);
+            let (p, out, tangent) = at_edge(a, joint.first, part, 1.0);
+            let (q, into, other) = at_edge(b, joint.second, turned(part), -1.0);
             let other = other.map(|x| if joint.reversed { -x } else { x });
             gap = gap.max(distance(p, q));
             let (n, m) = (cross(out, tangent), cross(into, other));
@@ -56,7 +56,7 @@ proptest! {
     fn figures_of_any_surfaces_are_bounds(
         a in surface(), b in surface(), edge in edge(), target in edge(), reversed in any::<bool>(),
     ) {
-        let joint = Joint { edge, target, reversed };
+        let joint = EdgePair { first: edge, second: target, reversed };
         if let Ok(found) = measure_joint(&a, &b, joint) {
             let [gap, angle, sine] = sampled(&a, &b, joint, 200);
             prop_assert!(gap <= found.gap && angle <= found.angle + 1e-12 / sine, "{:?} {} {}", found, gap, angle);
@@ -88,9 +88,9 @@ proptest! {
             BSplineSurface::new(across, along, net.unwrap()).unwrap()
         };
         let (a, b) = (sheet(degrees[0], spans[0], -1.0, waves), sheet(degrees[1], spans[1], 0.0, others));
-        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+        let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         let tolerance = 10.0_f64.powf(tolerance);
-        let options = SpliceOptions { method: Method::LeastSquares, angle: tolerance, gap: 1.0, ..Default::default() };
+        let options = SpliceOptions::default().method(Method::LeastSquares).angle(tolerance).gap(1.0);
         if let Ok(found) = splice(&a, &b, joint, &options) {
             let [gap, angle, _] = sampled(&found.surface, &b, joint, 100);
             let measure = found.measure;

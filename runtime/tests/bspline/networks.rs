@@ -1,7 +1,7 @@
 //! Networks: neighbours follow a deformed patch, corners included; the others stay bit by bit the same.
 
 use basis_runtime::bspline::{
-    BSplineSurface, Direction, Edge, FollowOptions, Followed, Joint, KnotVector, Method, Net, Network,
+    BSplineSurface, Direction, Edge, EdgePair, FollowOptions, Followed, KnotVector, Method, Net, Network,
     NetworkError, PointConstraint, Seam, SpliceOptions, measure_joint, splice,
 };
 use proptest::prelude::*;
@@ -128,8 +128,8 @@ fn ratios_that_vary_along_the_seam_are_kept_to_the_tolerance() {
     for point in left.control_points_mut() {
         point[0] -= 1.0 + 0.2 * point[1];
     }
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
-    let options = SpliceOptions { method: Method::LeastSquares, angle: 2e-5, ..SpliceOptions::default() };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
+    let options = SpliceOptions::default().method(Method::LeastSquares).angle(2e-5);
     let left = splice(&left, &right, joint, &options).unwrap().surface;
     let seam = Seam { patches: [0, 1], edges: [Edge::UEnd, Edge::UStart], reversed: false };
     let network = Network::new(vec![left, right], vec![seam]).unwrap();
@@ -173,7 +173,7 @@ fn lifted(network: &Network<P3>) -> BSplineSurface<P3> {
 #[test]
 fn twists_agree_where_the_edges_pass_straight_through_the_corner() {
     let network = corner([[-1.0, 0.2], [0.3, -0.8], [0.5, -0.1], [-0.45, 1.2]]);
-    let options = FollowOptions { spans: 1, gap: 1e-13, angle: 1e-13 };
+    let options = FollowOptions::default().spans(1).gap(1e-13).angle(1e-13);
     let found = network.follow(0, &lifted(&network), &options).unwrap();
     check(&network, &found, [1e-13, 1e-13]);
 }
@@ -184,7 +184,7 @@ fn twists_that_differ_are_named_until_there_are_enough_spans() {
     let deformed = lifted(&network);
     let mut mismatches = Vec::new();
     for spans in [2, 4] {
-        let options = FollowOptions { spans, ..Default::default() };
+        let options = FollowOptions::default().spans(spans);
         let error = network.follow(0, &deformed, &options).unwrap_err();
         let NetworkError::Twist { patch: 3, seams, mismatch, worst, achieved } = error else {
             panic!("{error}")
@@ -198,7 +198,7 @@ fn twists_that_differ_are_named_until_there_are_enough_spans() {
     assert!((mismatches[0] / mismatches[1] - 4.0).abs() < 0.5, "{mismatches:?}");
     let found = network.follow(0, &deformed, &FollowOptions::default()).unwrap();
     check(&network, &found, [1e-5, 1e-4]);
-    let fine = FollowOptions { angle: 1e-8, ..Default::default() };
+    let fine = FollowOptions::default().angle(1e-8);
     check(&network, &network.follow(0, &deformed, &fine).unwrap(), [1e-5, 1e-8]);
 }
 
@@ -328,10 +328,7 @@ fn what_is_refused() {
     assert_eq!(error, NetworkError::Patch { patch: 7 });
     assert_eq!(network.measure(9).unwrap_err(), NetworkError::NoSeam { seam: 9 });
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        for options in [
-            FollowOptions { gap: bad, ..Default::default() },
-            FollowOptions { angle: bad, ..Default::default() },
-        ] {
+        for options in [FollowOptions::default().gap(bad), FollowOptions::default().angle(bad)] {
             let error = network.follow(0, &deformed, &options).unwrap_err();
             assert!(matches!(error, NetworkError::Tolerance { .. }), "{error}");
         }

@@ -1,8 +1,8 @@
 //! Splicing: all edges, orientations and methods; tolerances measured independently; what is refused.
 
 use basis_runtime::bspline::{
-    BSplineSurface, Continuity, Direction, Edge, Joint, KnotVector, Method, Net, SpliceError, SpliceOptions,
-    measure_joint, splice,
+    BSplineSurface, Continuity, Direction, Edge, EdgePair, KnotVector, Method, Net, SpliceError,
+    SpliceOptions, measure_joint, splice,
 };
 use proptest::prelude::*;
 
@@ -18,9 +18,9 @@ fn methods() -> Vec<SpliceOptions> {
     let options = SpliceOptions::default();
     vec![
         #[cfg(feature = "nalgebra")]
-        SpliceOptions { method: Method::Midpoints, angle: 2e-3, spans: 60, merge: false, ..options },
-        SpliceOptions { method: Method::LeastSquares, ..options },
-        SpliceOptions { method: Method::Exact, ..options },
+        options.method(Method::Midpoints).angle(2e-3).spans(60).merge(false),
+        options.method(Method::LeastSquares),
+        options.method(Method::Exact),
     ]
 }
 
@@ -29,13 +29,13 @@ fn is_published(options: &SpliceOptions) -> bool {
 }
 
 /// Gap and angle from nothing but points and partial derivatives, at 1000 parameters away from knots.
-fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: Joint) -> (f64, f64) {
+fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair) -> (f64, f64) {
     let (mut gap, mut angle) = (0.0_f64, 0.0_f64);
     for i in 0..1000 {
         let part = (f64::from(i) + 0.5) / 1000.0;
-        let (p, out, tangent) = at_edge(a, joint.edge, part, 1.0);
+        let (p, out, tangent) = at_edge(a, joint.first, part, 1.0);
         let other = if joint.reversed { 1.0 - part } else { part };
-        let (q, into, other) = at_edge(b, joint.target, other, -1.0);
+        let (q, into, other) = at_edge(b, joint.second, other, -1.0);
         let other = other.map(|x| if joint.reversed { -x } else { x });
         gap = gap.max(distance(p, q));
         let (n, m) = (cross(out, tangent), cross(into, other));
@@ -84,7 +84,7 @@ fn every_edge_in_both_directions_by_every_method() {
                 for flips in 0..4 {
                     let a = turned(&left, Edge::UEnd, edge, flips % 2 == 1);
                     let b = turned(&right, Edge::UStart, target, flips >= 2);
-                    let joint = Joint::nearest(&a, edge, &b, target);
+                    let joint = EdgePair::nearest(&a, edge, &b, target);
                     assert_eq!(joint.reversed, flips == 1 || flips == 2);
                     let found = splice(&a, &b, joint, &options).unwrap();
                     let (gap, angle) = independent(&found.surface, &b, joint);
@@ -119,15 +119,9 @@ fn the_published_method_solves_its_programmes() {
         let net = Net::from_rows([other, next.clone(), shifted(&next, 0.3), shifted(&next, 0.6)]).unwrap();
         let target = BSplineSurface::new(across, along[1].clone(), net).unwrap();
         // Whatever one round gives is good enough.
-        let options = SpliceOptions {
-            method: Method::Midpoints,
-            gap: 1e3,
-            angle: 1e3,
-            carry: false,
-            merge: false,
-            ..SpliceOptions::default()
-        };
-        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+        let options =
+            SpliceOptions::default().method(Method::Midpoints).gap(1e3).angle(1e3).carry(false).merge(false);
+        let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         let found = splice(&surface, &target, joint, &options).unwrap();
         assert_eq!(found.rounds, 1);
         let [edge, inner] = rows(&case["spliced"]);
@@ -142,7 +136,7 @@ fn different_degrees() {
         for (a, b) in [(1, 3), (2, 3), (3, 2), (4, 3), (3, 5), (5, 5), (1, 1)] {
             let left = sheet(a, 5, -1.0, [0.5, -0.5, 3.0, 1.0]);
             let right = sheet(b, 7, 0.0, [0.4, 0.6, 3.1, -0.4]);
-            let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+            let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
             match splice(&left, &right, joint, &options) {
                 Ok(found) => {
                     let (gap, angle) = independent(&found.surface, &right, joint);
@@ -177,15 +171,10 @@ fn ends_do_not_hinder_least_squares_over_own_knots() {
         let z = 0.3 * (4.2 * v + 0.4).sin() * (1.0 - 0.35 * u) + hill * (1.0 - 0.6 * u) + 0.15 * u;
         [1.0 + u + 0.08 * (5.0 * v).sin(), v + 0.05 * u * v, z]
     });
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for (carry, spans) in [(false, 100), (true, 40)] {
-        let options = SpliceOptions {
-            method: Method::LeastSquares,
-            merge: false,
-            carry,
-            spans,
-            ..SpliceOptions::default()
-        };
+        let options =
+            SpliceOptions::default().method(Method::LeastSquares).merge(false).carry(carry).spans(spans);
         let found = splice(&left, &right, joint, &options).unwrap();
         let (gap, angle) = independent(&found.surface, &right, joint);
         assert!(gap <= options.gap && angle <= options.angle);
@@ -212,14 +201,14 @@ fn different_domains_and_single_precision() {
         BSplineSurface::new(u, v.clone(), net.unwrap()).unwrap()
     };
     let (left, right) = (sheet(knots(0.0, 1.0, 4), -1.0), sheet(knots(-2.0, 5.0, 7), 0.0));
-    let joint = Joint::nearest(&left, Edge::UEnd, &right, Edge::UStart);
+    let joint = EdgePair::nearest(&left, Edge::UEnd, &right, Edge::UStart);
     for options in methods() {
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!(found.measure.gap <= options.gap && found.measure.angle <= options.angle);
         assert_eq!(found.measure, measure_joint(&found.surface, &right, joint).unwrap());
     }
     // A tolerance that single precision cannot meet.
-    let options = SpliceOptions { gap: 1e-12, ..SpliceOptions::default() };
+    let options = SpliceOptions::default().gap(1e-12);
     let error = splice(&left, &right, joint, &options).unwrap_err();
     let SpliceError::NotReached { achieved, .. } = error else { panic!("{error}") };
     assert!(achieved.gap > 1e-12 && achieved.gap < 1e-5);
@@ -229,9 +218,9 @@ fn different_domains_and_single_precision() {
 fn positions_only() {
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
     let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for options in methods() {
-        let options = SpliceOptions { continuity: Continuity::G0, ..options };
+        let options = options.continuity(Continuity::G0);
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!(independent(&found.surface, &right, joint).0 <= options.gap);
         // Tangent planes are not touched on purpose.
@@ -242,14 +231,14 @@ fn positions_only() {
 #[test]
 fn the_change_is_how_far_the_rows_moved() {
     let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
-    let joint = Joint { edge: Edge::UStart, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UStart, Edge::UStart);
     let left = right.map(|[x, y, z]| [x, y, z + 0.25]);
     for method in [Method::LeastSquares, Method::Exact] {
         // Carried along, both rows move by a quarter.
-        let options = SpliceOptions { method, continuity: Continuity::G0, ..SpliceOptions::default() };
+        let options = SpliceOptions::default().method(method).continuity(Continuity::G0);
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
-        let options = SpliceOptions { method, carry: false, ..options };
+        let options = options.method(method).carry(false);
         let found = splice(&left, &right, joint, &options).unwrap();
         assert!((found.change - 0.25).abs() < 1e-14);
     }
@@ -271,7 +260,7 @@ fn positions_only_where_no_tangent_plane_is() {
     // The second row of the target is its edge, or its edge is one point.
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
     let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     let (columns, row) = (right.net().columns(), right.net().row(0).to_vec());
     let (mut narrow, mut pole) = (right.clone(), right);
     narrow.control_points_mut()[columns..2 * columns].copy_from_slice(&row);
@@ -279,8 +268,7 @@ fn positions_only_where_no_tangent_plane_is() {
     for target in [narrow, pole] {
         // The tangents to which the published method adjusts the edge do not exist at a pole.
         for options in methods().into_iter().filter(|options| !is_published(options)) {
-            let found =
-                splice(&left, &target, joint, &SpliceOptions { continuity: Continuity::G0, ..options });
+            let found = splice(&left, &target, joint, &options.continuity(Continuity::G0));
             let found = found.unwrap();
             for i in 0..=100 {
                 let t = f64::from(i) / 100.0;
@@ -295,7 +283,7 @@ fn the_scale_of_the_parameters_has_no_say() {
     let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
     let folded = sheet(3, 5, 0.0, [1.0, -0.5, 4.0, 1.0]);
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for surface in [left, folded] {
         for options in methods().into_iter().filter(|options| !is_published(options)) {
             let expected = splice(&surface, &right, joint, &options).unwrap();
@@ -316,11 +304,11 @@ fn surfaces_never_fold_back() {
     // Both sheets lie over 0 <= x <= 1: the first has to leave the edge in the other direction.
     let lower = sheet(3, 5, 0.0, [0.0, 0.0, 3.0, 0.4]);
     let upper = sheet(3, 6, 0.0, [0.0, 0.0, 3.2, 0.3]);
-    let joint = Joint { edge: Edge::UStart, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UStart, Edge::UStart);
     let before = measure_joint(&lower, &upper, joint).unwrap();
     assert!(before.angle > 3.0); // the angle of a fold is near π, not near 0
     for method in [Method::LeastSquares, Method::Exact] {
-        let options = SpliceOptions { method, ..SpliceOptions::default() };
+        let options = SpliceOptions::default().method(method);
         let found = splice(&lower, &upper, joint, &options).unwrap();
         let (gap, angle) = independent(&found.surface, &upper, joint);
         assert!(gap <= options.gap && angle <= options.angle);
@@ -335,7 +323,7 @@ fn a_straight_edge() {
         *point = [0.0, y, 0.0];
     }
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for options in methods() {
         let found = splice(&left, &right, joint, &options).unwrap();
         let (gap, angle) = independent(&found.surface, &right, joint);
@@ -347,18 +335,18 @@ fn a_straight_edge() {
 fn what_is_refused() {
     let left = sheet(3, 5, -1.0, [1.0, -0.5, 4.0, 1.0]);
     let right = sheet(3, 8, 0.0, [0.8, 0.6, 4.2, -0.4]);
-    let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+    let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let options = SpliceOptions { angle: bad, ..SpliceOptions::default() };
+        let options = SpliceOptions::default().angle(bad);
         assert!(matches!(splice(&left, &right, joint, &options), Err(SpliceError::Tolerance { .. })));
     }
-    let options = SpliceOptions { method: Method::LeastSquares, spans: 13, ..SpliceOptions::default() };
+    let options = SpliceOptions::default().method(Method::LeastSquares).spans(13);
     let error = splice(&left, &right, joint, &options).unwrap_err();
     let SpliceError::NotReached { achieved, spans, .. } = error else { panic!("{error}") };
     assert!(spans <= 13 && achieved.angle > 1e-4 && error.to_string().contains("wanted 1.000e-4"));
 
     // Below all rounding errors.
-    let impossible = SpliceOptions { angle: 1e-300, spans: 1000, ..options };
+    let impossible = options.angle(1e-300).spans(1000);
     let error = splice(&left, &right, joint, &impossible).unwrap_err();
     assert!(matches!(error, SpliceError::NotReached { .. }), "{error}");
 
@@ -401,9 +389,9 @@ proptest! {
     ) {
         let left = sheet(degrees[0], spans[0], -1.0, waves);
         let right = sheet(degrees[1], spans[1], 0.0, others);
-        let joint = Joint { edge: Edge::UEnd, target: Edge::UStart, reversed: false };
+        let joint = EdgePair::along(Edge::UEnd, Edge::UStart);
         for method in [Method::LeastSquares, Method::Exact] {
-            let options = SpliceOptions { method, ..SpliceOptions::default() };
+            let options = SpliceOptions::default().method(method);
             let found = splice(&left, &right, joint, &options).unwrap();
             let (gap, angle) = independent(&found.surface, &right, joint);
             prop_assert!(gap <= options.gap && angle <= options.angle);
@@ -414,9 +402,9 @@ proptest! {
     fn any_surfaces_are_joined_or_refused(
         left in surface(), right in surface(), edge in edge(), target in edge(), reversed in any::<bool>(),
     ) {
-        let joint = Joint { edge, target, reversed };
+        let joint = EdgePair { first: edge, second: target, reversed };
         for options in methods() {
-            let options = SpliceOptions { spans: 30, ..options };
+            let options = options.spans(30);
             if let Ok(found) = splice(&left, &right, joint, &options) {
                 let (gap, angle) = independent(&found.surface, &right, joint);
                 prop_assert!(gap <= options.gap && angle <= options.angle, "{} {}", gap, angle);

@@ -5,6 +5,7 @@
 mod closest;
 mod hostile;
 mod intersections;
+mod piercings;
 mod queries;
 #[allow(dead_code)] // shared with other tests
 #[path = "../../../tests/src/random.rs"]

@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 
 import numpy as np
-from scipy.interpolate import BSpline, NdBSpline, make_interp_spline, make_lsq_spline
+from scipy.interpolate import BSpline, NdBSpline, make_interp_spline, make_lsq_spline, make_smoothing_spline
 
 random = np.random.default_rng(20240607)
 
@@ -161,11 +161,29 @@ def splices():
         }
 
 
+def smoothings():
+    for factor in (1e-6, 1e-3, 1.0):
+        x = np.sort(random.uniform(-1.0, 3.0, 15))
+        y = np.sin(2.0 * x) + 0.1 * random.normal(size=15)
+        weights = random.uniform(0.5, 2.0, 15)
+        spline = make_smoothing_spline(x, y, w=weights**2, lam=factor)
+        at = np.linspace(x[0], x[-1], 30)
+        yield {
+            "factor": factor,
+            "parameters": x.tolist(),
+            "data": y.tolist(),
+            "weights": weights.tolist(),
+            "at": at.tolist(),
+            "values": spline(at).tolist(),
+        }
+
+
 golden = {
     "curves": list(curves()),
     "surfaces": list(surfaces()),
     "insertions": list(insertions()),
     "fits": list(fits()),
     "splices": list(splices()),
+    "smoothings": list(smoothings()),
 }
 Path(__file__).with_suffix(".json").write_text(json.dumps(golden, separators=(",", ":")) + "\n")

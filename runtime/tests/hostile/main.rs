@@ -156,6 +156,9 @@ fn none_is_forgotten() {
             let head = ["pub fn ", "pub const fn "].iter().find_map(|start| line.strip_prefix(start));
             let Some(head) = head else { continue };
             let name = head.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+            if name.is_empty() {
+                continue; // of a macro, for each of its names
+            }
             found += 1;
             if folder == "bspline" {
                 of_splines += 1;

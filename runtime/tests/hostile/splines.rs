@@ -2,7 +2,7 @@
 //! the type.
 
 use basis_runtime::bspline::{
-    BSplineCurve, BSplineSurface, Direction, Edge, FollowOptions, Homogeneous, Joint, KnotVector, Method,
+    BSplineCurve, BSplineSurface, Direction, Edge, EdgePair, FollowOptions, Homogeneous, KnotVector, Method,
     Net, Network, NurbsCurve, NurbsSurface, PointConstraint, Spacing, SpliceOptions, measure_joint,
     parameters, splice,
 };
@@ -313,16 +313,16 @@ const SURFACE: &[Case<S>] = &[
         let (u, v) = ([0.0, a, 0.5, 0.75, 1.0], [0.0, 0.25, b, 0.75, 1.0]);
         S::fit([knots(), knots()], [&u, &v], s.net()).map_or(true, |_| (0.0..=1.0).contains(&a))
     }),
-    ("Joint::nearest", |s, _, _| Joint::nearest(s, Edge::UEnd, s, Edge::VStart).target == Edge::VStart),
+    ("EdgePair::nearest", |s, _, _| EdgePair::nearest(s, Edge::UEnd, s, Edge::VStart).second == Edge::VStart),
     ("measure_joint", |s, a, b| {
         let [edge, target] = [a, b].map(|x| if x > 0.0 { Edge::UEnd } else { Edge::VStart });
-        let joint = Joint { edge, target, reversed: a > b };
+        let joint = EdgePair { first: edge, second: target, reversed: a > b };
         measure_joint(s, s, joint).map_or(true, |m| m.gap >= 0.0 && (0.0..=3.2).contains(&m.angle))
     }),
     ("splice", |s, a, b| {
-        let joint = Joint { edge: Edge::UEnd, target: Edge::VStart, reversed: b > 0.0 };
+        let joint = EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: b > 0.0 };
         [Method::LeastSquares, Method::Exact].into_iter().all(|method| {
-            let options = SpliceOptions { method, gap: a, angle: b, spans: 6, ..Default::default() };
+            let options = SpliceOptions::default().method(method).gap(a).angle(b).spans(6);
             splice(s, s, joint, &options)
                 .map_or(true, |found| found.measure.gap <= a && found.measure.angle <= b)
         })
@@ -342,7 +342,7 @@ const SURFACE: &[Case<S>] = &[
     }),
     ("Network::follow", |s, a, b| {
         let network = Network::grid(vec![s.clone(); 2], 2).unwrap();
-        let options = FollowOptions { gap: a, angle: b, spans: 6 };
+        let options = FollowOptions::default().gap(a).angle(b).spans(6);
         let moved = s.map(|p| [p[0], p[1] + a, p[2]]);
         network.follow(9, &moved, &options).is_err()
             && network.follow(0, &moved, &options).map_or(true, |found| found.changed[0] == 0)

@@ -1,7 +1,7 @@
 //! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
 
 use basis_runtime::{
-    BoundedSurface, Curve, Direction, Edge, Mesh, RationalSurface, Surface, SurfaceOfRevolution,
+    BoundedSurface, Curve, Direction, Edge, EdgePair, Mesh, RationalSurface, Surface, SurfaceOfRevolution,
     SurfacePiece, TensorSurface, Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
 };
 
@@ -91,12 +91,23 @@ const TENSOR: &[Case<Tensor>] = &[
     ("edge_continuity", |s, a, b| {
         a != 0.0
             || [0, 1, 2, 5].into_iter().all(|samples| {
-                let joint = edge_continuity(s, Edge::UEnd, s, Edge::VStart, b > 0.0, samples);
+                let joint = edge_continuity(
+                    s,
+                    s,
+                    EdgePair { first: Edge::UEnd, second: Edge::VStart, reversed: b > 0.0 },
+                    samples,
+                );
                 is_length(joint.gap) && is_length(joint.angle) && is_length(joint.curvature)
             })
     }),
+    ("against", |s, _, _| {
+        let pair = EdgePair::against(Edge::UEnd, Edge::VStart);
+        pair.reversed && is_length(edge_continuity(s, s, pair, 3).gap)
+    }),
     ("order", |s, a, b| {
-        edge_continuity(s, Edge::UEnd, s, Edge::UStart, false, 2).order(a, b, a).is_none_or(|k| k <= 2)
+        edge_continuity(s, s, EdgePair::along(Edge::UEnd, Edge::UStart), 2)
+            .order(a, b, a)
+            .is_none_or(|k| k <= 2)
     }),
     ("parameters", |s, a, _| {
         Edge::ALL.iter().all(|e| {

@@ -1,14 +1,16 @@
 //! Paths: segments of any degrees, shapes, SVG, what closed curves enclose.
-#![cfg(all(feature = "std", feature = "geometry"))]
+#![cfg(all(feature = "std", feature = "bspline"))]
 #![allow(unreachable_pub)]
 
 mod approximation;
 mod enclosed;
+mod offsets;
 #[allow(dead_code)] // shared with other tests
 #[path = "../../../tests/src/random.rs"]
 mod random;
 mod segments;
 mod shapes;
+mod simplification;
 mod svg;
 
 use basis_runtime::{Path, PathSegment};

@@ -3,6 +3,8 @@
 //! A test writes a program in a language that calls the emitted functions on the inputs of a [`Case`] in a fixed order
 //! and prints the results as hexadecimal bits of `f64`, one a line. [`Case::expected`] has what these may be.
 
+pub mod truth;
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::rc::Rc;
@@ -12,7 +14,7 @@ use basis_engine::emit::{self, FamilyCode, Job, Language, Wanted};
 use basis_engine::plan::Input;
 use basis_engine::rounding::Error;
 use basis_engine::state::{point_error, value_errors};
-use basis_engine::steps::{EndSteps, FamilySteps, JoinSteps, Number, Steps};
+use basis_engine::steps::{EndSteps, FamilySteps, JoinSteps, Number, Step, Steps};
 use basis_engine::theorem::theorems;
 use basis_engine::{Disk, Family, Library, Prover, Source, Subject, decide, source};
 
@@ -76,8 +78,16 @@ pub struct Expected {
     pub exact: Option<(Rational, Rational)>,
 }
 
-/// The families that are tested in every language.
+/// The families that are tested in every language; with an environment variable `CASES`, those among the names in it.
 pub fn cases() -> Vec<Case> {
+    let mut all = all_cases();
+    if let Ok(names) = std::env::var("CASES") {
+        all.retain(|case| names.split_whitespace().any(|name| name == case.name));
+    }
+    all
+}
+
+fn all_cases() -> Vec<Case> {
     let own = |name, shapes: &[f64]| case(None, name, &[], name, shapes);
     let of = |file, name, order: &[i64], shapes: &[f64]| case(Some(file), name, order, name, shapes);
     let bernstein = |degree: i64, name| case(Some("bernstein"), "Bernstein", &[degree], name, &[]);
@@ -104,6 +114,18 @@ pub fn cases() -> Vec<Case> {
         of("lagrange", "TriangularLagrange", &[2], &[]),
         of("lagrange", "TetrahedralLagrange", &[2], &[]),
         of("elements", "Trilinear", &[], &[]),
+        own("Weighted", &[0.75]),
+        of("rational/bezier", "Conic", &[], &[3.0]),
+        own("Reaching", &[]),
+        own("Moving", &[2.5]),
+        own("Pieces", &[]),
+        own("Uneven", &[0.75, 1.5]),
+        own("Quarter", &[0.625]),
+        own("Turning", &[2.25]),
+        own("Falling", &[]),
+        own("Tense", &[1.5]),
+        own("Waves", &[]),
+        of("trigonometric/han", "QuadraticTrigonometric", &[], &[0.5]),
     ]
 }
 
@@ -178,6 +200,10 @@ impl Case {
             all.push(inner);
             return all;
         }
+        let steps = self.steps();
+        if steps.is_quotient() {
+            return self.on_quotients(floats);
+        }
         let axes: Vec<Vec<f64>> =
             self.family.domain.iter().map(|p| self.parameters(&p.range, floats)).collect();
         match axes.as_slice() {
@@ -194,6 +220,84 @@ impl Case {
                 (0..longest).flat_map(|k| [point(k, 0), point(k, 1), point(k, 3)]).collect()
             }
         }
+    }
+
+    /// The shape values, and what is computed from them.
+    fn scalars<N: Number>(&self, of: &dyn Fn(f64) -> N) -> Vec<N> {
+        let mut all: Vec<N> = self.shapes.iter().map(|shape| of(*shape)).collect();
+        if let Some(derived) = self.steps().derived() {
+            let input = |input: Input| match input {
+                Input::Shape(k) => all[k].clone(),
+                other => panic!("{other:?}"),
+            };
+            let derived = derived.steps.evaluate(input).expect("floats divide");
+            all.extend(derived);
+        }
+        all
+    }
+
+    /// The ends of the domain and the knots between its spans, as a program has them.
+    fn knots(&self, floats: Floats) -> Vec<f64> {
+        fn knots<N: Number>(case: &Case, of: &dyn Fn(f64) -> N) -> Vec<N> {
+            let scalars = case.scalars(of);
+            let input = |input: Input| match input {
+                Input::Shape(k) => scalars[k].clone(),
+                other => panic!("{other:?}"),
+            };
+            case.steps().knots().evaluate(input).expect("floats divide")
+        }
+        match floats {
+            Floats::Single => knots(self, &|x| x as f32).into_iter().map(f64::from).collect(),
+            Floats::Double => knots(self, &|x| x),
+        }
+    }
+
+    /// Parameters on each span: its ends that belong to it, their neighbours, and some between.
+    fn on_quotients(&self, floats: Floats) -> Vec<Vec<f64>> {
+        let knots = self.knots(floats);
+        let range = &self.family.domain[0].range;
+        let included = [range.low.is_included(), range.high.is_included()];
+        let mut all = Vec::new();
+        for (k, pair) in knots.windows(2).enumerate() {
+            let (start, end) = (pair[0], pair[1]);
+            if k > 0 || included[0] {
+                all.push(start);
+            }
+            let near = floats.nearest(start + (end - start) / 1024.0);
+            all.extend([if start == 0.0 { near } else { floats.next(start, true) }, near]);
+            let parts = [0.0625, 0.25, 0.398_437_5, 0.5, 0.710_937_5, 0.9375];
+            all.extend(parts.map(|part| floats.nearest(start + (end - start) * part)));
+            all.push(floats.next(end, false));
+        }
+        if included[1] {
+            all.extend(knots.last());
+        }
+        all.into_iter().map(|t| vec![t]).collect()
+    }
+
+    /// What is computed and what it is held against, of quotients on each span; nothing for other families.
+    fn on_spans<'a>(&'a self, family: &FamilySteps<'_>) -> Vec<OnSpan<'a>> {
+        if !family.is_quotient() {
+            return Vec::new();
+        }
+        let one = |span: usize| {
+            let steps = family.on_span(span);
+            let curve = |count: usize| steps.curve(count).expect("a curve");
+            OnSpan {
+                functions: [steps.values(), steps.derivatives(&[1]), steps.derivatives(&[2])],
+                point: curve(1),
+                derivatives: curve(3),
+                formulas: truth::Formulas::new(self.family.pieces.get(span).unwrap_or(&self.family)),
+            }
+        };
+        (0..family.spans()).map(one).collect()
+    }
+
+    /// Whether sines and the like are computed, which every library rounds in its own way.
+    pub fn calls(&self) -> bool {
+        let steps = self.steps();
+        let calls = |steps: &Steps| steps.steps.iter().any(|step| matches!(step, Step::Call(..)));
+        steps.derived().is_some_and(|derived| calls(&derived.steps)) || calls(&steps.values())
     }
 
     fn parameters(&self, range: &basis_engine::algebra::range::Range, floats: Floats) -> Vec<f64> {
@@ -243,8 +347,12 @@ impl Case {
         of: &dyn Fn(f64) -> N,
         to: &dyn Fn(&N) -> f64,
     ) -> Vec<Expected> {
-        let family = self.steps();
+        let whole_family = self.steps();
         let mut all = Vec::new();
+        let scalars = self.scalars(of);
+        let on_spans = self.on_spans(&whole_family);
+        let knots = if on_spans.is_empty() { Vec::new() } else { self.knots(floats) };
+        let exact_shapes: Vec<Rational> = self.shapes.iter().map(|shape| fraction(*shape)).collect();
         let value_bounds: Vec<Option<Error>> =
             value_errors(&self.family).into_iter().map(|known| known.map(|(error, _)| error)).collect();
         let point_bound = point_error(&self.family).map(|(error, _)| error);
@@ -252,11 +360,11 @@ impl Case {
         let largest = |axis: usize| -> f64 {
             points.iter().skip(axis).step_by(DIMENSION).fold(0.0, |most, p| f64::max(most, p.abs()))
         };
-        let bind = family.bind();
+        let bind = whole_family.bind();
         let bound: Vec<Vec<f64>> = (0..DIMENSION)
             .map(|axis| {
                 let input = |input: Input| match input {
-                    Input::Shape(k) => of(self.shapes[k]),
+                    Input::Shape(k) => scalars[k].clone(),
                     Input::Point(k) => of(points[k * DIMENSION + axis]),
                     other => panic!("{other:?}"),
                 };
@@ -264,9 +372,12 @@ impl Case {
             })
             .collect();
         for at in self.samples(floats) {
+            let (span, place) =
+                if on_spans.is_empty() { (0, truth::At::End(0)) } else { place(&knots, at[0]) };
+            let family = &whole_family;
             let number = |steps: &Steps, axis: usize| -> Vec<f64> {
                 let input = |input: Input| match input {
-                    Input::Shape(k) => of(self.shapes[k]),
+                    Input::Shape(k) => scalars[k].clone(),
                     Input::Coordinate(k) => of(at[k]),
                     Input::Bound(k) => of(bound[axis][k]),
                     other => panic!("{other:?}"),
@@ -285,6 +396,49 @@ impl Case {
             let mut push = |what: String, float: f64, exact: Option<(Rational, Rational)>| {
                 all.push(Expected { what: format!("{}: {what} at {at:?}", self.name), float, exact });
             };
+            if let Some(OnSpan { functions, point, derivatives, formulas }) = on_spans.get(span) {
+                let truths = formulas.at(&exact_shapes, &place);
+                for (order, (steps, truths)) in functions.iter().zip(&truths).enumerate() {
+                    let largest = truths.iter().fold(Rational::ONE, |sum, value| &sum + &value.abs());
+                    for (k, (float, truth)) in number(steps, 0).into_iter().zip(truths).enumerate() {
+                        let tolerance = match value_bounds.get(k).cloned().flatten().filter(|_| order == 0) {
+                            Some(Error::Relative(bound)) => &bound * &truth.abs(),
+                            Some(Error::Absolute(bound)) => bound,
+                            None if order == 0 => &measured() * &truth.abs(),
+                            None => &measured() * &largest,
+                        };
+                        let tolerance = &tolerance * &floats.epsilon();
+                        let what = format!("derivative {order} of function {k}");
+                        push(what, float, Some((truth.clone(), tolerance)));
+                    }
+                }
+                let component = |order: usize, axis: usize| {
+                    let terms = truths[order].iter().enumerate();
+                    let terms: Vec<Rational> =
+                        terms.map(|(k, value)| value * &fraction(points[k * DIMENSION + axis])).collect();
+                    let sum = |terms: &[Rational], of: fn(&Rational) -> Rational| {
+                        terms.iter().fold(Rational::ZERO, |sum, term| &sum + &of(term))
+                    };
+                    let size = &sum(&terms, Rational::abs) + &fraction(largest(axis));
+                    let tolerance = match &point_bound {
+                        Some(bound) if order == 0 => bound.epsilons() * &fraction(largest(axis)),
+                        _ => &measured() * &size,
+                    };
+                    (sum(&terms, Rational::clone), &tolerance * &floats.epsilon())
+                };
+                for axis in 0..DIMENSION {
+                    let exact = Some(component(0, axis));
+                    push(format!("component {axis} of the point"), number(point, axis)[0], exact);
+                }
+                for order in 0..3 {
+                    for axis in 0..DIMENSION {
+                        let float = number(derivatives, axis)[order];
+                        let what = format!("component {axis} of derivative {order}");
+                        push(what, float, Some(component(order, axis)));
+                    }
+                }
+                continue;
+            }
             let values = family.values();
             let truth = exact(&values, 0);
             for (k, (float, truth)) in number(&values, 0).into_iter().zip(truth).enumerate() {
@@ -472,6 +626,32 @@ pub fn guide(info: &str, language: &dyn Language) -> (String, String) {
     let listing = page.split(start.as_str()).nth(1).and_then(|rest| rest.split("```").next());
     let quartic = case(Some("quartic"), "QuarticBernstein", &[], "QuarticBernstein", &[0.5]);
     (listing.expect("the guide has it").to_string(), quartic.emit(language))
+}
+
+/// A span of a family of quotients.
+struct OnSpan<'a> {
+    /// The values, first and second derivatives of the functions.
+    functions: [Steps; 3],
+    point: Steps,
+    derivatives: Steps,
+    formulas: truth::Formulas<'a>,
+}
+
+/// The span of a parameter, and where in it the parameter is.
+fn place(knots: &[f64], t: f64) -> (usize, truth::At) {
+    let span = knots[1..knots.len() - 1].iter().filter(|knot| t >= **knot).count();
+    let at = match t {
+        _ if t == knots[span] => truth::At::End(0),
+        _ if t == knots[span + 1] => truth::At::End(1),
+        _ => truth::At::Inside(fraction(t)),
+    };
+    (span, at)
+}
+
+/// The number of ε by which what has no proved bound may be off, of the value itself for functions: those with angles or
+/// several spans, and derivatives. Measured, with a reserve.
+fn measured() -> Rational {
+    Rational::from(48)
 }
 
 /// How a program rounds.

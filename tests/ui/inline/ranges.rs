@@ -10,7 +10,7 @@ basis! {
         b[0] = t;
     }
     family Mixed {
-        domain 0 <= t <= pi/2;
+        shape 0 < α < pi; domain 0 <= t <= α;
         b[0] = t - sin(t);
     }
     family Without {

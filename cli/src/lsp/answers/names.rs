@@ -169,7 +169,7 @@ pub(in crate::lsp) fn rename(
 ) -> Result<WorkspaceEdit, String> {
     prepare(workspace, text, position)?;
     if !is_name(new) {
-        return Err(format!("`{new}` is not a name: write letters and digits, and no word of the language"));
+        return Err(format!("`{new}` is not a name: write letters and digits, but no word of the language"));
     }
     let (name, kind) = meant(text, position).ok_or("there is no name here")?;
     let mut changes: HashMap<Uri, Vec<TextEdit>> = HashMap::new();

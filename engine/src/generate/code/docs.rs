@@ -1,7 +1,7 @@
 //! The documentation of a generated type: formulas, ranges, claims with their verdicts.
 
 use crate::claim::Claim;
-use crate::model::Family;
+use crate::model::{Factor, Family};
 use crate::plural::count;
 use crate::state::{FEW, Verdict, parts};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -31,12 +31,13 @@ pub(in crate::generate) fn family(
     lines.push(String::from("```"));
     lines.push(String::new());
     let mut ranges: Vec<String> = Vec::new();
-    if family.is_simplex() {
-        let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
-        ranges.push(format!("`{} = 1`, all ≥ 0", names.join(" + ")));
-    } else {
-        ranges.extend(family.domain.iter().map(|p| format!("`{}`", family.declared(p))));
-    }
+    ranges.extend(family.factors().mapped(|factor| match factor {
+        Factor::Simplex(..) => {
+            let names: Vec<&str> = factor.variables().map(|p| p.name.as_str()).listed();
+            format!("`{} = 1`, all ≥ 0", names.join(" + "))
+        }
+        Factor::Interval(p) => format!("`{}`", family.declared(p)),
+    }));
     ranges.extend(family.shapes.iter().map(|p| format!("`{}`", family.declared(p))));
     ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
@@ -79,7 +80,7 @@ fn reasons(alike: &[&Verdict]) -> String {
             Verdict::Refuted(witness) => {
                 let point = witness.point();
                 let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
-                format!("refuted: `{}` is {}{place}", witness.of, witness.value)
+                format!("refuted: `{}` is {}{place}", witness.of, witness.value_text())
             }
             Verdict::Undecided(left) => format!("open: {left}"), // of a conjecture; others stop the build
         };

@@ -123,7 +123,7 @@ impl Shell<'_> {
         }
         let ranges: Vec<String> = family.shapes.mapped(|p| family.declared(p));
         let checks = family.shapes.iter().zip(fields).zip(&ranges).map(|((p, field), range)| {
-            let [low, high] = ends(family, p).map(|end| bound(&end, core));
+            let [low, high] = shape_ends(family, p).map(|end| bound(&end, core));
             let parameter = family.name_of(p);
             quote_spanned! {site()=>
                 #field: #runtime::__private::check_shape(#title, #parameter, #field, #low, #high, #range)?
@@ -234,7 +234,7 @@ impl Shell<'_> {
 }
 
 /// The ends of the range of a shape parameter. That of an angle is known as the range of its tangent.
-fn ends(family: &Family, parameter: &Parameter) -> [End; 2] {
+pub(crate) fn shape_ends(family: &Family, parameter: &Parameter) -> [End; 2] {
     let own = [&parameter.range.low, &parameter.range.high];
     let Some(angle) = family.analytic.angle(parameter.var) else { return own.map(End::clone) };
     core::array::from_fn(|k| {

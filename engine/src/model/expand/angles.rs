@@ -3,7 +3,7 @@
 
 use proc_macro2::Span;
 
-use super::build::{Domain, variable};
+use super::domain::{self, Domain, variable};
 use super::shapes::Shapes;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -17,7 +17,7 @@ use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
 use crate::model::words::{PI, is_transcendental};
-use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, RangeDecl, Relation, StatementKind};
+use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -26,12 +26,6 @@ pub(super) fn occur(written: &syntax::Family) -> bool {
     let mut found = parametric_ends(written);
     each_expression(written, &mut |expr| found |= mentions(expr));
     found && !written.statements.iter().any(|s| declares_pi(&s.kind))
-}
-
-/// Whether one of some names stands in an expression.
-fn has_name(expr: &Expr, declared: &dyn Fn(&String) -> bool) -> bool {
-    matches!(&expr.kind, ExprKind::Name(name) if declared(name))
-        || parts(expr).into_iter().any(|part| has_name(part, declared))
 }
 
 /// Whether a shape parameter stands at an end of the domain.
@@ -46,7 +40,7 @@ fn parametric_ends(written: &syntax::Family) -> bool {
         StatementKind::Domain(decls) => decls.as_slice(),
         _ => &[],
     });
-    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| has_name(&limit.value, &declared))
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| limit.value.has_name(&declared))
 }
 
 fn declares_pi(kind: &StatementKind) -> bool {
@@ -58,6 +52,7 @@ fn declares_pi(kind: &StatementKind) -> bool {
             !names.is_empty() && names.iter().all(|name| PI.contains(name))
         }),
         StatementKind::Domain(decls) => decls.iter().any(|d| is_pi(&d.name)),
+        StatementKind::Product(factors) => factors.iter().flat_map(Factor::names).any(is_pi),
         StatementKind::Let(def) => is_pi(&def.name),
         _ => false,
     }
@@ -73,6 +68,9 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Domain(decls) => decls.iter().for_each(|decl| range(decl, with)),
+            StatementKind::Product(factors) => {
+                factors.iter().filter_map(Factor::range).for_each(|decl| range(decl, with));
+            }
             StatementKind::Shape(decls) => {
                 decls.iter().flat_map(|d| &d.parts).for_each(&mut *with);
             }
@@ -102,7 +100,7 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
                 }
                 _ => {}
             },
-            StatementKind::Simplex(_) | StatementKind::Budget(_) => {}
+            StatementKind::Budget(_) => {}
         }
     }
 }
@@ -114,28 +112,13 @@ fn sides(relation: &Relation, with: &mut dyn FnMut(&Expr)) {
     relation.chain.iter().for_each(|(_, side)| with(side));
 }
 
-/// The parts of an expression.
-fn parts(expr: &Expr) -> Vec<&Expr> {
-    match &expr.kind {
-        ExprKind::Number(_) | ExprKind::Name(_) => Vec::new(),
-        ExprKind::Neg(inner) | ExprKind::Each(inner, _) => vec![inner],
-        ExprKind::Sum(terms) => terms.iter().map(|(_, e)| e).listed(),
-        ExprKind::Product(factors) => factors.iter().map(|(_, e)| e).listed(),
-        ExprKind::Power(base, exponent) => vec![base, exponent],
-        ExprKind::Index(base, rest) | ExprKind::Call(base, rest) => {
-            core::iter::once(&**base).chain(rest).listed()
-        }
-        ExprKind::List(all) | ExprKind::Tuple(all) => all.iter().listed(),
-    }
-}
-
 fn mentions(expr: &Expr) -> bool {
     let own = match &expr.kind {
         ExprKind::Name(name) => PI.contains(&name.as_str()),
         ExprKind::Call(callee, _) => matches!(&callee.kind, ExprKind::Name(name) if is_transcendental(name)),
         _ => false,
     };
-    own || parts(expr).into_iter().any(mentions)
+    own || expr.parts().into_iter().any(mentions)
 }
 
 /// The arguments of one variable, or of one number.
@@ -145,6 +128,8 @@ struct Uses {
     by_var: Vec<(Var, Use)>,
     /// Numbers in arguments of exp.
     numbers: Vec<Rational>,
+    /// Shape parameters that stand in functions themselves.
+    beside: Vec<Var>,
 }
 
 #[derive(Clone, Debug)]
@@ -155,6 +140,8 @@ struct Use {
     unit: Rational,
     /// Whether the factors do not go together.
     torn: Option<&'static str>,
+    /// Whether the variable stands in functions itself, too: its tangent is to be bounded then, as bounds for it need.
+    beside: bool,
     span: Span,
 }
 
@@ -190,7 +177,7 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
     probe.recorded = Some(Vec::new());
-    let mut places = Vec::new();
+    let (mut places, mut beside) = (Vec::new(), Vec::new());
     // The angles are the same on all spans, so that their tangents can be compared.
     for k in 0..scope.span.map_or(1, |(_, count)| count) {
         probe.span = scope.span.map(|(_, count)| (k, count));
@@ -199,8 +186,13 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         probe.defined = SortedMap::new();
         probe.lets = SortedMap::new();
         probe_claims(&mut probe, written, &mut places);
+        for var in (0..shapes).map(Var) {
+            if probe.functions.values().flatten().any(|f| f.depends_on(var)) {
+                beside.push(var);
+            }
+        }
     }
-    let mut uses = Uses::default();
+    let mut uses = Uses { beside, ..Uses::default() };
     for Argument { circular, value, span } in probe.recorded.unwrap_or_default() {
         let Some(linear) = Linear::of(&value, probe.analytic.pi) else { continue };
         // Not of a sine of a sine.
@@ -209,7 +201,7 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         }
         let kind = if circular { Kind::Circular } else { Kind::Hyperbolic };
         for (var, factor, turns) in &linear.parts {
-            uses.add(*var, Use { kind, turns: *turns, unit: factor.abs(), torn: None, span });
+            uses.add(*var, Use { kind, turns: *turns, unit: factor.abs(), torn: None, beside: false, span });
         }
         if !circular && !linear.number.is_zero() {
             uses.numbers.push(linear.number.abs());
@@ -296,13 +288,13 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     let (owned, order) = chains(scope, written)?;
     let shapes: Vec<(&RangeDecl, &[String])> = owned.iter().map(|(decl, doc)| (decl, *doc)).listed();
     let mut domain: Vec<(&RangeDecl, &[String])> = Vec::new();
-    let mut simplex = false;
+    let mut product = false;
     for statement in &written.statements {
         match &statement.kind {
             StatementKind::Domain(decls) => {
-                domain.extend(super::build::of_span(scope, decls).iter().map(|d| (d, &statement.doc[..])));
+                domain.extend(domain::of_span(scope, decls).iter().map(|d| (d, &statement.doc[..])));
             }
-            StatementKind::Simplex(_) => simplex = true,
+            StatementKind::Product(_) => product = true,
             _ => {}
         }
     }
@@ -312,8 +304,8 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     for (decl, _) in &shapes {
         slots.push(variable(scope, &decl.name)?);
     }
-    let own = if simplex {
-        Some(super::build::domain(scope, written)?)
+    let own = if product {
+        Some(domain::domain(scope, written)?)
     } else {
         for (decl, _) in &domain {
             let var = variable(scope, &decl.name)?;
@@ -356,9 +348,14 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
             }
         }
     }
+    for var in &uses.beside {
+        if let Some(of) = &mut all[var.0] {
+            of.beside = true;
+        }
+    }
     for (k, of) in all.iter().enumerate() {
         if let Some(Use { torn: Some(what), span, .. }) = of {
-            let error = scope.error(*span, format!("`{}` stands in {what}", names[k]));
+            let error = scope.error(*span, format!("`{}` appears in {what}", names[k]));
             scope.report(
                 error.help("the functions of a family are those of one angle, and of its rational multiples"),
             );
@@ -387,7 +384,10 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
             fine = false;
             continue;
         };
-        let (name, place) = (scope.names[slots[k].0].clone(), scope.place(decl.name.span));
+        // Alone it needs no brackets.
+        let name = &scope.names[slots[k].0];
+        let bare = name.strip_prefix('(').and_then(|name| name.strip_suffix(')'));
+        let (name, place) = (bare.unwrap_or(name).to_string(), scope.place(decl.name.span));
         parameters.push(Parameter { name, doc: doc.to_vec(), place, var: slots[k], range });
     }
     if !fine {
@@ -402,7 +402,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         scope.report(error.help("write `domain 0 <= t <= 1;`"));
         return None;
     }
-    Some((Shapes { parameters, constraints }, own.unwrap_or((domain, None))))
+    Some((Shapes { parameters, constraints }, own.unwrap_or((domain, Vec::new()))))
 }
 
 /// Two parameters of a chain that follow one another: the places of the lower and of the upper one, whether they may be
@@ -590,8 +590,10 @@ fn plain(
             if incomplete {
                 return Some(Range::unit()); // its sine may be what could not be read
             }
-            let error = scope
-                .error(decl.name.span, format!("an end of the range of `{}` is no number", decl.name.text));
+            let error = scope.error(
+                decl.name.span,
+                format!("an end of the range of `{}` is not a number", decl.name.text),
+            );
             scope.report(error.help("ends with `pi`, and shape parameters as ends of the domain, belong to variables that stand in `sin`, `cos`, `exp` and the like"));
             return None;
         }
@@ -602,7 +604,8 @@ fn plain(
         scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
     }
     if at.is_domain && range.finite().is_none_or(|(a, b)| a >= b) {
-        let error = scope.error(decl.name.span, format!("the domain of `{}` is no interval", decl.name.text));
+        let error =
+            scope.error(decl.name.span, format!("the domain of `{}` is not an interval", decl.name.text));
         scope.report(error.help("write both ends, such as `domain 0 <= t <= 1;`"));
         return None;
     }
@@ -775,7 +778,7 @@ fn angle(
                 wrong(
                     scope,
                     format!(
-                        "the end {} of the angle `{name}` is no multiple of pi/2 between -pi and pi",
+                        "the end {} of the angle `{name}` is not a multiple of pi/2 between -pi and pi",
                         end.text
                     ),
                     help,
@@ -790,7 +793,7 @@ fn angle(
                     "ends of an angle are 0 and rational multiples of `pi` up to `pi`: `shape 0 < α < pi;`";
                 wrong(
                     scope,
-                    format!("the end {} of the angle `{name}` is no multiple of pi", end.text),
+                    format!("the end {} of the angle `{name}` is not a multiple of pi", end.text),
                     help,
                 );
                 return None;
@@ -803,7 +806,7 @@ fn angle(
             for shift in &shifts {
                 let finite = |l: &&Bound| {
                     let psi = psi(&rate, of.turns, shift, l).abs();
-                    psi < half || psi == half && !l.included && !at.is_domain
+                    psi < half || psi == half && !l.included && !at.is_domain && !of.beside
                 };
                 if circular && !ends.iter().all(finite) {
                     continue;
@@ -842,7 +845,7 @@ fn angle(
         if of.turns || rates.iter().any(|(r, f)| r.checked_div(f).as_ref() != Some(&rate)) {
             wrong(
                 scope,
-                format!("the ends of the domain of `{name}` are no multiples of one angle"),
+                format!("the ends of the domain of `{name}` are not multiples of one angle"),
                 "write `domain 0 <= t <= α;` or `domain -α <= t <= α;`",
             );
             return None;
@@ -922,18 +925,19 @@ fn angle(
         if !ordered(scope, &ends, known) {
             wrong(
                 scope,
-                format!("the ends of the domain of `{name}` are not seen to be in order"),
+                format!("the ends of the domain of `{name}` could not be proved to be in order"),
                 "let the parameter at the end be positive: `shape 0 < α < pi; domain 0 <= t <= α;`",
             );
             return None;
         }
         new.low = values.first()?.clone();
         new.width = values.last()? - &new.low;
-        let of_end = |k: usize| Angle { name: ends[k].text.clone(), ..new.clone() }.tangent_name();
+        // In brackets, as powers of it may be written.
+        let (x, low, high) = (new.tangent_name(), of_end(&new, ends[0]), of_end(&new, ends[1]));
         scope.names[at.slot.0] = if new.low.is_zero() {
-            format!("{}/{}", new.tangent_name(), of_end(1))
+            format!("({x}/{high})")
         } else {
-            format!("({} - {})/({} - {})", new.tangent_name(), of_end(0), of_end(1), of_end(0))
+            format!("(({x} - {low})/({high} - {low}))")
         };
         let end = |l: &Bound, x: Rational| if l.included { End::Included(x) } else { End::Excluded(x) };
         Range { low: end(ends[0], Rational::ZERO), high: end(ends[1], Rational::ONE) }
@@ -944,6 +948,23 @@ fn angle(
     }
     scope.analytic.angles.push(new);
     Some(range)
+}
+
+/// x at an end of the range, for reading, such as `tan(α/2)`, `tanh(1)` or `(a + h)`.
+fn of_end(angle: &Angle, end: &Bound) -> String {
+    let Linear { number, pi, parts } = &end.value;
+    let alone = parts.is_empty() && angle.shift.is_zero() && !angle.turns;
+    match angle.kind {
+        Kind::Hyperbolic if alone && pi.is_zero() => format!("tanh({})", number * &angle.rate),
+        Kind::Circular if alone && number.is_zero() => {
+            format!("tan({})", multiple_of_pi(&(pi * &angle.rate)))
+        }
+        _ => {
+            let sum = end.text.contains(' ');
+            let name = if sum { format!("({})", end.text) } else { end.text.clone() };
+            Angle { name, ..angle.clone() }.tangent_name()
+        }
+    }
 }
 
 /// Whether the upper of two ends is above the lower one for all values of the parameters.

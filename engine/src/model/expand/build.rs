@@ -2,33 +2,18 @@
 
 use proc_macro2::Span;
 
-use super::{angles, claims, functions, indices, names, shapes, spans};
+use super::domain::domain;
+use super::{angles, claims, functions, indices, names, shapes};
 use crate::algebra::fraction::{Fraction, set_known_factors};
-use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{End, Range};
+use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostics, Place};
-pub(super) use crate::model::formula::numbers::checked_range;
-use crate::model::formula::numbers::{budget_value, range_of};
+use crate::model::formula::numbers::budget_value;
 use crate::model::scope::{Scope, Stage};
-use crate::model::{Family, Function, Library, Parameter};
+use crate::model::{Family, Function, Library};
 use crate::source::SourceId;
-use crate::syntax::{self, Name, RangeDecl, StatementKind};
-use basis_prover::collections::list::{Listed, Mapped};
-
-/// Expands a family of one order; `None`, or anything with messages, cannot be used.
-pub(crate) fn family<'a>(
-    library: &'a Library<'a>,
-    unit: usize,
-    source: SourceId,
-    written: &'a syntax::Family,
-    order: &[i64],
-) -> (Option<Family>, Diagnostics) {
-    match spans::spans(written) {
-        Some(decls) => spans::family(library, (unit, source), written, order, decls),
-        None => piece(library, (unit, source), written, order, None),
-    }
-}
+use crate::syntax::{self, Factor, StatementKind};
+use basis_prover::collections::list::Listed;
 
 /// Expands a family of one order on one span; `span` is its number among how many.
 pub(super) fn piece<'a>(
@@ -54,7 +39,9 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
             StatementKind::Domain(ranges) => {
                 scope.coming.extend(ranges.iter().map(|range| range.name.text.clone()));
             }
-            StatementKind::Simplex(names) => scope.coming.extend(names.iter().map(|name| name.text.clone())),
+            StatementKind::Product(factors) => {
+                scope.coming.extend(factors.iter().flat_map(Factor::names).map(|name| name.text.clone()));
+            }
             _ => {}
         }
     }
@@ -84,7 +71,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         return None;
     }
     indices::check_indices(scope, written);
-    let (shapes, (domain, dependent)) = (shapes?, domain?);
+    let (shapes, (domain, simplices)) = (shapes?, domain?);
     // A function whose formula went wrong is left out here; the family is then not used, except to look for
     // more mistakes in its claims.
     let functions: Vec<Function> = scope
@@ -108,7 +95,7 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
         constraints: shapes.constraints,
         determined: scope.determined.clone(),
         domain,
-        dependent,
+        simplices,
         analytic: scope.analytic.clone(),
         function_name: scope.function_name.clone(),
         written: lines_of_functions(scope, written, functions.len()),
@@ -147,138 +134,6 @@ fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> 
     Some(over.numer().normalized())
 }
 
-/// The range of the span that is expanded.
-pub(super) fn of_span<'d>(scope: &Scope<'_>, decls: &'d [RangeDecl]) -> &'d [RangeDecl] {
-    scope.span.and_then(|(k, _)| decls.get(k..=k)).unwrap_or(decls)
-}
-
-/// The independent domain variables, and the last barycentric coordinate of a simplex.
-pub(super) type Domain = (Vec<Parameter>, Option<Parameter>);
-
-/// The domain variables come after the shape parameters: the independent ones, and the last barycentric
-/// coordinate of a simplex.
-pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<Domain> {
-    let mut found: Option<(Span, Option<Domain>)> = None;
-    for statement in &written.statements {
-        if !matches!(statement.kind, StatementKind::Domain(_) | StatementKind::Simplex(_)) {
-            continue;
-        }
-        if let Some((first, _)) = &found {
-            let first = scope.place(*first);
-            let error = scope
-                .error(statement.span, "the domain is declared twice")
-                .also(first, "first declared here");
-            scope.report(
-                error.help("list several variables in one statement: `domain 0 <= u <= 1, 0 <= v <= 1;`"),
-            );
-            continue;
-        }
-        let domain = match &statement.kind {
-            StatementKind::Domain(decls) => {
-                let decls = of_span(scope, decls);
-                intervals(scope, decls, &statement.doc).map(|list| (list, None))
-            }
-            StatementKind::Simplex(names) => simplex(scope, names, &statement.doc),
-            _ => None,
-        };
-        found = Some((statement.span, domain));
-    }
-    match found {
-        Some((_, domain)) => domain,
-        // The domain may be what could not be read.
-        None if written.incomplete => None,
-        None => {
-            let error =
-                scope.error(written.name.span, format!("the family `{}` has no domain", written.name.text));
-            scope.report(error.help("write `domain 0 <= t <= 1;`"));
-            None
-        }
-    }
-}
-
-fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Option<Vec<Parameter>> {
-    let mut domain = Some(Vec::new());
-    for decl in decls {
-        let range = range(scope, decl);
-        let variable = variable(scope, &decl.name);
-        let bounded = range.filter(|range| {
-            let bounded = range.finite().is_some_and(|(a, b)| a < b);
-            if !bounded {
-                let name = &decl.name.text;
-                let error = match range.finite() {
-                    Some((a, b)) if a == b => scope
-                        .error(decl.name.span, format!("the domain of `{name}` is a single point"))
-                        .help(format!("let the upper end be above {a}")),
-                    _ => {
-                        let end = |end: &End, other: &str| {
-                            end.value().map_or_else(|| String::from(other), Rational::to_string)
-                        };
-                        let (a, b) = (end(&range.low, "0"), end(&range.high, "1"));
-                        scope
-                            .error(decl.name.span, format!("the domain of `{name}` has no end on one side"))
-                            .help(format!("write both ends, such as `domain {a} <= {name} <= {b};`"))
-                    }
-                };
-                scope.report(error);
-            }
-            bounded
-        });
-        match (bounded, variable, &mut domain) {
-            (Some(range), Some(var), Some(list)) => {
-                scope.domain.push(var);
-                if let Some((low, high)) = range.finite() {
-                    scope.ends.push((Fraction::constant(low.clone()), Fraction::constant(high.clone())));
-                }
-                let place = scope.place(decl.name.span);
-                list.push(Parameter { name: decl.name.text.clone(), doc: doc.to_vec(), place, var, range });
-            }
-            (_, var, _) => {
-                scope.domain.extend(var);
-                domain = None;
-            }
-        }
-    }
-    domain
-}
-
-fn simplex(scope: &mut Scope<'_>, names: &[Name], doc: &[String]) -> Option<Domain> {
-    let mut all = Vec::new();
-    for name in names {
-        let var = variable(scope, name)?;
-        scope.domain.push(var);
-        let place = scope.place(name.span);
-        all.push(Parameter { name: name.text.clone(), doc: doc.to_vec(), place, var, range: Range::unit() });
-    }
-    let last = all.pop()?;
-    scope.domain = all.mapped(|p| p.var);
-    scope.dependent = Some(last.var);
-    Some((all, Some(last)))
-}
-
-/// The most shape parameters and domain variables of a family.
-const MAX_VARIABLES: usize = 64;
-
-/// A new variable, unless the name is taken.
-pub(super) fn variable(scope: &mut Scope<'_>, name: &Name) -> Option<Var> {
-    if scope.names.len() >= MAX_VARIABLES {
-        if scope.names.len() == MAX_VARIABLES {
-            // A name that nothing can have: said once, and unknown names are those that have no room.
-            scope.names.push(String::new());
-            scope.unread.insert(0, String::new());
-            let message =
-                format!("a family has at most {MAX_VARIABLES} shape parameters and domain variables");
-            scope.report(scope.error(name.span, message));
-        }
-        return None;
-    }
-    if !scope.check_free(name) {
-        return None;
-    }
-    let var = Var(scope.names.len());
-    scope.names.push(name.text.clone());
-    Some(var)
-}
-
 fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     let mut budget = 1;
     for statement in &written.statements {
@@ -286,13 +141,6 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
         budget = names::attempt(scope, &mut |scope| budget_value(scope, value)).unwrap_or(budget);
     }
     budget
-}
-
-/// The declared range, with exact ends.
-fn range(scope: &mut Scope<'_>, decl: &RangeDecl) -> Option<Range> {
-    names::attempt(scope, &mut |scope| {
-        range_of(scope, decl.name.span, decl.low.as_ref(), decl.high.as_ref(), &|| decl.name.text.clone())
-    })
 }
 
 /// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its own, or the spec

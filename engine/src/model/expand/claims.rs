@@ -16,23 +16,9 @@ use crate::model::formula::phase::Linear;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Family, Library, Parameter, chart, label};
+use crate::model::{Barycentric, Family, Library, Parameter, chart, label};
 use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
-
-/// The claims of a family that is expanded; claims with errors are left out and reported.
-pub(crate) fn claims<'a>(
-    library: &'a Library<'a>,
-    unit: usize,
-    written: &'a syntax::Family,
-    family: &Family,
-) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
-    if family.pieces.is_empty() {
-        on_span(library, unit, written, family, None)
-    } else {
-        spans::claims(library, unit, written, family)
-    }
-}
 
 /// The claims of a family on one span, which has a number among those of all.
 pub(super) fn on_span<'a>(
@@ -298,8 +284,7 @@ fn neighbour(
     span: Span,
 ) -> Option<Joint> {
     if !family.constraints.is_empty() {
-        let error =
-            scope.error(span, "a neighbour with other shape values is not among those that are assumed");
+        let error = scope.error(span, "a neighbour with other shape values violates what is assumed");
         scope.report(error.help("state the joint in a `theorem`, or for equal shape values"));
         return None;
     }
@@ -418,7 +403,7 @@ fn exceptions(
         }
         let fixed = values.mapped(|(v, x)| (*v, Fraction::constant(x.clone())));
         if let (Some(first), true) = (exception.first(), family.pieces(&fixed, &[], true).is_empty()) {
-            assumed_away(scope, family, first.name.span, "an exception has values that are not assumed");
+            assumed_away(scope, family, first.name.span, "an exception violates what is assumed");
             return None;
         }
         all.push(values);
@@ -509,7 +494,7 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
                 return None;
             }
             Some(_) => {}
-            None if scope.dependent.is_some() && scope.is_domain_variable(var) => {
+            None if scope.simplex_of(var).is_some() => {
                 let error =
                     scope.error(binding.value.span, format!("`{name}` is fixed to something that varies"));
                 scope.report(
@@ -522,7 +507,8 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
         fixed.push((var, value));
     }
     let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
-    let fixed = independent(scope, fixed, span)?;
+    let simplices = scope.simplices.clone();
+    let fixed = simplices.iter().try_fold(fixed, |fixed, own| independent(scope, own, fixed, span))?;
     for (k, (var, value)) in fixed.iter().enumerate() {
         if let Some((user, _)) = fixed.iter().find(|(_, value)| value.depends_on(*var)) {
             let name = scope.names[var.0].clone();
@@ -541,7 +527,7 @@ fn fixed(scope: &mut Scope<'_>, family: &Family, bindings: &[Binding]) -> Option
     }
     if !family.constraints.is_empty() && family.pieces(&fixed, &[], true).is_empty() {
         scope.pending.truncate(pending);
-        assumed_away(scope, family, span, "the block fixes values that are not assumed");
+        assumed_away(scope, family, span, "the block fixes values that violate what is assumed");
         return None;
     }
     Some(fixed)
@@ -594,28 +580,28 @@ fn fixed_angle(
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.
 fn independent(
     scope: &Scope<'_>,
+    simplex: &Barycentric,
     mut fixed: Vec<(Var, Fraction)>,
     span: Span,
 ) -> Option<Vec<(Var, Fraction)>> {
-    let Some(dependent) = scope.dependent else { return Some(fixed) };
-    let given =
-        fixed.iter().filter(|(v, _)| scope.is_domain_variable(*v)).filter_map(|(_, f)| f.as_constant());
+    let (own, dependent) = (&scope.domain[simplex.places.clone()], simplex.last.var);
+    let given = fixed.iter().filter(|(v, _)| own.contains(v) || *v == dependent);
     // What the given coordinates leave for the others.
-    let left = given.fold(Rational::ONE, |left, c| &left - &c);
+    let left = given.filter_map(|(_, f)| f.as_constant()).fold(Rational::ONE, |left, c| &left - &c);
     let last = fixed.iter().position(|(v, _)| *v == dependent).map(|k| fixed.remove(k).1);
     let coordinate = |fixed: &[(Var, Fraction)], var: Var| {
         fixed.iter().find(|(v, _)| *v == var).map_or_else(|| Fraction::var(var), |(_, f)| f.clone())
     };
     let one = Fraction::constant(Rational::ONE);
     if let Some(last) = last {
-        match scope.domain.iter().rev().find(|v| fixed.iter().all(|(f, _)| f != *v)) {
+        match own.iter().rev().find(|v| fixed.iter().all(|(f, _)| f != *v)) {
             Some(free) => {
-                let others = scope.domain.iter().filter(|v| *v != free);
+                let others = own.iter().filter(|v| *v != free);
                 let value = others.fold(&one - &last, |rest, v| &rest - &coordinate(&fixed, *v));
                 fixed.push((*free, value));
             }
             None => {
-                let sum = scope.domain.iter().fold(last, |sum, v| &sum + &coordinate(&fixed, *v));
+                let sum = own.iter().fold(last, |sum, v| &sum + &coordinate(&fixed, *v));
                 if sum != one {
                     let error = scope.error(
                         span,
@@ -635,9 +621,8 @@ fn independent(
     }
     // At a corner nothing is left for the other coordinates.
     if left.is_zero() {
-        fixed.retain(|(_, f)| scope.domain.iter().all(|v| !f.depends_on(*v)));
-        let free: Vec<Var> =
-            scope.domain.iter().copied().filter(|v| fixed.iter().all(|(f, _)| f != v)).listed();
+        fixed.retain(|(var, f)| !own.contains(var) || own.iter().all(|v| !f.depends_on(*v)));
+        let free: Vec<Var> = own.iter().copied().filter(|v| fixed.iter().all(|(f, _)| f != v)).listed();
         fixed.extend(free.into_iter().map(|v| (v, Fraction::zero())));
     }
     Some(fixed)

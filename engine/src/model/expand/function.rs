@@ -1,8 +1,10 @@
 //! One function of a family: its value, and those that follow by permuting indices and barycentric coordinates.
 
 use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
 use crate::model::label;
 use crate::model::scope::{PlannedFunction, Scope};
+use crate::plural::list;
 use crate::syntax::FunctionDef;
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
@@ -45,21 +47,37 @@ pub(super) fn give_up(scope: &mut Scope<'_>, index: &[i64]) {
 
 /// Defines all functions that follow by permuting indices and barycentric coordinates together.
 fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: &Fraction) -> bool {
-    let corners = scope.domain.len() + 1;
     if !numbered_corners(scope, def) {
-        let error = scope
-            .error(def.name.span, "`permute` needs a simplex and one index for each barycentric coordinate");
-        scope.report(error.help("declare `domain triangle (u, v, w);` and write `permute b[2,1,0] = …;`"));
+        let names: Vec<String> = scope.factors().concat().mapped(|var| scope.names[var.0].clone());
+        let error = if scope.simplices.len() < scope.factors().len() && !scope.simplices.is_empty() {
+            let zeros = vec!["0"; names.len() - 1].join(",");
+            scope
+                .error(def.name.span, "`permute` needs one index for each coordinate of the domain")
+                .help(format!("write one for each of {}: `permute b[1,{zeros}] = …;`", list(&names)))
+        } else {
+            scope
+                .error(
+                    def.name.span,
+                    "`permute` needs a simplex and one index for each barycentric coordinate",
+                )
+                .help("declare `domain triangle (u, v, w);` and write `permute b[2,1,0] = …;`")
+        };
+        scope.report(error);
         return false;
     }
+    let coordinates = scope.factors().concat();
     let mut new: SortedMap<Vec<i64>, Fraction> = SortedMap::new();
-    for order in orders(corners) {
-        let mut moved = vec![0; corners];
+    let vars = scope.domain.clone();
+    for order in exchanges(scope) {
+        let mut moved = vec![0; order.len()];
         for (from, to) in order.iter().enumerate() {
             moved[*to] = index[from];
         }
-        let vars = scope.domain.clone();
-        let by: Vec<Fraction> = order[..corners - 1].mapped(|to| scope.barycentric(*to));
+        let place = |var: &Var| coordinates.iter().position(|c| c == var).unwrap_or(0);
+        let by: Vec<Fraction> = vars.mapped(|var| {
+            let to = coordinates[order[place(var)]];
+            scope.last_of(to).map_or_else(|| Fraction::var(to), |simplex| scope.last_coordinate(simplex))
+        });
         let Some(value) = scope.put(value, &vars, &by, def.value.span) else { return false };
         match new.get(&moved) {
             Some(other) if *other != value => {
@@ -87,13 +105,27 @@ fn permutations(scope: &mut Scope<'_>, def: &FunctionDef, index: &[i64], value: 
 
 /// Whether a definition is one of functions that have an index for each corner of a simplex, and for all permutations.
 pub(super) fn numbered_corners(scope: &Scope<'_>, def: &FunctionDef) -> bool {
-    def.permute && scope.dependent.is_some() && def.indices.len() == scope.domain.len() + 1
+    def.permute && !scope.index_places(def.indices.len()).is_empty()
 }
 
-/// All permutations of an index, each once.
-pub(super) fn permuted(index: &[i64]) -> Vec<Vec<i64>> {
-    let mut all = orders(index.len()).mapped(|order| order.mapped(|k| index[*k]));
+/// All permutations of an index, each once: of the places that belong to a simplex among themselves.
+pub(super) fn permuted(scope: &Scope<'_>, index: &[i64]) -> Vec<Vec<i64>> {
+    let mut all = exchanges(scope).mapped(|order| order.mapped(|k| index[*k]));
     sort_unique(&mut all);
+    all
+}
+
+/// All orders of the coordinates of the domain that exchange those of a simplex among themselves.
+fn exchanges(scope: &Scope<'_>) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = vec![Vec::new()];
+    for factor in scope.factors() {
+        let own = orders(factor.len());
+        let longer = |start: &Vec<usize>| {
+            let more = |order: &Vec<usize>| [&start[..], &order.mapped(|k| start.len() + k)].concat();
+            own.mapped(more)
+        };
+        all = all.iter().flat_map(longer).listed();
+    }
     all
 }
 

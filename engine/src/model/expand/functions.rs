@@ -8,7 +8,7 @@ use super::function::{numbered_corners, permuted};
 use super::indices::{MAX_FUNCTIONS, check_indices, sizes};
 use super::names;
 use crate::model::scope::{Definition, Needed, PlannedFunction, Scope};
-use crate::model::tuples::{grid, multi_indices};
+use crate::model::tuples::numbered;
 use crate::model::{Family, Function, label};
 use crate::plural::{count, indices};
 use crate::syntax::{self, Binding, FunctionDef, StatementKind};
@@ -177,7 +177,7 @@ fn plan<'a>(scope: &mut Scope<'a>, def: &'a FunctionDef) {
     }
     for function in all {
         let indices = if numbered_corners(scope, def) {
-            permuted(&function.index)
+            permuted(scope, &function.index)
         } else {
             vec![function.index.clone()]
         };
@@ -372,7 +372,7 @@ fn order_before(scope: &Scope<'_>, written: &syntax::Family, lowest: i64, wanted
     family.filter(|f| f.analytic.is_empty() && scope.analytic.is_empty())
 }
 
-/// The indices of the next order: on a simplex those with a sum greater by one, else one more in each place.
+/// The indices of the next order: those of a simplex with a sum greater by one, else one more in each place.
 fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<Vec<Vec<i64>>> {
     let last = scope.functions.keys().next_back()?.clone();
     if last.len() != width {
@@ -384,11 +384,8 @@ fn raised_indices(scope: &Scope<'_>, def: &FunctionDef, width: usize) -> Option<
         scope.report(scope.error(def.name.span, message).help("use as many names as there are indices"));
         return None;
     }
-    let indices = if scope.dependent.is_some() && width == scope.domain.len() + 1 {
-        multi_indices(width, last.iter().sum::<i64>() + 1, MAX_FUNCTIONS)
-    } else {
-        grid(&sizes(scope).mapped(|s| s + 1), MAX_FUNCTIONS)
-    };
+    let sizes = sizes(scope).mapped(|s| s + 1);
+    let indices = numbered(&scope.index_places(width), &last, 1, &sizes, MAX_FUNCTIONS);
     if indices.len() > MAX_FUNCTIONS {
         scope.report(
             scope.error(def.name.span, format!("the family has more than {MAX_FUNCTIONS} functions")),

@@ -3,29 +3,30 @@
 use crate::diagnostic::Diagnostic;
 use crate::model::label;
 use crate::model::scope::Scope;
-use crate::model::tuples::{grid, multi_indices};
+use crate::model::tuples::numbered;
 use crate::plural::list;
 use crate::syntax;
 use basis_prover::collections::list::Listed;
+use core::ops::Range;
 
 /// More functions than this are refused.
 pub(crate) const MAX_FUNCTIONS: usize = 512;
 
-/// Whether indices run from 0 without a gap: on a simplex with one index for each corner all tuples of one sum, else
-/// every place on its own. Reports what is missing.
+/// Whether indices run from 0 without a gap: with one index for each coordinate those of a simplex are all tuples of one
+/// sum, else every place is on its own. Reports what is missing.
 pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool {
     // A formula that went wrong has left out the rest of its loop.
     let (false, Some(width)) = (scope.cut_short, scope.functions.keys().next().map(Vec::len)) else {
         return true;
     };
-    let corners = scope.dependent.is_some() && width == scope.domain.len() + 1;
-    if corners && let Some(error) = other_sum(scope) {
+    let places = scope.index_places(width);
+    if let Some(error) = places.iter().filter(|own| own.len() > 1).find_map(|own| other_sum(scope, own)) {
         scope.report(error);
         return false;
     }
-    let sum = scope.functions.keys().next().map_or(0, |index| index.iter().sum());
-    let wanted =
-        if corners { multi_indices(width, sum, MAX_FUNCTIONS) } else { grid(&sizes(scope), MAX_FUNCTIONS) };
+    let first = scope.functions.keys().next().cloned().unwrap_or_default();
+    let sum = first.iter().sum();
+    let wanted = numbered(&places, &first, 0, &sizes(scope), MAX_FUNCTIONS);
     let missing: Vec<&Vec<i64>> =
         wanted.iter().filter(|index| !scope.functions.contains_key(*index)).listed();
     if missing.is_empty() {
@@ -40,8 +41,10 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
     let last = scope.defined.values().max_by_key(|definition| definition.place);
     let span = last.map_or(written.name.span, |definition| definition.span);
     let error = scope.error(span, format!("{} {verb} missing", list(&names)));
-    scope.report(if corners {
+    scope.report(if let [_] = places.as_slice() {
         on_simplex(scope, error, &missing, sum)
+    } else if !places.is_empty() {
+        on_product(scope, error, &places, &first)
     } else {
         let last = scope.functions.keys().next_back().map(|i| label(&scope.function_name, i));
         let error = error.label(format!("indices go up to `{}`", last.unwrap_or_default()));
@@ -53,9 +56,9 @@ pub(crate) fn check_indices(scope: &Scope<'_>, written: &syntax::Family) -> bool
     false
 }
 
-/// On a simplex: the first function whose indices have another sum than those of most others.
-fn other_sum(scope: &Scope<'_>) -> Option<Diagnostic> {
-    let sum = |index: &[i64]| index.iter().sum::<i64>();
+/// The first function whose indices at the places of a simplex have another sum there than those of most others.
+fn other_sum(scope: &Scope<'_>, own: &Range<usize>) -> Option<Diagnostic> {
+    let sum = |index: &[i64]| index[own.clone()].iter().sum::<i64>();
     let mut sums = scope.functions.keys().map(|index| sum(index));
     let first = sums.next()?;
     if sums.all(|other| other == first) {
@@ -67,8 +70,9 @@ fn other_sum(scope: &Scope<'_>) -> Option<Diagnostic> {
     let (most, _) = functions.iter().rev().max_by_key(|(index, _)| others(sum(index)))?;
     let (odd, definition) = functions.iter().find(|(index, _)| sum(index) != sum(most))?;
     let name = |index| label(&scope.function_name, index);
+    let of = if own.len() == most.len() { String::new() } else { format!(" in {}", coordinates(scope, own)) };
     let message = format!(
-        "the indices of `{}` sum to {}, those of `{}` to {}",
+        "the indices of `{}`{of} sum to {}, those of `{}` to {}",
         name(odd),
         sum(odd),
         name(most),
@@ -76,6 +80,37 @@ fn other_sum(scope: &Scope<'_>) -> Option<Diagnostic> {
     );
     let error = scope.error(definition.span, message);
     Some(error.help("on a simplex the indices of all functions have the same sum"))
+}
+
+/// The coordinates to which some places of an index belong, `(u, v, w)` or `z`.
+fn coordinates(scope: &Scope<'_>, own: &Range<usize>) -> String {
+    let all = scope.factors().concat();
+    let names: Vec<&str> = all[own.clone()].iter().map(|var| scope.names[var.0].as_str()).listed();
+    if names.len() == 1 { names.concat() } else { format!("({})", names.join(", ")) }
+}
+
+/// What to write for functions that are missing on a product of simplices and intervals.
+fn on_product(scope: &Scope<'_>, error: Diagnostic, places: &[Range<usize>], first: &[i64]) -> Diagnostic {
+    let sizes = sizes(scope);
+    let (mut shown, mut loops) = (Vec::new(), Vec::new());
+    let mut letters =
+        ["i", "j", "k", "l", "m", "p", "q", "r", "s", "a", "c", "d", "e", "f", "g", "h"].into_iter();
+    for own in places {
+        let names: Vec<&str> = letters.by_ref().take(own.len()).listed();
+        let of = coordinates(scope, own);
+        if own.len() == 1 {
+            shown.push(format!("that of {of} goes up to {}", sizes[own.start] - 1));
+            loops.push(format!("{} in 0..={}", names.concat(), sizes[own.start] - 1));
+        } else {
+            let sum: i64 = first[own.clone()].iter().sum();
+            shown.push(format!("those of {of} sum to {sum}"));
+            loops.push(format!("{} in simplex({sum})", names.join(", ")));
+        }
+    }
+    error.label(format!("of the indices {}", list(&shown))).help(format!(
+        "define one function for each index `for {}`, or number the functions with one index",
+        loops.join(", ")
+    ))
 }
 
 /// What to write for functions that are missing on a simplex.
@@ -105,7 +140,10 @@ fn too_few_names(scope: &Scope<'_>, width: usize, sum: i64) -> Option<String> {
         return None;
     }
     let name = &scope.function_name;
-    Some(match (scope.dependent.is_some(), scope.domain.len()) {
+    if scope.simplices.len() < scope.factors().len() && !scope.simplices.is_empty() {
+        return None;
+    }
+    Some(match (!scope.simplices.is_empty(), scope.domain.len()) {
         (true, 2) => format!(
             "a triangle has three coordinates: write `{name}[i, j, k] = … for i, j, k in simplex({sum});`"
         ),

@@ -1,13 +1,16 @@
-//! From a family as it is written to the family itself: its domain (`build`, with angles `angles`), its shape parameters
-//! (`shapes`), its functions (`functions`, by loops and by recursion, `function` a single one), all of them in any order
-//! (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
+//! From a family as it is written to the family itself: its domain (`domain`, with angles `angles`, with several spans
+//! `spans`), its shape parameters (`shapes`), its functions (`functions`, by loops and by recursion, `function` a single
+//! one), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
+//! `build` puts one span together, `whole` all of them.
 
 pub(crate) mod angles;
-pub(crate) mod build;
-pub(crate) mod claims;
+mod build;
+mod claims;
+mod domain;
 mod function;
 mod functions;
 mod indices;
 pub(crate) mod names;
 mod shapes;
 pub(crate) mod spans;
+pub(crate) mod whole;

@@ -6,18 +6,21 @@ use basis_kernel::{Relation, Statement as Proposition};
 use proc_macro2::Span;
 use std::rc::Rc;
 
-use super::build::{checked_range, variable};
+use super::domain::variable;
 use super::names::attempt;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::model::chart::{self, Constraint, Piece};
+use crate::model::formula::numbers::checked_range;
 use crate::model::formula::print::Printer;
 use crate::model::obligation::Goal;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
-use crate::syntax::{self, Comparison, Expr, ExprKind, Name, Relation as Written, ShapeDecl, StatementKind};
+use crate::syntax::{
+    self, Comparison, Expr, ExprKind, Factor, Name, Relation as Written, ShapeDecl, StatementKind,
+};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -223,8 +226,7 @@ fn constrain(
     shapes: &mut Shapes,
 ) -> Option<()> {
     let Some(value) = value.as_poly() else {
-        let error =
-            scope.error(span, "a parameter stands below a fraction line in a condition on shape values");
+        let error = scope.error(span, "a denominator contains a parameter in a condition on shape values");
         scope.report(error.help("multiply by it: write the condition with polynomials"));
         return None;
     };
@@ -358,7 +360,9 @@ impl Others {
         for statement in &written.statements {
             match &statement.kind {
                 StatementKind::Domain(decls) => domain.extend(decls.iter().map(|d| d.name.text.clone())),
-                StatementKind::Simplex(names) => domain.extend(names.iter().map(|name| name.text.clone())),
+                StatementKind::Product(factors) => {
+                    domain.extend(factors.iter().flat_map(Factor::names).map(|name| name.text.clone()));
+                }
                 StatementKind::Shape(decls) => later.extend(decls.iter().filter_map(own_name)),
                 _ => {}
             }

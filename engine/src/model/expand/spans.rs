@@ -3,18 +3,11 @@
 
 use std::rc::Rc;
 
-use super::build;
-use super::claims;
 use crate::algebra::fraction::Fraction;
-use crate::claim::{Claim, ClaimKind};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::Family;
 use crate::model::angle::Kind;
-use crate::model::obligation::Obligation;
 use crate::model::scope::Scope;
-use crate::model::{Family, Library};
-use crate::source::SourceId;
 use crate::syntax::{self, RangeDecl, StatementKind};
-use basis_prover::collections::list::Listed;
 
 /// The ranges of a domain of several spans: those of one variable that is named more than once.
 pub(super) fn spans(written: &syntax::Family) -> Option<&[RangeDecl]> {
@@ -26,95 +19,6 @@ pub(super) fn spans(written: &syntax::Family) -> Option<&[RangeDecl]> {
     rest.iter().any(|d| d.name.text == first.name.text).then_some(decls)
 }
 
-/// Claims look at each span beside all others.
-const MAX_SPANS: usize = 200;
-
-/// Expands a family on several spans.
-pub(super) fn family<'a>(
-    library: &'a Library<'a>,
-    (unit, source): (usize, SourceId),
-    written: &'a syntax::Family,
-    order: &[i64],
-    decls: &[RangeDecl],
-) -> (Option<Family>, Diagnostics) {
-    let mut diagnostics = Diagnostics::default();
-    let wrong = |span, message: String, help: &str| {
-        Diagnostic::error(library.place(source, span), message).help(help)
-    };
-    let own = &decls[0].name.text;
-    if let Some(other) = decls.iter().find(|d| d.name.text != *own) {
-        let message = format!("spans are those of one variable: `{own}` is named more than once");
-        diagnostics.push(wrong(
-            other.name.span,
-            message,
-            "a family has several spans, or several domain variables",
-        ));
-        return (None, diagnostics);
-    }
-    if let Some(decl) = decls.get(MAX_SPANS) {
-        let message = format!("a family has at most {MAX_SPANS} spans");
-        let help = "split the domain, or write one family for each part";
-        diagnostics.push(wrong(decl.name.span, message, help));
-        return (None, diagnostics);
-    }
-    let formulas = written.statements.iter().filter_map(|s| match &s.kind {
-        StatementKind::Function(def) => Some(def),
-        _ => None,
-    });
-    for def in formulas {
-        let count = 1 + def.further.len();
-        if count > 1 && count != decls.len() {
-            let message = format!(
-                "{} for {}",
-                crate::plural::count(count, "formula"),
-                crate::plural::count(decls.len(), "span")
-            );
-            let help = "write one formula for each span, separated by `|`, or one for all of them";
-            diagnostics.push(wrong(def.name.span, message, help));
-        }
-    }
-    for pair in decls.windows(2) {
-        let closed = |limit: &Option<syntax::Limit>| limit.as_ref().is_some_and(|l| l.included);
-        if !closed(&pair[0].high) || !closed(&pair[1].low) {
-            let help = "write `domain 0 <= x <= 1, 1 <= x <= 3;`";
-            diagnostics.push(wrong(
-                pair[1].name.span,
-                String::from("an inner knot belongs to both of its spans"),
-                help,
-            ));
-        }
-    }
-    if !diagnostics.is_empty() {
-        return (None, diagnostics);
-    }
-    let mut pieces: Vec<Rc<Family>> = Vec::new();
-    for k in 0..decls.len() {
-        let (piece, errors) = build::piece(library, (unit, source), written, order, Some((k, decls.len())));
-        let Some(piece) = piece.filter(|_| errors.is_empty()) else { return (None, errors) };
-        pieces.push(Rc::new(piece));
-    }
-    for (k, pair) in pieces.windows(2).enumerate() {
-        let (Some((_, end)), Some((start, _))) = (ends(&pair[0]), ends(&pair[1])) else { continue };
-        if end != start {
-            let (end, start) = (end.display(&pair[0].names), start.display(&pair[1].names));
-            let message = format!("the spans do not touch: one ends at {end}, the next begins at {start}");
-            let help = "write the spans in their order, each beginning where the one before ends";
-            diagnostics.push(wrong(decls[k + 1].name.span, message, help));
-            return (None, diagnostics);
-        }
-    }
-    let mut whole = Family::clone(&pieces[0]);
-    for piece in &pieces[1..] {
-        for obligation in &piece.obligations {
-            if whole.obligations.iter().all(|known| known.goal != obligation.goal) {
-                whole.obligations.push(obligation.clone());
-            }
-        }
-    }
-    whole.pieces = pieces;
-    (Some(whole), diagnostics)
-}
-
 /// The two ends of the domain of a family on an interval in the variable itself.
 pub(crate) fn ends(family: &Family) -> Option<(Fraction, Fraction)> {
     let (var, low, high) = family.interval()?;
@@ -123,54 +27,6 @@ pub(crate) fn ends(family: &Family) -> Option<(Fraction, Fraction)> {
         Some(angle) if angle.kind == Kind::Linear => (angle.low.clone(), &angle.low + &angle.width),
         Some(angle) => (angle.limits[0].clone(), angle.limits[1].clone()),
     })
-}
-
-/// The claims of a family on several spans: each on all spans together.
-pub(super) fn claims<'a>(
-    library: &'a Library<'a>,
-    unit: usize,
-    written: &'a syntax::Family,
-    family: &Family,
-) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
-    let mut by_span = Vec::new();
-    let mut obligations = family.obligations.clone();
-    for (k, piece) in family.pieces.iter().enumerate() {
-        let spans = Some((k, &family.pieces[..]));
-        let (all, more, errors) = claims::on_span(library, unit, written, piece, spans);
-        if !errors.is_empty() {
-            return (Vec::new(), obligations, errors);
-        }
-        for obligation in more {
-            if obligations.iter().all(|known| known.goal != obligation.goal) {
-                obligations.push(obligation);
-            }
-        }
-        by_span.push(all);
-    }
-    let mut diagnostics = Diagnostics::default();
-    let mut result: Vec<Claim> = Vec::new();
-    for (number, statement) in written.statements.iter().enumerate() {
-        let StatementKind::Claim(claim) = &statement.kind else { continue };
-        let of = |all: &Vec<Claim>| all.iter().filter(|c| c.statement.number.0 == number).cloned().listed();
-        let parts: Vec<(usize, Vec<Claim>)> =
-            by_span.iter().map(of).enumerate().filter(|(_, all)| !all.is_empty()).listed();
-        let Some((_, first)) = parts.first() else {
-            if matches!(claim.kind, syntax::ClaimKind::At(..)) {
-                let place = library.place_to(family.source, statement.span, statement.last);
-                let message = "the point lies in none of the spans";
-                diagnostics.push(Diagnostic::error(place, message).help("choose a point of the domain"));
-            }
-            continue;
-        };
-        for (j, claim) in first.iter().enumerate() {
-            let whole =
-                matches!(claim.kind, ClaimKind::Symmetric | ClaimKind::Independent(_) | ClaimKind::Smooth(_));
-            let kinds = parts.iter().filter_map(|(k, all)| Some((*k, all.get(j)?.kind.clone()))).listed();
-            let kind = if whole { claim.kind.clone() } else { ClaimKind::Spans(kinds) };
-            result.push(Claim { kind, ..claim.clone() });
-        }
-    }
-    (result, obligations, diagnostics)
 }
 
 /// Whether the spans of a family are their own mirror image, and none is one of angles.

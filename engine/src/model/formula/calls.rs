@@ -6,9 +6,9 @@ use proc_macro2::Span;
 use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
-use crate::model::Family;
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope};
-use crate::plural::{count, here};
+use crate::model::{Barycentric, Family};
+use crate::plural::{count, here, list};
 use crate::syntax::{Expr, ExprKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -149,18 +149,13 @@ impl Scope<'_> {
             self.report(error.help(format!("write one for each coordinate: `(…)({})`", names.join(", "))));
             return None;
         }
+        let sizes = |simplices: &[Barycentric]| simplices.iter().map(|s| s.places.clone()).listed();
         let alike =
-            family.domain.len() == self.domain.len() && family.is_simplex() == self.dependent.is_some();
+            family.domain.len() == self.domain.len() && sizes(&family.simplices) == sizes(&self.simplices);
         if arguments.is_none() && !alike {
-            let kind = |simplex: bool, n: usize| match (simplex, n) {
-                (true, 2) => String::from("a triangle"),
-                (true, _) => String::from("a tetrahedron"),
-                (false, 1) => String::from("an interval"),
-                (false, n) => format!("a box in {n} variables"),
-            };
-            let theirs = kind(family.is_simplex(), family.domain.len());
-            let ours = kind(self.dependent.is_some(), self.domain.len());
-            let error = self.error(span, format!("`{name}` lives on {theirs}, this family on {ours}"));
+            let theirs = kind(family.domain.len(), &family.simplices);
+            let ours = kind(self.domain.len(), &self.simplices);
+            let error = self.error(span, format!("`{name}` is defined on {theirs}, this family on {ours}"));
             let names: Vec<&str> = family.domain_variables().map(|p| p.name.as_str()).listed();
             self.report(error.help(format!(
                 "give its functions arguments, such as `{}({})`, or compare with a family on the same domain",
@@ -210,11 +205,8 @@ impl Scope<'_> {
             for argument in arguments {
                 values.push(self.scalar(argument)?);
             }
-            if family.is_simplex() {
-                self.check_corners(&values, span)?;
-                values.pop();
-            }
-            by.extend(values);
+            let factors = family.factors().mapped(|f| f.variables().count());
+            by.extend(self.independent_of(&factors, &values, span)?);
         }
         // The other family's shape parameters stand aside until their values take their places, so that no value
         // is substituted into another; different variables take them at once.
@@ -226,7 +218,7 @@ impl Scope<'_> {
             (0..by.len()).map(|k| plain[k].filter(|_| renamed).unwrap_or_else(|| aside(k))).listed();
         if arguments.is_none() {
             names.extend(self.domain.iter().map(|v| self.itself(*v)));
-            names.extend(family.dependent.as_ref().and(self.dependent));
+            names.extend(self.simplices.iter().map(|s| s.last.var));
         }
         // An index outside of the family is reported with the whole list.
         let only = only.filter(|index| family.functions.iter().any(|f| f.index == **index));
@@ -252,5 +244,26 @@ impl Scope<'_> {
             list.push((f.index.clone(), value));
         }
         Some(Value::List(list))
+    }
+}
+
+/// What a domain is: `an interval`, `a box in 2 variables`, `a product of a triangle and an interval`.
+fn kind(variables: usize, simplices: &[Barycentric]) -> String {
+    let mut factors = Vec::new();
+    let mut k = 0;
+    while k < variables {
+        let simplex = simplices.iter().find(|s| s.places.start == k);
+        let len = simplex.map_or(1, |s| s.places.len());
+        factors.push(String::from(match (simplex.is_some(), len) {
+            (false, _) => "an interval",
+            (true, 2) => "a triangle",
+            (true, _) => "a tetrahedron",
+        }));
+        k += len;
+    }
+    match factors.as_slice() {
+        [only] => only.clone(),
+        _ if simplices.is_empty() => format!("a box in {variables} variables"),
+        _ => format!("a product of {}", list(&factors)),
     }
 }

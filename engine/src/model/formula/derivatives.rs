@@ -36,12 +36,13 @@ impl Scope<'_> {
             let name = name.as_deref();
             match (name, steps.last_mut()) {
                 (Some(name), _) => match self.variable_called(name) {
-                    Some(var) if self.dependent == Some(var) => {
+                    Some(var) if self.last_of(var).is_some() => {
                         let error = self.error(
                             argument.span,
                             format!("`{name}` depends on the other barycentric coordinates"),
                         );
-                        let names: Vec<&str> = self.domain.mapped(|v| self.names[v.0].as_str());
+                        let places = self.last_of(var).map_or(0..0, |s| s.places.clone());
+                        let names: Vec<&str> = self.domain[places].mapped(|v| self.names[v.0].as_str());
                         let own =
                             if self.function_name.is_empty() { "b" } else { self.function_name.as_str() };
                         self.report(error.help(along_edges(own, &names, name)));

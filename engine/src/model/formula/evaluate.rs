@@ -155,9 +155,8 @@ impl Scope<'_> {
             {
                 return Some(Value::Scalar(angle.tangent()));
             }
-            let dependent = self.dependent == Some(var);
-            let value = if dependent { self.barycentric(self.domain.len()) } else { Fraction::var(var) };
-            return Some(Value::Scalar(value));
+            let last = self.last_of(var).map(|simplex| self.last_coordinate(simplex));
+            return Some(Value::Scalar(last.unwrap_or_else(|| Fraction::var(var))));
         }
         if let Some((_, value)) = self.determined.iter().find(|(n, _)| n == name) {
             return self.copy(&Value::Scalar(value.clone()), span);
@@ -255,7 +254,7 @@ impl Scope<'_> {
 
     fn quotient(&mut self, a: Value, b: Value, span: Span) -> Option<Value> {
         let Value::Scalar(divisor) = b else {
-            self.report(self.error(span, "a list cannot stand below a fraction line"));
+            self.report(self.error(span, "a list cannot be a denominator"));
             return None;
         };
         self.check_divisor(&divisor, span)?;
@@ -566,12 +565,12 @@ impl Scope<'_> {
 
     /// f(x): the function with an argument in place of the domain variable.
     fn apply(&mut self, value: Value, arguments: &[Expr], span: Span) -> Option<Value> {
-        let all = self.domain.len() + usize::from(self.dependent.is_some());
+        let factors = self.factors();
+        let all = factors.iter().map(Vec::len).sum();
         if arguments.len() != all {
             let expected = count(all, "argument");
             let error = self.error(span, format!("the functions take {expected}, {}", here(arguments.len())));
-            let variables: Vec<&str> =
-                self.domain.iter().chain(&self.dependent).map(|v| self.names[v.0].as_str()).listed();
+            let variables: Vec<&str> = factors.iter().flatten().map(|v| self.names[v.0].as_str()).listed();
             self.report(
                 error.help(format!("write one for each coordinate: `(…)({})`", variables.join(", "))),
             );
@@ -581,10 +580,7 @@ impl Scope<'_> {
         for argument in arguments {
             by.push(self.scalar(argument)?);
         }
-        if self.dependent.is_some() {
-            self.check_corners(&by, span)?;
-            by.pop();
-        }
+        let by = self.independent_of(&factors.mapped(Vec::len), &by, span)?;
         match value {
             Value::Scalar(f) => Some(Value::Scalar(self.at_arguments(&f, &by, span)?)),
             Value::List(list) => {
@@ -597,8 +593,29 @@ impl Scope<'_> {
         }
     }
 
+    /// The arguments in place of the independent variables of a domain whose factors have these numbers of variables.
+    /// Those in place of the coordinates of a simplex sum to 1.
+    pub(crate) fn independent_of(
+        &self,
+        factors: &[usize],
+        arguments: &[Fraction],
+        span: Span,
+    ) -> Option<Vec<Fraction>> {
+        let mut independent = Vec::new();
+        let mut rest = arguments;
+        for count in factors {
+            let (own, others) = rest.split_at(*count);
+            rest = others;
+            if *count > 1 {
+                self.check_corners(own, span)?;
+            }
+            independent.extend_from_slice(&own[..(*count - 1).max(1)]);
+        }
+        Some(independent)
+    }
+
     /// Barycentric coordinates sum to 1.
-    pub(crate) fn check_corners(&self, coordinates: &[Fraction], span: Span) -> Option<()> {
+    fn check_corners(&self, coordinates: &[Fraction], span: Span) -> Option<()> {
         let sum = coordinates.iter().fold(Fraction::zero(), |sum, f| &sum + f);
         if sum == Fraction::constant(Rational::ONE) {
             return Some(());
@@ -769,17 +786,19 @@ fn map(value: Value, with: impl Fn(&Fraction) -> Fraction) -> Value {
 /// What is wrong with a function that the recursion reads and that does not exist; `None` when it lies outside of the
 /// order before, which has no gap and whose functions are 0 elsewhere.
 fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
-    let corners = scope.dependent.is_some() && index.len() == scope.domain.len() + 1;
-    if !corners || index.iter().any(|i| *i < 0) {
+    if index.iter().any(|i| *i < 0) {
         return None;
     }
-    let (sum, before) =
-        (index.iter().sum::<i64>(), scope.functions.keys().next().map_or(0, |other| other.iter().sum()));
+    let other = scope.functions.keys().next()?;
+    let places = scope.index_places(index.len());
+    let sums = places.into_iter().filter(|own| own.len() > 1).map(|own| {
+        let sum = |index: &[i64]| index[own.clone()].iter().sum::<i64>();
+        (sum(index), sum(other))
+    });
+    let (sum, before) = { sums }.find(|(sum, before)| sum != before)?;
     let wanted = label(&scope.function_name, index);
-    (sum != before).then(|| {
-        (
-            format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
-            "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
-        )
-    })
+    Some((
+        format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
+        "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
+    ))
 }

@@ -22,7 +22,7 @@ fn factorial(n: u32) -> Rational {
 }
 
 /// What an integral that cannot be written down is answered with.
-const LEAVES: &str = "integrals of polynomials are exact; multiply by what stands below the fraction line";
+const LEAVES: &str = "integrals of polynomials are exact; multiply by the denominator";
 
 impl Scope<'_> {
     /// integral(f), integral(f, t, a, b).
@@ -104,7 +104,7 @@ impl Scope<'_> {
     /// The integral over several spans, the sum of those over each.
     fn over_spans(&mut self, arguments: &[Expr], span: Span) -> Option<Value> {
         let Some((pieces, written)) = self.siblings.clone() else {
-            let error = self.error(span, "an integral over several spans stands in claims only");
+            let error = self.error(span, "an integral over several spans is allowed in claims only");
             self.report(error.help("write the number that it is"));
             return None;
         };
@@ -151,7 +151,7 @@ impl Scope<'_> {
             return None;
         };
         let var = self.variable_called(name);
-        if self.dependent.is_some() && var.is_some_and(|v| self.is_domain_variable(v)) {
+        if var.is_some_and(|v| self.simplex_of(v).is_some()) {
             let error = self.error(expr.span, "on a simplex an integral is over all of it");
             self.report(
                 error.help("write `integral(x)`; with w = 1 - u - v in place of w every variable matters"),
@@ -211,19 +211,26 @@ impl Scope<'_> {
 
     /// The integral over the whole domain.
     fn over_domain_of(&self, f: &Fraction, span: Span) -> Option<Fraction> {
-        if self.dependent.is_none() {
-            let mut value = f.clone();
-            for (var, (low, high)) in self.domain.iter().zip(&self.ends) {
+        let mut value = f.clone();
+        for (var, (low, high)) in self.domain.iter().zip(&self.ends) {
+            if self.simplex_of(*var).is_none() {
                 value = self.between(&value, *var, low, high, span)?;
             }
-            return Some(value);
         }
-        self.check_integrand(f, &self.domain, span)?;
+        for simplex in &self.simplices {
+            value = self.over_simplex(&value, &self.domain[simplex.places.clone()], span)?;
+        }
+        Some(value)
+    }
+
+    /// The integral over a simplex with these independent coordinates.
+    fn over_simplex(&self, f: &Fraction, coordinates: &[Var], span: Span) -> Option<Fraction> {
+        self.check_integrand(f, coordinates, span)?;
         self.fits(self.budget.spend(f.numer().len() as u64), span)?;
         let terms = f.numer().terms().map(|(m, c)| {
             let mut value = c.clone();
-            let (mut rest, mut sum) = (m.clone(), self.domain.len() as u32);
-            for var in &self.domain {
+            let (mut rest, mut sum) = (m.clone(), coordinates.len() as u32);
+            for var in coordinates {
                 let exponent = u32::from(m.exponent(*var));
                 value *= &factorial(exponent);
                 rest = rest.with_exponent(*var, 0);
@@ -240,7 +247,7 @@ impl Scope<'_> {
         let Some(var) = vars.iter().find(|v| f.denom().depends_on(**v)) else { return Some(()) };
         let name = &self.names[var.0];
         let error = self.error(span, "the integral is not a rational number or function");
-        self.report(error.label(format!("`{name}` stands below a fraction line")).help(LEAVES));
+        self.report(error.label(format!("`{name}` is in a denominator")).help(LEAVES));
         None
     }
 }

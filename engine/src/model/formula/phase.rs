@@ -119,8 +119,14 @@ impl Scope<'_> {
         for (var, factor, turns) in &psi.parts {
             let name = &self.names[var.0];
             let Some(angle) = self.analytic.angles.iter().find(|a| a.itself == *var && a.kind == kind) else {
+                if !self.simplices.is_empty() && self.analytic.angles.iter().all(|a| a.itself != *var) {
+                    return Err((
+                        format!("`{name}` stands in `sin`, `exp` or the like beside a simplex"),
+                        String::from("angles and exponentials belong to families on intervals and boxes"),
+                    ));
+                }
                 return Err((
-                    format!("`{name}` stands in `sin` or `cos` and in `exp`, `sinh` or `cosh`"),
+                    format!("`{name}` appears in `sin` or `cos` and in `exp`, `sinh` or `cosh`"),
                     String::from("one of the two in a family, for each variable"),
                 ));
             };
@@ -129,7 +135,7 @@ impl Scope<'_> {
             let Some(n) = n.filter(|n| n.abs() <= MAX_MULTIPLE) else {
                 return Err((
                     format!(
-                        "this is no multiple of the angle `{}` in which the family is expanded",
+                        "this is not a multiple of the angle `{}` in which the family is expanded",
                         angle.tangent_name()
                     ),
                     String::from("arguments of sin and cos are rational multiples of one angle"),

@@ -6,16 +6,18 @@ use basis_prover::collections::sort::sort_by;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
-use basis_prover::Coordinate;
+use basis_prover::{Coordinate, simple};
 
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::diagnostic::{Diagnostic, Place};
-use crate::model::angle::Angle;
+use crate::model::angle::{Angle, Kind};
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
+use crate::model::enclosure::{self, Anchor, From};
 use crate::model::obligation::{Goal, Obligation, Open};
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope, Subject};
 
@@ -129,6 +131,24 @@ impl Scope<'_> {
         Ok(())
     }
 
+    /// A denominator with all numbers between their bounds in place of angles beside their sines.
+    fn between_bounds(&self, divisor: &Poly, domain: &Domain) -> Option<(Poly, Rc<Domain>)> {
+        const LEVEL: u32 = 5;
+        const WORK: u64 = 20_000_000;
+        let mut domain = domain.clone();
+        let typical = domain.region.ranges.mapped(|(var, range)| (*var, simple(range)));
+        let (mut p, work) = (divisor.clone(), &mut Work::new(WORK));
+        for angle in self.analytic.angles.iter().rev() {
+            if angle.kind != Kind::Linear && angle.itself != angle.var && p.depends_on(angle.itself) {
+                let range = domain.region.range(angle.var);
+                let from = From { anchor: Anchor::Zero, range: &range, n: LEVEL, typical: &typical };
+                p = enclosure::without(&p, &self.analytic, angle, &from, true, work)?.pop()?;
+                domain.region.ranges.push((angle.itself, Range::unit()));
+            }
+        }
+        Some((p, Rc::new(domain)))
+    }
+
     /// A denominator must not vanish anywhere on the declared ranges.
     fn decide_divisor(
         &mut self,
@@ -144,10 +164,16 @@ impl Scope<'_> {
         let known = self.library.text_at(place).is_some_and(|text| says_the_same(text, &shown));
         let label = if known { String::new() } else { format!("this is {shown}") };
         let labelled = |error: Diagnostic| error.label(label.clone());
-        let goal = piece.pull_back(divisor).map(|p| Goal::Nonzero(p, Rc::clone(domain)));
+        let mixed = |a: &Angle| a.kind != Kind::Linear && a.itself != a.var && divisor.depends_on(a.itself);
+        let beside_itself = self.analytic.angles.iter().any(mixed);
+        let goal = if beside_itself {
+            self.between_bounds(divisor, domain).and_then(|(p, domain)| Some((piece.pull_back(&p)?, domain)))
+        } else {
+            piece.pull_back(divisor).map(|p| (p, Rc::clone(domain)))
+        };
+        let goal = goal.map(|(p, domain)| Goal::Nonzero(p, domain));
         let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
-        let beside_itself = |a: &Angle| divisor.depends_on(a.itself) && divisor.depends_on(a.var);
-        if matches!(judged, Err(Open::Fails(_))) && self.analytic.angles.iter().any(beside_itself) {
+        if matches!(judged, Err(Open::Fails(_))) && beside_itself {
             // The point need not be one: the variable and its tangent were taken apart.
             let why = "a variable stands beside its own sine or exponential in it";
             judged = Err(Open::Undecided(String::from(why)));

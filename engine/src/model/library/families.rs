@@ -10,7 +10,7 @@ use crate::advice::did_you_mean;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::model::Family;
 use crate::model::budget::{SPLIT, TooLarge};
-use crate::model::expand::{build, claims};
+use crate::model::expand::whole;
 use crate::model::scope::Scope;
 use crate::model::unused;
 use crate::subject::{Item, Subject};
@@ -98,7 +98,7 @@ impl Library<'_> {
         self.check_order(home, family, order)?;
         self.counts_as_family(home, family.name.span).ok_or(None)?;
         self.active.borrow_mut().push(key.clone());
-        let (result, diagnostics) = build::family(self, home, self.units[home].source, family, order);
+        let (result, diagnostics) = whole::family(self, home, self.units[home].source, family, order);
         self.active.borrow_mut().pop();
         let clean = diagnostics.is_empty();
         self.report_all(at_order(diagnostics, family, order));
@@ -222,7 +222,7 @@ impl Library<'_> {
         let family = self.family(MAIN, name, order)?;
         let (home, position) = self.find(MAIN, name).ok_or(None)?;
         let written = self.units[home].family(position).ok_or(None)?;
-        let (claims, obligations, diagnostics) = claims::claims(self, home, written, &family);
+        let (claims, obligations, diagnostics) = whole::claims(self, home, written, &family);
         self.report_all(at_order(diagnostics, written, order));
         Ok(Item { subject: Subject::Family(family), obligations, claims })
     }

@@ -2,6 +2,7 @@
 //! errors found on the way. How an expression is evaluated is the business of `formula`.
 
 use core::cell::RefCell;
+use core::ops::Range;
 
 use proc_macro2::Span;
 
@@ -10,7 +11,7 @@ use super::budget::{Budget, SPLIT, TooLarge};
 use super::formula::Value;
 use super::obligation::Obligation;
 use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC, PI, is_transcendental};
-use super::{Family, Function, Library};
+use super::{Barycentric, Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -125,10 +126,10 @@ pub(crate) struct Scope<'a> {
     pub(crate) domain: Vec<Var>,
     /// The names of the domain variables, known before these are.
     pub(crate) coming: Vec<String>,
-    /// The ends of their ranges, in the same order; of a simplex none.
+    /// The ends of their ranges, in the same order; of barycentric coordinates 0 and 1.
     pub(crate) ends: Vec<(Fraction, Fraction)>,
-    /// The last barycentric coordinate of a simplex.
-    pub(crate) dependent: Option<Var>,
+    /// The simplices among the factors of the domain.
+    pub(crate) simplices: Vec<Barycentric>,
     /// What goes beyond quotients of polynomials: angles, π.
     pub(crate) analytic: Analytic,
     /// Which of several spans is expanded, and how many there are.
@@ -223,7 +224,7 @@ impl Scope<'_> {
     pub(crate) fn is_domain_variable(&self, var: Var) -> bool {
         let angle = self.analytic.angles.iter().find(|a| a.itself == var);
         let var = angle.map_or(var, |a| a.var);
-        self.domain.contains(&var) || self.dependent == Some(var)
+        self.domain.contains(&var) || self.last_of(var).is_some()
     }
 
     /// Whether a function depends on the domain.
@@ -243,15 +244,59 @@ impl Scope<'_> {
         self.constants.iter().rev().find(|(n, _)| n == name).map(|(_, v)| *v)
     }
 
-    /// A barycentric coordinate by its place; the last one is 1 minus the others.
-    pub(crate) fn barycentric(&self, place: usize) -> Fraction {
-        match self.domain.get(place) {
-            Some(var) => Fraction::var(*var),
-            None => {
-                let one = Fraction::constant(Rational::ONE);
-                self.domain.iter().fold(one, |rest, var: &Var| &rest - &Fraction::var(*var))
+    /// The simplex whose last barycentric coordinate a variable is.
+    pub(crate) fn last_of(&self, var: Var) -> Option<&Barycentric> {
+        self.simplices.iter().find(|s| s.last.var == var)
+    }
+
+    /// The simplex to which a variable belongs.
+    pub(crate) fn simplex_of(&self, var: Var) -> Option<&Barycentric> {
+        self.simplices.iter().find(|s| s.last.var == var || self.domain[s.places.clone()].contains(&var))
+    }
+
+    /// The last barycentric coordinate of a simplex: 1 minus the others.
+    pub(crate) fn last_coordinate(&self, simplex: &Barycentric) -> Fraction {
+        let one = Fraction::constant(Rational::ONE);
+        let others = &self.domain[simplex.places.clone()];
+        others.iter().fold(one, |rest, var: &Var| &rest - &Fraction::var(*var))
+    }
+
+    /// All domain variables in the order of the spec, of each simplex all barycentric coordinates: for each factor its
+    /// variables.
+    pub(crate) fn factors(&self) -> Vec<Vec<Var>> {
+        let mut all = Vec::new();
+        let mut k = 0;
+        while let Some(var) = self.domain.get(k) {
+            match self.simplices.iter().find(|s| s.places.start == k) {
+                Some(simplex) => {
+                    let mut own = self.domain[simplex.places.clone()].to_vec();
+                    own.push(simplex.last.var);
+                    all.push(own);
+                    k = simplex.places.end;
+                }
+                None => {
+                    all.push(vec![*var]);
+                    k += 1;
+                }
             }
         }
+        all
+    }
+
+    /// For each factor of the domain the places of its coordinates in an index with one place for each coordinate; nothing
+    /// where there is no simplex, or an index of this length numbers otherwise.
+    pub(crate) fn index_places(&self, width: usize) -> Vec<Range<usize>> {
+        if self.simplices.is_empty() || width != self.domain.len() + self.simplices.len() {
+            return Vec::new();
+        }
+        let mut next = 0;
+        self.factors()
+            .into_iter()
+            .map(|own| {
+                next += own.len();
+                next - own.len()..next
+            })
+            .listed()
     }
 
     /// What already has this name, for an error when it is declared again.
@@ -423,7 +468,7 @@ impl Scope<'_> {
             domain: Vec::new(),
             coming: Vec::new(),
             ends: Vec::new(),
-            dependent: None,
+            simplices: Vec::new(),
             analytic: Analytic::default(),
             span: None,
             siblings: None,
@@ -454,7 +499,7 @@ impl Scope<'_> {
         scope.names.clone_from(&family.names);
         scope.domain = family.domain.mapped(|p| p.var);
         scope.ends = family.ends();
-        scope.dependent = family.dependent.as_ref().map(|p| p.var);
+        scope.simplices.clone_from(&family.simplices);
         scope.analytic.clone_from(&family.analytic);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {

@@ -8,7 +8,8 @@ use crate::algebra::poly::{Poly, PolyExt, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{ClaimKind, Joint};
-use crate::model::Family;
+use crate::model::angle::Kind;
+use crate::model::{Factor, Family, Parameter};
 use crate::plural::abbreviated;
 use crate::state::verdict::Witness;
 
@@ -23,7 +24,7 @@ pub(super) fn partition_of_unity(family: &Family, work: &mut Work) -> Option<Vec
 }
 
 /// On an interval bᵢ(t) = bₙ₋ᵢ(low + high − t), on a box the same in every variable; on a simplex any two corners
-/// can be exchanged together with their indices, and so all of them.
+/// can be exchanged together with their indices, and so all of them. On a product the same in every factor.
 pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
     for motion in motions(family) {
@@ -55,10 +56,7 @@ pub(crate) fn moves(family: &Family) -> Vec<(usize, usize, Vec<Poly>)> {
     let mut all = Vec::new();
     for motion in motions(family) {
         for (k, function) in family.functions.iter().enumerate() {
-            let mut arguments: Vec<Poly> = motion.by.mapped(|(_, p)| p.clone());
-            if family.is_simplex() {
-                arguments.push(arguments.iter().fold(Poly::one(), |rest, p| &rest - p));
-            }
+            let arguments = motion.all_arguments(family);
             match motion.index(&function.index) {
                 Some(moved) => {
                     let other = family.functions.iter().position(|f| f.index == moved);
@@ -116,6 +114,25 @@ impl Motion {
         Some(moved)
     }
 
+    /// The new values of all domain variables in their order.
+    #[cfg(any(test, feature = "tools"))]
+    fn all_arguments(&self, family: &Family) -> Vec<Poly> {
+        let of =
+            |p: &Parameter| self.by.iter().filter(|(v, _)| *v == p.var).map(|(_, by)| by.clone()).listed();
+        let mut all = Vec::new();
+        for factor in family.factors() {
+            let (independent, is_simplex) = match factor {
+                Factor::Interval(only) => (core::slice::from_ref(only), false),
+                Factor::Simplex(independent, _) => (independent, true),
+            };
+            let own: Vec<Poly> = independent.iter().flat_map(of).listed();
+            let rest = own.iter().fold(Poly::one(), |rest, p| &rest - p);
+            all.extend(own);
+            all.extend(is_simplex.then_some(rest));
+        }
+        all
+    }
+
     /// The function at the moved point.
     fn apply(&self, f: &Fraction) -> Option<Fraction> {
         // First the variables that take the places of others, all at once; then at most one that takes the place of an
@@ -150,57 +167,87 @@ impl Motion {
     }
 }
 
-/// Motions that generate all symmetries of the domain.
+/// Motions that generate all symmetries of the domain: of each factor by itself.
 fn motions(family: &Family) -> Vec<Motion> {
     let Some(last) = family.functions.last().map(|f| f.index.clone()) else { return Vec::new() };
-    let one =
-        |(k, p): (usize, &Poly), at: usize, value: &Poly| if k == at { value.clone() } else { p.clone() };
-    let vars: Vec<Var> = family.domain.mapped(|p| p.var);
-    let mut identity: Vec<Poly> = vars.mapped(|v| Poly::var(*v));
+    let factors = family.factors();
+    let count = |factor: &Factor<'_>| factor.variables().count();
+    let numbered = last.len() == factors.iter().map(count).sum::<usize>();
     let mut all = Vec::new();
-    if family.is_simplex() {
-        let rest = identity.iter().fold(Poly::one(), |rest, p| &rest - p);
-        let names: Vec<String> = family.domain_variables().map(|p| p.name.clone()).listed();
-        identity.push(rest);
-        let numbered = last.len() == names.len();
-        for k in 0..vars.len() {
-            let (mut moved, mut arguments) = (identity.clone(), names.clone());
-            moved.swap(k, k + 1);
-            arguments.swap(k, k + 1);
-            let by = vars.iter().copied().zip(moved).listed();
-            all.push(Motion {
-                by,
-                angles: Vec::new(),
-                arguments,
-                places: numbered.then_some((k, k + 1)),
-                last: last.clone(),
-            });
+    let mut place = 0;
+    for factor in &factors {
+        match factor {
+            Factor::Interval(variable) => all.extend(reversal(family, variable, place, &last)),
+            Factor::Simplex(independent, dependent) => {
+                for k in 0..independent.len() {
+                    all.push(exchange(family, (independent, dependent), k, place, &last));
+                }
+            }
         }
-        return all;
+        place += count(factor);
     }
-    for (k, variable) in family.domain.iter().enumerate() {
-        let Some((low, high)) = variable.range.finite() else { continue };
-        let angle = family.analytic.angle(variable.var);
-        let angles = angle.map_or_else(Vec::new, |a| a.mirror.clone());
-        let reversed = match angle {
-            Some(_) => Poly::var(variable.var),
-            None => &Poly::constant(low + high) - &Poly::var(variable.var),
-        };
-        let moved: Vec<Poly> = identity.iter().enumerate().map(|e| one(e, k, &reversed)).listed();
-        let argument = |(j, p): (usize, &Poly)| match (j == k, angles.last()) {
-            (true, Some((_, itself))) => itself.display(&family.names),
-            _ => p.display(&family.names).to_string(),
-        };
-        let arguments = moved.iter().enumerate().map(argument).listed();
-        all.push(Motion {
-            by: vars.iter().copied().zip(moved).listed(),
-            angles,
-            arguments,
-            places: (last.len() == vars.len()).then_some((k, k)),
-            last: last.clone(),
-        });
+    for motion in &mut all {
+        motion.places = motion.places.filter(|_| numbered);
     }
     all
+}
+
+/// The names of all domain variables, or what stands in their places.
+fn arguments(family: &Family, by: &dyn Fn(&Parameter) -> Option<String>) -> Vec<String> {
+    family.domain_variables().map(|p| by(p).unwrap_or_else(|| family.name_of(p).to_string())).listed()
+}
+
+/// Two neighbouring coordinates of a simplex are exchanged, the independent ones followed by the dependent one; they begin
+/// at a place of the index.
+fn exchange(
+    family: &Family,
+    (independent, dependent): (&[Parameter], &Parameter),
+    k: usize,
+    place: usize,
+    last: &[i64],
+) -> Motion {
+    let mut moved: Vec<Poly> = independent.mapped(|p| Poly::var(p.var));
+    moved.push(moved.iter().fold(Poly::one(), |rest, p| &rest - p));
+    moved.swap(k, k + 1);
+    let pair = [&independent[k], independent.get(k + 1).unwrap_or(dependent)];
+    let by = family.domain.iter().map(|p| {
+        let own = independent.iter().position(|q| q.var == p.var);
+        (p.var, own.map_or_else(|| Poly::var(p.var), |j| moved[j].clone()))
+    });
+    Motion {
+        by: by.listed(),
+        angles: Vec::new(),
+        arguments: arguments(family, &|p| {
+            let at = pair.iter().position(|q| q.var == p.var)?;
+            Some(pair[1 - at].name.clone())
+        }),
+        places: Some((place + k, place + k + 1)),
+        last: last.to_vec(),
+    }
+}
+
+/// An interval is reversed, whose variable has a place in the index.
+fn reversal(family: &Family, variable: &Parameter, place: usize, last: &[i64]) -> Option<Motion> {
+    let (low, high) = variable.range.finite()?;
+    let angle = family.analytic.angle(variable.var);
+    let angles = angle.map_or_else(Vec::new, |a| a.mirror.clone());
+    let reversed = match angle {
+        Some(_) => Poly::var(variable.var),
+        None => &Poly::constant(low + high) - &Poly::var(variable.var),
+    };
+    let shown = match (angles.last(), angle) {
+        (Some(_), Some(a)) if a.ends[0] == "0" => format!("{} - {}", a.ends[1], a.name),
+        (Some((_, itself)), _) => itself.display(&family.names),
+        (None, _) => reversed.display(&family.names).to_string(),
+    };
+    let own = |p: &Parameter| if p.var == variable.var { reversed.clone() } else { Poly::var(p.var) };
+    Some(Motion {
+        by: family.domain.iter().map(|p| (p.var, own(p))).listed(),
+        angles,
+        arguments: arguments(family, &|p| (p.var == variable.var).then(|| shown.clone())),
+        places: Some((place, place)),
+        last: last.to_vec(),
+    })
 }
 
 /// Neighbouring segments over control points P[0], P[1], … and P[1], P[2], … have the same derivatives of every order
@@ -208,7 +255,7 @@ fn motions(family: &Family) -> Vec<Motion> {
 /// vanishes. `None` where a value has no form.
 pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
-    let (var, low, high) = family.interval()?;
+    let (var, ..) = family.interval()?;
     let len = family.functions.len();
     let [low_text, high_text] = family.end_texts()?;
     let at = |k: usize, order: u32, upper: bool| {
@@ -217,13 +264,7 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
         for _ in 0..order {
             value = family.derivative_within(&value, var, work)?;
         }
-        let end = if upper { high } else { low };
-        let value = value.substitute(var, &Fraction::constant(end.clone()))?;
-        // The variable itself, beside its sine or exponential, ends there too.
-        match family.analytic.angle(var) {
-            Some(angle) => value.substitute(angle.itself, &angle.limits[usize::from(upper)]),
-            None => Some(value),
-        }
+        family.at_end(&value, upper, work)
     };
     let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
@@ -274,9 +315,11 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
 /// What it means that an expression is not as claimed.
 pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec<String> {
     let of = &witness.of;
-    let here = witness.point();
+    let point = witness.point();
+    let here = if point.is_empty() { String::new() } else { format!("at {point} ") };
+    let place = if point.is_empty() { String::new() } else { format!(" at {point}") };
     if !matches!(witness.refutation().statement(), Statement::Zero { .. }) {
-        return vec![format!("`{of}` is {} at {here}", witness.value_text())];
+        return vec![format!("`{of}` is {}{place}", witness.value_text())];
     }
     let expressions =
         basis_prover::working(family.budget, &mut |work| super::expressions(family, kind, work));
@@ -286,20 +329,23 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
     if let ClaimKind::Continuity(joint) = kind {
         names.extend(joint.free.iter().map(|p| p.name.clone()));
     }
+    // A formula in tangents of halves is not what was written, and long.
+    let in_tangents =
+        family.analytic.angles.iter().any(|a| a.kind != Kind::Linear && difference.depends_on(a.var));
     let shown = abbreviated(&difference.display(&names));
+    let is_number = difference.as_constant().is_some();
     match kind {
         ClaimKind::PartitionOfUnity => {
             let one = Fraction::constant(Rational::ONE);
-            vec![
-                format!(
-                    "the sum of the functions is `{}`",
-                    abbreviated(&(&difference + &one).display(&family.names))
-                ),
-                match &witness.shown {
-                    Some(value) => format!("at {here} it is 1 + {value}"),
-                    None => format!("at {here} it is {}", &witness.value + &Rational::ONE),
-                },
-            ]
+            let value = match &witness.shown {
+                Some(value) => format!("1 + {value}"),
+                None => (&witness.value + &Rational::ONE).to_string(),
+            };
+            if in_tangents {
+                return vec![format!("the sum of the functions is {value}{place}")];
+            }
+            let sum = abbreviated(&(&difference + &one).display(&family.names));
+            vec![format!("the sum of the functions is `{sum}`"), format!("{here}it is {value}")]
         }
         ClaimKind::Continuity(joint) => {
             let all = continuity(family, joint).unwrap_or_default();
@@ -318,12 +364,16 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             };
             let sides = differences.iter().map(|(_, d)| d).find(|d| d.text == *of && d.value == difference);
             let (left, right) = sides.map(|d| (d.left.as_str(), d.right.as_str())).unwrap_or_default();
-            vec![
-                format!("`{left}`{at} differs from `{right}` by `{shown}`"),
-                format!("at {here} the difference is {}", witness.value_text()),
-            ]
+            let by = if in_tangents { String::new() } else { format!(" by `{shown}`") };
+            let mut notes = vec![format!("`{left}`{at} differs from `{right}`{by}")];
+            if !is_number {
+                notes.push(format!("{here}the difference is {}", witness.value_text()));
+            }
+            notes
         }
-        _ => vec![format!("`{of}` is `{shown}`"), format!("at {here} it is {}", witness.value_text())],
+        _ if is_number => vec![format!("`{of}` is {}", witness.value_text())],
+        _ if in_tangents => vec![format!("`{of}` is {}{place}", witness.value_text())],
+        _ => vec![format!("`{of}` is `{shown}`"), format!("{here}it is {}", witness.value_text())],
     }
 }
 

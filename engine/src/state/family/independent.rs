@@ -4,16 +4,18 @@ use basis_kernel::{Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
-use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry};
+use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry, simple};
 
 use super::Said;
 use super::point::{domain_names, named_point};
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
+use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
-use crate::model::angle::Angle;
+use crate::model::angle::{Angle, Kind};
 use crate::model::bernstein::{bernstein_table, graded_table};
 use crate::model::chart::Piece;
+use crate::model::enclosure::{Anchor, From, row_without};
 use crate::model::{Family, Parameter};
 use crate::state::verdict::{Stated, Witness};
 
@@ -42,8 +44,7 @@ pub struct Table {
 /// Of shape values in several parts, or in the image of a box, the same is said of the boxes; `None` where an exception
 /// cannot be said with values of their variables.
 pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
-    let Table { rows, symmetries } =
-        if family.pieces.is_empty() { coefficient_table(family) } else { table_of_spans(family) };
+    let Table { rows, symmetries } = table(family);
     let first = except.iter().flatten().map(|(var, _)| *var).listed();
     let pieces = family.pieces(&[], &first, true);
     let mut all = Vec::new();
@@ -54,13 +55,42 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
         }
         let row = |row: &Vec<Poly>| row.iter().map(|p| piece.pull_back(p)).collect::<Option<Vec<Poly>>>();
         let rows = rows.iter().map(row).collect::<Option<Vec<_>>>()?;
-        let region = piece.domain().region;
+        let (rows, region, is_stronger) = match between_bounds(family, &rows, &piece.domain().region) {
+            Some((rows, region)) => (rows, region, true),
+            None => (rows, piece.domain().region, false),
+        };
         let statement = Statement::Independent { rows, except: own, region };
         let of = super::on_part(COEFFICIENTS, number, pieces.len());
-        let stated = Stated { of, statement, symmetries: symmetries.clone(), is_stronger: false };
+        let stated = Stated { of, statement, symmetries: symmetries.clone(), is_stronger };
         all.push(Said { stated, of: String::from(COEFFICIENTS), piece: piece.clone() });
     }
     Some(all)
+}
+
+/// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such
+/// parameter. If these are independent, the rows are.
+fn between_bounds(family: &Family, rows: &[Vec<Poly>], region: &Region) -> Option<(Vec<Vec<Poly>>, Region)> {
+    const LEVEL: u32 = 3;
+    let occurs = |a: &&Angle| {
+        a.kind != Kind::Linear && a.itself != a.var && rows.iter().flatten().any(|p| p.depends_on(a.itself))
+    };
+    let angles = family.analytic.angles.iter().filter(occurs).listed();
+    if angles.is_empty() {
+        return None;
+    }
+    let (mut rows, mut region) = (rows.to_vec(), region.clone());
+    let typical = region.ranges.mapped(|(var, range)| (*var, simple(range)));
+    for angle in angles {
+        let range = region.range(angle.var);
+        let from = From { anchor: Anchor::Zero, range: &range, n: LEVEL, typical: &typical };
+        for row in &mut rows {
+            *row = basis_prover::working(family.budget, &mut |work| {
+                row_without(row, &family.analytic, angle, &from, work)
+            })?;
+        }
+        region.ranges.push((angle.itself, Range::unit()));
+    }
+    Some((rows, region))
 }
 
 /// Values of parameters as values of the variables of a box, in as many ways as there are; `None` where they are not of
@@ -96,6 +126,11 @@ fn pulled_back(values: &Values, piece: &Piece) -> Option<Vec<Values>> {
     Some(known)
 }
 
+/// The coefficients of all functions on the whole domain, one row for each function.
+pub fn table(family: &Family) -> Table {
+    if family.pieces.is_empty() { coefficient_table(family) } else { table_of_spans(family) }
+}
+
 /// The tables of all spans beside one another.
 fn table_of_spans(family: &Family) -> Table {
     let mut rows: Vec<Vec<Poly>> = vec![Vec::new(); family.functions.len()];
@@ -110,7 +145,7 @@ fn table_of_spans(family: &Family) -> Table {
 /// The coefficients of the numerators of all functions, one row for each; denominators vanish nowhere. On an
 /// interval in the Bernstein basis, or in powers if that makes the table triangular; on a simplex in homogeneous
 /// monomials, in which more of them are numbers.
-pub fn coefficient_table(family: &Family) -> Table {
+fn coefficient_table(family: &Family) -> Table {
     // An angle beside its sine is one more variable of the domain.
     let numerators = family.numerators();
     let (over_domain, constant): (Vec<&Angle>, Vec<&Angle>) =

@@ -1,8 +1,8 @@
 //! Claims about families.
 
+mod beside;
 mod identity;
 mod independent;
-mod ladder;
 mod point;
 mod premises;
 #[cfg(any(test, feature = "rounding"))]
@@ -17,7 +17,7 @@ use basis_prover::{Coordinate, Counterexample, Failure, Method, Shown};
 use super::inequality::{self, compared_on};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict, Witness};
-use basis_kernel::Statement;
+use basis_kernel::{Domain, Statement};
 
 use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::{Poly, Var};
@@ -27,13 +27,14 @@ use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
 use crate::model::chart::Piece;
 use crate::model::{Family, Parameter};
 use basis_prover::collections::list::{Listed, Mapped};
+use beside::Sample;
 use point::{domain_names, named_point};
 
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use identity::moves;
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use independent::combination_text;
-pub use independent::{Table, coefficient_table};
+pub use independent::{Table, table};
 #[cfg(any(test, feature = "tools"))]
 pub use rounding::point_error;
 #[cfg(any(test, feature = "rounding"))]
@@ -66,14 +67,34 @@ struct Said {
     piece: Piece,
 }
 
-/// What a claim says; `None` when the budget of the family does not suffice to expand it.
-pub fn statements(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
-    Some(said(family, claim, true)?.into_iter().map(|said| said.stated).listed())
+/// What is said of a claim.
+enum Saying<'w> {
+    /// What it says itself.
+    Plainly,
+    /// What is enough for it, of several ways by those with the numbers given, one after the other.
+    Enough(&'w mut core::slice::Iter<'w, usize>),
+    /// What is enough for it, by the ways that lead to a proof, of which the numbers are noted.
+    Found(&'w mut Vec<usize>),
+}
+
+/// What a claim says, by the ways that are given; `None` when the budget of the family does not suffice to expand it.
+pub fn statements(family: &Family, claim: &Claim, ways: &[usize]) -> Option<Vec<Stated>> {
+    statements_by(family, claim, &mut ways.iter())
+}
+
+/// What a claim says, by the next ones of some ways.
+fn statements_by<'w>(
+    family: &Family,
+    claim: &Claim,
+    ways: &'w mut core::slice::Iter<'w, usize>,
+) -> Option<Vec<Stated>> {
+    let all = said(family, claim, &mut Saying::Enough(ways))?;
+    Some(all.into_iter().map(|said| said.stated).listed())
 }
 
 /// The statements of a claim one of which may be false: of independence only those whose points all count.
 pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
-    let all = said(family, claim, false)?.into_iter();
+    let all = said(family, claim, &mut Saying::Plainly)?.into_iter();
     let counts = |said: &Said| {
         let independent = matches!(said.stated.statement, Statement::Independent { .. });
         (!independent || said.piece.is_exact())
@@ -83,12 +104,12 @@ pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<
     Some(all.filter(counts).map(|said| said.stated).listed())
 }
 
-/// What a claim says of each part of the points; what is `enough` for it where that says more.
-fn said(family: &Family, claim: &Claim, enough: bool) -> Option<Vec<Said>> {
+/// What a claim says of each part of the points.
+fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<Said>> {
     let kind = &claim.kind;
     if let ClaimKind::Spans(parts) = kind {
         let plain = |stated: Stated| Said { of: stated.of.clone(), stated, piece: Piece::default() };
-        return Some(spans::statements(family, claim, parts)?.into_iter().map(plain).listed());
+        return Some(spans::statements(family, claim, parts, saying)?.into_iter().map(plain).listed());
     }
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
@@ -114,19 +135,16 @@ fn said(family: &Family, claim: &Claim, enough: bool) -> Option<Vec<Said>> {
         _ => Comparison::Equal,
     };
     let expressions = basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?;
-    let mut all = Vec::new();
+    let (mut all, mut sample) = (Vec::new(), None);
     for (number, part) in parts.iter().enumerate() {
         for (k, (of, value)) in expressions.iter().enumerate() {
             let comparison = comparison(k);
-            let beside = basis_prover::working(family.budget, &mut |work| {
-                Some(ladder::steps(family, of, value, comparison, work))
-            });
-            if let Some(steps) = beside.flatten() {
-                for ladder::Step { of, value, comparison } in steps {
-                    let (of, value) = without_numbers(family, of, value);
-                    let label = on_part(&of, number, parts.len());
-                    let stated = Stated::new(label, compared_on(&value, comparison, part)?);
-                    let stated = Stated { is_stronger: true, ..stated };
+            if beside::is_mixed(family, value, comparison)
+                && let Some(steps) = by_a_way(family, (of, value, comparison), part, &mut sample, saying)
+            {
+                for (stated, of) in steps {
+                    let stated =
+                        Stated { of: on_part(&of, number, parts.len()), is_stronger: true, ..stated };
                     all.push(Said { stated, of, piece: part.0.clone() });
                 }
                 continue;
@@ -138,13 +156,57 @@ fn said(family: &Family, claim: &Claim, enough: bool) -> Option<Vec<Said>> {
             };
             let mut stated =
                 Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
-            if let Some(statement) = premises::without(&stated.statement).filter(|_| enough) {
+            let plainly = matches!(saying, Saying::Plainly);
+            if let Some(statement) = premises::without(&stated.statement).filter(|_| !plainly) {
                 stated = Stated { statement, is_stronger: true, ..stated };
             }
             all.push(Said { stated, of, piece: part.0.clone() });
         }
     }
     Some(all)
+}
+
+/// What is enough for a comparison in which an angle stands beside its sine, with the names of what it is about.
+fn by_a_way<'f>(
+    family: &'f Family,
+    (of, value, comparison): (&str, &Fraction, Comparison),
+    part: &(Piece, Rc<Domain>),
+    sample: &mut Option<Sample<'f>>,
+    saying: &mut Saying<'_>,
+) -> Option<Vec<(Stated, String)>> {
+    if matches!(saying, Saying::Plainly) {
+        return None;
+    }
+    if sample.is_none() {
+        *sample = Sample::new(family);
+    }
+    let sample = sample.as_ref()?;
+    let by = |way: usize| {
+        let steps = basis_prover::working(family.budget, &mut |work| {
+            beside::steps(family, of, value, comparison, (way, sample), work)
+        })?;
+        let mut all = Vec::new();
+        for step in steps {
+            let part = (part.0.clone(), step.domain(&part.1));
+            let (of, value) = without_numbers(family, step.of, step.value);
+            all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
+        }
+        Some(all)
+    };
+    match saying {
+        Saying::Plainly => None,
+        Saying::Enough(ways) => by(ways.next().copied().unwrap_or(0)),
+        Saying::Found(found) => {
+            let proved = |all: &Vec<(Stated, String)>| {
+                all.iter().all(|(s, _)| {
+                    basis_prover::decide(s.statement.clone(), &s.symmetries, family.budget).is_ok()
+                })
+            };
+            let way = (0..beside::COUNT).find_map(|way| by(way).filter(proved).map(|all| (way, all)));
+            found.push(way.as_ref().map_or(0, |(way, _)| *way));
+            way.map(|(_, all)| all)
+        }
+    }
 }
 
 /// The label of a statement about one of several parts of the points.
@@ -205,7 +267,59 @@ const WIDER: &str =
     "it is not seen from bounds for pi, exp, or for a variable beside its sine or exponential";
 
 /// What is left where a claim is false of more points than are assumed.
-const ASSUMED: &str = "it is not seen to follow from what is assumed";
+const ASSUMED: &str = "it could not be derived from what is assumed";
+
+/// A statement that a claim makes of an expression, at one point with bounds for what is not rational there, and the
+/// statement that it fails whatever that is between the bounds; `None` if the claim does not make it.
+pub(in crate::state) fn at_point(
+    family: &Family,
+    claim: &Claim,
+    of: &str,
+    point: &[(Var, Rational)],
+) -> Option<[Statement; 2]> {
+    if let ClaimKind::Spans(parts) = &claim.kind {
+        return spans::at_point(family, claim, parts, of, point);
+    }
+    let mut all = said(family, claim, &mut Saying::Plainly)?.into_iter();
+    let own = all.find(|s| s.stated.of == of && is_wider(family, &s.stated.statement))?;
+    beside::at_point(family, &own.stated.statement, &beside::rational_part(family, point))
+}
+
+/// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
+fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Verdict> {
+    let comparisons = matches!(claim.kind, ClaimKind::Nonnegative | ClaimKind::Relation { .. })
+        && !family.analytic.is_empty();
+    if !comparisons {
+        return None;
+    }
+    let all = said(family, claim, &mut Saying::Plainly)?;
+    for s in all {
+        let Statement::Sign { value, .. } = &s.stated.statement else { continue };
+        let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
+        let fits = if only_mixed {
+            beside::is_mixed(family, &value, Comparison::GreaterEqual)
+        } else {
+            is_wider(family, &s.stated.statement)
+        };
+        if !fits {
+            continue;
+        }
+        let found = basis_prover::working(family.budget, &mut |work| {
+            beside::refute(family, &value, &s.stated.statement, work)
+        });
+        if let Some((found, proof)) = found {
+            let about = (s.of.clone(), &s.stated.statement);
+            let witness = witness(family, &claim.kind, about, &found, &s.piece).whatever(proof);
+            let whole = s.of == s.stated.of;
+            return Some(Verdict::Refuted(Box::new(if whole {
+                witness
+            } else {
+                witness.about(&s.stated.of)
+            })));
+        }
+    }
+    None
+}
 
 /// Decides a claim.
 pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
@@ -216,7 +330,11 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if let ClaimKind::Rounding(epsilons) = &claim.kind {
         return rounding::decide(family, epsilons);
     }
-    let Some(mut said) = said(family, claim, true) else {
+    if let Some(verdict) = refuted_beside(family, claim, true) {
+        return verdict;
+    }
+    let mut ways = Vec::new();
+    let Some(mut said) = said(family, claim, &mut Saying::Found(&mut ways)) else {
         return match claim.kind {
             ClaimKind::TotallyPositive => not_total(family),
             ClaimKind::Independent(_) => Verdict::Undecided(String::from(independent::NOT_IN_PARTS)),
@@ -228,15 +346,17 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     if assumed {
         let stated = said.iter().map(|s| s.stated.clone()).listed();
         if let Ok(shown) = all(stated, family.budget) {
-            return Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)));
+            return Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways));
         }
-        said = self::said(family, claim, false).unwrap_or(said);
+        said = self::said(family, claim, &mut Saying::Plainly).unwrap_or(said);
+        ways = Vec::new();
         let found = basis_prover::working(family.budget, &mut |work| {
             let own = said.iter().filter(|s| !s.stated.is_stronger);
             own.into_iter().find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
         });
         if let Some((s, found)) = found.filter(|(_, found)| !is_wider(family, found.refutation.statement())) {
-            let witness = witness(family, &claim.kind, s.of.clone(), &found, &s.piece);
+            let about = (s.of.clone(), found.refutation.statement());
+            let witness = witness(family, &claim.kind, about, &found, &s.piece);
             let whole = s.of == s.stated.of;
             return Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) }));
         }
@@ -246,21 +366,23 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let stronger: Vec<String> =
         said.iter().filter(|s| s.stated.is_stronger).map(|s| s.stated.of.clone()).listed();
     match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
-        Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
+        Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)),
         Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
         Err((of, Failure::Refuted(found)))
             if stronger.contains(&of) || is_wider(family, found.refutation.statement()) =>
         {
-            Verdict::Undecided(format!("`{of}`: {WIDER}"))
+            let verdict = refuted_beside(family, claim, false);
+            verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {WIDER}")))
         }
         Err((label, Failure::Refuted(found))) => {
             let Some((_, of, piece)) = find(&label) else { return Verdict::Undecided(label) };
             if matches!(claim.kind, ClaimKind::Independent(_)) && !piece.is_exact() {
                 return Verdict::Undecided(String::from(
-                    "the functions are dependent at values that what is assumed may rule out",
+                    "the functions are dependent at values that the assumptions may rule out",
                 ));
             }
-            let witness = witness(family, &claim.kind, of.clone(), &found, piece);
+            let about = (of.clone(), found.refutation.statement());
+            let witness = witness(family, &claim.kind, about, &found, piece);
             Verdict::Refuted(Box::new(if *of == label { witness } else { witness.about(&label) }))
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
@@ -273,7 +395,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
 
 /// What is known of functions whose total positivity is not proved.
 fn not_total(family: &Family) -> Verdict {
-    match total::refutation(family) {
+    match basis_prover::working(family.budget, &mut |work| total::refutation(family, work)) {
         Some(witness) => Verdict::Refuted(Box::new(witness)),
         None if family.functions.len() > total::MAX_FUNCTIONS => {
             Verdict::Undecided(String::from(total::TOO_MANY))
@@ -333,20 +455,25 @@ fn stated_comparison(
     differences.iter().find(own).map(|(comparison, _)| *comparison)
 }
 
-/// The witness that a counterexample is.
-fn witness(family: &Family, kind: &ClaimKind, of: String, found: &Counterexample, piece: &Piece) -> Witness {
+/// The witness that a counterexample is, to what is stated of an expression.
+fn witness(
+    family: &Family,
+    kind: &ClaimKind,
+    (of, stated): (String, &Statement),
+    found: &Counterexample,
+    piece: &Piece,
+) -> Witness {
     if let ClaimKind::Independent(except) = kind {
         return independent::witness(family, except, found, piece);
     }
     let at = named_point(family, found, kind.fixed(), piece);
     // Of the statements of a chain several may be about one expression.
-    let comparison = stated_comparison(family, kind, &of, found.refutation.statement(), piece)
-        .unwrap_or(Comparison::Equal);
+    let comparison = stated_comparison(family, kind, &of, stated, piece).unwrap_or(Comparison::Equal);
     let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
-    witness.shown = shown(family, found);
+    witness.shown = shown(family, found).or_else(|| beside::shown(family, found, &witness.value));
     if matches!(kind, ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }

@@ -36,17 +36,19 @@ pub(super) fn named_point(
             denominator: put(quotient.denominator),
         })
     };
-    // On a simplex no more than what is left.
-    let mut left = Rational::ONE;
+    // On each simplex no more than what is left, and its last coordinate.
+    let one = || (Rational::ONE, Fraction::constant(Rational::ONE));
+    let mut rest: Vec<(Rational, Fraction)> = family.simplices.iter().map(|_| one()).listed();
     let mut all: Vec<(String, Coordinate)> = Vec::new();
-    let mut last = Fraction::constant(Rational::ONE);
     for (k, parameter) in family.shapes.iter().chain(&family.domain).enumerate() {
         let var = parameter.var;
-        let on_simplex = family.is_simplex() && k >= family.shapes.len();
+        let place = k.checked_sub(family.shapes.len());
+        let simplex = family.simplices.iter().position(|s| place.is_some_and(|k| s.places.contains(&k)));
+        let mut on_simplex = simplex.and_then(|number| rest.get_mut(number));
         let given = found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
         let fixed_value = fixed.iter().find(|(v, _)| *v == var).map(|(_, f)| f);
-        if on_simplex {
-            last = &last - &fixed_value.cloned().unwrap_or_else(|| Fraction::var(var));
+        if let Some((_, last)) = &mut on_simplex {
+            *last = &*last - &fixed_value.cloned().unwrap_or_else(|| Fraction::var(var));
         }
         let known = if piece.steps.is_empty() {
             given.or_else(|| found.evaluate(&fixed_value?.quotient()))
@@ -55,15 +57,13 @@ pub(super) fn named_point(
         };
         let value = known.unwrap_or_else(|| {
             let simple = typical(&parameter.range);
-            let simple = if on_simplex { simple.min(left.clone()) } else { simple };
-            if on_simplex {
-                last =
-                    last.substitute(var, &Fraction::constant(simple.clone())).unwrap_or_else(Fraction::zero);
-            }
+            let Some((left, last)) = &mut on_simplex else { return Coordinate::Rational(simple) };
+            let simple = simple.min(left.clone());
+            *last = last.substitute(var, &Fraction::constant(simple.clone())).unwrap_or_else(Fraction::zero);
             Coordinate::Rational(simple)
         });
-        if let (true, Coordinate::Rational(x)) = (on_simplex, &value) {
-            left -= x;
+        if let (Some((left, _)), Coordinate::Rational(x)) = (on_simplex, &value) {
+            *left -= x;
         }
         all.push((parameter.name.clone(), value));
     }
@@ -73,8 +73,13 @@ pub(super) fn named_point(
             *entry = named_angle(family, angle, (&parameter.name, &entry.1), found);
         }
     }
-    if let Some(dependent) = &family.dependent {
-        all.extend(found.evaluate(&last.quotient()).map(|c| (dependent.name.clone(), c)));
+    // In the order of the spec, each last coordinate after the others of its simplex.
+    for (simplex, (_, last)) in family.simplices.iter().zip(rest).rev() {
+        let at = family.shapes.len() + simplex.places.end;
+        let value = found.evaluate(&last.quotient());
+        if let Some(value) = value {
+            all.insert(at.min(all.len()), (simplex.last.name.clone(), value));
+        }
     }
     all
 }
@@ -101,6 +106,14 @@ fn named_angle(
     let zero = value.is_zero() && angle.low.is_zero();
     if zero && angle.shift.is_zero() {
         return (angle.name.clone(), Coordinate::Rational(Rational::ZERO));
+    }
+    // At an end that is a number the angle has it.
+    for (end, limit) in angle.limits.iter().enumerate().filter(|(end, _)| !angle.ends[*end].is_empty()) {
+        let here = family.region().range(angle.var);
+        let here = [here.low, here.high][end].value() == Some(value);
+        if let Some(limit) = limit.as_constant().filter(|_| here) {
+            return (angle.name.clone(), Coordinate::Rational(limit));
+        }
     }
     let (Some(low), Some(width)) = (put(&angle.low), put(&angle.width)) else { return as_it_is };
     (angle.tangent_name(), Coordinate::Rational(&low + &(&width * value)))

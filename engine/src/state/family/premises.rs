@@ -33,7 +33,7 @@ const MAX_TERMS: usize = 400;
 /// false, or no multiple of a premise is found to help.
 pub(super) fn without(statement: &Statement) -> Option<Statement> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
-    if domain.premises.is_empty() || !domain.simplices.is_empty() {
+    if domain.premises.is_empty() {
         return None;
     }
     let points = sample(value, domain)?;
@@ -89,7 +89,7 @@ pub(super) fn without(statement: &Statement) -> Option<Statement> {
 /// A counterexample to a statement about a sign under premises, among some points.
 pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
-    if domain.premises.is_empty() || !domain.simplices.is_empty() {
+    if domain.premises.is_empty() {
         return None;
     }
     let points = sample(value, domain)?;
@@ -110,23 +110,22 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
         }
     }
     let (mut point, mut least) = best?;
-    // Downhill in smaller and smaller steps, in all directions in which each variable changes by two steps at most.
-    let ranges: Vec<&(Var, Range)> = domain.region.ranges.iter().listed();
-    let directions = 5_usize.checked_pow(ranges.len() as u32).filter(|n| *n <= 625)?;
+    // Downhill in smaller and smaller steps.
+    let ranges = ranges(domain);
+    let directions = directions(ranges.len());
     let mut step = Rational::new(1, 16);
     let mut tries = 0;
     while tries < MAX_TRIES && relation.holds(&least) {
         let mut lower = None;
-        for direction in 0..directions {
-            let (mut next, mut rest) = (point.clone(), direction);
-            for (var, range) in &ranges {
+        for direction in &directions {
+            let mut next = point.clone();
+            for ((var, range), steps) in ranges.iter().zip(direction) {
                 let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
-                next[var.0] += &(&(&step * &width) * &Rational::from((rest % 5) as i64 - 2));
-                rest /= 5;
+                next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
             }
             tries += 1;
             let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
-            if !inside || !counts(&next) {
+            if !inside || !fits(domain, &next) || !counts(&next) {
                 continue;
             }
             if let Some(Some(f)) = values(&value.numerator, &value.denominator, &[next.clone()])?.pop()
@@ -149,6 +148,35 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
     refute(&Rc::new(statement.clone()), &coordinates, work)
 }
 
+/// The ranges of all variables; of those of a simplex what surrounds it.
+fn ranges(domain: &Domain) -> Vec<(Var, Range)> {
+    let mut all = domain.region.ranges.clone();
+    for simplex in &domain.simplices {
+        let range = Range::closed(Rational::ZERO, simplex.sum.clone());
+        all.extend(simplex.variables.iter().map(|var| (*var, range.clone())));
+    }
+    all
+}
+
+/// Whether the coordinates of a point on each simplex sum to no more than they may.
+fn fits(domain: &Domain, point: &[Rational]) -> bool {
+    domain.simplices.iter().all(|simplex| {
+        let sum = simplex.variables.iter().fold(Rational::ZERO, |sum, var| &sum + &point[var.0]);
+        sum <= simplex.sum
+    })
+}
+
+/// Directions in which each variable changes by two steps at most; of many variables only two of them change.
+fn directions(variables: usize) -> Vec<Vec<i64>> {
+    let mut all = vec![Vec::new()];
+    for _ in 0..variables {
+        let few = |direction: &Vec<i64>| variables <= 4 || direction.iter().filter(|k| **k != 0).count() <= 2;
+        let longer = |rest: &Vec<i64>| (-2..=2).map(|k| [&[k], &rest[..]].concat()).filter(few).listed();
+        all = all.iter().flat_map(longer).listed();
+    }
+    all
+}
+
 /// The values of a quotient at points; nothing where it has none. `None` for a quotient that is too long.
 fn values(numer: &Poly, denom: &Poly, points: &[Vec<Rational>]) -> Option<Vec<Option<Rational>>> {
     if numer.len() + denom.len() > MAX_TERMS {
@@ -164,7 +192,7 @@ fn values(numer: &Poly, denom: &Poly, points: &[Vec<Rational>]) -> Option<Vec<Op
 /// The powers that all terms of a polynomial share of variables that are ≥ 0, and the even ones of others.
 fn common(p: &Poly, domain: &Domain) -> Poly {
     let mut factor = Poly::one();
-    for (var, range) in &domain.region.ranges {
+    for (var, range) in &ranges(domain) {
         let power = p.terms().map(|(m, _)| m.exponent(*var)).min().unwrap_or(0);
         let nonnegative = range.low.value().is_some_and(|x| !x.is_negative());
         let power = if nonnegative { power } else { power - power % 2 };
@@ -173,9 +201,9 @@ fn common(p: &Poly, domain: &Domain) -> Poly {
     factor
 }
 
-/// Points of a box, by variable, its corners and many inside; a variable on which nothing depends has one value.
+/// Points of a domain, by variable, its corners and many inside; a variable on which nothing depends has one value.
 fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Rational>>> {
-    let ranges = &domain.region.ranges;
+    let ranges = ranges(domain);
     let occurs = |var: &Var| {
         let premises = domain.premises.iter().map(|(g, _)| g);
         [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(*var))
@@ -184,14 +212,19 @@ fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Rational>>> {
     let parts = [64_i64, 24, 8, 4, 2, 2].get(count.checked_sub(1)?)?;
     let width = ranges.iter().map(|(var, _)| var.0 + 1).max()?;
     let mut points = vec![vec![Rational::ZERO; width]];
-    for (var, range) in ranges {
-        let own = if occurs(var) { coordinates(range, *parts) } else { vec![typical(range)] };
+    for (var, range) in &ranges {
+        let on_simplex = domain.simplices.iter().any(|s| s.variables.contains(var));
+        let idle = if on_simplex { Rational::ZERO } else { typical(range) };
+        let own = if occurs(var) { coordinates(range, *parts) } else { vec![idle] };
         let mut next = Vec::new();
         for point in &points {
             for x in &own {
                 let mut point = point.clone();
                 point[var.0] = x.clone();
-                next.push(point);
+                // What is still to come is 0, or more.
+                if fits(domain, &point) {
+                    next.push(point);
+                }
             }
         }
         points = next;

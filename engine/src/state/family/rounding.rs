@@ -10,7 +10,7 @@ use basis_prover::collections::list::Listed;
 const METHOD: &str = "signs of the shares of all roundings";
 
 /// The errors of the values of all functions with the evidence for them; nothing for one without a bound. The list is
-/// empty when there is no code for the family, or it is too large.
+/// empty when there is no code for the family, or it is too large, has angles or several spans.
 pub fn value_errors(family: &Family) -> Vec<Option<(Error, Evidence)>> {
     let bounds = rounding::values(family).unwrap_or_default();
     let label = |k: usize| family.function_label(k);
@@ -49,7 +49,9 @@ pub(super) fn statements(family: &Family, epsilons: &Rational) -> Option<Vec<Sta
 /// impossible, and not which ones occur.
 pub(super) fn decide(family: &Family, epsilons: &Rational) -> Verdict {
     let Some(bounds) = rounding::values(family) else {
-        return Verdict::Undecided(String::from("no code is generated for the family, or it is too large"));
+        return Verdict::Undecided(String::from(
+            "rounding errors are bounded for families with code, on one span, without angles, and not too large",
+        ));
     };
     let mut largest: Option<(String, &Bound)> = None;
     let mut statements = Vec::new();

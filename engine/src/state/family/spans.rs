@@ -2,11 +2,15 @@
 
 use std::rc::Rc;
 
+use super::{Said, Saying};
 use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind};
 use crate::model::Family;
 use crate::state::verdict::{Evidence, Stated, Verdict};
+use basis_kernel::Statement;
 use basis_prover::collections::list::Listed;
 
 /// What a statement is about, with its span.
@@ -26,11 +30,12 @@ pub(super) fn statements(
     family: &Family,
     claim: &Claim,
     parts: &[(usize, ClaimKind)],
+    saying: &mut Saying<'_>,
 ) -> Option<Vec<Stated>> {
     let mut all = Vec::new();
     for part in parts {
         let (piece, claim) = on_span(family, claim, part)?;
-        for mut stated in super::statements(piece, &claim)? {
+        for Said { mut stated, .. } in super::said(piece, &claim, saying)? {
             stated.of = on(piece, &stated.of);
             all.push(stated);
         }
@@ -38,14 +43,31 @@ pub(super) fn statements(
     Some(all)
 }
 
+/// What refutes the claim on a span at a point, see [`super::at_point`].
+pub(super) fn at_point(
+    family: &Family,
+    claim: &Claim,
+    parts: &[(usize, ClaimKind)],
+    of: &str,
+    point: &[(Var, Rational)],
+) -> Option<[Statement; 2]> {
+    let here = |part| {
+        let (piece, claim) = on_span(family, claim, part)?;
+        let of = of.strip_suffix(&on(piece, ""))?;
+        super::at_point(piece, &claim, of, point)
+    };
+    parts.iter().find_map(here)
+}
+
 /// Decides a claim on all its spans: false if it is on one of them.
 pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)]) -> Verdict {
-    let (mut found, mut steps) = (None, Vec::new());
+    let (mut found, mut steps, mut ways) = (None, Vec::new(), Vec::new());
     let mut open = None;
     for part in parts {
         let Some((piece, claim)) = on_span(family, claim, part) else { continue };
         match super::decide(piece, &claim) {
             Verdict::Proved(evidence) => {
+                ways.extend_from_slice(evidence.ways());
                 let (method, proofs) = evidence.into_parts();
                 found = found.or(Some(method));
                 steps.extend(proofs.into_iter().map(|(of, proof)| (on(piece, &of), proof)));
@@ -59,7 +81,7 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
     }
     match open {
         Some(left) => Verdict::Undecided(left),
-        None => Verdict::Proved(Evidence::new(found.unwrap_or_default(), steps)),
+        None => Verdict::Proved(Evidence::new(found.unwrap_or_default(), steps).by(ways)),
     }
 }
 
@@ -69,21 +91,14 @@ pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec
     for pair in family.pieces.windows(2) {
         let knot = pair[0].end_texts()?[1].clone();
         let at = |piece: &Rc<Family>, k: usize, upper: bool, work: &mut Work| -> Option<Vec<Fraction>> {
-            let (var, low, high) = piece.interval()?;
-            let end = Fraction::constant(if upper { high } else { low }.clone());
+            let (var, ..) = piece.interval()?;
             let mut derivative = piece.functions[k].value.clone();
             let mut values = Vec::new();
             for order in 0..=order {
                 if order > 0 {
                     derivative = piece.derivative_within(&derivative, var, work)?;
                 }
-                let mut value = derivative.substitute_within(var, &end, work).ok()??;
-                // The variable itself, beside its sine or exponential, ends there too.
-                if let Some(angle) = piece.analytic.angle(var) {
-                    let own = &angle.limits[usize::from(upper)];
-                    value = value.substitute_within(angle.itself, own, work).ok()??;
-                }
-                values.push(value);
+                values.push(piece.at_end(&derivative, upper, work)?);
             }
             Some(values)
         };

@@ -21,6 +21,7 @@ use super::point::{domain_names, named_point};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::rational::Rational;
+use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::bernstein::bernstein_table;
@@ -30,7 +31,7 @@ use crate::state::verdict::{Stated, Witness};
 /// How often the degree is raised at most.
 const MAX_RAISED: usize = 12;
 
-/// The most functions of which minors are looked for; more of them are left undecided.
+/// The most functions of a minor that is looked for; beyond, a claim that is not proved is left undecided.
 pub(super) const MAX_FUNCTIONS: usize = 24;
 
 /// What is left to decide when there is neither a proof nor a negative minor.
@@ -41,9 +42,6 @@ pub(super) const TOO_MANY: &str = "there are more minors than the budget allows"
 
 /// The statements from which total positivity follows; `None` when the work is spent or there is no elimination.
 pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
-    if family.functions.len() > MAX_FUNCTIONS {
-        return None;
-    }
     let table = bernstein_table(family)?;
     let pieces = family.pieces(&[], &[], true);
     let mut all = Vec::new();
@@ -270,7 +268,7 @@ fn label(family: &Family, functions: &[usize], points: &[Rational]) -> String {
 }
 
 /// A negative minor at some rational points and shape values.
-pub(super) fn refutation(family: &Family) -> Option<Witness> {
+pub(super) fn refutation(family: &Family, work: &mut Work) -> Option<Witness> {
     let range = &family.domain.first()?.range;
     let (low, high) = range.finite()?;
     let len = family.functions.len().min(MAX_FUNCTIONS);
@@ -294,14 +292,8 @@ pub(super) fn refutation(family: &Family) -> Option<Witness> {
                     .map(|k| low + &(&(high - low) * &Rational::new(k, steps)))
                     .filter(|t| range.contains(t))
                     .listed();
-                let var = family.domain.first()?.var;
-                let value = |f: &Fraction, t: &Rational| {
-                    f.substitute(var, &Fraction::constant(t.clone())).and_then(|f| f.as_constant())
-                };
-                let table: Option<Vec<Vec<Rational>>> =
-                    values.iter().map(|f| points.iter().map(|t| value(f, t)).collect()).collect();
-                let Some(table) = table else { continue };
-                let Some((functions, places)) = negative(&table) else { continue };
+                let Some(table) = table(family, &values, &points, work) else { continue };
+                let Some((functions, places)) = negative(&table, work) else { continue };
                 let own = places.mapped(|k| points[*k].clone());
                 let given = vec![own, functions.mapped(|k| Rational::from(*k as i64))];
                 let Ok(all) = instances(family, &given) else { continue };
@@ -326,6 +318,49 @@ pub(super) fn refutation(family: &Family) -> Option<Witness> {
         }
     }
     None
+}
+
+/// The values of functions at points, a row for each function; each function and each point has a positive factor, by
+/// which the values of polynomials are whole numbers. `None` where one has no value, or the work is spent.
+fn table(
+    family: &Family,
+    functions: &[Fraction],
+    points: &[Rational],
+    work: &mut Work,
+) -> Option<Vec<Vec<Rational>>> {
+    let var = family.domain.first()?.var;
+    let degree = |part: fn(&Fraction) -> &Poly| functions.iter().map(|f| part(f).degree(var)).max();
+    let (degree, below) = (degree(Fraction::numer)?, degree(Fraction::denom)?);
+    let mut rows = Vec::new();
+    for f in functions {
+        let whole = |p: &Poly| Some(Univariate::from_poly(p, var)?.primitive());
+        let (numer, denom) = (whole(f.numer())?, whole(f.denom())?);
+        let mut row = Vec::new();
+        for t in points {
+            let value = homogeneous(numer.coefficients(), degree, t, work)?;
+            row.push(value.checked_div(&homogeneous(denom.coefficients(), below, t, work)?)?);
+        }
+        rows.push(row);
+    }
+    Some(rows)
+}
+
+/// Σ cₖ aᵏ b^(n − k): bⁿ times the value at a/b.
+fn homogeneous(coefficients: &[Rational], degree: u32, at: &Rational, work: &mut Work) -> Option<Rational> {
+    let (a, b) = (at.numer(), at.denom());
+    let words = 1 + u64::from(degree) * at.bits() / 64;
+    work.spend((u64::from(degree) + 1) * words)?;
+    let mut value = Rational::ZERO;
+    let mut power = Rational::ONE;
+    // Horner's scheme, with a power of b for each coefficient.
+    for k in (0..=degree as usize).rev() {
+        value = &value * &a;
+        if let Some(c) = coefficients.get(k).filter(|c| !c.is_zero()) {
+            value = &value + &(c * &power);
+        }
+        power = &power * &b;
+    }
+    Some(value)
 }
 
 /// Points of a box at its ends as far as they belong to it: for a function of degree 1 in each variable the extreme ones.
@@ -354,9 +389,11 @@ fn corners(piece: &Piece) -> Vec<Vec<(Var, Rational)>> {
 }
 
 /// A negative minor of a matrix of numbers, by its rows and columns: of all small ones, then of neighbouring rows with
-/// neighbouring columns.
-fn negative(rows: &[Vec<Rational>]) -> Option<(Vec<usize>, Vec<usize>)> {
+/// neighbouring columns. `None` when there is none among them, or the work is spent.
+fn negative(rows: &[Vec<Rational>], work: &mut Work) -> Option<(Vec<usize>, Vec<usize>)> {
     let (height, width) = (rows.len(), rows.first().map_or(0, Vec::len));
+    let bits = rows.iter().flatten().map(Rational::bits).max()?;
+    let product = 1 + bits * bits / 4096;
     for (r, row) in rows.iter().enumerate() {
         if let Some(c) = row.iter().position(Rational::is_negative) {
             return Some((vec![r], vec![c]));
@@ -364,6 +401,7 @@ fn negative(rows: &[Vec<Rational>]) -> Option<(Vec<usize>, Vec<usize>)> {
     }
     for (r, s) in (0..height).flat_map(|r| (r + 1..height).map(move |s| (r, s))) {
         for (c, d) in (0..width).flat_map(|c| (c + 1..width).map(move |d| (c, d))) {
+            work.spend(2 * product)?;
             let value = &(&rows[r][c] * &rows[s][d]) - &(&rows[r][d] * &rows[s][c]);
             if value.is_negative() {
                 return Some((vec![r, s], vec![c, d]));
@@ -377,7 +415,7 @@ fn negative(rows: &[Vec<Rational>]) -> Option<(Vec<usize>, Vec<usize>)> {
             {
                 let columns: Vec<usize> = (0..size).map(|k| start + step * k).listed();
                 let part = (first..first + size).map(|r| columns.mapped(|c| rows[r][*c].clone())).listed();
-                let value = basis_prover::algebra::matrix::determinant(part, &mut Work::usual(1))?;
+                let value = basis_prover::algebra::matrix::determinant(part, work)?;
                 if value.is_negative() {
                     return Some(((first..first + size).listed(), columns));
                 }

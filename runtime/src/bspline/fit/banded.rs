@@ -11,7 +11,7 @@ use crate::Scalar;
 
 /// The triangular system to which all equations so far are reduced: `unknowns` columns in a band of `width`, and
 /// `lanes` right sides.
-pub(in crate::bspline) struct Banded {
+pub(crate) struct Banded {
     width: usize,
     lanes: usize,
     band: Vec<f64>,
@@ -21,7 +21,7 @@ pub(in crate::bspline) struct Banded {
 }
 
 impl Banded {
-    pub(in crate::bspline) fn new(unknowns: usize, width: usize, lanes: usize) -> Self {
+    pub(crate) fn new(unknowns: usize, width: usize, lanes: usize) -> Self {
         Self {
             width,
             lanes,
@@ -32,30 +32,46 @@ impl Banded {
     }
 
     /// Adds the equation `Σ factors[i] x[first + i] = right`, both of which it uses up.
-    pub(in crate::bspline) fn add(&mut self, first: usize, factors: &mut [f64], right: &mut [f64]) {
+    ///
+    /// Equations may come in any order; it takes the least time if their first unknowns do not decrease. One that comes after
+    /// others with later unknowns fills its band again with theirs.
+    pub(crate) fn add(&mut self, first: usize, factors: &mut [f64], right: &mut [f64]) {
         let mut own = factors.iter().fold(0.0, |size: f64, x| Scalar::max(size, Scalar::abs(*x)));
-        for i in 0..factors.len() {
-            if factors[i] == 0.0 {
-                continue;
+        let unknowns = self.sizes.len();
+        let mut rest: Vec<f64>;
+        let mut window = factors;
+        for row in first..unknowns {
+            // The equation has no more unknowns than the band of this row.
+            let room = self.width.min(unknowns - row);
+            let used =
+                self.band[row * self.width..][..room].iter().rposition(|&x| x != 0.0).map_or(0, |i| i + 1);
+            if used > window.len() {
+                let mut longer = window.to_vec();
+                longer.resize(used, 0.0);
+                rest = longer;
+                window = &mut rest;
             }
-            let row = first + i;
-            let pivots = &mut self.band[row * self.width..][..factors.len() - i];
-            let (a, b) = (pivots[0], factors[i]);
-            let size = a.abs().max(b.abs());
-            let length = size * Scalar::sqrt((a / size) * (a / size) + (b / size) * (b / size));
-            let (cos, sin) = (a / length, b / length);
-            let rotate = |x: &mut f64, y: &mut f64| {
-                (*x, *y) = (cos * *x + sin * *y, cos * *y - sin * *x);
-            };
-            for (x, y) in pivots.iter_mut().zip(&mut factors[i..]) {
-                rotate(x, y);
+            let Some(&b) = window.first() else { return };
+            if b != 0.0 {
+                let pivots = &mut self.band[row * self.width..][..window.len()];
+                let a = pivots[0];
+                let size = a.abs().max(b.abs());
+                let length = size * Scalar::sqrt((a / size) * (a / size) + (b / size) * (b / size));
+                let (cos, sin) = (a / length, b / length);
+                let rotate = |x: &mut f64, y: &mut f64| {
+                    (*x, *y) = (cos * *x + sin * *y, cos * *y - sin * *x);
+                };
+                for (x, y) in pivots.iter_mut().zip(window.iter_mut()) {
+                    rotate(x, y);
+                }
+                let pivots = &mut self.right[row * self.lanes..][..self.lanes];
+                for (x, y) in pivots.iter_mut().zip(right.iter_mut()) {
+                    rotate(x, y);
+                }
+                let (cos, sin, size) = (Scalar::abs(cos), Scalar::abs(sin), &mut self.sizes[row]);
+                (*size, own) = (Scalar::max(cos * *size, sin * own), Scalar::max(cos * own, sin * *size));
             }
-            let pivots = &mut self.right[row * self.lanes..][..self.lanes];
-            for (x, y) in pivots.iter_mut().zip(right.iter_mut()) {
-                rotate(x, y);
-            }
-            let (cos, sin, size) = (Scalar::abs(cos), Scalar::abs(sin), &mut self.sizes[row]);
-            (*size, own) = (Scalar::max(cos * *size, sin * own), Scalar::max(cos * own, sin * *size));
+            window = &mut window[1..];
         }
     }
 
@@ -63,7 +79,7 @@ impl Banded {
     ///
     /// # Errors
     /// The index of an unknown that the equations do not determine.
-    pub(in crate::bspline) fn solve(mut self) -> Result<Vec<f64>, usize> {
+    pub(crate) fn solve(mut self) -> Result<Vec<f64>, usize> {
         let (width, lanes) = (self.width, self.lanes);
         let unknowns = self.band.len() / width;
         for row in (0..unknowns).rev() {
@@ -86,6 +102,8 @@ impl Banded {
 
 #[cfg(test)]
 mod tests {
+    use alloc::vec::Vec;
+
     use super::Banded;
 
     #[test]
@@ -118,6 +136,48 @@ mod tests {
         system.add(0, &mut [1.0, 1.0 / 3.0], &mut [1.0]);
         system.add(0, &mut [3e9, 1e9], &mut [3e9]);
         assert_eq!(system.solve(), Err(1)); // the same equation twice
+    }
+
+    /// Any order of the equations, with any gaps, gives the same solution.
+    #[test]
+    fn equations_of_any_order() {
+        let rows: Vec<(usize, [f64; 3], f64)> = (0..12)
+            .map(|i| {
+                let x = |k: usize| ((7 * i + 3 * k) % 11) as f64 - 4.5;
+                (i % 4, [x(0), x(1), x(2)], x(3))
+            })
+            .collect();
+        let solve = |order: &[usize]| {
+            let mut system = Banded::new(6, 3, 1);
+            for &i in order {
+                let (first, mut factors, right) = rows[i];
+                system.add(first, &mut factors, &mut [right]);
+            }
+            system.solve().unwrap()
+        };
+        let mut sorted: Vec<usize> = (0..12).collect();
+        sorted.sort_by_key(|&i| rows[i].0);
+        let expected = solve(&sorted);
+        // Stationary: the columns are perpendicular to the residuals.
+        let residual = |(first, factors, right): &(usize, [f64; 3], f64)| {
+            factors.iter().zip(&expected[*first..]).map(|(f, x)| f * x).sum::<f64>() - right
+        };
+        for unknown in 0..6_usize {
+            let entry = |(first, factors, _): &(usize, [f64; 3], f64)| {
+                unknown.checked_sub(*first).and_then(|k| factors.get(k)).copied().unwrap_or(0.0)
+            };
+            assert!(rows.iter().map(|row| entry(row) * residual(row)).sum::<f64>().abs() < 1e-12);
+        }
+        for shift in 0..12 {
+            let order: Vec<usize> = (0..12).map(|i| (5 * i + shift) % 12).collect();
+            let found = solve(&order);
+            assert!(
+                found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-13),
+                "{found:?} {expected:?}"
+            );
+            let backwards: Vec<usize> = sorted.iter().rev().copied().collect();
+            assert!(solve(&backwards).iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-13));
+        }
     }
 
     #[test]

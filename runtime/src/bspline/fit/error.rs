@@ -50,6 +50,57 @@ pub enum FitError {
         /// The index of the basis function.
         function: usize,
     },
+    /// There are fewer control points than the degree and one.
+    TooFewFunctions {
+        /// The number that is needed.
+        needed: usize,
+        /// The number that was asked for.
+        found: usize,
+    },
+    /// A parameter is outside of the domain of the curve.
+    Outside {
+        /// Its index.
+        index: usize,
+        /// The parameter.
+        parameter: f64,
+        /// The two ends of the domain.
+        domain: [f64; 2],
+    },
+    /// The domain is not bounded, so that parameters must be given.
+    Domain,
+    /// No curve over these functions has the ends that were asked for, or only one that arrives in the opposite direction.
+    Ends,
+    /// The direction at an end is zero, infinite or NaN.
+    Tangent {
+        /// 0 for the start, 1 for the end.
+        end: usize,
+    },
+    /// The factor of the smoothing is negative, infinite or NaN.
+    Smoothing {
+        /// The factor.
+        value: f64,
+    },
+    /// The range of a shape value is empty, or not finite.
+    Range {
+        /// The index of the shape value.
+        index: usize,
+        /// The two ends of the range.
+        range: [f64; 2],
+    },
+    /// Nowhere in the ranges of the shape values is there a family.
+    Shapes,
+    /// The tolerance is not a positive, finite number.
+    Tolerance {
+        /// The tolerance.
+        value: f64,
+    },
+    /// No curve that was tried is within the tolerance.
+    NotReached {
+        /// The tolerance.
+        tolerance: f64,
+        /// The largest distance of a point from the last curve.
+        reached: f64,
+    },
 }
 
 impl Display for FitError {
@@ -75,6 +126,34 @@ impl Display for FitError {
                 f,
                 "basis function {function} is not determined: too few parameters lie in its support; \
                  use fewer knots there"
+            ),
+            Self::TooFewFunctions { needed, found } => {
+                write!(f, "{found} control points; a curve of that degree has at least {needed}")
+            }
+            Self::Outside { index, parameter, domain: [lo, hi] } => {
+                write!(f, "parameter {index}, {parameter}, is outside of the domain {lo} <= t <= {hi}")
+            }
+            Self::Domain => f.write_str("the domain is not bounded; give the parameters of the points"),
+            Self::Ends => f.write_str(
+                "no curve over these functions has the ends that were asked for; use more functions or freer ends",
+            ),
+            Self::Tangent { end } => write!(
+                f,
+                "the direction at the {} is zero or not finite",
+                if end == 0 { "start" } else { "end" }
+            ),
+            Self::Smoothing { value } => {
+                write!(f, "the factor of the smoothing is {value}; it is a finite number, at least 0")
+            }
+            Self::Range { index, range: [lo, hi] } => {
+                write!(f, "the range of shape value {index}, from {lo} to {hi}, is empty or not finite")
+            }
+            Self::Shapes => f.write_str("nowhere in the ranges of the shape values is there a family"),
+            Self::Tolerance { value } => write!(f, "the tolerance {value} is not a positive, finite number"),
+            Self::NotReached { tolerance, reached } => write!(
+                f,
+                "the points are up to {reached} from the curve, more than the tolerance {tolerance}; use a larger one, \
+                 less smoothing or freer ends"
             ),
         }
     }

@@ -9,11 +9,12 @@ mod parameters;
 
 use alloc::vec::Vec;
 
-pub(super) use banded::Banded;
+pub(crate) use banded::Banded;
 pub use error::FitError;
+pub(super) use parameters::averaged;
 use parameters::common_parameters;
+pub(crate) use parameters::common_parameters as parameters_of_rows;
 pub use parameters::{Spacing, parameters};
-pub(super) use parameters::{averaged, common_parameters as parameters_of_rows};
 
 use super::{BSplineCurve, BSplineSurface, KnotVector, Net};
 use crate::{Point, Scalar};

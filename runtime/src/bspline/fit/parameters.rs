@@ -10,6 +10,7 @@ use crate::{Point, Scalar};
 /// How far apart the parameters of neighbouring points are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Spacing {
     /// The same distance between all of them.
     Uniform,
@@ -67,7 +68,7 @@ pub fn parameters<P: Point>(points: &[P], spacing: Spacing) -> Result<Vec<P::Sca
 /// One list of parameters for all rows of a grid: the mean of the rows' own.
 ///
 /// Rows all of whose points coincide, such as poles, do not count.
-pub(in crate::bspline) fn common_parameters<P: Point>(
+pub(crate) fn common_parameters<P: Point>(
     grid: &Net<P>,
     spacing: Spacing,
 ) -> Result<Vec<P::Scalar>, FitError> {

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 
 pub use error::NetworkError;
 
-use super::{BSplineSurface, Direction, Edge, Joint, JointMeasure, measure_joint};
+use super::{BSplineSurface, Direction, Edge, EdgePair, JointMeasure, measure_joint};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::{Point, Point3};
@@ -28,8 +28,8 @@ pub struct Seam {
 
 impl Seam {
     /// The seam as seen from one of its patches, which is to be adjusted.
-    fn joint(&self, side: usize) -> Joint {
-        Joint { edge: self.edges[side], target: self.edges[1 - side], reversed: self.reversed }
+    fn joint(&self, side: usize) -> EdgePair {
+        EdgePair { first: self.edges[side], second: self.edges[1 - side], reversed: self.reversed }
     }
 }
 
@@ -46,9 +46,10 @@ pub struct Network<P: Point> {
     seams: Vec<Seam>,
 }
 
-/// What a network is to keep while it follows.
+/// What a network is to keep while it follows: the defaults, and what is set otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct FollowOptions {
     /// The largest gap of a seam, in the unit of the points.
     pub gap: f64,
@@ -63,6 +64,13 @@ impl Default for FollowOptions {
     fn default() -> Self {
         Self { gap: 1e-5, angle: 1e-4, spans: 400 }
     }
+}
+
+super::setters! {
+    FollowOptions;
+    gap: f64, "With that largest gap of a seam, in the unit of the points.";
+    angle: f64, "With that largest angle between the tangent planes along a seam, in radians.";
+    spans: usize, "With at most that number of spans along an edge of a patch that follows.";
 }
 
 /// A network after one patch was deformed and its neighbours followed.

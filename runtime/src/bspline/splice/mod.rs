@@ -27,7 +27,7 @@ pub use measure::JointMeasure;
 use measure::measure;
 use strip::{Strip, along, place};
 
-use super::{BSplineSurface, Edge};
+use super::{BSplineSurface, Edge, EdgePair};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::length;
@@ -41,37 +41,10 @@ pub(super) const AIM: f64 = 0.8;
 /// met.
 const PATIENCE: usize = 3;
 
-/// Which edges of two surfaces belong together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Joint {
-    /// The edge of the surface that is adjusted.
-    pub edge: Edge,
-    /// The edge of the target.
-    pub target: Edge,
-    /// Whether the parameters along the two edges run in opposite directions.
-    pub reversed: bool,
-}
-
-impl Joint {
-    /// The joint of these edges, in the direction in which their ends are nearer to each other.
-    pub fn nearest<P: Point>(
-        surface: &BSplineSurface<P>,
-        edge: Edge,
-        target: &BSplineSurface<P>,
-        target_edge: Edge,
-    ) -> Self {
-        let (a, b) = (surface.boundary(edge), target.boundary(target_edge));
-        let distance = |p: P, q: P| length(p.minus(q)).to_f64();
-        let same = distance(a.start(), b.start()) + distance(a.end(), b.end());
-        let opposite = distance(a.start(), b.end()) + distance(a.end(), b.start());
-        Self { edge, target: target_edge, reversed: opposite < same }
-    }
-}
-
 /// How smooth a joint is to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Continuity {
     /// The edges are the same curve.
     G0,
@@ -87,6 +60,7 @@ pub enum Continuity {
 #[doc = include_str!("comparison.md")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Method {
     /// That of the paper: equations at the ends and the middle of every span; the rest by two quadratic programmes.
     #[cfg(all(feature = "nalgebra", feature = "std"))]
@@ -97,9 +71,17 @@ pub enum Method {
     Exact,
 }
 
-/// What a splice is to reach, and how.
+/// What a splice is to reach, and how: the defaults, and what is set otherwise.
+///
+/// ```
+/// use basis_runtime::bspline::{Method, SpliceOptions};
+///
+/// let options = SpliceOptions::default().method(Method::LeastSquares).gap(1e-6);
+/// assert_eq!((options.gap, options.angle), (1e-6, 1e-4));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct SpliceOptions {
     /// The method.
     pub method: Method,
@@ -135,6 +117,17 @@ impl Default for SpliceOptions {
     }
 }
 
+crate::bspline::setters! {
+    SpliceOptions;
+    method: Method, "With that method.";
+    continuity: Continuity, "With that smoothness.";
+    gap: f64, "With that largest gap, in the unit of the points.";
+    angle: f64, "With that largest angle between the tangent planes, in radians.";
+    spans: usize, "With at most that number of spans along the edge.";
+    carry: bool, "Whether the second row gets the change of the edge before it is corrected.";
+    merge: bool, "Whether the degree along the edge is raised to that of the target and its knots are inserted first.";
+}
+
 /// A surface that was joined to another one.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -160,7 +153,7 @@ pub struct Splice<P: Point> {
 pub fn measure_joint<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
-    joint: Joint,
+    joint: EdgePair,
 ) -> Result<JointMeasure, SpliceError> {
     measured(surface, target, joint, Continuity::G1)
 }
@@ -168,11 +161,11 @@ pub fn measure_joint<P: Point3>(
 fn measured<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
-    joint: Joint,
+    joint: EdgePair,
     continuity: Continuity,
 ) -> Result<JointMeasure, SpliceError> {
-    let strip = Strip::new(&surface.clamped(), joint.edge)?;
-    let other = Strip::new(&target.clamped(), joint.target)?;
+    let strip = Strip::new(&surface.clamped(), joint.first)?;
+    let other = Strip::new(&target.clamped(), joint.second)?;
     let other = other.mapped::<P::Scalar>(strip.knots.domain(), joint.reversed, &strip.knots)?;
     Ok(measure(&strip, &other, continuity)?.0)
 }
@@ -188,7 +181,7 @@ fn measured<P: Point3>(
 pub fn splice<P: Point3>(
     surface: &BSplineSurface<P>,
     target: &BSplineSurface<P>,
-    joint: Joint,
+    joint: EdgePair,
     options: &SpliceOptions,
 ) -> Result<Splice<P>, SpliceError> {
     for tolerance in [options.gap, options.angle] {
@@ -196,9 +189,9 @@ pub fn splice<P: Point3>(
             return Err(SpliceError::Tolerance { tolerance });
         }
     }
-    let surface = prepared(surface, joint.edge)?;
-    let original = Strip::new(&surface, joint.edge)?;
-    let fixed = Strip::new(&target.clamped(), joint.target)?;
+    let surface = prepared(surface, joint.first)?;
+    let original = Strip::new(&surface, joint.first)?;
+    let fixed = Strip::new(&target.clamped(), joint.second)?;
     let fixed = fixed.mapped::<P::Scalar>(original.knots.domain(), joint.reversed, &original.knots)?;
 
     let exact = options.method == Method::Exact;
@@ -232,7 +225,7 @@ pub fn splice<P: Point3>(
             best_round = rounds;
         }
         if excess(&found) <= 1.0 {
-            let result = written(&surface, joint.edge, degree, &inserted, &strip)?;
+            let result = written(&surface, joint.first, degree, &inserted, &strip)?;
             // The figures of what is handed back, in its own precision.
             let measure = measured(&result, target, joint, options.continuity)?;
             if excess(&measure) > 1.0 {

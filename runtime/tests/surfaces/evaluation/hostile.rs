@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use basis_runtime::{
-    BernsteinBasis, BoundedSurface, Curve, Edge, MeshError, ScalarOf, Surface, SurfaceOfRevolution,
+    BernsteinBasis, BoundedSurface, Curve, Edge, EdgePair, MeshError, ScalarOf, Surface, SurfaceOfRevolution,
     SurfacePiece, TensorSurface, Tessellation, edge_continuity,
 };
 
@@ -35,7 +35,12 @@ fn nets_of_extreme_numbers() {
         }
         surface.bounding_box();
         for edge in Edge::ALL {
-            edge_continuity(&surface, edge, &surface, Edge::UStart, round % 2 == 0, 5);
+            edge_continuity(
+                &surface,
+                &surface,
+                EdgePair { first: edge, second: Edge::UStart, reversed: round % 2 == 0 },
+                5,
+            );
         }
         let _ = surface.join_uu(&surface, round % 5, 1.0);
         let _ = surface.join_vv(&surface, round % 5, 1e300);

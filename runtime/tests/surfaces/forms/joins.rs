@@ -1,6 +1,6 @@
 //! Joined surfaces have the order of contact asked for, and the measurement sees it.
 
-use basis_runtime::{Edge, JoinError, Surface, TensorSurface, edge_continuity};
+use basis_runtime::{Edge, EdgePair, JoinError, Surface, TensorSurface, edge_continuity};
 
 use crate::families::{
     Cubic, FiveParameters, QuarticBernstein, bicubic, graph, random_quartic, random_surface,
@@ -35,7 +35,7 @@ fn u_u() {
         let factor = random.between(0.5, 2.0);
         for contact in 0..=2 {
             let next = first.join_uu(&draft, contact, factor).unwrap();
-            let measured = edge_continuity(&first, Edge::VEnd, &next, Edge::VStart, false, 33);
+            let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::VStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
             assert!(measured.same_side);
             assert_eq!(measured.without_normal, 0);
@@ -99,7 +99,7 @@ fn u_v() {
             let gammas = core::array::from_fn(|i| if i <= contact { lambda } else { other });
             let draft = TensorSurface::with_rows(random_quartic(random), gammas, points);
             let next = first.join_uv(&draft, contact, 1.3).unwrap();
-            let measured = edge_continuity(&first, Edge::VEnd, &next, Edge::UStart, false, 33);
+            let measured = edge_continuity(&first, &next, EdgePair::along(Edge::VEnd, Edge::UStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
             assert!(!measured.same_side);
             if contact > 0 {
@@ -124,7 +124,7 @@ fn v_v() {
             let gammas = core::array::from_fn(|i| if i <= contact { edge } else { other });
             let draft = TensorSurface::with_rows(random_quartic(random), gammas, sheet(random, 3.0, 0.0));
             let next = first.join_vv(&draft, contact, 0.7).unwrap();
-            let measured = edge_continuity(&first, Edge::UEnd, &next, Edge::UStart, false, 33);
+            let measured = edge_continuity(&first, &next, EdgePair::along(Edge::UEnd, Edge::UStart), 33);
             assert_eq!(measured.order(1e-12, 1e-10, 1e-8), Some(contact), "{measured:?}");
             assert!(measured.same_side);
             if contact < 2 {
@@ -161,10 +161,10 @@ fn a_fold_is_not_smooth() {
     let left = bicubic(|i, j| [i as f64, j as f64, 0.0]);
     let back = bicubic(|i, j| [i as f64, 3.0 - j as f64, 0.0]);
     let on = bicubic(|i, j| [i as f64, 3.0 + j as f64, 0.0]);
-    let measured = edge_continuity(&left, Edge::VEnd, &back, Edge::VStart, false, 9);
+    let measured = edge_continuity(&left, &back, EdgePair::along(Edge::VEnd, Edge::VStart), 9);
     assert_eq!((measured.gap, measured.angle), (0.0, core::f64::consts::PI));
     assert_eq!(measured.order(1e-9, 1e-3, 1.0), Some(0));
-    let measured = edge_continuity(&left, Edge::VEnd, &on, Edge::VStart, false, 9);
+    let measured = edge_continuity(&left, &on, EdgePair::along(Edge::VEnd, Edge::VStart), 9);
     assert_eq!((measured.gap, measured.angle, measured.curvature), (0.0, 0.0, 0.0));
 }
 
@@ -173,13 +173,13 @@ fn a_fold_is_not_smooth() {
 fn of_parts_of_one_surface() {
     let bowl = graph(|u, v| u * u + 0.5 * v * v - u * v);
     let [left, right] = bowl.split_u(0.25);
-    let measured = edge_continuity(&left, Edge::UEnd, &right, Edge::UStart, false, 17);
+    let measured = edge_continuity(&left, &right, EdgePair::along(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
     let turned = bowl.subpatch(0.25..1.0, 1.0..-1.0);
-    let measured = edge_continuity(&left, Edge::UEnd, &turned, Edge::UStart, true, 17);
+    let measured = edge_continuity(&left, &turned, EdgePair::against(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
     assert!(!measured.same_side);
-    let apart = edge_continuity(&left, Edge::UEnd, &turned, Edge::UStart, false, 17);
+    let apart = edge_continuity(&left, &turned, EdgePair::along(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(apart.order(1e-3, 1.0, 1.0), None);
 }
 
@@ -188,20 +188,20 @@ fn of_parts_of_one_surface() {
 fn differences_of_curvature() {
     let parabola = graph(|u, _| (u - 1.0) * (u - 1.0));
     let flat = bicubic(|i, j| [1.0 + i as f64, 2.0 * j as f64 / 3.0 - 1.0, 0.0]);
-    let measured = edge_continuity(&parabola, Edge::UEnd, &flat, Edge::UStart, false, 9);
+    let measured = edge_continuity(&parabola, &flat, EdgePair::along(Edge::UEnd, Edge::UStart), 9);
     assert!(measured.angle < 1e-15 && (measured.curvature - 2.0).abs() < 1e-13, "{measured:?}");
 }
 
 #[test]
 fn along_an_edge_that_is_a_point() {
     let pole = |side: f64| bicubic(|i, j| [side * i as f64, i as f64 * (j as f64 - 1.5), 0.0]);
-    let measured = edge_continuity(&pole(1.0), Edge::UStart, &pole(-1.0), Edge::UStart, false, 9);
+    let measured = edge_continuity(&pole(1.0), &pole(-1.0), EdgePair::along(Edge::UStart, Edge::UStart), 9);
     assert_eq!((measured.gap, measured.without_normal), (0.0, 0));
     assert!(measured.angle < 1e-15);
     assert_eq!(measured.without_curvature, 9);
     assert!(measured.curvature.is_nan());
     let point = bicubic(|_, _| [0.0; 3]);
-    let measured = edge_continuity(&point, Edge::UStart, &point, Edge::UStart, false, 0);
+    let measured = edge_continuity(&point, &point, EdgePair::along(Edge::UStart, Edge::UStart), 0);
     assert_eq!(measured.without_normal, 2);
     assert!(measured.angle.is_nan());
     assert_eq!(measured.order(1.0, 1.0, 1.0), Some(0));

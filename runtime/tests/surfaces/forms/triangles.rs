@@ -1,7 +1,7 @@
 //! Triangular patches as tensor surfaces.
 
 use basis_runtime::{
-    Edge, JoinError, Surface, Tessellation, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
+    Edge, EdgePair, JoinError, Surface, Tessellation, TriangleEdge, TriangleIndex, TriangularBernsteinBasis,
     TriangularBezier, TriangularBezierOf, TriangularPatch, basis, edge_continuity,
 };
 
@@ -200,14 +200,14 @@ fn are_continued() {
             corner
         }));
         let (a, b) = (turned.to_tensor_surface(), second.to_tensor_surface());
-        let joint = edge_continuity(&a, Edge::UEnd, &b, Edge::VStart, true, 33);
+        let joint = edge_continuity(&a, &b, EdgePair::against(Edge::UEnd, Edge::VStart), 33);
         assert!(joint.gap < 1e-11 && joint.angle < 1e-6 && joint.same_side, "{joint:?}");
         assert!(joint.curvature > 1e-3);
 
         let points = core::array::from_fn(|_| core::array::from_fn(|_| random.between(-1.0, 1.0)));
         let basis = TriangularBernsteinBasis::<f64, 7, 28>::new();
         let smooth = first.continued(edge, apex, 2, basis, points).unwrap().to_tensor_surface();
-        let joint = edge_continuity(&a, Edge::UEnd, &smooth, Edge::VStart, true, 33);
+        let joint = edge_continuity(&a, &smooth, EdgePair::against(Edge::UEnd, Edge::VStart), 33);
         assert_eq!(joint.order(1e-11, 1e-6, 1e-4), Some(2), "{joint:?}");
     }
 }

@@ -1,0 +1,257 @@
+//! Bounds for an angle or an exponent that stands beside its own sine or exponential: by quotients of polynomials in its
+//! tangent.
+//!
+//! **Theorems** (continued fractions of C. F. Gauss 1813, and J. H. Lambert). For z > 0
+//!
+//! arctan z = z/(1 + T₁) with Tₖ = k²z²/(2k + 1 + Tₖ₊₁) > 0:
+//!
+//! put 0 in place of Tₙ and the quotient is too large for odd n, too small for even n. For 0 < z < 1
+//!
+//! artanh z = z/(1 − T₁) with Tₖ = k²z²/(2k + 1 − Tₖ₊₁), 0 < Tₖ < k·z²:
+//!
+//! put 0 in place of Tₙ and the quotient is too small, put n·z² and it is too large. (Tₖ/z² is a power series in z² with
+//! coefficients ≥ 0, and its limit at z = 1 is k.) No denominator vanishes there, and both sides are odd in z.
+//!
+//! An angle s with x = tan(v·(s − shift)) is therefore between two quotients in x. Measured from an end e of its range it is
+//! e + arctan(z)/v with z = (x − xₑ)/(1 + x·xₑ), and the bounds are exact at that end; for tanh it is 1 − x·xₑ.
+//! What holds for all numbers between the bounds in place of s holds for s.
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::model::angle::{Analytic, Angle, Kind};
+
+/// More terms than this are not expanded.
+const MAX_TERMS: usize = 6000;
+
+/// The number from which an angle is measured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Anchor {
+    /// Where the tangent is 0.
+    Zero,
+    /// The lower end of its range.
+    Low,
+    /// The upper end.
+    High,
+}
+
+/// How an angle is bounded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct From<'a> {
+    /// From where it is measured.
+    pub(crate) anchor: Anchor,
+    /// The range of its variable.
+    pub(crate) range: &'a Range,
+    /// The level at which the continued fraction is cut off.
+    pub(crate) n: u32,
+    /// A point of the domain.
+    pub(crate) typical: &'a [(Var, Rational)],
+}
+
+/// A quotient of polynomials, with a positive denominator, that bounds an angle.
+struct Bound {
+    above: Poly,
+    below: Poly,
+}
+
+/// The two bounds of z⁻¹·arctan z or z⁻¹·artanh z as coefficients in z², above and below the fraction line.
+fn quotients(kind: Kind, n: u32) -> [[Vec<Rational>; 2]; 2] {
+    let number = |k: u32| Rational::from(i64::from(k));
+    let step = |(a, b): (Vec<Rational>, Vec<Rational>), k: u32| {
+        // (2k − 1) ± k²z²/(a/b)
+        let factor = if kind == Kind::Circular { number(k * k) } else { -number(k * k) };
+        let mut sum: Vec<Rational> = a.iter().map(|c| c * &number(2 * k - 1)).collect();
+        sum.resize(sum.len().max(b.len() + 1), Rational::ZERO);
+        for (i, c) in b.iter().enumerate() {
+            sum[i + 1] += &(c * &factor);
+        }
+        (sum, a)
+    };
+    let whole = |n: u32, tail: Option<Rational>| {
+        let first: Vec<Rational> = core::iter::once(number(2 * n - 1)).chain(tail).collect();
+        let (below, above) = (1..n).rev().fold((first, vec![Rational::ONE]), step);
+        [above, below]
+    };
+    match kind {
+        Kind::Hyperbolic => [whole(n, None), whole(n, Some(-number(n)))],
+        Kind::Circular | Kind::Linear => [whole(n, None), whole(n + 1, None)],
+    }
+}
+
+/// Numbers between which arctan z or artanh z lies; `None` where there is no artanh z.
+pub(crate) fn inverse(kind: Kind, z: &Rational, n: u32) -> Option<(Rational, Rational)> {
+    let square = z * z;
+    if kind == Kind::Hyperbolic && square >= Rational::ONE {
+        return None;
+    }
+    let value = |c: &[Rational]| c.iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * &square) + c);
+    let [a, b] = quotients(kind, n).map(|[above, below]| (z * &value(&above)).checked_div(&value(&below)));
+    let (a, b) = (a?, b?);
+    Some(if a < b { (a, b) } else { (b, a) })
+}
+
+/// The multiples Σ cᵢ·p²ⁱ·q²⁽ᵐ⁻ⁱ⁾.
+fn homogeneous(coefficients: &[Rational], p: &Poly, q: &Poly, m: usize) -> Poly {
+    let (p, q) = (p * p, q * q);
+    let mut sum = Poly::zero();
+    for (i, c) in coefficients.iter().enumerate() {
+        sum = &sum + &(&p.pow(i as u32) * &q.pow((m - i) as u32)).scale(c);
+    }
+    sum
+}
+
+impl Angle {
+    /// The two bounds of the angle; `None` for one that is no angle, or where it has no such end.
+    fn bounds(&self, analytic: &Analytic, from: &From<'_>) -> Option<[Bound; 2]> {
+        let From { anchor, range, n, typical } = *from;
+        if self.kind == Kind::Linear {
+            return None;
+        }
+        let x = self.tangent();
+        let pi = || analytic.pi.map(Fraction::var);
+        let (at, start) = match anchor {
+            Anchor::Zero if self.turns || self.shift.is_zero() => {
+                (Fraction::zero(), Fraction::constant(self.shift.clone()))
+            }
+            Anchor::Zero => (Fraction::zero(), &Fraction::constant(self.shift.clone()) * &pi()?),
+            Anchor::Low | Anchor::High => {
+                let side = usize::from(anchor == Anchor::High);
+                let end = [&range.low, &range.high][side].value()?;
+                let at = x.substitute(self.var, &Fraction::constant(end.clone()))?;
+                (at, self.limits[side].clone())
+            }
+        };
+        // z = p/q, the difference of the angles as a tangent.
+        let across = &(x.denom() * at.denom());
+        let product = x.numer() * at.numer();
+        let q = if self.kind == Kind::Circular { across + &product } else { across - &product };
+        let p = &(x.numer() * at.denom()) - &(at.numer() * x.denom());
+        // The denominators of a tangent vanish nowhere, nor does 1 ± x·xₑ; so q has the sign of one of its values.
+        let value = typical.iter().fold(q.clone(), |q, (var, x)| q.at(*var, x)).as_constant()?;
+        let (p, q) = match value.signum() {
+            1 => (p, q),
+            -1 => (-&p, -&q),
+            _ => return None,
+        };
+        let start = start.as_poly()?.clone();
+        let mut rate = Poly::constant(self.rate.clone());
+        if self.turns {
+            rate = &rate * pi()?.numer();
+        }
+        Some(quotients(self.kind, n).map(|[above, below]| {
+            let m = above.len().max(below.len()) - 1;
+            let above = &p * &homogeneous(&above, &p, &q, m);
+            let below = &(&q * &homogeneous(&below, &p, &q, m)) * &rate;
+            Bound { above: &(&start * &below) + &above, below }
+        }))
+    }
+}
+
+/// A polynomial f that contains an angle itself, as polynomials without it: f ≥ 0 (> 0) if all of them are, and f ≤ 0 (< 0)
+/// if all of them are.
+///
+/// Of degree 1 in the angle there are two, one for each bound, unless it shall be a single one. In a single one the variable
+/// of the angle runs from 0 to 1 between the bounds.
+pub(crate) fn without(
+    f: &Poly,
+    analytic: &Analytic,
+    angle: &Angle,
+    from: &From<'_>,
+    single: bool,
+    work: &mut Work,
+) -> Option<Vec<Poly>> {
+    let degree = f.degree(angle.itself);
+    let bounds = angle.bounds(analytic, from)?;
+    if degree == 1 && !single {
+        let [low, high] = &bounds;
+        return Some(vec![
+            put(f, angle.itself, degree, low, work)?,
+            put(f, angle.itself, degree, high, work)?,
+        ]);
+    }
+    let between = between(angle, bounds, work)?;
+    Some(vec![put(f, angle.itself, degree, &between, work)?])
+}
+
+/// The polynomials of a row of a matrix, in which the variable of the angle runs from 0 to 1 between the bounds: all times the
+/// same positive denominator.
+pub(crate) fn row_without(
+    row: &[Poly],
+    analytic: &Analytic,
+    angle: &Angle,
+    from: &From<'_>,
+    work: &mut Work,
+) -> Option<Vec<Poly>> {
+    let between = between(angle, angle.bounds(analytic, from)?, work)?;
+    let degree = row.iter().map(|p| p.degree(angle.itself)).max().unwrap_or(0);
+    row.iter().map(|p| put(p, angle.itself, degree, &between, work)).collect()
+}
+
+/// All numbers between two bounds, as the variable of the angle runs from 0 to 1.
+fn between(angle: &Angle, [low, high]: [Bound; 2], work: &mut Work) -> Option<Bound> {
+    let s = Poly::var(angle.itself);
+    let (first, last) =
+        (multiplied(&low.above, &high.below, work)?, multiplied(&high.above, &low.below, work)?);
+    let above = &first + &multiplied(&s, &(&last - &first), work)?;
+    let below = multiplied(&low.below, &high.below, work)?;
+    Some(Bound { above, below })
+}
+
+/// A polynomial with a quotient in place of a variable, times a power of its denominator, which is positive.
+fn put(f: &Poly, var: Var, degree: u32, Bound { above, below }: &Bound, work: &mut Work) -> Option<Poly> {
+    let parts = f.coefficients_in(var);
+    let mut rest = vec![Poly::one()];
+    for k in 0..degree as usize {
+        rest.push(multiplied(&rest[k], below, work)?);
+    }
+    let (mut sum, mut power) = (Poly::zero(), Poly::one());
+    for (part, rest) in parts.iter().zip(rest.iter().rev()) {
+        sum = &sum + &multiplied(&multiplied(part, &power, work)?, rest, work)?;
+        power = multiplied(&power, above, work)?;
+    }
+    Some(sum)
+}
+
+fn multiplied(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
+    work.spend_product(a, b)?;
+    Some(a * b).filter(|p| p.len() <= MAX_TERMS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bounds on both sides, and that they become narrower; the exact value by the float of the standard library.
+    #[test]
+    fn bounds_are_on_both_sides() {
+        for kind in [Kind::Circular, Kind::Hyperbolic] {
+            for (a, b) in [(1, 1000), (1, 3), (-2, 3), (9, 10), (99, 100)] {
+                let z = Rational::new(a, b);
+                let exact = if kind == Kind::Circular { z.to_f64().atan() } else { z.to_f64().atanh() };
+                let mut before = f64::INFINITY;
+                for n in 1..12 {
+                    let (low, high) = inverse(kind, &z, n).expect("bounds");
+                    assert!(low < high, "{kind:?} {z} {n}");
+                    let tiny = 1e-15 * exact.abs();
+                    assert!(
+                        low.to_f64() <= exact + tiny && exact - tiny <= high.to_f64(),
+                        "{kind:?} {z} {n}"
+                    );
+                    let width = (&high - &low).to_f64();
+                    assert!(width < before, "{kind:?} {z} {n}");
+                    before = width;
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_bounds() {
+        let third = Rational::new(1, 3);
+        // x/(1 + x²/3) and x; x and x/(1 − x²).
+        assert_eq!(inverse(Kind::Circular, &third, 1), Some((Rational::new(9, 28), third.clone())));
+        assert_eq!(inverse(Kind::Hyperbolic, &third, 1), Some((third, Rational::new(3, 8))));
+    }
+}

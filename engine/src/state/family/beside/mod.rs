@@ -1,0 +1,381 @@
+//! Signs of functions in which a variable, or the end of its range, stands beside its own sine or exponential.
+//!
+//! There are several ways to statements that are enough for such a sign, and need not be true if it is as claimed; a
+//! certificate holds the number of the one that was successful. All of them lead to polynomials in tangents:
+//!
+//! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves;
+//! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end.
+//!
+//! A claim is false where the value is not as claimed whatever the numbers are that its enclosures leave
+//! ([`refute`]).
+
+mod ladder;
+mod sample;
+
+use basis_kernel::{Domain, Proof, Statement};
+use basis_prover::collections::list::Listed;
+use basis_prover::{Coordinate, Counterexample};
+use std::rc::Rc;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{End, Range};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::claim::Comparison;
+use crate::model::Family;
+use crate::model::angle::{Angle, Kind};
+use crate::model::enclosure::{Anchor, From, without};
+use ladder::Ladder;
+use sample::Values;
+
+pub(super) use sample::{Sample, at_point};
+
+/// Something that has to be ≥ 0, or > 0.
+#[derive(Clone)]
+pub(super) struct Step {
+    pub(super) of: String,
+    pub(super) value: Fraction,
+    pub(super) comparison: Comparison,
+    /// Ranges of variables that are not those of the domain.
+    ranges: Vec<(Var, Range)>,
+    /// From where an angle is measured.
+    anchor: Anchor,
+    /// On which side of 0 its points lie, if only one.
+    half: Option<Half>,
+}
+
+/// One side of 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Half {
+    Below,
+    Above,
+}
+
+impl Step {
+    const fn new(of: String, value: Fraction, comparison: Comparison) -> Self {
+        Self { of, value, comparison, ranges: Vec::new(), anchor: Anchor::Zero, half: None }
+    }
+
+    /// The points that it is about, of those that a claim is about.
+    pub(super) fn domain(&self, whole: &Rc<Domain>) -> Rc<Domain> {
+        let mut domain = (**whole).clone();
+        for (var, range) in &self.ranges {
+            domain.region.ranges.retain(|(v, _)| v != var);
+            domain.region.ranges.push((*var, range.clone()));
+        }
+        Rc::new(domain)
+    }
+}
+
+/// A text with a sign or the like before it.
+fn named(before: &str, of: &str) -> String {
+    if of.contains(' ') { format!("{before}({of})") } else { format!("{before}{of}") }
+}
+
+/// Ways to what is enough: by derivatives or not, and the level of the bounds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    Ladder(u32),
+    Halves(u32),
+    Whole(u32),
+    Cells(u32),
+}
+
+const WAYS: [Way; 7] = [
+    Way::Ladder(5),
+    Way::Halves(5),
+    Way::Whole(3),
+    Way::Cells(4),
+    Way::Ladder(10),
+    Way::Whole(8),
+    Way::Cells(9),
+];
+
+/// How many ways there are.
+pub(super) const COUNT: usize = WAYS.len();
+
+/// The angles that stand in a function beside their sines.
+fn beside<'f>(family: &'f Family, value: &Fraction) -> Vec<&'f Angle> {
+    let angles = family.analytic.angles.iter();
+    angles.filter(|a| a.kind != Kind::Linear && a.itself != a.var && value.depends_on(a.itself)).listed()
+}
+
+/// Whether a comparison is about the sign of a function in which an angle stands beside its sine.
+pub(super) fn is_mixed(family: &Family, value: &Fraction, comparison: Comparison) -> bool {
+    !matches!(comparison, Comparison::Equal | Comparison::NotEqual) && !beside(family, value).is_empty()
+}
+
+/// What is enough for a value to compare with 0 as claimed, by a way with this number; `None` where that leads nowhere.
+pub(super) fn steps(
+    family: &Family,
+    of: &str,
+    value: &Fraction,
+    comparison: Comparison,
+    (way, sample): (usize, &Sample<'_>),
+    work: &mut Work,
+) -> Option<Vec<Step>> {
+    let (value, of) = match comparison {
+        Comparison::GreaterEqual | Comparison::Greater => (value.clone(), of.to_string()),
+        Comparison::LessEqual | Comparison::Less => (-value, named("-", of)),
+        Comparison::Equal | Comparison::NotEqual => return None,
+    };
+    let strict = matches!(comparison, Comparison::Greater | Comparison::Less);
+    let (var, ..) = family.interval()?;
+    let range = &family.domain.first()?.range;
+    let own = family.analytic.angle(var).filter(|a| a.kind != Kind::Linear && value.depends_on(a.itself));
+    let relation = if strict { Comparison::Greater } else { Comparison::GreaterEqual };
+    let (value, own) = match own.filter(|angle| !value.depends_on(angle.var)) {
+        // Alone it runs from one end to the other as its tangent would.
+        Some(angle) => (value.substitute(angle.itself, &along(angle, range)?)?, None),
+        None => (value, own),
+    };
+    let whole = Step::new(of.clone(), value.clone(), relation);
+    let way = WAYS.get(way)?;
+    let (found, level) = match (way, own) {
+        (Way::Ladder(level), Some(angle)) => {
+            let mut ladder = Ladder { family, angle, range, sample, found: Vec::new(), zero: None };
+            ladder.start(&of, &value, strict, work)?;
+            (ladder.found, *level)
+        }
+        (Way::Halves(level), Some(angle)) => {
+            let at = zero(angle, sample)?;
+            let mut all = Vec::new();
+            for half in [Half::Below, Half::Above] {
+                let sample = sample.half(angle, half)?;
+                let zero = Some((at.clone(), half));
+                let mut ladder = Ladder { family, angle, range, sample: &sample, found: Vec::new(), zero };
+                ladder.start(&of, &value, strict, work)?;
+                all.extend(ladder.found.into_iter().map(|step| Step { half: Some(half), ..step }));
+            }
+            (all, *level)
+        }
+        (Way::Cells(level), Some(angle)) => (cells(angle, range, sample, &whole)?, *level),
+        (Way::Ladder(level) | Way::Whole(level), _) => (vec![whole], *level),
+        (Way::Cells(_) | Way::Halves(_), None) => return None,
+    };
+    let mut all = Vec::new();
+    for step in found {
+        all.extend(bounded(family, step, level, sample, work)?);
+    }
+    Some(all)
+}
+
+/// The domain in cells, in each of which the variable is measured from the nearest end, or from 0.
+fn cells(angle: &Angle, range: &Range, sample: &Sample<'_>, whole: &Step) -> Option<Vec<Step>> {
+    let (low, high) = range.finite()?;
+    let middle = |a: &Rational, b: &Rational| &(a + b) * &Rational::new(1, 2);
+    // Where the tangent is 0, about.
+    let zero = {
+        let typical = sample.typical();
+        let put = |f: &Fraction| {
+            let f = typical
+                .iter()
+                .try_fold(f.clone(), |f, (v, x)| f.substitute(*v, &Fraction::constant(x.clone())));
+            f?.as_constant()
+        };
+        let at = (-put(&angle.low)?).checked_div(&put(&angle.width)?)?;
+        Some(at).filter(|y| low < y && y < high)
+    };
+    let mut cells = Vec::new();
+    let included = |x: &Rational| End::Included(x.clone());
+    match zero {
+        None => {
+            let cut = middle(low, high);
+            cells.push((Range { low: range.low.clone(), high: included(&cut) }, Anchor::Low));
+            cells.push((Range { low: included(&cut), high: range.high.clone() }, Anchor::High));
+        }
+        Some(zero) => {
+            let unit = Rational::from(64);
+            let short = |x: &Rational| (x * &unit).floor().checked_div(&unit).unwrap_or_else(|| x.clone());
+            let (a, b) = (short(&middle(low, &zero)), short(&middle(&zero, high)));
+            if !(*low < a && a < b && b < *high) {
+                return None;
+            }
+            cells.push((Range { low: range.low.clone(), high: included(&a) }, Anchor::Low));
+            cells.push((Range { low: included(&a), high: included(&b) }, Anchor::Zero));
+            cells.push((Range { low: included(&b), high: range.high.clone() }, Anchor::High));
+        }
+    }
+    let count = cells.len();
+    let step = |(k, (range, anchor)): (usize, (Range, Anchor))| Step {
+        of: format!("{} [cell {} of {count}]", whole.of, k + 1),
+        ranges: vec![(angle.var, range)],
+        anchor,
+        ..whole.clone()
+    };
+    Some(cells.into_iter().enumerate().map(step).listed())
+}
+
+/// An angle that does not stand beside its sine, from the lower to the upper end as the variable of its tangent, which does not
+/// occur, runs through its range.
+fn along(angle: &Angle, range: &Range) -> Option<Fraction> {
+    let [first, last] = &angle.limits;
+    let (low, high) = range.finite()?;
+    let part = &Fraction::var(angle.var) - &Fraction::constant(low.clone());
+    let part = &part * &Fraction::constant((high - low).recip()?);
+    Some(first + &(&(last - first) * &part))
+}
+
+/// Where 0 lies strictly inside of the range of an angle: the value of its variable there.
+fn zero(angle: &Angle, sample: &Sample<'_>) -> Option<Fraction> {
+    let at = (-&angle.low).checked_div(&angle.width)?;
+    (angle.shift.is_zero()
+        && sample.half(angle, Half::Below).is_some()
+        && sample.half(angle, Half::Above).is_some())
+    .then_some(at)
+}
+
+/// The same step, about the tangent itself in place of the variable that runs between the ends of its range, if these contain
+/// exp(r) and the step does not: about a little more than this range.
+fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, Angle)> {
+    let (number, _) = family.analytic.exponential.as_ref()?;
+    if step.ranges.iter().any(|(v, _)| *v == angle.var) || !angle.tangent().depends_on(*number) {
+        return None;
+    }
+    let own = (&Fraction::var(angle.var) - &angle.low).checked_div(&angle.width)?;
+    let value = step.value.substitute(angle.var, &own).filter(|value| !value.depends_on(*number))?;
+    let end = |y: i64, up: bool| {
+        let x = angle.tangent().substitute(angle.var, &Fraction::constant(Rational::from(y)))?;
+        sample::bound(family, &x, up)
+    };
+    let (mut low, mut high) = (end(0, false)?, end(1, true)?);
+    match step.half {
+        Some(Half::Below) => high = Rational::ZERO,
+        Some(Half::Above) => low = Rational::ZERO,
+        None => {}
+    }
+    let mut ranges = step.ranges.clone();
+    ranges.push((angle.var, Range::closed(low, high)));
+    let local = Angle { low: Fraction::zero(), width: Fraction::constant(Rational::ONE), ..angle.clone() };
+    Some((Step { value, ranges, half: None, ..step.clone() }, local))
+}
+
+/// The statements about a step in which bounds stand in place of the angles themselves.
+fn bounded(
+    family: &Family,
+    step: Step,
+    level: u32,
+    sample: &Sample<'_>,
+    work: &mut Work,
+) -> Option<Vec<Step>> {
+    let (mut step, mut local) = (step, None);
+    if step.anchor == Anchor::Zero
+        && let Some(angle) = family.interval().and_then(|(var, ..)| family.analytic.angle(var))
+        && step.value.depends_on(angle.var)
+    {
+        if let Some((changed, other)) = in_the_tangent(family, angle, &step) {
+            (step, local) = (changed, Some(other));
+        } else if let Some(half) = step.half {
+            let at = zero(angle, sample)?.as_constant()?;
+            let range = family.domain.first()?.range.clone();
+            let range = match half {
+                Half::Below => Range { high: End::Included(at), ..range },
+                Half::Above => Range { low: End::Included(at), ..range },
+            };
+            step.ranges.push((angle.var, range));
+        }
+    }
+    if beside(family, &step.value).is_empty() {
+        return Some(vec![step]);
+    }
+    let mut all = Vec::new();
+    let (mut above, below) = (step.value.numer().clone(), step.value.denom().clone());
+    if below.as_constant().is_none() {
+        // A quotient has the sign of the numerator where the denominator is positive.
+        let rows = sample.signs(&Fraction::from(below.clone()));
+        let negative = rows.iter().flatten().find(|s| **s != 0).is_some_and(|s| *s < 0);
+        let below = if negative { -&below } else { below };
+        above = if negative { -&above } else { above };
+        let of = format!("the denominator of {}", step.of);
+        all.push((Step { of, comparison: Comparison::GreaterEqual, ..step.clone() }, below));
+    } else {
+        above = above.scale(&below.as_constant()?.recip()?);
+    }
+    all.push((step, above));
+    let mut done = Vec::new();
+    for (step, poly) in all {
+        let mut parts = vec![(step.of.clone(), poly, step.ranges.clone())];
+        // From the domain variable, whose ends are the parameters, to these.
+        for angle in
+            family.analytic.angles.iter().rev().filter(|a| a.kind != Kind::Linear && a.itself != a.var)
+        {
+            let mut next = Vec::new();
+            for (of, poly, ranges) in parts {
+                if !poly.depends_on(angle.itself) {
+                    next.push((of, poly, ranges));
+                    continue;
+                }
+                let own = family.domain.iter().any(|p| p.var == angle.var);
+                let anchor = if own { step.anchor } else { Anchor::Zero };
+                let declared = family.region().range(angle.var);
+                let from = From { anchor, range: &declared, n: level, typical: &sample.typical() };
+                let angle = local.as_ref().filter(|local| local.var == angle.var).unwrap_or(angle);
+                let found = without(&poly, &family.analytic, angle, &from, false, work)?;
+                let count = found.len();
+                for (k, poly) in found.into_iter().enumerate() {
+                    let mut ranges = ranges.clone();
+                    ranges.push((angle.itself, Range::unit()));
+                    let side = if count == 1 { "" } else { ["lower ", "upper "][k] };
+                    next.push((format!("{of} with the {side}bound for {}", angle.name), poly, ranges));
+                }
+            }
+            parts = next;
+        }
+        for (of, poly, ranges) in parts {
+            done.push(Step { of, value: Fraction::from(poly), ranges, ..step.clone() });
+        }
+    }
+    Some(done)
+}
+
+/// A counterexample to a statement about a sign in which π, exp(r) or an angle beside its sine occur, with the proof that the
+/// statement fails whatever these are between their bounds.
+pub(super) fn refute(
+    family: &Family,
+    value: &Fraction,
+    statement: &Statement,
+    work: &mut Work,
+) -> Option<(Counterexample, Proof)> {
+    let sample = Sample::new(family)?;
+    let points = sample.lowest(value);
+    points.into_iter().take(8).find_map(|point| sample::refuted_at(family, statement, &point, work))
+}
+
+/// The coordinates of a point that are no angles themselves, and no numbers such as π.
+pub(super) fn rational_part(family: &Family, point: &[(Var, Rational)]) -> Values {
+    let numbers = family.analytic.numbers();
+    let wide = |var: Var| {
+        numbers.contains(&var) || family.analytic.angles.iter().any(|a| a.itself == var && a.var != var)
+    };
+    point.iter().filter(|(var, _)| !wide(*var)).cloned().listed()
+}
+
+/// The value at a counterexample for reading, if it is not rational: with π, or as a decimal.
+pub(super) fn shown(family: &Family, found: &Counterexample, value: &Rational) -> Option<String> {
+    const LONGEST: usize = 24;
+    let Statement::Sign { value: exact, .. } = found.refutation.statement() else { return None };
+    let numbers = family.analytic.numbers();
+    let rational = found.point.iter().filter(|(var, _)| !numbers.contains(var));
+    let put = |p: &Poly| {
+        rational.clone().fold(p.clone(), |p, (var, c)| match c {
+            Coordinate::Rational(x) if family.analytic.angles.iter().all(|a| a.itself != *var) => {
+                p.at(*var, x)
+            }
+            _ => p,
+        })
+    };
+    let exact = Fraction::new(put(&exact.numerator), put(&exact.denominator))?;
+    let Statement::Sign { value: narrow, .. } = found.refutation.statement() else { return None };
+    let negated = found.evaluate(narrow).is_some_and(|c| c != Coordinate::Rational(value.clone()));
+    let exact = if negated { -&exact } else { exact };
+    let text = exact.display(&family.names);
+    let own = family.analytic.angles.iter().any(|a| a.itself != a.var && exact.depends_on(a.itself));
+    (own || numbers.iter().any(|n| exact.depends_on(*n))).then(|| {
+        if own || text.len() > LONGEST { format!("about {}", decimal(value.to_f64())) } else { text.clone() }
+    })
+}
+
+fn decimal(x: f64) -> String {
+    if x.abs() < 1e-3 { format!("{x:.3e}") } else { format!("{x:.6}") }
+}

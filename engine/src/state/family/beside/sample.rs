@@ -1,0 +1,379 @@
+//! Values of functions at points of a domain with an angle, as numbers between which they lie.
+//!
+//! At a point the tangents and all other variables are rational; the angles themselves, π and exp(r) are not, unless the
+//! point is an end.
+
+use basis_kernel::{Domain, Quotient, Relation, Statement};
+use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::{Coordinate, Counterexample, Symmetries, candidates, decide, refute, typical};
+use std::rc::Rc;
+
+use super::Half;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{Range, Region};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::model::Family;
+use crate::model::angle::{Angle, Kind};
+use crate::model::enclosure::inverse;
+use basis_prover::collections::sort::sort_by;
+
+/// The level of the continued fractions from which the values of angles come.
+const LEVEL: u32 = 12;
+
+/// Combinations of shape values, at most.
+const MAX_SHAPES: usize = 16;
+
+/// Places in the domain between its ends.
+const PLACES: i64 = 16;
+
+/// Variables with their values.
+pub(in crate::state) type Values = Vec<(Var, Rational)>;
+
+/// Two numbers, the first one not larger.
+type Interval = (Rational, Rational);
+
+/// Variables that have no rational value at a point.
+#[derive(Clone, Debug, Default)]
+struct Enclosures {
+    /// Angles that have an end of their range as value.
+    exact: Vec<(Var, Fraction)>,
+    /// Numbers between which the others lie.
+    between: Vec<(Var, Interval)>,
+}
+
+/// The numbers between which the others lie at a point; `None` beyond the reach of a tangent.
+fn enclosures(family: &Family, point: &Values) -> Option<Enclosures> {
+    let mut found = Enclosures::default();
+    let numbers = family.analytic.numbers();
+    for (var, range) in &family.analytic.ranges {
+        if let Some((low, high)) = range.finite().filter(|_| numbers.contains(var)) {
+            found.between.push((*var, (rounded(low, false), rounded(high, true))));
+        }
+    }
+    for angle in family.analytic.angles.iter().filter(|a| a.kind != Kind::Linear) {
+        let Some((_, y)) = point.iter().find(|(var, _)| *var == angle.var) else { continue };
+        let range = family.region().range(angle.var);
+        let side = [&range.low, &range.high].into_iter().position(|end| end.value() == Some(y));
+        if let Some(side) = side.filter(|side| !angle.ends[*side].is_empty()) {
+            let limit = angle.limits[side].clone();
+            found.between.push((angle.itself, between(&limit, point, &found.between)?));
+            found.exact.push((angle.itself, limit));
+            continue;
+        }
+        let (mut low, mut high) = between(&angle.tangent(), point, &found.between)?;
+        if low != high {
+            (low, high) = (rounded(&low, false), rounded(&high, true));
+        }
+        let (low, high) = (inverse(angle.kind, &low, LEVEL)?.0, inverse(angle.kind, &high, LEVEL)?.1);
+        let unit = &(Rational::ONE, Rational::ONE);
+        let pi = found.between.iter().find(|(v, _)| Some(*v) == family.analytic.pi).map(|(_, i)| i.clone());
+        let scale = if angle.turns { pi.as_ref()? } else { unit };
+        // Divided by the rate, and by π; where the range of the tangent reaches 1 and more, see `inverse`.
+        let per = |x: &Rational, by: &Rational| x.checked_div(&(by * &angle.rate));
+        let ends = [per(&low, &scale.0)?, per(&low, &scale.1)?, per(&high, &scale.0)?, per(&high, &scale.1)?];
+        let shift = if angle.turns || angle.shift.is_zero() { unit.clone() } else { pi? };
+        let low = &(&shift.0 * &angle.shift).min(&shift.1 * &angle.shift) + ends.iter().min()?;
+        let high = &(&shift.0 * &angle.shift).max(&shift.1 * &angle.shift) + ends.iter().max()?;
+        found.between.push((angle.itself, (rounded(&low, false), rounded(&high, true))));
+    }
+    Some(found)
+}
+
+/// A number with a short denominator that is not above, or not below, another one.
+fn rounded(x: &Rational, up: bool) -> Rational {
+    let unit = Rational::from(2).pow(90);
+    let scaled = x * &unit;
+    let whole = if up { -(-scaled).floor() } else { scaled.floor() };
+    whole.checked_div(&unit).unwrap_or(Rational::ZERO)
+}
+
+fn product(a: &Interval, b: &Interval) -> Interval {
+    let all = [&a.0 * &b.0, &a.0 * &b.1, &a.1 * &b.0, &a.1 * &b.1];
+    let least = all.iter().min().cloned().unwrap_or(Rational::ZERO);
+    let most = all.into_iter().max().unwrap_or(Rational::ZERO);
+    (least, most)
+}
+
+/// Numbers between which a polynomial lies at a point.
+fn of_poly(p: &Poly, point: &Values, wide: &[(Var, Interval)]) -> Option<Interval> {
+    let p = point.iter().fold(p.clone(), |p, (var, x)| p.at(*var, x));
+    let variables = p.variables();
+    let mut sum = (Rational::ZERO, Rational::ZERO);
+    for (m, c) in p.terms() {
+        let mut term = (c.clone(), c.clone());
+        for var in &variables {
+            let interval = &wide.iter().find(|(v, _)| v == var)?.1;
+            for _ in 0..m.exponent(*var) {
+                term = product(&term, interval);
+            }
+        }
+        sum = (&sum.0 + &term.0, &sum.1 + &term.1);
+    }
+    Some(sum)
+}
+
+/// Numbers between which a quotient lies at a point; `None` where its denominator is not seen to differ from 0.
+fn between(f: &Fraction, point: &Values, wide: &[(Var, Interval)]) -> Option<Interval> {
+    let below = of_poly(f.denom(), point, wide)?;
+    if below.0.signum() * below.1.signum() <= 0 {
+        return None;
+    }
+    let above = of_poly(f.numer(), point, wide)?;
+    Some(product(&above, &(below.1.recip()?, below.0.recip()?)))
+}
+
+/// A number below or above a function of π and exp(r).
+pub(super) fn bound(family: &Family, f: &Fraction, up: bool) -> Option<Rational> {
+    let found = enclosures(family, &Vec::new())?;
+    let (low, high) = between(f, &Vec::new(), &found.between)?;
+    Some(rounded(if up { &high } else { &low }, up))
+}
+
+/// Points of a family at which functions are looked at.
+pub(in crate::state::family) struct Sample<'f> {
+    family: &'f Family,
+    /// By values of the shape parameters points of the domain from its lower to its upper end.
+    rows: Vec<Vec<(Values, Enclosures)>>,
+}
+
+impl<'f> Sample<'f> {
+    /// Points for functions of a family, without a domain variable that is fixed.
+    pub(in crate::state::family) fn new(family: &'f Family) -> Option<Self> {
+        let (var, low, high) = family.interval()?;
+        let own = |range: &Range| {
+            let mut all: Vec<Rational> = match range.finite() {
+                Some((a, b)) => {
+                    [0, 1, 4, 7, 8].into_iter().map(|k| a + &(&(b - a) * &Rational::new(k, 8))).listed()
+                }
+                None => candidates(range, 4),
+            };
+            all.retain(|x| range.contains(x));
+            // The middle first.
+            let middle = all.len() / 2;
+            all.rotate_left(middle);
+            all
+        };
+        let mut shapes: Vec<Values> = vec![Vec::new()];
+        for parameter in &family.shapes {
+            let values = own(&parameter.range);
+            let mut next: Vec<Values> = Vec::new();
+            // Of many parameters not all combinations, but each value with some of the others.
+            for (k, x) in values.iter().enumerate() {
+                for (i, shape) in shapes.iter().enumerate() {
+                    if shapes.len() * values.len() <= MAX_SHAPES || (i + k) % values.len() == 0 || i == 0 {
+                        next.push([shape.as_slice(), &[(parameter.var, x.clone())]].concat());
+                    }
+                }
+            }
+            next.truncate(MAX_SHAPES);
+            shapes = next;
+        }
+        let range = &family.domain.first()?.range;
+        let places: Vec<Rational> = (0..=PLACES)
+            .map(|k| low + &(&(high - low) * &Rational::new(k, PLACES)))
+            .filter(|x| range.contains(x))
+            .listed();
+        let mut rows = Vec::new();
+        for shape in shapes {
+            let mut row = Vec::new();
+            for place in &places {
+                let point = [shape.as_slice(), &[(var, place.clone())]].concat();
+                if let Some(found) = enclosures(family, &point) {
+                    row.push((point, found));
+                }
+            }
+            rows.push(row);
+        }
+        Some(Self { family, rows })
+    }
+
+    /// The points on one side of the angle 0; `None` if there are none.
+    pub(super) fn half(&self, angle: &Angle, half: Half) -> Option<Self> {
+        let fits = |(point, found): &&(Values, Enclosures)| {
+            let sign =
+                between(&angle.tangent(), point, &found.between).map(|(a, b)| (a.signum(), b.signum()));
+            matches!((sign, half), (Some((_, -1)), Half::Below) | (Some((1, _)), Half::Above))
+        };
+        let rows = self.rows.mapped(|row| row.iter().filter(fits).cloned().listed());
+        let some = rows.iter().all(|row| !row.is_empty());
+        some.then_some(Self { family: self.family, rows })
+    }
+
+    /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out.
+    pub(super) fn signs(&self, f: &Fraction) -> Vec<Vec<i32>> {
+        let sign = |(point, found): &(Values, Enclosures)| {
+            let f = found.exact.iter().try_fold(f.clone(), |f, (var, x)| {
+                if f.depends_on(*var) { put(&f, *var, x) } else { Some(f) }
+            })?;
+            let (low, high) = between(&f, point, &found.between)?;
+            match (low.signum(), high.signum()) {
+                (1, _) => Some(1),
+                (_, -1) => Some(-1),
+                (0, 0) => Some(0),
+                _ => None,
+            }
+        };
+        self.rows.mapped(|row| row.iter().filter_map(sign).listed())
+    }
+
+    /// By shape values the signs of the Bernstein coefficients of a polynomial, raised to a degree; 0 for what is not seen.
+    pub(super) fn bernstein(
+        &self,
+        p: &Poly,
+        var: Var,
+        (low, high): (&Rational, &Rational),
+        degree: u32,
+    ) -> Vec<Vec<i32>> {
+        // p(low + width·x) = Σ cᵢ·xⁱ = Σ bᵢ·B(n, i), bᵢ = Σ binomial(i, k)/binomial(n, k)·cₖ.
+        let moved = &Poly::constant(low.clone()) + &Poly::var(var).scale(&(high - low));
+        let power = p.substitute(var, &moved).coefficients_in(var);
+        let mut all = Vec::new();
+        for row in &self.rows {
+            let Some((point, found)) = row.get(row.len() / 2) else { continue };
+            let c = power.mapped(|c| of_poly(c, point, &found.between));
+            let mut signs = Vec::new();
+            for i in 0..=degree {
+                let mut sum = Some((Rational::ZERO, Rational::ZERO));
+                let mut factor = Rational::ONE;
+                for (k, c) in (0..=i).zip(&c) {
+                    sum = sum
+                        .zip(c.as_ref())
+                        .map(|(sum, c)| (&sum.0 + &(&c.0 * &factor), &sum.1 + &(&c.1 * &factor)));
+                    factor = &factor * &Rational::new(i64::from(i - k), i64::from((degree - k).max(1)));
+                }
+                signs.push(sum.map_or(0, |(a, b)| match (a.signum(), b.signum()) {
+                    (1, _) => 1,
+                    (_, -1) => -1,
+                    _ => 0,
+                }));
+            }
+            all.push(signs);
+        }
+        all
+    }
+
+    /// The points at which a function may be smallest: by shape values the one with the smallest value, then places nearer
+    /// and nearer to it.
+    pub(super) fn lowest(&self, f: &Fraction) -> Vec<Values> {
+        let value = |point: &Values, found: &Enclosures| {
+            let (low, high) = between(f, point, &found.between)?;
+            Some(&low + &high)
+        };
+        let mut all: Vec<(Rational, Values)> = Vec::new();
+        for row in &self.rows {
+            let mut best: Option<(Rational, Values)> = None;
+            for (point, found) in row {
+                let Some(x) = value(point, found) else { continue };
+                if best.as_ref().is_none_or(|(least, _)| x < *least) {
+                    best = Some((x, point.clone()));
+                }
+            }
+            let Some((mut least, mut point)) = best else { continue };
+            let Some(range) = self.family.domain.first().map(|p| &p.range) else { continue };
+            let Some((low, high)) = range.finite() else { continue };
+            let mut step = &(high - low) * &Rational::new(1, 2 * PLACES);
+            let Some(last) = point.len().checked_sub(1) else { continue };
+            for _ in 0..6 {
+                for sign in [-1, 1] {
+                    let mut next = point.clone();
+                    next[last].1 += &(&step * &Rational::from(sign));
+                    if !range.contains(&next[last].1) {
+                        continue;
+                    }
+                    let Some(found) = enclosures(self.family, &next) else { continue };
+                    if let Some(x) = value(&next, &found).filter(|x| *x < least) {
+                        (least, point) = (x, next);
+                    }
+                }
+                step = &step * &Rational::new(1, 2);
+            }
+            all.push((least, point));
+        }
+        sort_by(&mut all, |a, b| a.0.cmp(&b.0));
+        all.into_iter().map(|(_, point)| point).listed()
+    }
+
+    /// A point of the domain.
+    pub(super) fn typical(&self) -> Values {
+        let region = self.family.region();
+        region.ranges.iter().map(|(var, range)| (*var, middle(range))).listed()
+    }
+}
+
+/// The middle of a range, or another point of it.
+pub(super) fn middle(range: &Range) -> Rational {
+    range.finite().map_or_else(|| typical(range), |(a, b)| &(a + b) * &Rational::new(1, 2))
+}
+
+/// A quotient with a quotient in place of a variable.
+fn put(f: &Fraction, var: Var, x: &Fraction) -> Option<Fraction> {
+    f.substitute(var, x)
+}
+
+/// A statement about a sign at one point, with all values of the variables that are not rational there between their bounds,
+/// and what is to be shown of these for the statement to be false; `None` where the point is none of the domain.
+pub(in crate::state::family) fn at_point(
+    family: &Family,
+    statement: &Statement,
+    point: &Values,
+) -> Option<[Statement; 2]> {
+    let Statement::Sign { value, relation, domain } = statement else { return None };
+    let found = enclosures(family, point)?;
+    let mut value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
+    for (var, x) in &found.exact {
+        value = put(&value, *var, x)?;
+    }
+    let mut ranges = Vec::new();
+    for (var, range) in &domain.region.ranges {
+        if let Some((_, x)) = point.iter().find(|(v, _)| v == var) {
+            if !range.contains(x) {
+                return None;
+            }
+            ranges.push((*var, Range::closed(x.clone(), x.clone())));
+        } else if family.analytic.numbers().contains(var) {
+            ranges.push((*var, range.clone()));
+        } else if value.depends_on(*var) {
+            return None;
+        }
+    }
+    for (var, (low, high)) in found.between {
+        if value.depends_on(var) && ranges.iter().all(|(v, _)| *v != var) {
+            ranges.push((var, Range::closed(low, high)));
+        }
+    }
+    let domain = Rc::new(Domain { region: Region { ranges }, ..(**domain).clone() });
+    let opposite = match relation {
+        Relation::NonNegative => Relation::Positive,
+        Relation::Positive => Relation::NonNegative,
+    };
+    let negation =
+        Statement::Sign { value: (-&value).quotient(), relation: opposite, domain: Rc::clone(&domain) };
+    let narrow = Statement::Sign { value: value.quotient(), relation: *relation, domain };
+    Some([narrow, negation])
+}
+
+/// The refutation of a statement about a sign at a point, with the proof that it fails for all values between the bounds.
+pub(super) fn refuted_at(
+    family: &Family,
+    statement: &Statement,
+    point: &Values,
+    work: &mut Work,
+) -> Option<(Counterexample, basis_kernel::Proof)> {
+    let [narrow, negation] = at_point(family, statement, point)?;
+    let Statement::Sign { value: Quotient { numerator, denominator }, domain, .. } = &narrow else {
+        return None;
+    };
+    let free = |var: Var| numerator.depends_on(var) || denominator.depends_on(var);
+    let coordinates = domain
+        .region
+        .ranges
+        .iter()
+        .filter(|(var, _)| free(*var) || point.iter().any(|(v, _)| v == var))
+        .map(|(var, range)| (*var, Coordinate::Rational(middle(range))))
+        .listed();
+    let found = refute(&Rc::new(narrow.clone()), &coordinates, work)?;
+    let shown = decide(negation, &Symmetries::new(), 1).ok()?;
+    Some((found, shown.proof))
+}

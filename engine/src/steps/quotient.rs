@@ -1,0 +1,482 @@
+//! The steps of families that are evaluated as quotients, span by span: those with denominators, angles or exponentials,
+//! with several spans, without an end of their domain, or with shape parameters at the ends.
+//!
+//! They do what `Chart` and `RationalCurve` of the runtime do: N(s, x)/W(s, x) in
+//! coordinates s, x that keep their digits at the ends of a span. What depends on the shape values only and needs more than
+//! operations, tangents and the numbers of a chart, is computed once: [`Derived`] values, which are inputs of all other
+//! steps, after the shape values.
+
+use super::{Builder, Function, Steps, lower};
+use crate::algebra::rational::Rational;
+use crate::generate::rational::split;
+use crate::generate::rational_forms;
+use crate::model::Family;
+use crate::model::angle::{Analytic, Angle, Kind};
+use crate::plan::form::RationalForm;
+use crate::plan::{Input, Plan, rational};
+use basis_prover::collections::list::Listed;
+
+/// Numbers that depend on the shape values and are computed once for them.
+#[derive(Clone, Debug)]
+pub struct Derived {
+    /// What they are called; no two are the same.
+    pub names: Vec<String>,
+    /// Their values, from the shape values.
+    pub steps: Steps,
+}
+
+/// A family that is evaluated as quotients.
+#[derive(Clone, Debug)]
+pub(super) struct Quotients<'a> {
+    spans: Vec<Span<'a>>,
+    pub(super) derived: Derived,
+}
+
+#[derive(Clone, Debug)]
+struct Span<'a> {
+    /// The functions on the span.
+    family: &'a Family,
+    form: RationalForm,
+    /// The inputs that the plans have after the shape values: where they stand among all.
+    tangents: Vec<usize>,
+    ends: [Scalar; 2],
+    kind: Kind,
+    /// Of a kind with angles.
+    turn: Option<Turn>,
+}
+
+/// A number that is known, or an input.
+#[derive(Clone, Debug)]
+enum Scalar {
+    Known(Rational),
+    Input(Input),
+}
+
+/// How the angle runs, as `Turn` of the runtime.
+#[derive(Clone, Debug)]
+struct Turn {
+    rate: Rational,
+    factors: [Scalar; 2],
+    slopes: [Scalar; 3],
+}
+
+/// Makes the derived values of all spans.
+struct Deriving {
+    builder: Builder,
+    shapes: usize,
+    names: Vec<String>,
+    outputs: Vec<usize>,
+}
+
+impl Deriving {
+    /// A step as a number for other steps.
+    fn keep(&mut self, step: usize, name: &str) -> Scalar {
+        if let Some(value) = self.builder.constant_at(step) {
+            return Scalar::Known(value.clone());
+        }
+        Scalar::Input(Input::Shape(self.position(step, name)))
+    }
+
+    /// The position of a step among shape values and derived values.
+    fn position(&mut self, step: usize, name: &str) -> usize {
+        if let Some(k) = (0..self.shapes).find(|k| self.builder.input(Input::Shape(*k)) == step) {
+            return k;
+        }
+        let known = self.outputs.iter().position(|output| *output == step);
+        let place = known.unwrap_or_else(|| {
+            let mut name = String::from(name);
+            while self.names.contains(&name) {
+                name.push('x');
+            }
+            self.names.push(name);
+            self.outputs.push(step);
+            self.outputs.len() - 1
+        });
+        self.shapes + place
+    }
+
+    /// The arguments of the tangents of the shape parameters, and these: by two functions for hyperbolic ones.
+    fn tangent(&mut self, family: &Family, angle: &Angle, complement: bool) -> usize {
+        let shape = family.shapes.iter().position(|p| p.var == angle.var).unwrap_or(0);
+        let rate = self.builder.constant(rate(angle));
+        let input = self.builder.input(Input::Shape(shape));
+        let argument = self.builder.mul(rate, input);
+        let name = family.name_of(&family.shapes[shape]);
+        if angle.kind == Kind::Circular {
+            let tangent = self.builder.call(Function::Tan, argument);
+            return self.position(tangent, &format!("tan_{name}"));
+        }
+        if !complement {
+            let tangent = self.builder.call(Function::Tanh, argument);
+            return self.position(tangent, &format!("tanh_{name}"));
+        }
+        // 1 minus the hyperbolic tangent, without the difference.
+        let two = self.builder.integer(2);
+        let double = self.builder.mul(two, argument);
+        let exponential = self.builder.call(Function::Expm1, double);
+        let below = self.builder.add(two, exponential);
+        let rest = self.builder.div(two, below);
+        self.position(rest, &format!("rest_{name}"))
+    }
+
+    fn span<'a>(&mut self, family: &'a Family, form: RationalForm, number: &str) -> Span<'a> {
+        let shapes = self.shapes;
+        let analytic = &family.analytic;
+        let used = |k: usize| {
+            let plans: [Plan; 3] = [
+                rational::values(family, &form),
+                rational::numerators(family, &form),
+                rational::denominator(family, &form),
+            ];
+            plans.iter().any(|plan| lower(plan).inputs().contains(&Input::Shape(shapes + k)))
+        };
+        let count = analytic.angles.len();
+        let mut tangents = Vec::new();
+        for k in 0..2 * count {
+            let place =
+                if used(k) { self.tangent(family, &analytic.angles[k % count], k >= count) } else { 0 };
+            tangents.push(place);
+        }
+        let low_and_high = [format!("low{number}"), format!("high{number}")];
+        let Some(angle) = analytic.angle(form.numerators.var) else {
+            let ends = [&form.numerators.low, &form.numerators.high].map(|end| Scalar::Known(end.clone()));
+            return Span { family, form, tangents, ends, kind: Kind::Linear, turn: None };
+        };
+        let known = angle.limits.each_ref().map(|end| analytic.number(end));
+        let computed = self.builder.inline(&lower(&rational::ends(family, angle)), &|_| None);
+        let mut ends = Vec::new();
+        for k in 0..2 {
+            let step = known[k].clone().map_or(computed[k], |end| self.builder.constant(end));
+            ends.push((step, self.keep(step, &low_and_high[k])));
+        }
+        let steps = [ends[0].0, ends[1].0];
+        let ends = [ends[0].1.clone(), ends[1].1.clone()];
+        let turn = (angle.kind != Kind::Linear).then(|| self.turn(angle, steps, number));
+        Span { family, form, tangents, ends, kind: angle.kind, turn }
+    }
+
+    /// As `Chart::circular` and `Chart::hyperbolic`.
+    fn turn(&mut self, angle: &Angle, ends: [usize; 2], number: &str) -> Turn {
+        let rate = rate(angle);
+        let b = &mut self.builder;
+        let shift = if angle.turns { angle.shift.clone() } else { &angle.shift * &Analytic::pi() };
+        let (by, shift) = (b.constant(rate.clone()), b.constant(shift));
+        // Only an angle with numbers as ends is measured from elsewhere.
+        let turn = ends.map(|end| {
+            let from = if b.constant_at(end).is_some() { b.sub(end, shift) } else { end };
+            b.mul(by, from)
+        });
+        let width = b.sub(turn[1], turn[0]);
+        let (factors, slopes) = if angle.kind == Kind::Circular {
+            let cos = turn.map(|end| b.call(Function::Cos, end));
+            let (sin, middle) = (b.call(Function::Sin, width), b.call(Function::Cos, width));
+            let factors = cos.map(|cos| b.div(cos, sin));
+            // dx/dψ = 1 / (cos² ψ (tan ψ1 − tan ψ0))
+            (factors, [b.div(factors[1], cos[0]), b.div(middle, sin), b.div(factors[0], cos[1])])
+        } else {
+            let [one, two] = [1, 2].map(|n| b.integer(n));
+            let below = b.decay(width);
+            let below = b.neg(below);
+            let ends = turn.map(|end| {
+                let decay = b.decay(end);
+                b.add(two, decay)
+            });
+            let factors = ends.map(|end| b.div(end, below));
+            let falls = b.falling(width);
+            let (first, last) = (b.mul(two, factors[1]), b.mul(two, factors[0]));
+            let (first, last) = (b.div(first, ends[0]), b.div(last, ends[1]));
+            let sum = b.add(one, falls);
+            (factors, [first, b.div(sum, below), b.mul(last, falls)])
+        };
+        let slopes = slopes.map(|slope| b.mul(slope, by));
+        let factors = [0, 1].map(|k| self.keep(factors[k], &format!("factor{number}_{k}")));
+        let slopes = [0, 1, 2].map(|k| self.keep(slopes[k], &format!("slope{number}_{k}")));
+        Turn { rate, factors, slopes }
+    }
+}
+
+/// dψ/dt.
+fn rate(angle: &Angle) -> Rational {
+    if angle.turns { &angle.rate * &Analytic::pi() } else { angle.rate.clone() }
+}
+
+impl<'a> Quotients<'a> {
+    /// Of a family that is evaluated so; `None` for others.
+    pub(super) fn new(family: &'a Family) -> Option<Self> {
+        let forms = rational_forms(family)?;
+        let shapes = family.shapes.len();
+        let mut deriving =
+            Deriving { builder: Builder::folding(), shapes, names: Vec::new(), outputs: Vec::new() };
+        let mut spans = Vec::new();
+        for (k, form) in forms.into_iter().enumerate() {
+            let (family, number) = match family.pieces.get(k) {
+                Some(piece) => (&**piece, k.to_string()),
+                None => (family, String::new()),
+            };
+            spans.push(deriving.span(family, form, &number));
+        }
+        let Deriving { builder, names, outputs, .. } = deriving;
+        Some(Self { spans, derived: Derived { names, steps: builder.finish(&outputs) } })
+    }
+
+    /// The number of spans.
+    pub(super) fn len(&self) -> usize {
+        self.spans.len()
+    }
+
+    /// The ends of all spans in order, each once.
+    pub(super) fn knots(&self) -> Steps {
+        let mut builder = Builder::default();
+        let mut outputs = vec![builder.scalar(&self.spans[0].ends[0])];
+        for span in &self.spans {
+            outputs.push(builder.scalar(&span.ends[1]));
+        }
+        builder.finish(&outputs)
+    }
+
+    pub(super) fn values(&self, span: usize) -> Steps {
+        let span = &self.spans[span];
+        let mut builder = Builder::default();
+        let pair = (!span.family.analytic.is_empty()).then(|| span.coordinates(&mut builder));
+        let outputs = span.inline(&mut builder, &rational::values(span.family, &span.form), pair);
+        builder.finish(&outputs)
+    }
+
+    /// The Bernstein coefficients of the numerators and of the denominator.
+    pub(super) fn tables(&self, span: usize) -> Steps {
+        let mut builder = Builder::default();
+        let mut outputs = self.spans[span].rows(&mut builder).concat();
+        outputs.extend(self.spans[span].weights(&mut builder).unwrap_or_default());
+        builder.finish(&outputs)
+    }
+
+    /// The Bernstein coefficients of the numerators of a curve, span after span.
+    pub(super) fn bind(&self) -> Steps {
+        let mut builder = Builder::default();
+        let mut outputs = Vec::new();
+        for span in &self.spans {
+            let points: Vec<usize> =
+                (0..span.form.numerators.len()).map(|k| builder.input(Input::Point(k))).collect();
+            for row in span.rows(&mut builder) {
+                outputs.push(builder.combination(&points, &row));
+            }
+        }
+        builder.finish(&outputs)
+    }
+
+    /// The derivatives of all functions of order 1 or 2.
+    pub(super) fn derivatives(&self, span: usize, order: usize) -> Steps {
+        let span = &self.spans[span];
+        let mut builder = Builder::default();
+        let rows = span.rows(&mut builder);
+        let weights = span.weights(&mut builder);
+        let pair = span.coordinates(&mut builder);
+        let place = span.place(&mut builder, pair);
+        let slopes = span.slopes(&mut builder, place);
+        let mut outputs = Vec::new();
+        for k in 0..span.form.numerators.len() {
+            let column = rows.iter().map(|row| row[k]).listed();
+            let all = builder.quotient(&column, weights.as_deref(), place, slopes, order + 1);
+            outputs.push(all[order]);
+        }
+        builder.finish(&outputs)
+    }
+
+    /// The point of a curve and its derivatives, so many in all, from what binding gave.
+    pub(super) fn curve(&self, span: usize, count: usize) -> Steps {
+        let terms = self.spans[0].form.numerators.degree as usize + 1;
+        let first = span * terms;
+        let span = &self.spans[span];
+        let mut builder = Builder::default();
+        let bound: Vec<usize> = (first..first + terms).map(|k| builder.input(Input::Bound(k))).collect();
+        let weights = span.weights(&mut builder);
+        let pair = span.coordinates(&mut builder);
+        let [s, x] = pair;
+        builder.name(s, "s");
+        builder.name(x, "x");
+        let above = builder.bernstein(&bound, s, x);
+        let point = match &weights {
+            Some(weights) => {
+                let below = builder.bernstein(weights, s, x);
+                builder.name(below, "w");
+                builder.div(above, below)
+            }
+            None => above,
+        };
+        let mut outputs = vec![point];
+        if count > 1 {
+            let place = span.place(&mut builder, pair);
+            let slopes = span.slopes(&mut builder, place);
+            let all = builder.quotient(&bound, weights.as_deref(), place, slopes, count);
+            outputs.extend_from_slice(&all[1..]);
+        }
+        builder.finish(&outputs)
+    }
+}
+
+impl Span<'_> {
+    /// The outputs of a plan; its coordinates are these two, or else there is the parameter alone.
+    fn inline(&self, builder: &mut Builder, plan: &Plan, pair: Option<[usize; 2]>) -> Vec<usize> {
+        let shapes = self.family.shapes.len();
+        let inputs: Vec<(Input, usize)> = lower(plan)
+            .inputs()
+            .into_iter()
+            .filter_map(|input| match (input, pair) {
+                (Input::Coordinate(k), Some(pair)) => Some((input, pair[k])),
+                (Input::Shape(k), _) if k >= shapes => {
+                    Some((input, builder.input(Input::Shape(self.tangents[k - shapes]))))
+                }
+                _ => None,
+            })
+            .collect();
+        let at = |input: Input| inputs.iter().find(|(other, _)| *other == input).map(|(_, step)| *step);
+        builder.inline(&lower(plan), &at)
+    }
+
+    /// The Bernstein coefficients of the numerators, one row for each.
+    fn rows(&self, builder: &mut Builder) -> Vec<Vec<usize>> {
+        let entries = self.inline(builder, &rational::numerators(self.family, &self.form), None);
+        entries.chunks(self.form.numerators.len().max(1)).map(<[usize]>::to_vec).collect()
+    }
+
+    /// The Bernstein coefficients of the denominator; `None` where it is 1.
+    fn weights(&self, builder: &mut Builder) -> Option<Vec<usize>> {
+        let divides = !self.form.is_affine || !self.family.over.is_one();
+        divides.then(|| self.inline(builder, &rational::denominator(self.family, &self.form), None))
+    }
+
+    /// `Chart::coordinates`: `[s, x]` of the parameter.
+    fn coordinates(&self, builder: &mut Builder) -> [usize; 2] {
+        let t = builder.input(Input::Coordinate(0));
+        let ends = self.ends.each_ref().map(|end| builder.scalar(end));
+        let Some(turn) = &self.turn else { return builder.unit(ends, t) };
+        let rate = builder.constant(turn.rate.clone());
+        // t − low and high − t: the ends in parts, the first of which a float has exactly.
+        let distances = [0, 1].map(|k| {
+            let parts = match &self.ends[k] {
+                Scalar::Known(end) => {
+                    let (first, rest) = split(end, 20);
+                    let (second, third) = split(&rest, 24);
+                    [first, second, third].map(|part| builder.constant(part)).to_vec()
+                }
+                Scalar::Input(input) => vec![builder.input(*input)],
+            };
+            let difference = if k == 0 { builder.sub(t, parts[0]) } else { builder.sub(parts[0], t) };
+            parts[1..].iter().fold(difference, |sum, part| {
+                if k == 0 { builder.sub(sum, *part) } else { builder.add(sum, *part) }
+            })
+        });
+        let [after, before] = distances.map(|distance| builder.mul(rate, distance));
+        let [s, x] = [(before, after, 0), (after, before, 1)].map(|(argument, other, k)| {
+            let factor = builder.scalar(&turn.factors[k]);
+            let sine = if self.kind == Kind::Circular {
+                builder.call(Function::Sin, argument)
+            } else {
+                // sinh(b) : sinh(a) times one and the same exponential.
+                let decay = builder.decay(argument);
+                let falls = if k == 0 { Some(builder.falling(other)) } else { None };
+                let risen = builder.neg(decay);
+                falls.map_or(risen, |falls| builder.mul(risen, falls))
+            };
+            let coordinate = builder.mul(sine, factor);
+            // An end is what its float stands for.
+            builder.unless(t, ends[1 - k], coordinate)
+        });
+        [s, x]
+    }
+
+    /// `[1 − x, x]` for the place x of the parameter, from its coordinates.
+    fn place(&self, builder: &mut Builder, [s, x]: [usize; 2]) -> [usize; 2] {
+        if self.form.is_affine {
+            return [s, x];
+        }
+        let sum = builder.add(s, x);
+        [s, x].map(|part| builder.div(part, sum))
+    }
+
+    /// dx/dt and d²x/dt² at a place; the second is `None` where it is 0.
+    fn slopes(&self, builder: &mut Builder, [s, x]: [usize; 2]) -> (usize, Option<usize>) {
+        let Some(turn) = &self.turn else {
+            let ends = self.ends.each_ref().map(|end| builder.scalar(end));
+            return (builder.inverse_width(ends), None);
+        };
+        // a = q0 s² + 2 q1 s x + q2 x², and its derivative by x.
+        let q = turn.slopes.each_ref().map(|slope| builder.scalar(slope));
+        let first = builder.bernstein(&q, s, x);
+        let by_x = builder.bernstein_derivative(&q, 1, s, x);
+        (first, Some(builder.mul(first, by_x)))
+    }
+}
+
+impl Builder {
+    fn scalar(&mut self, scalar: &Scalar) -> usize {
+        match scalar {
+            Scalar::Known(value) => self.constant(value.clone()),
+            Scalar::Input(input) => self.input(*input),
+        }
+    }
+
+    /// exp(−2x) − 1
+    fn decay(&mut self, x: usize) -> usize {
+        let factor = self.constant(Rational::from(-2));
+        let argument = self.mul(x, factor);
+        self.call(Function::Expm1, argument)
+    }
+
+    /// exp(−2x), with a small relative error: 1/(1 + (exp(2x) − 1)).
+    fn falling(&mut self, x: usize) -> usize {
+        let [one, two] = [1, 2].map(|n| self.integer(n));
+        let argument = self.mul(x, two);
+        let exponential = self.call(Function::Expm1, argument);
+        let below = self.add(one, exponential);
+        self.div(one, below)
+    }
+
+    /// N/W and its derivatives in t, at most two, from the Bernstein coefficients in x: with c = N/W,
+    /// c' = (N' − c W')/W and c'' = (N'' − 2 c' W' − c W'')/W in x, and the chain rule.
+    fn quotient(
+        &mut self,
+        numerator: &[usize],
+        denominator: Option<&[usize]>,
+        [s, x]: [usize; 2],
+        (slope, curvature): (usize, Option<usize>),
+        count: usize,
+    ) -> Vec<usize> {
+        let n = (0..count).map(|order| self.bernstein_derivative(numerator, order, s, x)).listed();
+        let c = match denominator {
+            None => n,
+            Some(denominator) => {
+                let w = (0..count).map(|order| self.bernstein_derivative(denominator, order, s, x)).listed();
+                let mut c = vec![self.div(n[0], w[0])];
+                if count > 1 {
+                    let known = self.mul(c[0], w[1]);
+                    let rest = self.sub(n[1], known);
+                    c.push(self.div(rest, w[0]));
+                }
+                if count > 2 {
+                    let two = self.integer(2);
+                    let (twice, last) = (self.mul(c[1], w[1]), self.mul(c[0], w[2]));
+                    let twice = self.mul(twice, two);
+                    let rest = self.sub(n[2], twice);
+                    let rest = self.sub(rest, last);
+                    c.push(self.div(rest, w[0]));
+                }
+                c
+            }
+        };
+        let mut results = vec![c[0]];
+        if count > 1 {
+            results.push(self.mul(c[1], slope));
+        }
+        if count > 2 {
+            let square = self.mul(slope, slope);
+            let mut second = self.mul(c[2], square);
+            if let Some(curvature) = curvature {
+                let rest = self.mul(c[1], curvature);
+                second = self.add(second, rest);
+            }
+            results.push(second);
+        }
+        results
+    }
+}

@@ -1,0 +1,191 @@
+//! Families on products of simplices and intervals: values, derivatives, patches and matrices beside formulas.
+
+#![cfg(feature = "macros")]
+
+use basis_runtime::{DomainFactor, ProductBasis, ProductPatch, basis};
+
+basis!(library "triangles/prisms", LinearWedge, QuadraticWedge, TriquadraticWedge, BernsteinPrism(3, 2) as Prism);
+
+basis! {
+    /// A shape parameter, the interval first, a simplex with four corners.
+    family Solid {
+        domain -1 <= z <= 2, tetrahedron (p, q, r, s), 0 <= x <= 1;
+        shape 0 <= λ <= 2;
+        b[0] = λ*z*p^2*s + x*q;
+        b[1] = (2 - z)*(p + r)*x^2;
+        b[2] = 1 - b[0] - b[1];
+    }
+    family Pair {
+        domain triangle (u, v, w), triangle (r, s, t);
+        b[0] = u*(v + t)*(w + r*s);
+        b[1] = 1 - u*w*t^2;
+    }
+}
+
+/// The point (u, v, w, z) of a grid on a prism.
+fn prism() -> impl Iterator<Item = [f64; 4]> {
+    (0..=4).flat_map(|i| {
+        (0..=4 - i).flat_map(move |j| {
+            (0..=4).map(move |k| {
+                let [u, v] = [f64::from(i), f64::from(j)].map(|x| x / 4.0);
+                [u, v, 1.0 - u - v, f64::from(k) / 2.0 - 1.0]
+            })
+        })
+    })
+}
+
+fn near(a: f64, b: f64) {
+    assert!((a - b).abs() <= 1e-13 * (1.0 + b.abs()), "{a} instead of {b}");
+}
+
+#[test]
+fn factors_and_ranges_are_those_of_the_spec() {
+    let degree = 2;
+    assert_eq!(
+        QuadraticWedge::<f64>::FACTORS,
+        [DomainFactor::Triangle { degree }, DomainFactor::Interval { degree }]
+    );
+    assert_eq!(QuadraticWedge::<f64>::domain(), [[0.0, 0.0, 0.0, -1.0], [1.0, 1.0, 1.0, 1.0]]);
+    assert_eq!(
+        Solid::<f64>::FACTORS,
+        [
+            DomainFactor::Interval { degree: 1 },
+            DomainFactor::Tetrahedron { degree: 3 },
+            DomainFactor::Interval { degree: 2 }
+        ]
+    );
+    assert_eq!(Solid::<f64>::domain(), [[-1.0, 0.0, 0.0, 0.0, 0.0, 0.0], [2.0, 1.0, 1.0, 1.0, 1.0, 1.0]]);
+}
+
+#[test]
+fn nodal_values_are_exact() {
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let wedge = QuadraticWedge::new();
+    for (i, [u, v, w]) in corners.into_iter().enumerate() {
+        for (first, z) in [(0, -1.0), (3, 1.0), (12, 0.0)] {
+            let values = wedge.values([u, v, w, z]);
+            let unit: [f64; 15] = core::array::from_fn(|k| if k == first + i { 1.0 } else { 0.0 });
+            assert_eq!(values, unit);
+        }
+    }
+}
+
+#[test]
+fn values_and_derivatives_of_wedges() {
+    for [u, v, w, z] in prism() {
+        let at = [u, v, w, z];
+        let values = QuadraticWedge::new().values(at);
+        near(values[1], v * (2.0 * v - 1.0) * (1.0 - z) / 2.0 - v * (1.0 - z * z) / 2.0);
+        near(values[9], 2.0 * v * w * (1.0 + z));
+        near(values[12], u * (1.0 - z * z));
+        near(values.iter().sum(), 1.0);
+        // Along the edge from w = 1 to u = 1, and along the axis.
+        let [du, dz, mixed] =
+            [[1, 0, 0], [0, 0, 1], [1, 0, 1]].map(|orders| QuadraticWedge::new().partials(at, orders));
+        near(du[9], -2.0 * v * (1.0 + z));
+        near(dz[12], -2.0 * u * z);
+        near(mixed[9], -2.0 * v);
+        near(du.iter().sum(), 0.0);
+        let [second, none, far] =
+            [[0, 0, 2], [0, 0, 3], [2, 2, 0]].map(|orders| QuadraticWedge::new().partials(at, orders));
+        near(second[13], -2.0 * v);
+        assert_eq!((none, far), ([0.0; 15], [0.0; 15]));
+        // b[2,1,0,1], of the degree 3 in the triangle and 2 along the axis 0 <= z <= 1: ten triples, three numbers each.
+        let (z, place) = (f64::midpoint(1.0, z), 8 * 3 + 1);
+        let at = [u, v, w, z];
+        near(Prism::new().values(at)[place], 6.0 * u * u * v * z * (1.0 - z));
+        near(Prism::new().partials(at, [1, 1, 1])[place], 12.0 * u * (1.0 - 2.0 * z));
+    }
+}
+
+#[test]
+fn factors_in_any_order() {
+    let solid = Solid::new(1.5).unwrap();
+    for [p, q, rest, z] in prism() {
+        let (r, s, x) = (rest / 4.0, rest * 0.75, f64::midpoint(z, 1.0));
+        let at = [z, p, q, r, s, x];
+        let [b0, b1, b2] = solid.values(at);
+        near(b0, 1.5 * z * p * p * s + x * q);
+        near(b1, (2.0 - z) * (p + r) * x * x);
+        near(b2, 1.0 - b0 - b1);
+        // z, p, q, r, x; s falls as p, q or r grow.
+        near(solid.partials(at, [1, 0, 0, 0, 0])[0], 1.5 * p * p * s);
+        near(solid.partials(at, [1, 1, 0, 0, 0])[0], 1.5 * (2.0 * p * s - p * p));
+        near(solid.partials(at, [0, 0, 0, 1, 0])[0], -1.5 * z * p * p);
+        near(solid.partials(at, [0, 0, 1, 0, 1])[0], 1.0);
+        near(solid.partials(at, [1, 1, 0, 0, 2])[1], -2.0);
+        let patch = ProductPatch::new(solid, [[1.0, 4.0], [2.0, 0.0], [-3.0, 1.0]]);
+        let [a, b] = patch.eval(at);
+        near(a, b0 + 2.0 * b1 - 3.0 * b2);
+        near(b, 4.0 * b0 + b2);
+    }
+    for [u, v, w, _] in prism() {
+        let at = [u, v, w, v, w, u];
+        let [r, s, t] = [v, w, u];
+        let [b0, b1] = Pair::new().values(at);
+        near(b0, u * (v + t) * (w + r * s));
+        near(b1, 1.0 - u * w * t * t);
+        near(Pair::new().partials(at, [0, 1, 1, 0])[1], -2.0 * u * t);
+    }
+}
+
+#[test]
+fn a_patch_is_the_sum_of_its_points() {
+    let wedge = TriquadraticWedge::new();
+    let points: [[f64; 3]; 18] = core::array::from_fn(|k| {
+        let k = k as f64;
+        [k.sin(), (2.0 * k).cos(), k * k / 50.0]
+    });
+    let patch = ProductPatch::new(wedge, points);
+    assert_eq!(ProductPatch::from_slice(wedge, &points), Ok(patch));
+    assert!(ProductPatch::from_slice(wedge, &points[1..]).is_err());
+    let [low, high] = patch.control_box();
+    for at in prism() {
+        for orders in [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1], [0, 2, 2]] {
+            let functions = wedge.partials(at, orders);
+            let point = patch.partial(at, orders);
+            for c in 0..3 {
+                near(point[c], functions.iter().zip(&points).map(|(b, p)| b * p[c]).sum());
+                if orders == [0; 3] {
+                    assert!(low[c] - 1e-14 <= point[c] && point[c] <= high[c] + 1e-14);
+                }
+            }
+        }
+    }
+    let moved = patch.map(|[x, y, z]| [y, x + 1.0, 2.0 * z]);
+    let [[x, y, z], [a, b, c]] = [patch.eval([0.2, 0.3, 0.5, 0.1]), moved.eval([0.2, 0.3, 0.5, 0.1])];
+    for (a, b) in [(a, y), (b, x + 1.0), (c, 2.0 * z)] {
+        near(a, b);
+    }
+}
+
+/// The exact numbers of the linear wedge, as `basis explain` prints them.
+#[test]
+fn matrices_are_the_exact_ones() {
+    let wedge = LinearWedge::new();
+    let [mass, stiffness]: [[[f64; 6]; 6]; 2] = [wedge.mass_matrix(), wedge.stiffness_matrix()];
+    for (j, expected) in [4.0, 2.0, 2.0, 1.0, 2.0, 1.0].into_iter().enumerate() {
+        near(mass[0][j], expected / 72.0);
+    }
+    for (j, expected) in [34.0, 14.0, -15.0, -9.0, -15.0, -9.0].into_iter().enumerate() {
+        near(stiffness[0][j], expected / 48.0);
+    }
+    near(stiffness[2][4], 1.0 / 48.0);
+    // The volume of the domain, 3·1/6·1, and no slope of a constant.
+    let solid = Solid::new(1.0).unwrap();
+    near(solid.mass_matrix().iter().flatten().sum(), 0.5);
+    for row in solid.stiffness_matrix() {
+        near(row.iter().sum(), 0.0);
+    }
+    near(Pair::new().mass_matrix()[1][1], {
+        // ∫ (1 - u w t²)² = 1/4 - 2·1/24·2/24 + 2·2/720·24/720
+        0.25 - 2.0 / 24.0 * (2.0 / 24.0) + 4.0 / 720.0 * (24.0 / 720.0)
+    });
+}
+
+#[test]
+fn single_precision() {
+    let wedge: TriquadraticWedge<f32> = TriquadraticWedge::new();
+    let patch = ProductPatch::new(wedge, [1.0_f32; 18]);
+    assert!((patch.eval([0.25, 0.25, 0.5, 0.5]) - 1.0).abs() < 1e-6);
+}
