@@ -235,7 +235,7 @@ pub const LIBRARY: &str = "library:";
 /// The spec of the library with this name, `quartic` or `papers/quartic`.
 ///
 /// # Errors
-/// When there is no such spec: which name is meant, and all names.
+/// When there is no such spec: which name is meant, or which names there are.
 pub fn library(files: &dyn Files, name: &str) -> Result<Source, ReadError> {
     let specs = files.library();
     if let Some((_, text)) = specs.iter().find(|(known, _)| *known == name) {

@@ -14,9 +14,9 @@ use basis_runtime::bspline::{
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
     BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact, CountError,
-    Curvature, Curve, CurveError, CurvePiece, Edge, EdgeBasis, EdgeContinuity, EdgePair, Enclosed,
-    EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridCorners, GridFit,
-    JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest, Offset,
+    Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity, EdgePair,
+    Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridCorners,
+    GridFit, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest, Offset,
     ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError,
     RationalBezier, RationalCurve, RationalSpline, RationalSurface, RevolutionError, RevolutionPatch,
     Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke,
@@ -317,6 +317,7 @@ fn all_else_is_shared() {
     shared::<Enclosed<P>>();
     shared::<Closest<P>>();
     shared::<Quadrature<P>>();
+    shared::<DomainFactor>();
     shared::<Tabulation<f64, [usize; 2]>>();
     shared::<Entities>();
     shared::<Entity>();

@@ -123,7 +123,7 @@ fn python(root: &Path, module: &str) -> Outcome {
 
 fn oracle(root: &Path) -> Outcome {
     python(root, "")?;
-    let test = "cargo test --quiet --release -p basis-engine --features tools --test oracle -- --ignored --nocapture";
+    let test = "cargo test --quiet --release -p basis-engine --features tools --test proofs oracle -- --ignored --nocapture";
     let mut command = command(root, test);
     command.env("CORRUPTED", "100000");
     succeed(command)
@@ -173,7 +173,7 @@ fn coq(root: &Path) -> Outcome {
 fn mutants_of_specs(root: &Path) -> Outcome {
     succeed(command(
         root,
-        "cargo test --quiet --release -p basis-engine --features tools --test mutation -- --ignored --nocapture",
+        "cargo test --quiet --release -p basis-engine --features tools --test proofs mutation -- --ignored --nocapture",
     ))
 }
 

@@ -1,5 +1,5 @@
 //! Families as a file, without the macro. It is written again by the command at its top, from the folder of the
-//! workspace; `cargo test -p basis-cli --test emit` says when that is due, and does it with `INSTA_UPDATE=always`.
+//! workspace; `cargo test -p basis-cli --test command emit` says when that is due, and does it with `INSTA_UPDATE=always`.
 
 /// A curve with its join, a triangle and a box.
 pub mod shapes;

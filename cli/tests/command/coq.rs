@@ -1,0 +1,221 @@
+//! `basis check --coq`: what is written, and that Coq accepts it and refuses what is changed.
+//!
+//! The tests that run Coq are ignored unless they are asked for: `cargo test -p basis-cli --test command coq -- --ignored`.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use crate::support::{Folder, QUARTIC};
+
+/// A triangle with a quotient of shape parameters, a range without an end, and claims of all kinds.
+const TRIANGLE: &str = "\
+family Skew {
+    domain triangle (u, v, w);
+    shape 0 < p;
+    b[0] = u^2 + p/(1 + p)*u*v;
+    b[1] = v^2 + u*v/(1 + p);
+    b[2] = w^2 + 2*u*w;
+    b[3] = u*v + 2*v*w;
+    prove partition_of_unity;
+    prove nonnegative;
+    prove at u = 1, v = 0 { D(b[0], u) = 2; b[0] = 1; b[3] = 0; }
+    prove at w = 0 { b[0] + b[1] = 1 - b[3]; b[2] <= u; }
+    prove D(b[0], p) >= 0;
+    refute D(b[0], p) > 0;
+    refute b[0] = u;
+    refute b[1] < v;
+}
+";
+
+/// The text of the only file with theorems.
+fn exported(folder: &Folder, spec: &str) -> (i32, String, String) {
+    let run = folder.run(&["check", "--coq", "v", spec]);
+    let mut files: Vec<_> = fs::read_dir(folder.path().join("v"))
+        .expect("a folder is written")
+        .map(|entry| entry.expect("it can be read").path())
+        .filter(|path| path.extension().is_some_and(|e| e == "v") && !path.ends_with("Basis.v"))
+        .collect();
+    let file = files.pop().expect("a file is written");
+    (run.code, run.stdout, fs::read_to_string(file).expect("it is text"))
+}
+
+/// Whether Coq accepts a file, and what it says.
+fn accepted(folder: &Path, text: &str) -> (bool, String) {
+    let coqc = |file: &str| {
+        let run = Command::new("coqc").args(["-Q", ".", "Basis", file]).current_dir(folder).output();
+        let run = run.expect("Coq is installed");
+        (run.status.success(), String::from_utf8_lossy(&[run.stdout, run.stderr].concat()).into_owned())
+    };
+    if !folder.join("Basis.vo").exists() {
+        let (fine, said) = coqc("Basis.v");
+        assert!(fine, "{said}");
+    }
+    fs::write(folder.join("Tried.v"), text).expect("a file can be written");
+    coqc("Tried.v")
+}
+
+/// A text with one place changed, which has to be there.
+fn changed(text: &str, old: &str, new: &str) -> String {
+    assert_ne!(old, new);
+    assert!(text.contains(old), "`{old}` is not in\n{text}");
+    text.replacen(old, new, 1)
+}
+
+/// Coq divides by t² − t as it is written, at 0 too, where the engine has t + 1: listed, and not written as a theorem that is
+/// refused.
+#[test]
+fn quotients_in_lower_terms_than_written_are_listed() {
+    let spec = |quotient: &str| {
+        format!("family Quotient {{ domain 0 <= t <= 1; shape 0 < k; b[0] = {quotient}; prove b[0] >= 0; }}")
+    };
+    for (quotient, exported) in [
+        ("(t^3 - t)/(t^2 - t)", false),
+        ("t^2/(2*t)", false),
+        ("k*t/(t/(1 + t))", false),
+        ("(t^2 - k^2)/(t - k)/(1 + t)", false),
+        ("(1 - t^2)/(-t - 1)/(t - 2)", true),
+        ("(1 + t)^2/(1 + t)", true),
+        ("k*t/(1 + k*t)^2", true),
+        ("1/(1 + t/(1 + k))", true),
+    ] {
+        let folder = Folder::with("quotient.basis", &spec(quotient));
+        let run = folder.run(&["check", "--coq", "v", "quotient.basis"]);
+        let listed = run.stdout.contains("`b[0] >= 0`: a quotient that is brought into lowest terms");
+        assert_eq!((run.code, listed), (i32::from(!exported), !exported), "{quotient}: {}", run.stdout);
+    }
+}
+
+#[test]
+fn theorems_are_about_the_formulas_as_they_are_written() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    let (code, said, text) = exported(&folder, "quartic.basis");
+    assert_eq!(code, 0, "{said}");
+    assert!(said.contains("Coq: 16 theorems in 1 file\n"), "{said}");
+    for part in [
+        "Definition b_0 (λ t : R) : R :=\n  (1 - λ * t) * (1 - t) ^ 3.\n",
+        "(** Line 11: prove partition_of_unity. *)\n",
+        "  -3 <= λ <= 1 ->\n  0 <= t <= 1 ->\n  b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 1.\n",
+        "  t = 0 ->\n  is_derive (fun x' => b_0 λ x') t (- (3 + λ)).\n",
+        "  λ = 0 ->\n  b_0 λ t = Bernstein_3_b_0 t.\n",
+        "exists λ t : R,\n",
+        "  ~ (b_0 λ t = b_1 λ t).\n",
+        "Print Assumptions all'theorems.\n",
+    ] {
+        assert!(text.replace("(-3)", "-3").contains(part), "`{part}` is not in\n{text}");
+    }
+}
+
+#[test]
+fn what_has_no_counterpart_is_listed() {
+    let spec = "theorem T { curve P = Bernstein(2); prove P(0) == P[0]; }\n";
+    let folder = Folder::with("t.basis", &format!("{QUARTIC}{spec}"));
+    let run = folder.run(&["check", "--coq", "v", "t.basis"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let last = "Coq: 16 theorems in 1 file, 1 claim not exported:\n  t.basis:17: theorem T: `P(0) == P[0]`: a claim about points\n";
+    assert!(run.stdout.ends_with(last), "{}", run.stdout);
+    let project = fs::read_to_string(folder.path().join("v/_CoqProject")).expect("it is written");
+    assert!(project.ends_with("Basis.v\nt_QuarticBernstein.v\n"), "{project}");
+}
+
+#[test]
+fn with_json_standard_output_is_one_value() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    let run = folder.run(&["check", "--format", "json", "--coq", "v", "quartic.basis"]);
+    assert_eq!(run.stderr, "Coq: 16 theorems in 1 file\n");
+    assert!(run.json()["files"].is_array());
+}
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_theorems_and_refuses_changed_ones() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    let (_, _, text) = exported(&folder, "quartic.basis");
+    let folder = folder.path().join("v");
+    let (fine, said) = accepted(&folder, &text);
+    assert!(fine, "{said}");
+    for (old, new) in [
+        // a coefficient of the formula, of the data, and of both
+        ("(1 - λ * t) * (1 - t) ^ 3", "(1 - λ * t) * (1 - t) ^ 2"),
+        ("(Pow (Diff (Num (1)) (Var 1)) 3)", "(Pow (Diff (Num (1)) (Var 1)) 2)"),
+        // what is claimed
+        ("b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 1.", "b_0 λ t + b_1 λ t + b_2 λ t + b_3 λ t = 2."),
+        ("is_derive (fun x' => b_0 λ x') t (- (3 + λ))", "is_derive (fun x' => b_0 λ x') t (3 + λ)"),
+        ("b_0 λ t = b_3 λ", "b_1 λ t = b_3 λ"),
+        // where it is claimed
+        ("  t = 0 ->\n  b_0 λ t = 1.", "  t = 1 ->\n  b_0 λ t = 1."),
+        ("  λ = 0 ->\n", "  λ = 1 ->\n"),
+    ] {
+        let (fine, said) = accepted(&folder, &changed(&text, old, new));
+        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+    }
+    // both, so that the data are those of the formula
+    let text = changed(&text, "(1 - λ * t) * (1 - t) ^ 3", "(1 - λ * t) * (1 - t) ^ 2");
+    let text = changed(&text, "(Pow (Diff (Num (1)) (Var 1)) 3)", "(Pow (Diff (Num (1)) (Var 1)) 2)");
+    assert!(!accepted(&folder, &text).0);
+}
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_quotients_and_simplices() {
+    let folder = Folder::with("skew.basis", TRIANGLE);
+    let (code, said, text) = exported(&folder, "skew.basis");
+    assert_eq!(code, 0, "{said}");
+    let folder = folder.path().join("v");
+    let (fine, said) = accepted(&folder, &text);
+    assert!(fine, "{said}");
+    let claimed = |line: &str| text.contains(line);
+    assert!(claimed("u + v + w = 1 ->") && claimed("0 < p ->"), "{text}");
+    for (old, new) in [
+        // a quotient that vanishes somewhere, a sign and a range that are too much
+        ("(Quot (Var 0) (Sum (Num (1)) (Var 0)))", "(Quot (Var 0) (Diff (Num (1)) (Var 0)))"),
+        ("  b_0 p u v w >= 0.", "  b_0 p u v w >= 1."),
+        ("  0 < p ->\n", "  (-1) < p ->\n"),
+        ("  w = 0 ->\n", "  w = 1 ->\n"),
+    ] {
+        let (fine, said) = accepted(&folder, &changed(&text, old, new));
+        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+    }
+    // The point of a refutation: another one at which the equation holds, and one outside of the domain.
+    let at = text.find("~ (b_0 p u v w = u)").expect("it is refuted");
+    let (before, after) = text.split_at(at);
+    let start = after.find("exists ").expect("a point is given");
+    let end = start + after[start..].find(".\n").expect("it ends");
+    for point in ["exists 1, 0, 0, 1", "exists 1, 2, (-1), 0"] {
+        let text = format!("{before}{}{point}{}", &after[..start], &after[end..]);
+        assert!(!accepted(&folder, &text).0, "`{point}` is accepted");
+    }
+}
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_independence_and_no_smaller_list_of_exceptions() {
+    let spec = "\
+family Pair {
+    domain -1 <= t <= 2;
+    shape -1 <= k <= 1;
+    b[0] = (1 + k^2)*t + k;
+    b[1] = t^2 - 1;
+    b[2] = k*(k - 1/2)*t^3 + t^2 - 1;
+    refute independent;
+    prove independent except k = 0, k = 1/2;
+}
+";
+    let folder = Folder::with("pair.basis", spec);
+    let (code, said, text) = exported(&folder, "pair.basis");
+    assert_eq!(code, 0, "{said}");
+    assert!(text.contains("a'0 * b_0 k t + a'1 * b_1 k t + a'2 * b_2 k t = 0"), "{text}");
+    let folder = folder.path().join("v");
+    let (fine, said) = accepted(&folder, &text);
+    assert!(fine, "{said}");
+    for (old, new) in [
+        // an exception less, another range, other functions, another dependence
+        ("  ~ (k = 0) ->\n", ""),
+        ("  (-1) <= k <= 1 ->\n  ~ (k = 0)", "  (-1) <= k ->\n  ~ (k = 0)"),
+        ("a'1 * b_1 k t + a'2 * b_2 k t = 0) ->", "a'1 * b_1 k t + a'2 * b_1 k t = 0) ->"),
+        ("  k = (1 / 2) ->\n", "  k = (1 / 3) ->\n"),
+    ] {
+        let (fine, said) = accepted(&folder, &changed(&text, old, new));
+        assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+    }
+}

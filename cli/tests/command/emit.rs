@@ -1,0 +1,163 @@
+//! `basis emit`: what is written, and what is refused.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use crate::support::{BERNSTEIN, Folder, QUARTIC, Run};
+
+/// The file that is checked in is what its spec gives: `INSTA_UPDATE=always` writes it.
+#[test]
+fn the_checked_in_file_is_up_to_date() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let flag = if std::env::var("INSTA_UPDATE").is_ok_and(|v| v == "always") { "-o" } else { "--check" };
+    let (spec, file) = ("tests/emitted/specs/shapes.basis", "tests/emitted/src/shapes.rs");
+    let arguments = ["emit", spec, "--to", "rust", flag, file];
+    let run = Command::new(env!("CARGO_BIN_EXE_basis")).args(arguments).current_dir(root).output();
+    let run = Run::of(run.expect("the command starts"));
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""));
+}
+
+#[test]
+fn a_file_is_written_and_recognized() {
+    let folder = Folder::with("specs/quartic.basis", QUARTIC).and("src/lib.rs", "");
+    let emit = ["emit", "specs/quartic.basis", "--to", "rust"];
+    let run = folder.run(&[&emit[..], &["-o", "src/families.rs"]].concat());
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""));
+    let path = folder.path().join("src/families.rs");
+    let text = fs::read_to_string(&path).expect("it was written");
+    for part in [
+        "//     basis emit specs/quartic.basis --to rust -o src/families.rs\n",
+        "include_bytes!(\"../specs/quartic.basis\")",
+        "pub struct QuarticBernstein<S = f64> {",
+        "| `partition_of_unity` | proved by expansion of the sum |",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let check = [&emit[..], &["--check", "src/families.rs"]].concat();
+    assert_eq!(folder.run(&check).code, 0);
+    // Line ends of another system, and another layout of the code, are the same file.
+    fs::write(&path, text.replace('\n', "\r\n")).expect("it can be written");
+    assert_eq!(folder.run(&check).code, 0);
+    fs::write(&path, text.replace("\n    ", "\n  ")).expect("it can be written");
+    assert_eq!(folder.run(&check).code, 0);
+    fs::write(&path, text.replace("S::of(3.0)", "S::of(4.0)")).expect("it can be written");
+    assert_eq!(folder.run(&check).code, 1);
+    folder.write("specs/quartic.basis", &QUARTIC.replace("-3 <= λ", "-2 <= λ"));
+    let run = folder.run(&check);
+    assert_eq!(run.code, 1);
+    assert!(run.stderr.contains("`src/families.rs` is not what the spec gives now"), "{}", run.stderr);
+    assert!(run.stderr.contains("run `basis emit specs/quartic.basis --to rust -o src/families.rs`"));
+}
+
+/// A file that nobody wrote yet, and what is printed where no file is named.
+#[test]
+fn without_a_file_the_text_is_printed() {
+    let folder = Folder::with("bern.basis", BERNSTEIN);
+    let run = folder.run(&["emit", "bern.basis", "Bern(n=3) as Cubic", "Bern(2)", "--to", "rust"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    assert!(
+        run.stdout.contains("pub struct Cubic<S = f64>") && run.stdout.contains("pub struct Bern<S = f64>")
+    );
+    assert!(!run.stdout.contains("include_bytes"), "a text has no folder");
+    assert!(run.stdout.contains("basis emit bern.basis 'Bern(n=3) as Cubic' 'Bern(2)' --to rust\n"));
+    let run = folder.run(&["emit", "bern.basis", "Bern(2)", "--to", "rust", "--check", "none.rs"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("cannot read `none.rs`"), "{}", run.stderr);
+}
+
+#[test]
+fn what_cannot_be_written_is_an_error() {
+    let rational = "family Arc { domain 0 <= t <= 1, 0 <= u <= 1; b[0] = (1 - t)/(1 + u); }";
+    let theorem = "theorem T { curve P = Bernstein(2); prove P(0) == P[0]; }";
+    let folder = Folder::with("quartic.basis", QUARTIC)
+        .and("bern.basis", BERNSTEIN)
+        .and("false.basis", QUARTIC.replace("refute b[0]", "prove b[0]"))
+        .and("broken.basis", "family F { domain 0 <= t <= 1; b[0] = t +; }")
+        .and("rational.basis", rational)
+        .and("huge.basis", "family Huge { domain 0 <= t <= 1; b[0] = 10^50*t; b[1] = 1 - t; }")
+        .and("theorem.basis", theorem);
+    for (arguments, code, message) in [
+        (vec!["quartic.basis", "Quartic"], 2, "there is no family `Quartic`"),
+        (vec!["quartic.basis", "QuarticBernstein as fn"], 1, "`fn` cannot be a name in Rust"),
+        (vec!["quartic.basis", "QuarticBernstein as a b"], 1, "`a b` cannot be a name in Rust"),
+        (vec!["quartic.basis", "QuarticBernstein as f64"], 1, "`f64` cannot be the name of a Rust type"),
+        (vec!["bern.basis", "Bern(2)", "Bern(3)"], 1, "are both called `Bern` in the file"),
+        (vec!["bern.basis"], 2, "every family in it has index parameters"),
+        (vec!["false.basis"], 1, "the claim `b[0] = b[1]` is false"),
+        (vec!["broken.basis"], 1, "broken.basis:1"),
+        (
+            vec!["rational.basis"],
+            1,
+            "no code is generated yet for families with denominators, angles or exponentials in several domain variables",
+        ),
+        (vec!["theorem.basis", "T"], 2, "`T` is a theorem, which computes nothing"),
+        (vec!["none.basis"], 2, "there is no spec file `none.basis`"),
+        (vec!["quartic.basis", "-o", "no/such/folder.rs"], 1, "cannot find `no/such`"),
+        (vec!["quartic.basis", "--to", "cobol"], 2, "invalid value 'cobol'"),
+        (vec!["rational.basis", "--to", "c"], 1, "no code is generated yet for families with denominators"),
+        (vec!["quartic.basis", "QuarticBernstein as a b", "--to", "python"], 1, "`a b` cannot be a name"),
+        (vec!["bern.basis", "Bern(2)", "Bern(3)", "--to", "wgsl"], 1, "are both called `Bern` in the file"),
+        (vec!["quartic.basis", "--to", "wgsl", "--scalar", "f64"], 2, "WGSL has no f64"),
+        (vec!["quartic.basis", "--to", "python", "--scalar", "f32"], 2, "arrays of float32 included"),
+        (vec!["quartic.basis", "--to", "rust", "--scalar", "f32"], 2, "are for f64 and f32"),
+        (
+            vec!["quartic.basis", "--to", "typescript", "--scalar", "f32"],
+            2,
+            "the numbers of TypeScript are f64",
+        ),
+        (vec!["huge.basis", "--to", "c", "--scalar", "f32"], 1, "beyond what f32 holds"),
+        (
+            vec!["bern.basis", "Bern(2)", "Bern(3) as BernCurve", "--to", "python"],
+            1,
+            "is needed for parts of `Bern(2)`",
+        ),
+        (
+            vec!["bern.basis", "Bern(2)", "Bern(3) as Bern_eval", "--to", "c"],
+            1,
+            "is needed for parts of `Bern(2)`",
+        ),
+        (vec!["huge.basis", "--to", "glsl"], 1, "beyond what f32 holds"),
+    ] {
+        let target: &[&str] = if arguments.contains(&"--to") { &[] } else { &["--to", "rust"] };
+        let run = folder.run(&[&["emit"], arguments.as_slice(), target].concat());
+        assert_eq!((run.code, run.stdout.as_str()), (code, ""), "{arguments:?} {}", run.stderr);
+        assert!(run.stderr.contains(message), "{arguments:?}: {}", run.stderr);
+    }
+}
+
+/// Every language has the header, the verdicts, the proved bound, and names that it can have.
+#[test]
+fn other_languages_say_where_they_come_from() {
+    let folder = Folder::with("quartic.basis", QUARTIC);
+    for (target, name, comment) in [
+        (
+            "c",
+            "q.h",
+            "static inline void QuarticBernstein_values(QuarticBernstein family, double t, double values[4])",
+        ),
+        ("python", "q.py", "        lambda_ = self.lambda_\n"),
+        ("typescript", "q.ts", "    evalN(at: ArrayLike<number>"),
+        ("wgsl", "q.wgsl", "fn QuarticBernstein_eval_n(@builtin(global_invocation_id) id: vec3u) {"),
+        ("glsl", "q.glsl", "float[4] QuarticBernstein_values(float lambda, float t) {"),
+    ] {
+        let run = folder.run(&["emit", "quartic.basis", "--to", target, "-o", name]);
+        assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""), "{target}");
+        let text = fs::read_to_string(folder.path().join(name)).expect("it was written");
+        for part in [
+            &format!("basis emit quartic.basis --to {target} -o {name}\n"),
+            "No rights are claimed on this file",
+            "| `b[0] = b[1]` | refuted: ",
+            "`b[1]`: 4.51 ε of the value",
+            comment,
+        ] {
+            assert!(text.contains(part), "{target}: {part}\n{text}");
+        }
+        let check = ["emit", "quartic.basis", "--to", target, "--check", name];
+        assert_eq!(folder.run(&check).code, 0, "{target}");
+        fs::write(folder.path().join(name), text + "\n").expect("it can be written");
+        assert_eq!(folder.run(&check).code, 1, "{target}");
+    }
+    let run = folder.run(&["emit", "quartic.basis", "--to", "c", "--scalar", "f32"]);
+    assert!(run.stdout.contains("float values[4]") && run.stdout.contains("--to c --scalar f32\n"));
+}

@@ -1,0 +1,534 @@
+//! `basis lsp`, as an editor drives it: messages on standard input, answers on standard output.
+
+#![allow(clippy::needless_pass_by_value)] // `json!` is written where it is used
+
+use std::io::{BufRead, BufReader, Read, Write};
+use std::process::{Child, ChildStdin, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::Duration;
+
+use crate::support::{Folder, QUARTIC};
+use serde_json::{Value, json};
+
+/// An editor with a language server.
+struct Editor {
+    server: Child,
+    input: ChildStdin,
+    messages: Receiver<Value>,
+    id: i64,
+    folder: Folder,
+}
+
+impl Editor {
+    /// An editor that shows a folder.
+    fn open(folder: Folder) -> Self {
+        let mut command = folder.command(&["lsp"]);
+        let mut server =
+            command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("the command starts");
+        let input = server.stdin.take().expect("it has an input");
+        let mut output = BufReader::new(server.stdout.take().expect("it has an output"));
+        let (sender, messages) = channel();
+        thread::spawn(move || {
+            loop {
+                let mut length = 0;
+                loop {
+                    let mut line = String::new();
+                    if output.read_line(&mut line).unwrap_or(0) == 0 {
+                        return;
+                    }
+                    if let Some(n) = line.strip_prefix("Content-Length: ") {
+                        length = n.trim().parse().expect("a length is a number");
+                    }
+                    if line.trim().is_empty() {
+                        break;
+                    }
+                }
+                let mut content = vec![0; length];
+                if output.read_exact(&mut content).is_err() {
+                    return;
+                }
+                let message = serde_json::from_slice(&content).expect("a message is JSON");
+                if sender.send(message).is_err() {
+                    return;
+                }
+            }
+        });
+        let mut editor = Self { server, input, messages, id: 0, folder };
+        let capabilities = json!({
+            "textDocument": {
+                "codeAction": { "resolveSupport": { "properties": ["edit"] } },
+                "completion": { "completionItem": { "snippetSupport": true } }
+            },
+            "workspace": { "inlayHint": { "refreshSupport": true } }
+        });
+        let root = editor.uri("");
+        let folders = json!([{ "uri": root, "name": "specs" }]);
+        let parameters = json!({ "capabilities": capabilities, "workspaceFolders": folders });
+        let answer = editor.ask("initialize", parameters);
+        assert!(answer["capabilities"]["hoverProvider"].as_bool().expect("it says what it can"));
+        editor.tell("initialized", json!({}));
+        editor
+    }
+
+    fn uri(&self, name: &str) -> String {
+        let path = self.folder.path().canonicalize().expect("the folder is there").join(name);
+        format!("file://{}", path.display())
+    }
+
+    fn send(&mut self, message: &Value) {
+        let text = message.to_string();
+        write!(self.input, "Content-Length: {}\r\n\r\n{text}", text.len()).expect("the server reads");
+        self.input.flush().expect("the server reads");
+    }
+
+    fn tell(&mut self, method: &str, params: Value) {
+        self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
+    }
+
+    fn next(&self) -> Value {
+        self.messages.recv_timeout(Duration::from_secs(60)).expect("the server answers")
+    }
+
+    /// The answer to a request, whole.
+    fn response(&mut self, method: &str, params: Value) -> Value {
+        self.id += 1;
+        let id = self.id;
+        self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
+        loop {
+            let message = self.next();
+            if message["id"] == id && message.get("method").is_none() {
+                return message;
+            }
+        }
+    }
+
+    /// The result of a request.
+    fn ask(&mut self, method: &str, params: Value) -> Value {
+        let response = self.response(method, params);
+        assert!(response.get("error").is_none(), "{method}: {response}");
+        response["result"].clone()
+    }
+
+    /// The result of a request about a place: where `mark` stands in a text, `after` bytes further.
+    fn ask_at(
+        &mut self,
+        method: &str,
+        name: &str,
+        text: &str,
+        mark: &str,
+        after: usize,
+        more: Value,
+    ) -> Value {
+        let mut params = json!({
+            "textDocument": { "uri": self.uri(name) },
+            "position": position(text, text.find(mark).expect("the mark is there") + after)
+        });
+        let more = more.as_object().cloned().unwrap_or_default();
+        params.as_object_mut().expect("it is an object").extend(more);
+        self.ask(method, params)
+    }
+
+    fn show(&mut self, name: &str, text: &str) {
+        let document = json!({ "uri": self.uri(name), "languageId": "basis", "version": 1, "text": text });
+        self.tell("textDocument/didOpen", json!({ "textDocument": document }));
+    }
+
+    fn edit(&mut self, name: &str, version: i64, text: &str) {
+        let document = json!({ "uri": self.uri(name), "version": version });
+        let changes = json!([{ "text": text }]);
+        self.tell("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes }));
+    }
+
+    /// The messages about the version of a text.
+    fn errors(&self, version: i64) -> Vec<Value> {
+        loop {
+            let message = self.next();
+            if message["method"] == "textDocument/publishDiagnostics"
+                && message["params"]["version"] == version
+            {
+                return message["params"]["diagnostics"].as_array().expect("they are a list").clone();
+            }
+        }
+    }
+
+    fn actions(&mut self, name: &str, text: &str, mark: &str) -> Vec<Value> {
+        let at = position(text, text.find(mark).expect("the mark is there"));
+        let params = json!({
+            "textDocument": { "uri": self.uri(name) },
+            "range": { "start": at, "end": at },
+            "context": { "diagnostics": [] }
+        });
+        self.ask("textDocument/codeAction", params).as_array().expect("they are a list").clone()
+    }
+
+    /// The text after the action with some title.
+    fn act(&mut self, name: &str, text: &str, mark: &str, title: &str) -> String {
+        let actions = self.actions(name, text, mark);
+        let action = actions.iter().find(|a| a["title"] == title).unwrap_or_else(|| panic!("{actions:?}"));
+        let action = if action.get("edit").is_some() {
+            action.clone()
+        } else {
+            self.ask("codeAction/resolve", action.clone())
+        };
+        match &action["edit"]["changes"][self.uri(name)] {
+            Value::Null => text.to_string(),
+            edits => apply(text, edits),
+        }
+    }
+
+    fn close(mut self) {
+        assert_eq!(self.ask("shutdown", Value::Null), Value::Null);
+        self.tell("exit", Value::Null);
+        assert!(self.server.wait().expect("it ends").success());
+    }
+}
+
+impl Drop for Editor {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+/// Line and UTF-16 unit of a byte.
+fn position(text: &str, offset: usize) -> Value {
+    let line = text[..offset].matches('\n').count();
+    let start = text[..offset].rfind('\n').map_or(0, |at| at + 1);
+    json!({ "line": line, "character": text[start..offset].encode_utf16().count() })
+}
+
+fn offset(text: &str, position: &Value) -> usize {
+    let number = |name: &str| position[name].as_u64().expect("it is a number") as usize;
+    let start: usize = text.split_inclusive('\n').take(number("line")).map(str::len).sum();
+    let mut units = number("character");
+    for (at, c) in text[start..].char_indices() {
+        if units == 0 {
+            return start + at;
+        }
+        units -= c.len_utf16();
+    }
+    text.len()
+}
+
+/// The text at a range.
+fn slice<'t>(text: &'t str, range: &Value) -> &'t str {
+    &text[offset(text, &range["start"])..offset(text, &range["end"])]
+}
+
+/// The text after some edits.
+fn apply(text: &str, edits: &Value) -> String {
+    let mut edits = edits.as_array().expect("they are a list").clone();
+    edits.sort_by_key(|e| core::cmp::Reverse(offset(text, &e["range"]["start"])));
+    let mut result = text.to_string();
+    for edit in edits {
+        let range = offset(text, &edit["range"]["start"])..offset(text, &edit["range"]["end"]);
+        result.replace_range(range, edit["newText"].as_str().expect("it is a text"));
+    }
+    result
+}
+
+#[test]
+fn verdicts_follow_every_edit() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = QUARTIC.replace("    prove symmetric", "    prove nonnegative;\n    prove symmetric");
+    editor.show("q.basis", &spec);
+    assert!(editor.errors(1).is_empty());
+    let wider = spec.replace("-3 <= λ", "-4 <= λ");
+    // The newest of several versions is the one that counts.
+    for version in 2..20 {
+        editor.edit("q.basis", version, &spec.replace("-3 <= λ", "-5 <= λ"));
+    }
+    editor.edit("q.basis", 20, &wider);
+    let errors = editor.errors(20);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert_eq!(slice(&wider, &errors[0]["range"]), "prove nonnegative;");
+    let message = errors[0]["message"].as_str().expect("it is a text");
+    assert!(message.contains("`b[1]` is -16/625 at λ = -4, t = 1/5"), "{message}");
+    // Columns are UTF-16 units: behind a letter outside of the first plane as well.
+    let strange = spec.replace("b[3] = (1 - λ", "/* 𝔸λ */ b[3] = (1 - ν");
+    editor.edit("q.basis", 21, &strange);
+    let errors = editor.errors(21);
+    assert_eq!(slice(&strange, &errors[0]["range"]), "ν", "{errors:?}");
+    editor.close();
+}
+
+#[test]
+fn every_claim_has_a_mark() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = "family F(n in 1..=3) {
+    domain 0 <= t <= 1;
+    b[0] = 1 - t;
+    b[1] = t;
+    prove partition_of_unity;
+    refute b[1] = 0;
+    prove at t = 1 { b[1] = 1; D(b[1]) = n; }
+}
+";
+    editor.show("f.basis", spec);
+    let whole = json!({ "start": position(spec, 0), "end": position(spec, spec.len()) });
+    let params = json!({ "textDocument": { "uri": editor.uri("f.basis") }, "range": whole });
+    let hints = editor.ask("textDocument/inlayHint", params);
+    let hints: Vec<(&str, u64)> = hints
+        .as_array()
+        .expect("they are a list")
+        .iter()
+        .map(|h| (h["label"].as_str().expect("text").trim(), h["position"]["line"].as_u64().expect("number")))
+        .collect();
+    assert_eq!(
+        hints,
+        [
+            ("✓", 4),
+            ("✗ b[1] differs from 0 by t; at t = 1/2 the difference is 1/2", 5),
+            ("✓", 6),
+            ("✓ n = 1  ✗ n = 2, 3", 6),
+        ]
+    );
+    let hover = editor.ask_at("textDocument/hover", "f.basis", spec, "partition", 2, json!({}));
+    let text = hover["contents"]["value"].as_str().expect("it is a text");
+    assert!(text.contains("the functions sum to 1") && text.contains("**proved**"), "{text}");
+    editor.close();
+}
+
+#[test]
+fn a_pointer_shows_formulas_and_ranges() {
+    let mut editor = Editor::open(Folder::new());
+    editor.show("q.basis", QUARTIC);
+    let mut hover = |mark: &str| {
+        let hover = editor.ask_at("textDocument/hover", "q.basis", QUARTIC, mark, 0, json!({}));
+        hover["contents"]["value"].as_str().unwrap_or_default().to_string()
+    };
+    let function = hover("b[1]");
+    for part in [
+        "b[1] = (3 + λ - λ*t)*t*(1 - t)^2",
+        "Bernstein coefficients of degree 4: `0, ",
+        "b_{1} = \\left(3 + \\lambda",
+    ] {
+        assert!(function.contains(part), "{part}: {function}");
+    }
+    assert!(!function.contains("b[2]"));
+    let shape = hover("λ <= 1");
+    for part in ["`-3 <= λ <= 1`", "nonnegative for `-3 <= λ <= 1`", "dependent at `λ = -3: b[1] - b[2] = 0`"]
+    {
+        assert!(shape.contains(part), "{part}: {shape}");
+    }
+    assert!(hover("QuarticBernstein").contains("4 functions of degree 4 on `0 <= t <= 1`"));
+    assert!(hover("Bernstein(3)").contains("family"), "a family of the prelude");
+    assert_eq!(hover("<= t"), "");
+    editor.close();
+}
+
+const USER: &str = "use \"base.basis\";
+use library \"quadratic\";
+
+family Mine {
+    domain 0 <= t <= 1;
+    shape 0 <= λ <= 1;
+    let w = 1 + λ;
+    b[i] = Base(2)[i]*w/w for i in 0..=2;
+    prove b = Base(2);
+    prove at λ = 0 { b = QuadraticBezier(0); }
+}
+
+join Next {
+    curve P = Mine(λ1);
+    curve Q = Base(2);
+    let Q[0] = P[2];
+    prove Q(0) == P(1);
+}
+";
+
+const BASE: &str = "/// The basis.
+family Base(n in 1..=4) {
+    domain 0 <= t <= 1;
+    b[i] = binomial(n, i)*t^i*(1 - t)^(n - i) for i in 0..=n;
+}
+";
+
+#[test]
+fn names_lead_to_other_files() {
+    let folder =
+        Folder::with("base.basis", BASE).and("user.basis", USER).and("other.basis", "family Base {}\n");
+    let mut editor = Editor::open(folder);
+    editor.show("user.basis", USER);
+    let base = editor.uri("base.basis");
+    let found = editor.ask_at("textDocument/definition", "user.basis", USER, "Base(2)[", 1, json!({}));
+    assert_eq!(found[0]["uri"], base);
+    assert_eq!(slice(BASE, &found[0]["range"]), "Base");
+    let found = editor.ask_at("textDocument/definition", "user.basis", USER, "\"base", 3, json!({}));
+    assert_eq!(found[0]["uri"], base);
+    let found = editor.ask_at("textDocument/definition", "user.basis", USER, "QuadraticBezier", 1, json!({}));
+    let copy = found[0]["uri"].as_str().expect("a shipped spec can be shown").to_string();
+    let path = copy.strip_prefix("file://").expect("it is a file");
+    let shown = std::fs::read_to_string(path).expect("it is there");
+    assert_eq!(slice(&shown, &found[0]["range"]), "QuadraticBezier");
+    let found = editor.ask_at("textDocument/definition", "user.basis", USER, "w/w", 0, json!({}));
+    assert_eq!(slice(USER, &found[0]["range"]), "w");
+    // References and a new name go through all files that mean this family.
+    let more = json!({ "context": { "includeDeclaration": true } });
+    let all = editor.ask_at("textDocument/references", "user.basis", USER, "Base(2)[", 1, more);
+    let all = all.as_array().expect("they are a list");
+    assert_eq!(all.len(), 4, "{all:?}");
+    assert_eq!(all.iter().filter(|l| l["uri"] == base).count(), 1);
+    let edit = editor.ask_at(
+        "textDocument/rename",
+        "user.basis",
+        USER,
+        "Base(2)[",
+        1,
+        json!({ "newName": "Power" }),
+    );
+    let user = apply(USER, &edit["changes"][editor.uri("user.basis")]);
+    assert!(
+        user.contains("b = Power(2)") && user.contains("use \"base.basis\"") && !user.contains("Base"),
+        "{user}"
+    );
+    assert!(apply(BASE, &edit["changes"][base]).contains("family Power(n in"));
+    assert!(edit["changes"].get(editor.uri("other.basis")).is_none());
+    editor.close();
+}
+
+#[test]
+fn a_new_name_is_refused_where_it_means_something_else() {
+    let mut editor = Editor::open(Folder::with("base.basis", BASE));
+    editor.show("user.basis", USER);
+    let edit =
+        editor.ask_at("textDocument/rename", "user.basis", USER, "λ <= 1", 0, json!({ "newName": "α" }));
+    let renamed = apply(USER, &edit["changes"][editor.uri("user.basis")]);
+    assert_eq!(renamed, USER.replace("λ <= 1", "α <= 1").replace("+ λ", "+ α").replace("at λ", "at α"));
+    for (mark, new, why) in [
+        ("λ <= 1", "w", "already a name"),
+        ("λ <= 1", "for", "not a name"),
+        ("λ <= 1", "2x", "not a name"),
+        ("QuadraticBezier", "X", "comes with the toolchain"),
+    ] {
+        let params = json!({
+            "textDocument": { "uri": editor.uri("user.basis") },
+            "position": position(USER, USER.find(mark).expect("it is there")),
+            "newName": new
+        });
+        let response = editor.response("textDocument/rename", params);
+        let message = response["error"]["message"].as_str().unwrap_or_default();
+        assert!(message.contains(why), "{mark} → {new}: {response}");
+    }
+    editor.close();
+}
+
+#[test]
+fn words_are_suggested_where_they_fit() {
+    let mut editor = Editor::open(Folder::with("base.basis", BASE));
+    let spec =
+        "use \"base.basis\";\nfamily F {\n    domain 0 <= t <= 1;\n    b[0] = \\lam;\n    prove n\n}\n";
+    editor.show("f.basis", spec);
+    let claims = editor.ask_at("textDocument/completion", "f.basis", spec, "prove n", 7, json!({}));
+    let labels: Vec<&str> =
+        claims.as_array().expect("a list").iter().filter_map(|c| c["label"].as_str()).collect();
+    for label in ["nonnegative", "Base", "Bernstein", "b"] {
+        assert!(labels.contains(&label), "{label}: {labels:?}");
+    }
+    assert!(!labels.contains(&"domain"));
+    let letters = editor.ask_at("textDocument/completion", "f.basis", spec, "\\lam", 4, json!({}));
+    assert_eq!(apply(spec, &json!([letters[0]["textEdit"]])), spec.replace("\\lam", "λ"));
+    editor.close();
+}
+
+#[test]
+fn a_text_has_an_outline_folds_colours_and_a_layout() {
+    let mut editor = Editor::open(Folder::new());
+    let messy = QUARTIC.replace("    prove symmetric", "  prove   symmetric ");
+    editor.show("q.basis", &messy);
+    let params = json!({ "textDocument": { "uri": editor.uri("q.basis") } });
+    let outline = editor.ask("textDocument/documentSymbol", params.clone());
+    assert_eq!(outline[0]["name"], "QuarticBernstein");
+    assert_eq!(outline[0]["children"].as_array().expect("a list").len(), 11);
+    let folds = editor.ask("textDocument/foldingRange", params.clone());
+    assert_eq!((&folds[0]["startLine"], &folds[0]["endLine"]), (&json!(1), &json!(15)));
+    let tokens = editor.ask("textDocument/semanticTokens/full", params.clone());
+    let data = tokens["data"].as_array().expect("a list");
+    assert!(data.len() > 300 && data.len().is_multiple_of(5));
+    let mut formatting = params;
+    formatting["options"] = json!({ "tabSize": 4, "insertSpaces": true });
+    let edits = editor.ask("textDocument/formatting", formatting);
+    assert_eq!(apply(&messy, &edits), QUARTIC.replace("3+λ", "3 + λ"));
+    editor.close();
+}
+
+#[test]
+fn actions_correct_claims() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = QUARTIC
+        .replace("-3 <= λ", "-4 <= λ")
+        .replace("    prove symmetric", "    prove nonnegative;\n    prove independent;\n    prove symmetric")
+        .replace("refute b[0] = b[1]", "prove b[0] = b[1]");
+    editor.show("q.basis", &spec);
+    assert_eq!(editor.errors(1).len(), 3);
+    let narrow = editor.act("q.basis", &spec, "prove nonneg", "Narrow the range to `-3 <= λ <= 1`");
+    let except = editor.act("q.basis", &narrow, "prove indep", "Write `independent except λ = -3`");
+    let fixed = editor.act("q.basis", &except, "prove b[0] = b[1]", "Write `refute`");
+    assert!(
+        fixed.contains("shape -3 <= λ <= 1;") && fixed.contains("prove independent except λ = -3;"),
+        "{fixed}"
+    );
+    editor.edit("q.basis", 2, &fixed);
+    assert!(editor.errors(2).is_empty());
+    let wrong = fixed.replace("prove symmetric", "refute symmetric");
+    editor.edit("q.basis", 3, &wrong);
+    assert_eq!(editor.act("q.basis", &wrong, "refute symmetric", "Write `prove`"), fixed);
+    // What is as declared needs no correction.
+    editor.edit("q.basis", 4, &fixed);
+    let titles = editor.actions("q.basis", &fixed, "prove symmetric");
+    assert_eq!(titles.len(), 1, "{titles:?}");
+    editor.close();
+}
+
+#[test]
+fn the_claims_that_hold_are_inserted() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = "family F {
+    domain 0 <= t <= 1;
+    shape 0 <= λ <= 2;
+    b[0] = (1 - t)*(1 - λ*t/2);
+    b[1] = t*(1 - t)*λ/2 + t;
+    // the end
+}
+
+family G { domain 0 <= t <= 1; g[0] = 1; }
+";
+    editor.show("f.basis", spec);
+    let longer = editor.act("f.basis", spec, "shape", "Insert the claims that hold of F");
+    editor.edit("f.basis", 2, &longer);
+    assert!(editor.errors(2).is_empty(), "{longer}");
+    for claim in
+        ["prove partition_of_unity;", "prove nonnegative;", "D(b, 2) = [λ, -λ];", "b = Bernstein(1);"]
+    {
+        assert!(longer.contains(claim), "{claim}: {longer}");
+    }
+    assert!(longer.contains("    // the end\n\n    prove partition_of_unity;"), "{longer}");
+    // What is there already is not inserted again.
+    assert_eq!(editor.act("f.basis", &longer, "shape", "Insert the claims that hold of F"), longer);
+    editor.close();
+}
+
+#[test]
+fn whatever_is_typed_has_an_answer() {
+    let mut editor = Editor::open(Folder::new());
+    editor.show("q.basis", "");
+    let cuts: Vec<usize> = QUARTIC.char_indices().map(|(at, _)| at).step_by(23).collect();
+    for (k, cut) in cuts.iter().enumerate() {
+        let text = &QUARTIC[..*cut];
+        editor.edit("q.basis", k as i64 + 2, text);
+        let at =
+            json!({ "textDocument": { "uri": editor.uri("q.basis") }, "position": position(text, *cut) });
+        for method in
+            ["hover", "completion", "definition", "documentHighlight", "documentSymbol", "foldingRange"]
+        {
+            editor.ask(&format!("textDocument/{method}"), at.clone());
+        }
+        editor.actions("q.basis", text, "");
+    }
+    let response = editor.response("textDocument/unknown", json!({}));
+    assert_eq!(response["error"]["code"], -32601);
+    let nowhere = json!({ "textDocument": { "uri": "file:///nowhere.basis" }, "position": { "line": 9, "character": 9 } });
+    assert!(editor.response("textDocument/hover", nowhere)["error"]["message"].is_string());
+    editor.close();
+}

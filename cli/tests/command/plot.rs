@@ -1,0 +1,235 @@
+//! `basis plot`: what is drawn, and what is refused.
+
+use std::fs;
+
+use crate::support::{BERNSTEIN, Folder, QUARTIC};
+
+/// The picture that a call writes.
+fn drawn(folder: &Folder, arguments: &[&str], file: &str) -> String {
+    let run = folder.run(&[&["plot"], arguments, &["-o", file]].concat());
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{arguments:?}");
+    assert_eq!(run.stdout, format!("wrote {file}\n"));
+    let bytes = fs::read(folder.path().join(file)).expect("it is written");
+    String::from_utf8(bytes).expect("it is a text")
+}
+
+fn count(text: &str, part: &str) -> usize {
+    text.matches(part).count()
+}
+
+/// The coordinates of the last point of each path that has a title.
+fn ends(svg: &str, title: &str) -> Vec<f64> {
+    let before = svg.split(&format!("<title>{title}</title>")).next().expect("there is a path");
+    let path = before.rsplit("<path").next().expect("there is a path");
+    let data = path.split("d=\"").nth(1).and_then(|d| d.split('"').next()).expect("it has data");
+    let last = data.rsplit(['L', 'M']).next().expect("it has points");
+    last.split(' ').map(|x| x.parse().expect("it is a number")).collect()
+}
+
+#[test]
+fn each_function_is_a_line() {
+    let folder = Folder::with("q.basis", QUARTIC);
+    let svg = drawn(&folder, &["q.basis", "--shape", "λ=1/2"], "q.svg");
+    assert_eq!(count(&svg, "<path"), 4);
+    for part in ["QuarticBernstein", "0 ≤ t ≤ 1,  λ = 1/2", "b[3]", "<title>b[0], λ = 1/2</title>"] {
+        assert!(svg.contains(part), "{part}");
+    }
+    // At t = 1 the last function is 1 and the others are 0.
+    let heights: Vec<f64> = (0..4).map(|k| ends(&svg, &format!("b[{k}], λ = 1/2"))[1]).collect();
+    assert!(
+        heights[0] == heights[1] && heights[1] == heights[2] && heights[3] < heights[2] - 300.0,
+        "{heights:?}"
+    );
+    assert_eq!(drawn(&folder, &["q.basis", "QuarticBernstein", "--shape", "lambda=0.5"], "r.svg"), svg);
+}
+
+#[test]
+fn a_range_of_shape_values_gives_a_family_of_lines() {
+    let folder = Folder::with("q.basis", QUARTIC);
+    let points = ["--points", "0,0 1,2 3,2 4,-0.5"];
+    let svg = drawn(&folder, &[&["q.basis", "--shape", "λ=-3..1"][..], &points].concat(), "q.svg");
+    // Five lines for each function, five curves and the polygon.
+    assert_eq!(count(&svg, "<path"), 4 * 5 + 5 + 1);
+    assert_eq!((count(&svg, "class=\"curve\""), count(&svg, "class=\"polygon\"")), (5, 1));
+    for value in ["λ = −3", "λ = −2", "λ = −1", "λ = 0", "λ = 1", "P[3]"] {
+        assert!(
+            svg.contains(&format!(">\n{value}\n<")) || svg.contains(&format!(">{value}<")),
+            "{value}: {svg}"
+        );
+    }
+    // What has one value for all lines stands above.
+    let two = QUARTIC.replace("shape", "shape 0 <= μ <= 1; shape");
+    let svg = drawn(
+        &Folder::with("t.basis", &two),
+        &["t.basis", "--shape", "λ=-3..1", "--shape", "μ=1/3"],
+        "t.svg",
+    );
+    assert!(svg.contains("0 ≤ t ≤ 1,  μ = 1/3"), "{svg}");
+    // Ends that a range leaves out are not drawn.
+    let open = QUARTIC.replace("-3 <= λ <= 1", "-3 < λ < 1");
+    let svg = drawn(&Folder::with("o.basis", &open), &["o.basis", "--shape", "λ=-3..1"], "o.svg");
+    assert!(!svg.contains("λ = −3") && svg.contains("λ = −7/3") && svg.contains("λ = 1/3"));
+}
+
+#[test]
+fn functions_of_two_variables_are_maps() {
+    let spec = "family T { domain triangle (u, v, w); permute b[2,0,0] = u^2; permute b[1,1,0] = 2*u*v; }
+family B { domain -1 <= x <= 1, 0 <= y <= 2; f[0] = x*y; f[1] = (1 - x)*(2 - y); }";
+    let folder = Folder::with("s.basis", spec);
+    let svg = drawn(&folder, &["s.basis", "T"], "t.svg");
+    assert!(count(&svg, "<path") >= 6 && count(&svg, "<polygon") == 6);
+    for part in ["b[0,1,1]", "u = 1", "v = 1", "w = 1"] {
+        assert!(svg.contains(part), "{part}");
+    }
+    // Values below zero have colours of their own.
+    let svg = drawn(&folder, &["s.basis", "B"], "b.svg");
+    assert!(svg.contains("−2") && svg.contains("x →") && svg.contains("#a00a1e"), "{svg}");
+}
+
+#[test]
+fn a_counterexample_is_marked() {
+    let wide = QUARTIC
+        .replace("-3 <= λ", "-4 <= λ")
+        .replace("prove partition", "prove nonnegative; prove partition");
+    let folder = Folder::with("q.basis", &wide);
+    // Without shape values those at which the claim fails are drawn.
+    let svg = drawn(&folder, &["q.basis"], "q.svg");
+    assert_eq!(count(&svg, "class=\"counterexample\""), 1);
+    assert!(svg.contains("nonnegative: b[1] is −16/625 at λ = −4, t = 1/5"), "{svg}");
+    assert_eq!(count(&drawn(&folder, &["q.basis", "--shape", "λ=1"], "r.svg"), "counterexample"), 0);
+    // The refuted claim of the spec is declared false, and no mistake.
+    let svg = drawn(&Folder::with("q.basis", QUARTIC), &["q.basis"], "s.svg");
+    assert_eq!(count(&svg, "counterexample"), 0);
+}
+
+#[test]
+fn a_page_is_one_file_with_sliders() {
+    let folder = Folder::with("q.basis", &format!("/// A </script> & more.\n{QUARTIC}"));
+    let html = drawn(&folder, &["q.basis", "--points", "0,0 1,2 3,2 4,0"], "q.html");
+    assert_eq!(count(&html, "</script>"), 1);
+    assert!(
+        !html.contains("http://") || count(&html, "http://") == count(&html, "http://www.w3.org/2000/svg")
+    );
+    assert!(!html.contains("https://") && !html.contains("src="));
+    let data =
+        html.split("const data = ").nth(1).and_then(|rest| rest.split(";\n").next()).expect("it has data");
+    let data: serde_json::Value = serde_json::from_str(data).expect("it is JSON");
+    assert_eq!(data["shapes"][0]["name"], "λ");
+    assert_eq!(data["functions"].as_array().expect("a list").len(), 4);
+    assert_eq!(data["points"][1], serde_json::json!([1.0, 2.0]));
+}
+
+#[test]
+fn a_png_is_written_where_there_are_letters() {
+    let folder = Folder::with("b.basis", BERNSTEIN);
+    let run = folder.run(&["plot", "b.basis", "Bern(12)", "-o", "b.png"]);
+    if run.stderr.contains("no fonts") {
+        assert_eq!(run.code, 2);
+        eprintln!("skipped: this machine has no fonts");
+        return;
+    }
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    let png = fs::read(folder.path().join("b.png")).expect("it is written");
+    assert!(png.starts_with(b"\x89PNG\r\n") && png.len() > 20_000);
+}
+
+#[test]
+fn what_cannot_be_drawn_is_refused() {
+    let solid = "family S { domain tetrahedron (u, v, w, x); permute b[1,0,0,0] = u; }";
+    let folder = Folder::with("q.basis", QUARTIC).and("s.basis", solid).and("b.basis", BERNSTEIN);
+    let two = QUARTIC.replace("shape", "shape 0 <= μ <= 1; shape");
+    let folder =
+        folder.and("two.basis", &two).and("wrong.basis", "family F { domain 0 <= t <= 1; b[0] = x; }");
+    for (arguments, why) in [
+        (&["q.basis", "--shape", "λ=2"][..], "λ = 2 is outside of the declared range `-3 <= λ <= 1`"),
+        (&["q.basis", "--shape", "λ=-4..1"], "λ = -4 is outside"),
+        (&["q.basis", "--shape", "λ=1..0"], "the range 1..0 is empty"),
+        (&["q.basis", "--shape", "λ=0..x"], "`x` is not an exact number"),
+        (&["q.basis", "--shape", "μ=1"], "`μ` is not a shape parameter"),
+        (&["q.basis", "--shape", "λ=1,λ=0"], "given twice"),
+        (&["two.basis", "--shape", "λ=0..1,μ=0..1"], "both given as ranges"),
+        (&["q.basis", "--points", "0,0 1,1"], "needs as many control points, not 2"),
+        (&["q.basis", "--points", "0,0 1,1 2,0 x"], "`x` is not a point"),
+        (&["s.basis"], "have 3 variables and no picture"),
+        (&["q.basis", "Quartik"], "there is no family"),
+        (&["wrong.basis"], "the name `x` is not declared"),
+        (&["nowhere.basis"], "there is no spec file"),
+        (&["q.basis", "-o", "q.gif"], "does not say what kind of picture"),
+        (&["q.basis", "-o", "no/q.svg"], "cannot write"),
+        (&["library:triangular"], "the spec has several families"),
+        (&["library:triangular", "TriangularII(3)", "--shape", "λ1=1..2"], "functions of one variable only"),
+    ] {
+        let run = folder.run(&[&["plot"], arguments].concat());
+        assert_eq!(run.code, 2, "{arguments:?}: {}", run.stdout);
+        assert!(run.stderr.contains(why), "{arguments:?}: {}", run.stderr);
+    }
+}
+
+/// A shape parameter that is an angle has its own name and values, multiples of pi among them.
+#[test]
+fn angles_are_given_as_angles() {
+    let spec = "family Arc { shape 0 < α < pi; domain 0 <= t <= α; b[0] = (1 - cos(α - t))/(1 - cos(α)); b[1] = sin(t)/sin(α); }";
+    let folder = Folder::with("a.basis", spec);
+    let svg = drawn(&folder, &["a.basis", "--shape", "α=pi/3"], "Arc.svg");
+    assert!(svg.contains("α = pi/3"), "{svg}");
+    let svg = drawn(&folder, &["a.basis", "--shape", "alpha=0..pi"], "Arc.svg");
+    assert!(svg.contains("α = pi/6") && svg.contains("α = 5*pi/6"), "{svg}");
+    let svg = drawn(&folder, &["a.basis", "--shape", "tan(α/2)=1"], "Arc.svg");
+    assert!(svg.contains("tan(α/2) = 1"), "{svg}");
+    let run = folder.run(&["plot", "a.basis", "--shape", "α=4"]);
+    assert!(run.stderr.contains("α = 4 is outside of the declared range `0 < α < pi`"), "{}", run.stderr);
+}
+
+/// The axis is that of the angle, and the values are those of sines.
+#[test]
+fn angles_are_drawn_as_angles() {
+    let spec = "family Turn {
+    domain 0 <= θ <= pi/2;
+    b[0] = 1 - sin(θ);
+    b[1] = sin(θ) + cos(θ) - 1;
+    b[2] = 1 - cos(θ);
+}
+family Mixed { domain 0 <= t <= 1; b[0] = t - sin(pi*t/2)*2/pi; b[1] = 1 - t; }";
+    let folder = Folder::with("s.basis", spec);
+    let svg = drawn(&folder, &["s.basis", "Turn"], "s.svg");
+    let path =
+        svg.split("<title>b[0]</title>").next().and_then(|s| s.rsplit("<path").next()).expect("a line");
+    let data = path.split("d=\"").nth(1).and_then(|d| d.split('"').next()).expect("it has data");
+    let points: Vec<[f64; 2]> = data
+        .trim_start_matches('M')
+        .split('L')
+        .map(|p| {
+            p.split_once(' ').map(|(x, y)| [x, y].map(|x| x.parse().expect("a number"))).expect("a point")
+        })
+        .collect();
+    let ([left, top], [right, bottom]) = (points[0], points[points.len() - 1]);
+    for [x, y] in &points {
+        let angle = (x - left) / (right - left) * core::f64::consts::FRAC_PI_2;
+        let expected = bottom - (bottom - top) * (1.0 - angle.sin());
+        assert!((y - expected).abs() < 0.02, "{angle}: {y} {expected}");
+    }
+    // A function of t and sin t: 0 at 0, 1 - 2/π at 1.
+    let svg = drawn(&folder, &["s.basis", "Mixed"], "m.svg");
+    let (a, b) = (ends(&svg, "b[0]")[1], ends(&svg, "b[1]")[1]);
+    let unit = 380.0 / 1.05 / 1.05;
+    assert!((b - a) / unit > 0.3 && (b - a) / unit < 0.42, "{a} {b}");
+}
+
+/// A function has a formula for each span, and a page has none of them.
+#[test]
+fn spans_are_drawn_one_after_another() {
+    let spec = "family S {
+    domain 0 <= x <= 1, 1 <= x <= 3, 3 <= x <= 4;
+    f[0] = x^2/4 | (-x^2 + 4*x - 2)/4 | (4 - x)^2/4;
+    prove smooth(1);
+}";
+    let folder = Folder::with("s.basis", spec);
+    let svg = drawn(&folder, &["s.basis"], "s.svg");
+    let path =
+        svg.split("<title>f[0]</title>").next().and_then(|s| s.rsplit("<path").next()).expect("a line");
+    assert_eq!(path.matches('M').count(), 3, "the pen is lifted twice");
+    assert!(svg.contains("0 ≤ x ≤ 1, 1 ≤ x ≤ 3, 3 ≤ x ≤ 4"), "{svg}");
+    let run = folder.run(&["plot", "s.basis", "-o", "s.html"]);
+    assert_eq!(run.code, 2);
+    assert!(run.stderr.contains("several spans"), "{}", run.stderr);
+}

@@ -1,0 +1,9 @@
+//! What the repository says of its specs is what the command finds: documentation, tables and grammars.
+
+mod atlas;
+mod editors;
+mod guide;
+mod papers;
+mod readme;
+#[path = "../support.rs"]
+mod support;

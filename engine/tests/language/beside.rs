@@ -1,0 +1,126 @@
+//! Signs of functions in which a variable, or the end of its range, stands beside its own sine or exponential: true claims, with
+//! false ones beside them whose values were computed by other means.
+
+use crate::support::recheck;
+use basis_engine::{Source, Verdict, check};
+
+/// Every claim of a spec is found to be as it is declared, and checks out again from the text of its certificate; the
+/// counterexamples.
+fn counterexamples(spec: &str) -> Vec<String> {
+    let report = check(Source::text("beside.basis", spec));
+    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
+    let mut all = Vec::new();
+    for (item, (claim, verdict)) in report.items.iter().flat_map(|i| i.claims.iter().map(move |c| (i, c))) {
+        assert_eq!(recheck(&item.subject, claim, verdict), Ok(()), "{}", claim.text);
+        if let Verdict::Refuted(witness) = verdict {
+            all.push(format!("{} at {}", witness.value_text(), witness.point()));
+        }
+    }
+    all
+}
+
+const QUARTER: &str = "
+family Quarter {
+    domain 0 <= t <= pi/2;
+    b[0] = ((pi/2 - t) - cos(t))/(pi/2 - 1);
+    b[1] = (1 - sin(t) - b[0])/(2 - pi/2);
+    b[2] = (1 - cos(t) - b[3])/(2 - pi/2);
+    b[3] = (t - sin(t))/(pi/2 - 1);
+    prove partition_of_unity;
+    prove nonnegative;
+    prove symmetric;
+    prove independent;
+    prove 1 - t^2/2 <= cos(t);
+    prove cos(t) <= 1 - t^2/2 + t^4/24;
+    prove 2*t/pi <= sin(t);
+    prove sin(t) <= t;
+    prove t - sin(t) <= 5708/10000;
+    refute t - sin(t) <= 5707/10000;
+    refute sin(t) >= 64*t/100;
+    prove sin(t) >= 63*t/100;
+    prove t*cos(t) <= sin(t);
+    refute sin(t) - t*cos(t) >= t^3/3;
+}
+";
+
+#[test]
+fn an_angle_up_to_a_quarter_turn() {
+    assert_eq!(
+        counterexamples(QUARTER),
+        [
+            "-15707/10000 + 1/2*pi at tan(t/2) = 1",
+            "1 - 8/25*pi at tan(t/2) = 1",
+            "1 - 1/24*pi^3 at tan(t/2) = 1"
+        ]
+    );
+}
+
+#[test]
+fn the_tangent_has_no_value_at_the_end() {
+    let found = counterexamples(
+        "family Tangent {
+            domain 0 <= t < pi/2;
+            b[0] = tan(t) - t;
+            prove nonnegative;
+            prove tan(t) >= t + t^3/3;
+            refute tan(t) >= t + t^3/2;
+        }",
+    );
+    assert_eq!(found.len(), 1, "{found:?}");
+}
+
+#[test]
+fn zero_inside_of_the_domain() {
+    let found = counterexamples(
+        "family Exponential {
+            domain -1 <= t <= 1;
+            b[0] = exp(t) - 1 - t;
+            prove nonnegative;
+            prove exp(t) <= 1 + t + t^2;
+            refute exp(t) >= 1 + t + t^2/2;
+            prove exp(t) >= 1 + t + t^2/2 + t^3/6;
+        }
+        family Turn {
+            domain -pi <= t <= pi;
+            b[0] = t*sin(t);
+            prove nonnegative;
+            prove cos(t) >= 1 - t^2/2;
+            refute cos(t) >= 1 - t^2/2 + t^4/25;
+            refute sin(t) <= t;
+        }",
+    );
+    // e⁻¹ − 1/2, and t = −π for the sine.
+    assert_eq!(found[0], "(1 - 1/2*exp(1))/exp(1) at t = -1");
+    assert_eq!(found.len(), 3, "{found:?}");
+}
+
+#[test]
+fn the_end_of_the_domain_is_a_parameter() {
+    let found = counterexamples(
+        "family CBezier {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            let M = sin(α/2)*(1 - cos(α))/(sin(α/2)*(1 - cos(α)) - cos(α/2)*(α - sin(α)));
+            b[0] = (α - t - sin(α - t))/(α - sin(α));
+            b[1] = M*((1 - cos(α - t))/(1 - cos(α)) - b[0]);
+            b[2] = M*((1 - cos(t))/(1 - cos(α)) - b[3]);
+            b[3] = (t - sin(t))/(α - sin(α));
+            prove nonnegative;
+            prove independent;
+            refute b[1] <= b[2];
+            prove b[3] <= 1;
+        }
+        family Hyperbolic {
+            shape 0 < α;
+            domain 0 <= t <= α;
+            let M = sinh(α/2)*(1 - cosh(α))/(sinh(α/2)*(1 - cosh(α)) - cosh(α/2)*(α - sinh(α)));
+            b[0] = (α - t - sinh(α - t))/(α - sinh(α));
+            b[1] = M*((1 - cosh(α - t))/(1 - cosh(α)) - b[0]);
+            b[2] = M*((1 - cosh(t))/(1 - cosh(α)) - b[3]);
+            b[3] = (t - sinh(t))/(α - sinh(α));
+            prove nonnegative;
+            prove independent;
+        }",
+    );
+    assert_eq!(found.len(), 1, "{found:?}");
+}

@@ -1,0 +1,10 @@
+//! Specs and what is said of them: verdicts on claims, messages, names of the library.
+
+mod beside;
+mod language_reference;
+mod library_of_specs;
+mod one_mistake;
+mod rendering;
+#[path = "../support.rs"]
+mod support;
+mod verdicts;

@@ -1,0 +1,609 @@
+//! What papers write beyond single formulas: names with arguments, lists, chains, factors of families; each with true
+//! claims and with false ones beside them, whose values were computed by other means.
+
+use crate::support::recheck;
+use basis_engine::{Source, Verdict, check};
+
+/// The verdicts of a spec without other errors than false claims, `=` for proved, else the value of the counterexample
+/// and its place. All of them check out.
+fn verdicts(spec: &str) -> Vec<String> {
+    let report = check(Source::text("language.basis", spec));
+    let errors: Vec<&str> =
+        report.diagnostics.iter().map(|d| d.message.as_str()).filter(|m| !m.contains("the claim")).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let mut all = Vec::new();
+    for item in &report.items {
+        for (claim, verdict) in &item.claims {
+            assert_eq!(recheck(&item.subject, claim, verdict), Ok(()), "{}", claim.text);
+            all.push(match verdict {
+                Verdict::Proved(_) => String::from("="),
+                Verdict::Refuted(witness) => format!("{} at {}", witness.value, witness.point()),
+                Verdict::Undecided(left) => format!("undecided: {left}"),
+            });
+        }
+    }
+    all
+}
+
+#[test]
+fn names_and_functions_stand_in_any_order() {
+    let found = verdicts(
+        "family F(n in 2..=2) {
+            domain 0 <= t <= 1;
+            shape -c <= λ <= c;
+            b[2] = 1 - b[0] - b[1];
+            b[1] = c*t*(1 - t)^(y[1] + 1);
+            b[0] = h(1 - t)*k;
+            let k = y[0]/2;
+            let c = n;
+            let h(x) = sum(p(x, i) for i in 1..=n)/n;
+            let p(x, i) = x^i;
+            let y = [2*k0, 0];
+            let k0 = 1;
+            let s = sum(b);
+            prove s = 1;
+            prove h(1/2) = 3/8*s;
+            prove b[2] = (3*t^2 - t)/2 + λ - λ;
+            prove b[2] >= 0;
+            prove λ >= -2;
+            prove λ > -2;
+        }",
+    );
+    assert_eq!(found[..3], ["="; 3]);
+    // (3t² − t)/2 has its minimum −1/24 at t = 1/6.
+    assert!(found[3].starts_with('-'), "{}", found[3]);
+    assert_eq!(found[4..], ["=", "0 at λ = -2, t = 1/2"]);
+}
+
+#[test]
+fn a_name_with_arguments_sees_the_family_only() {
+    let found = verdicts(
+        "family F {
+            domain 0 <= t <= 1;
+            let i = 5;
+            let f(x) = x + i;
+            let pair(g) = [g, D(g)*t/2];
+            let lagrange(x, j) = product((x - y[k])/(y[j] - y[k]) for k in 0..=2 if k != j);
+            let y = [0, 1/3, 1];
+            b[j] = lagrange(t, j) for j in 0..=2;
+            prove partition_of_unity;
+            prove b[j](y[k]) = 0 for j in 0..=2, k in 0..=2 if j != k;
+            prove f(t) = t + 5;
+            prove sum(f(k) for k in 0..=2) = 18 + 0*t;
+            prove pair(t^2) = [t^2, t^2];
+            prove D(lagrange(t, 1), t)(1/3) = 3/2;
+        }",
+    );
+    assert_eq!(found, ["="; 11]);
+}
+
+#[test]
+fn chains_are_true_as_a_whole() {
+    let found = verdicts(
+        "family Legendre {
+            domain -1 <= x <= 1;
+            P[0] = 1; P[1] = x; P[2] = (3*x^2 - 1)/2; P[3] = (5*x^3 - 3*x)/2;
+            prove -1 <= P[i] <= 1 for i in 0..=3;
+            refute -1/2 < P[2] <= 1;
+            refute -1 <= P[3] < 1;
+            prove 1 >= P[2] >= -1/2;
+            prove at x = 1 { P[0] = P[1] = P[2] = P[3] = 1; }
+            prove P[2] = P[3] = 0;
+            prove -1/2 <= P[2] <= 3/4 <= 1;
+        }",
+    );
+    assert_eq!(found[..4], ["="; 4]);
+    assert_eq!(found[4..6], ["0 at x = 0", "0 at x = 1"]);
+    assert_eq!(found[6..8], ["="; 2]);
+    assert!(found[8].contains(" at x = ") && found[9].starts_with("1/4 at x = "), "{found:?}");
+}
+
+#[test]
+fn conditions_are_joined_and_negated() {
+    let found = verdicts(
+        "family F(n in 3..=4) {
+            domain 0 <= t <= 1;
+            b[i] = t^i for i in 0..=n;
+            prove at t = 0 { b[i] = 0 for i in 0..=n if !(i == 0 || i > n); }
+            prove b[i] < 1 for i in 0..=n if (i == 0 || i == n) && !(i == 0) && n == 3;
+            prove b[1] > 0 if n == 3 || n == 7;
+        }",
+    );
+    assert_eq!(found, ["=", "=", "=", "0 at t = 1", "0 at t = 0", "=", "=", "=", "="]);
+}
+
+#[test]
+fn interval_families_are_factors_on_a_box() {
+    let found = verdicts(
+        "family Hermite {
+            domain 0 <= t <= 1;
+            b[0] = (1 + 2*t)*(1 - t)^2; b[1] = t*(1 - t)^2; b[2] = t^2*(t - 1); b[3] = t^2*(3 - 2*t);
+        }
+        family Shaped { domain 0 <= t <= 1; shape 0 <= λ <= 2; b[0] = 1 - λ*t; b[1] = λ*t; }
+        family Patch {
+            domain 0 <= u <= 1, 0 <= v <= 1;
+            shape 0 <= μ <= 1;
+            b[i,j] = Bernstein(3)[i](u) * Hermite[j](v) for i in 0..=3, j in 0..=3;
+            prove sum(b[i,0] + b[i,3] for i in 0..=3) = 1;
+            prove Bernstein(2)(u) = [(1 - u)^2, 2*u*(1 - u), u^2];
+            prove Shaped(μ)(u*v)[1] = μ*u*v;
+            prove Shaped(μ)[1](2*v) = 2*μ*v;
+            prove TriangularBernstein(2)[1,1,0](u, v, 1 - u - v) = 2*u*v;
+            prove Bernstein(3)[1](v) = b[1,0](u, 0);
+        }",
+    );
+    assert_eq!(found[..5], ["="; 5]);
+    assert_eq!(found[5], "5/72 at μ = 1/2, u = 1/2, v = 1/3"); // 3v(1 − v)² − 3u(1 − u)² = 4/9 − 3/8
+}
+
+/// The reference prism has the volume 1/2·2; the numbers of false claims are those of the corners and edges.
+#[test]
+fn products_of_simplices_and_intervals() {
+    let found = verdicts(
+        "family Wedge {
+            domain triangle (u, v, w), -1 <= z <= 1;
+            b[i,j,k,l] = Bernstein(1)[l]((1 + z)/2) * u^i * v^j * w^k for i, j, k in simplex(1), l in 0..=1;
+            prove partition_of_unity; prove nonnegative; prove symmetric; prove independent;
+            prove integral(1 + 0*u) = 1;
+            prove integral(u^2*z^2) = 2/3 * 2/24;
+            prove D(b[0,0,1,1], u, z) = -1/2;
+            prove at z = -1 { b[0,0,1,0] = w; b[0,0,1,1] = 0; }
+            prove at w = 1, z = 1/2 { b[0,0,1,1] = 3/4; }
+            prove at z = u { b[1,0,0,1] = u*(1 + u)/2; }
+            prove at w = 1/4, u = 1/4 { b[0,1,0,0] = (1 - z)/4; }
+            prove b[1,0,0,0](0, 1/2, 1/2, 1) + b[0,1,0,1](0, 1/2, 1/2, 1) = u + v + w - 1/2;
+            prove D(b[1,0,0,1], u) >= 0;
+            prove integral(u) = 1/3;
+            prove integral(u) = 1/6;
+            prove b[0,0,1,1] <= 9/10;
+            prove at z = 0 { b[0,0,1,1] < 1/2; }
+            prove w*z >= -9/10;
+            prove D(b[0,0,1,1], v) = -(1 - z)/2;
+        }",
+    );
+    assert_eq!(found[..15], ["="; 15]);
+    assert_eq!(
+        found[15..],
+        [
+            "1/6 at u = 1/2, v = 1/4, w = 1/4, z = 1", // 1/6·2 is 1/3
+            "1/10 at u = 0, v = 0, w = 1, z = 1",
+            "0 at u = 0, v = 0, w = 1, z = 0",
+            "-1/10 at u = 0, v = 0, w = 1, z = -1",
+            "-1 at u = 1/2, v = 1/4, w = 1/4, z = 1",
+        ]
+    );
+}
+
+/// The interval first, a simplex of four corners, two triangles: coordinates, indices and arguments in the order of the domain.
+#[test]
+fn factors_of_a_domain_stand_in_any_order() {
+    let found = verdicts(
+        "family Solid {
+            domain 0 <= x <= 2, tetrahedron (p, q, r, s), -1 <= z <= 1;
+            shape 0 <= λ <= 1;
+            b[0] = λ*x*p*(1 - z)/4;
+            b[1] = 1 - b[0];
+            prove nonnegative;
+            prove integral(b[0]) = λ/24; // 2·1/24·2/4
+            prove at p = 1, x = 2 { b[0] = λ*(1 - z)/2; }
+            prove b[0](1, 1/2, 1/2, 0, 0, 0) = λ/8;
+            prove D(b[0], x, z) = -λ*p/4;
+            prove independent except λ = 0;
+            prove b[0] < 1;
+            prove p + q + r <= 1/2;
+        }
+        family Pair {
+            domain triangle (u, v, w), triangle (r, s, t);
+            permute b[1,0,0,1,0,0] = u*r;
+            prove partition_of_unity; prove symmetric; prove independent;
+            prove integral(b[0,0,1,0,1,0]) = 1/36;
+            prove b[0,0,1,0,0,1] = w*t;
+            prove b[0,1,0,0,0,1] = w*t;
+        }
+        family Recursive(n in 2..=2) {
+            domain -1 <= z <= 1, triangle (u, v, w);
+            base n = 1 { permute b[0,1,0,0] = u*(1 - z)/2; permute b[1,1,0,0] = u*(1 + z)/2; }
+            raise b[l,i,j,k] = (1 - z)/2*(u*b[l,i-1,j,k] + v*b[l,i,j-1,k] + w*b[l,i,j,k-1])
+                + (1 + z)/2*(u*b[l-1,i-1,j,k] + v*b[l-1,i,j-1,k] + w*b[l-1,i,j,k-1]);
+            prove b[l,i,j,k] = Bernstein(2)[l]((1 + z)/2) * 2/(factorial(i)*factorial(j)*factorial(k))*u^i*v^j*w^k
+                for l in 0..=2, i, j, k in simplex(2);
+        }",
+    );
+    assert_eq!(found[..6], ["="; 6]);
+    assert_eq!(found[6], "0 at λ = 1, x = 2, p = 1, q = 0, r = 0, s = 0, z = -1");
+    assert!(found[7].starts_with("1/2 at"), "{}", found[7]);
+    assert_eq!(found[8..13], ["="; 5]);
+    assert_eq!(found[14..], ["="; 18]);
+}
+
+#[test]
+fn assumptions_beside_simplices() {
+    let found = verdicts(
+        "family Disk {
+            domain triangle (u, v, w), -1 <= z <= 1;
+            shape -1 <= a <= 1, -1 <= c <= 1;
+            assume a^2 + c^2 <= 1/4;
+            b[0] = u*z*a; b[1] = v*c;
+            prove b[0]^2 + b[1]^2 <= 1/4;
+            prove b[0] + b[1] <= 1/2;
+            prove b[0] + b[1] <= 1/3;
+        }
+        family Half {
+            domain triangle (u, v, w);
+            shape 0 <= a <= 1, 0 <= c <= 1;
+            assume 2*a*c <= 1/2;
+            b[0] = a*c*u; b[1] = 1 - b[0];
+            prove b[0] <= 1/4;
+            prove b[0] < 1/5;
+        }",
+    );
+    assert_eq!([&found[0], &found[3]], ["="; 2]);
+    // The second needs both the assumption and u + v <= 1, which no multiple of the one gives.
+    assert!(found[1] == "=" || found[1].starts_with("undecided"), "{}", found[1]);
+    for k in [2, 4] {
+        assert!(!found[k].starts_with('-') && found[k].contains(" at a = "), "{}", found[k]);
+    }
+}
+
+#[test]
+fn integrals_over_the_domain_and_between_bounds() {
+    let found = verdicts(
+        "family Legendre {
+            domain -1 <= x <= 1;
+            shape 0 <= λ <= 1;
+            P[0] = 1; P[1] = x; P[2] = (3*x^2 - 1)/2; P[3] = (5*x^3 - 3*x)/2;
+            let inner(f, g) = integral(f*g);
+            prove inner(P[i], P[j]) = 0 for i in 0..=3, j in 0..=3 if i != j;
+            prove inner(P[i], P[i]) = 2/(2*i + 1) for i in 0..=3;
+            refute inner(P[3], x^3) = 1/7;
+            prove integral(P) = [2, 0, 0, 0];
+            prove integral(x^2 + λ*x^3, x, 0, λ) = λ^3/3 + λ^5/4;
+            prove D(integral(x^2/(1 + λ)), λ) = -2/(3*(1 + λ)^2);
+            prove integral((x - λ)^2) >= 2/3;
+            prove integral((x - λ)^2) > 2/3;
+        }
+        family Box {
+            domain 0 <= u <= 1, -1 <= v <= 2;
+            b[0] = u*v;
+            prove integral(b[0]) = 3/4;
+            prove integral(b[0], v, -1, 2) = 3/2*u;
+            prove integral(u^2, u, 0, 1) = 1/3;
+            prove integral(1) = 3;
+        }
+        family Corners {
+            domain triangle (u, v, w);
+            b[i,j,k] = TriangularBernstein(3)[i,j,k] for i, j, k in simplex(3);
+            prove integral(b[i,j,k]) = 1/20 for i, j, k in simplex(3);
+            prove integral(1) = 1/2;
+            prove integral(u*v*w) = 1/120;
+            prove integral(w^2) = 1/11;
+        }
+        family Solid {
+            domain tetrahedron (u, v, w, x);
+            b[0] = u; b[1] = v; b[2] = w; b[3] = x;
+            prove integral(1) = 1/6;
+            prove integral(b) = [1/24, 1/24, 1/24, 1/24];
+            prove integral(b[3]^2*b[0]) = 1/360;
+        }",
+    );
+    let equal = |range: core::ops::Range<usize>| found[range].iter().all(|v| v == "=");
+    assert!(equal(0..16), "{found:?}");
+    assert!(found[16].starts_with("-1/35 at"), "{}", found[16]); // 4/35 − 1/7
+    assert!(equal(17..21), "{found:?}");
+    assert!(found[21].starts_with("0 at λ = 0"), "{}", found[21]);
+    assert!(equal(22..38), "{found:?}");
+    assert!(found[38].starts_with("-1/132 at"), "{}", found[38]); // 1/12 − 1/11
+    assert!(equal(39..42) && found.len() == 42, "{found:?}");
+}
+
+#[test]
+fn integrals_of_curves() {
+    let found = verdicts(
+        "theorem Centre {
+            curve P = Bernstein(3);
+            scalar 0 <= h <= 1;
+            prove integral(P(t), t, 0, 1) == (P[0] + P[1] + P[2] + P[3])/4;
+            prove integral(D(P)(t), t, 0, h) == P(h) - P[0];
+            refute integral(P(t), t, 0, 1) == (P[0] + 3*P[1] + 3*P[2] + P[3])/8;
+            prove integral(t*h, t, h, 1) >= 0;
+        }",
+    );
+    assert!(found[0] == "=" && found[1] == "=" && found[3] == "=", "{found:?}");
+    assert_ne!(found[2], "=");
+}
+
+#[test]
+fn ranges_depend_on_other_parameters() {
+    let found = verdicts(
+        "family Pair {
+            domain 0 <= t <= 1;
+            shape 0 < q < p <= 1;
+            b[0] = (p - q)*t; b[1] = q*(1 - t) + 1 - p;
+            prove nonnegative;
+            prove q < 1;
+            prove p - q > 0;
+            prove at p = 1/2 { q < 1/2; b[0] <= t/2; }
+            prove independent;
+            refute p - q >= 1/10;
+            refute q < 1/2;
+            refute at p = 1/2 { q < 1/3; }
+            refute independent except (p = 1/2, q = 1/4);
+        }
+        family Below {
+            domain 0 <= t <= 1;
+            shape -1 <= λ <= 2;
+            shape 0 <= μ <= λ;
+            b[0] = 1 + μ*t; b[1] = λ*t + 1;
+            prove λ >= 0;
+            prove b[1] >= b[0];
+            prove at λ = 0 { b[0] = 1; b[0] = b[1]; }
+            prove at μ = λ { b[0] = b[1]; }
+            prove at μ = 1 { λ >= 1; }
+            refute at μ = 1 { λ > 1; }
+            refute independent except λ = 0, μ = 0;
+        }",
+    );
+    assert_eq!(found[..6], ["="; 6], "{found:?}");
+    let at_q = ["-1/60 at q = 2/3, p = 3/4, t = 1/2", "0 at q = 1/2, p = 3/4, t = 1/2"];
+    assert_eq!(found[6..8], at_q);
+    assert_eq!(found[8], "0 at q = 1/3, p = 1/2, t = 1/2");
+    assert!(found[9].ends_with(" at q = 1/4, p = 1/2"), "{}", found[9]);
+    assert_eq!(found[10..16], ["="; 6], "{found:?}");
+    assert_eq!(found[16..], ["0 at λ = 1, μ = 1, t = 1/2", "16/9 at λ = 4/3, μ = 0"]);
+}
+
+#[test]
+fn counterexamples_are_inside_of_what_is_assumed() {
+    // The quadrilateral has the corners (0, 1/4), (0, 1), (1, 0), (1/2, 0).
+    let found = verdicts(
+        "family Polygon {
+            domain 0 <= t <= 1;
+            shape 0 <= α, 0 <= β <= 1;
+            assume α + β <= 1;
+            assume 1/2 <= α + 2*β;
+            b[0] = 1 - α - β*t;
+            b[1] = α + β*t^2 + t/100;
+            prove nonnegative;
+            prove α <= 1;
+            prove 2*α + β >= 1/4;
+            prove at β = 0 { α >= 1/2; }
+            prove at β = 1 { α = 0; }
+            prove at α = β { 1/6 <= α <= 1/2; }
+            prove independent except α = 1;
+            refute b[0] > 0;
+            refute 2*α + β > 1/4;
+            refute at β = 0 { α > 1/2; }
+            refute at α = β { α < 1/2; }
+            refute independent;
+        }
+        family Line {
+            domain 0 <= t <= 1;
+            shape 0 <= B <= 1, C;
+            assume B + 2*C = 1;
+            b[0] = 1 - B*t; b[1] = C*t + 1;
+            prove C = (1 - B)/2;
+            prove 0 <= C <= 1/2;
+            prove at B = 1 { b[1] = 1; }
+            prove independent;
+            refute C > 0;
+        }",
+    );
+    assert_eq!(found.iter().filter(|v| *v == "=").count(), 11, "{found:?}");
+    assert!(found.iter().all(|v| !v.contains("undecided")), "{found:?}");
+    assert!(found[8].starts_with("0 at α = 0, β = 1/4"), "{}", found[8]);
+}
+
+/// √2 = 1.41421…, the largest value of α + β on the unit disk.
+#[test]
+fn assumptions_that_are_no_part_of_a_box() {
+    let found = verdicts(
+        "family Disk {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = 1 + α*t + β*(1 - t);
+            b[1] = 2 - (α + β)^2;
+            b[2] = 1 - 2*α*β*t;
+            b[3] = 1 - α^2 - t*β^2;
+            prove nonnegative;
+            prove α + β <= 3/2;
+            prove α + β < 1415/1000;
+            prove t*(α + β) <= 3/2;
+            prove (α + β)/(1 + t) <= 3/2;
+            refute b[0] > 0;
+            refute α + β <= 139/100;
+            refute b[3] >= 1/10;
+        }
+        family Ellipse {
+            domain 0 <= t <= 1;
+            shape λ, μ;
+            assume λ^2 + 4*μ^2 <= 4;
+            b[0] = 2 + λ*t;
+            prove nonnegative;
+            prove -2 <= λ <= 2;
+            prove μ <= 1;
+            refute μ <= 99/100;
+            refute λ < 2;
+        }
+        family Open {
+            domain 0 <= t <= 1;
+            shape 0 < p <= 4, 0 < q <= 4;
+            assume p*q > 1;
+            b[0] = p*t + q;
+            prove q > 1/4;
+            refute q >= 1/2;
+            refute p + q >= 21/10;
+        }",
+    );
+    let proved = [0, 1, 2, 3, 4, 8, 9, 10, 13];
+    for (k, verdict) in found.iter().enumerate() {
+        if proved.contains(&k) {
+            assert_eq!(verdict, "=", "{k}: {found:?}");
+        } else {
+            assert!(verdict.contains(" at "), "{k}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn shape_parameters_with_an_index() {
+    let found = verdicts(
+        "family F(n in 2..=3) {
+            domain 0 <= t <= 1;
+            shape -binomial(n, i) <= λ[i] <= binomial(n, i - 1) for i in 1..=n, 0 <= γ;
+            b[i] = (1 + λ[i])*t^i for i in 1..=n;
+            b[0] = 1 - sum(b[i] for i in 1..=n) + γ;
+            prove sum(b) = 1 + γ;
+            prove λ[1] <= 1;
+            prove D(b[1], λ[1]) = t;
+            prove sum(λ) = sum(λ[i] for i in 1..=n);
+            prove at λ = 0 { b[1] = t; b[2] = t^2; }
+            prove at λ[1] = -1 { b[1] = 0; }
+            prove independent except λ[1] = -1, λ[2] = -1, λ[3] = -1 if n == 3;
+            refute λ[n] > -1;
+            refute independent except λ[1] = -1 if n == 2;
+        }",
+    );
+    assert_eq!(found.iter().filter(|v| *v == "=").count(), 15, "{found:?}");
+    assert!(found[7].starts_with("0 at λ[1] = "), "{found:?}");
+}
+
+#[test]
+fn total_positivity() {
+    let found = verdicts(
+        "family Powers { domain 0 <= t <= 1; b[i] = t^i for i in 0..=5; prove totally_positive; }
+        family Quadratic {
+            domain 0 <= t <= 1;
+            shape -2 <= λ <= 1;
+            b[0] = (1 - λ*t) * (1 - t)^2;
+            b[1] = (2 + λ) * (1 - t) * t;
+            b[2] = (1 - λ + λ*t) * t^2;
+            prove totally_positive;
+        }
+        family Conic {
+            domain 0 <= t <= 1;
+            shape 0 < ω;
+            let w = (1 - t)^2 + 2*ω*t*(1 - t) + t^2;
+            b[0] = (1 - t)^2/w; b[1] = 2*ω*t*(1 - t)/w; b[2] = t^2/w;
+            prove totally_positive;
+        }
+        family Raised {
+            domain 0 <= t <= 2;
+            b[0] = (2 - t)^2 + t^2/4; b[1] = t^2;
+            prove totally_positive;
+        }
+        family Below { domain -1 <= t <= 1; b[i] = t^i for i in 0..=2; refute totally_positive; }
+        family Nodes {
+            domain 0 <= t <= 1;
+            b[0] = 2*(t - 1/2)*(t - 1); b[1] = 4*t*(1 - t); b[2] = 2*t*(t - 1/2);
+            refute totally_positive;
+        }
+        family Swapped { domain 0 <= t <= 1; b[0] = t; b[1] = 1 - t; refute totally_positive; }
+        family Third {
+            domain 0 <= t <= 1;
+            b[0] = 1; b[1] = 1 + t; b[2] = 1 + 3*t - t^2;
+            refute totally_positive;
+        }
+        family Depends {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= 1, 0 <= q <= 1;
+            b[0] = 1 + p*t; b[1] = 1 + q*t;
+            refute totally_positive;
+        }
+        family Ordered {
+            domain 0 <= t <= 1;
+            shape 0 <= p <= q <= 1;
+            b[0] = 1 + p*t; b[1] = 1 + q*t;
+            prove totally_positive;
+        }
+        family Many {
+            domain 0 <= t <= 1;
+            b[i] = t^i*(1 - t)^(60 - i)*(1 + t) for i in 0..=60;
+            prove totally_positive;
+        }
+        family Backwards {
+            domain 0 <= t <= 1;
+            b[i] = t^(60 - i)*(1 - t)^i for i in 0..=60;
+            refute totally_positive;
+        }",
+    );
+    assert_eq!(found[..4], ["="; 4], "{found:?}");
+    assert_eq!(found[4], "-1 at ");
+    assert_eq!(found[5..7], ["-1/8 at ", "-1/3 at "]);
+    // 1, 1 + t, 1 + 3t − t² have the determinant −(t₁ − t₀)(t₂ − t₀)(t₂ − t₁).
+    assert!(found[7].starts_with('-'), "{}", found[7]);
+    assert!(found[8].starts_with('-') && found[8].contains("p = "), "{}", found[8]);
+    assert_eq!(found[9..11], ["="; 2]);
+    assert!(found[11].starts_with('-'), "{}", found[11]);
+}
+
+#[test]
+fn neighbours_have_other_shape_values() {
+    // A segment of a spline with one number for each interval: b[0] ends where its part in the next one begins.
+    let found = verdicts(
+        "family Segment {
+            domain 0 <= t <= 1;
+            shape 0 < a <= 1, 0 < c <= 1;
+            b[0] = (1 - t)*a; b[1] = t*c;
+            prove continuity(0) with a = c;
+            refute continuity(0);
+            refute continuity(1) with a = c;
+            refute continuity(0) with c = a;
+            refute continuity(0) with a = c/2;
+        }
+        family Knots {
+            domain 0 <= t <= 1;
+            shape 0 < d0, 0 < d1, 0 < d2;
+            let s = d1*t;
+            b[0] = (d1 - s)^2/(d1*(d0 + d1));
+            b[2] = s^2/(d1*(d1 + d2));
+            b[1] = 1 - b[0] - b[2];
+            prove continuity(0) with d0 = d1, d1 = d2;
+            refute continuity(0);
+        }",
+    );
+    assert_eq!(found[0], "=");
+    assert!(found[1..5].iter().all(|v| v.contains(" at a = 1/2, c = ")), "{found:?}");
+    assert!(found[3].contains("a' = "), "{}", found[3]);
+    assert_eq!(found[5], "=");
+    assert_ne!(found[6], "=");
+}
+
+/// A variable beside its own sine or exponential ends where the domain does, and is no variable of its own there.
+#[test]
+fn variables_beside_their_sine_end_with_the_domain() {
+    let spans = "family F { domain 0 <= x <= 1, 1 <= x <= 2; f[0] = exp(x) | exp(1)*x;
+        prove smooth(1); prove smooth(2); }";
+    let found = verdicts(spans);
+    assert!(found[0] == "=" && !found[1].starts_with(['=', 'u']), "{found:?}");
+    let joints =
+        "family F { domain 0 <= t <= pi; b[0] = pi - t + sin(t); b[1] = t - sin(t); prove continuity(0); }
+        family G { domain 0 <= t <= 2; b[0] = 1 - t/2 + 0*exp(t); b[1] = t/2; prove continuity(0); }";
+    assert_eq!(verdicts(joints), ["="; 2]);
+}
+
+/// What is enough for a claim, and a value that is taken for a number, refute nothing.
+#[test]
+fn no_counterexample_where_none_is_known() {
+    let spec = "family F { domain 0 <= t <= pi/2; shape -1 <= a <= 1, -1 <= c <= 1; assume a^2 + c^2 <= 1;
+            b[0] = 19/10 + a*t + c*sin(t); prove nonnegative; prove b[0] >= -1; }
+        family G { domain 0 <= t <= 1; b[0] = 3.14159265358979323846265 - pi; prove totally_positive; }
+        family H { domain 0 <= t <= 1; shape 0 <= α <= 0; b[0] = 1 + sin(α)*t; prove α = 0; }";
+    let mut found = verdicts(spec);
+    assert_eq!(found.remove(1), "=");
+    assert!(found.len() == 3 && found.iter().all(|v| v.starts_with("undecided")), "{found:?}");
+}
+
+/// sin t is negative beyond π, where the tangent of t/2 is another one.
+#[test]
+fn an_angle_does_not_pass_the_pole_of_its_tangent() {
+    for domain in ["0 <= t <= α + pi", "0 <= t <= α + pi/2", "0 <= t <= α + β", "α <= t <= α + β"] {
+        let spec = format!(
+            "family F {{ shape 0 < α < pi, 0 < β < pi; domain {domain}; b[0] = sin(t); prove sin(t) >= 0; }}"
+        );
+        let report = check(Source::text("pole.basis", &spec));
+        let found: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+        assert!(found.iter().any(|m| m.ends_with("can be pi or more")), "{domain}: {found:?}");
+        assert!(report.items.is_empty(), "{domain}");
+    }
+}

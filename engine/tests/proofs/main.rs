@@ -1,0 +1,10 @@
+//! Proofs and refutations, written, read, changed, and checked again: by the kernel and by a second checker.
+
+mod independence_on_triangles;
+mod mutation;
+mod oracle;
+mod rounding;
+#[path = "../support.rs"]
+mod support;
+mod theorems;
+mod verdicts_check_out;
