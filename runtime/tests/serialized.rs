@@ -17,12 +17,12 @@ use basis_runtime::{
     Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity, EdgePair,
     Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridCorners,
     GridFit, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest, Offset,
-    ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, Quadrature, QuadratureError,
-    RationalBezier, RationalCurve, RationalSpline, RationalSurface, RevolutionError, RevolutionPatch,
-    Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke,
-    Surface, SurfaceMeeting, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake, Tabulation,
-    TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier, Vertex, basis,
-    bernstein::Root, edge_continuity,
+    ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, ProductPatch, Quadrature,
+    QuadratureError, RationalBezier, RationalCurve, RationalSpline, RationalSurface, RevolutionError,
+    RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf, SpannedBasis,
+    SpannedCurve, Stroke, Surface, SurfaceMeeting, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake,
+    Tabulation, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier,
+    Vertex, basis, bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -31,6 +31,7 @@ basis!("../../specs/quartic.basis");
 basis!("../../specs/triangular.basis", TriangularII(3));
 basis!("../../specs/lagrange.basis", Bilinear, TetrahedralLagrange(1));
 
+basis!("../../specs/triangles/prisms.basis", LinearWedge);
 basis!("../../specs/rational/bezier.basis", Conic);
 basis! {
     /// Two parabolas that meet at a knot.
@@ -197,6 +198,7 @@ fn patches_on_simplices_and_boxes() {
     refused(&triangle(), |json| drop(json["points"].as_array_mut().unwrap().pop()));
     refused(&triangle(), |json| json["basis"]["lambda1"] = serde_json::json!(0.0));
     again(SimplexPatch::new(TetrahedralLagrange::new(), [[1.0, 2.0], [0.5, 0.0], [0.0, 0.25], [3.0, 4.0]]));
+    again(ProductPatch::new(LinearWedge::new(), core::array::from_fn(|i| [i as f64, 0.5])));
     again(BoxPatch::new(Bilinear::new(), [[0.0, 0.0], [0.0, 2.0], [4.0, 0.0], [6.0, 3.0]]));
     again(TriangleEdge::V);
     again(EdgeBasis::new(TriangularII::new(1.5, 2.0).unwrap(), TriangleEdge::W));

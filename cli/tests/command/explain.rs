@@ -224,7 +224,7 @@ fn factors_on_other_domains() {
 }
 
 /// The matrix of a kind that `explain` prints, as text.
-fn matrix(run: &support::Run, kind: &str) -> Vec<Vec<String>> {
+fn matrix(run: &crate::support::Run, kind: &str) -> Vec<Vec<String>> {
     let report = run.json();
     let all = report["items"][0]["matrices"].as_array().expect("a list").clone();
     let found = all.into_iter().find(|m| m["kind"] == kind).unwrap_or_else(|| panic!("there is no {kind}"));
