@@ -44,6 +44,16 @@ fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair) 
     (gap, angle)
 }
 
+/// The least sine of the angle between the derivatives along and across the second edge of a joint.
+fn least_sine(surface: &BSplineSurface<P3>, joint: EdgePair) -> f64 {
+    let at = |i: i32| {
+        let (_, into, along) = at_edge(surface, joint.second, f64::from(i) / 10_000.0, -1.0);
+        let length = |a| distance(a, [0.0; 3]);
+        length(cross(into, along)) / (length(into) * length(along))
+    };
+    (0..=10_000).map(at).fold(1.0, f64::min)
+}
+
 /// A surface of degree `k` over uneven knots; `x` from `from` to `from + 1`, `y` from 0 to 1, with the given waves.
 fn sheet(k: usize, spans: usize, from: f64, waves: [f64; 4]) -> BSplineSurface<P3> {
     let breakpoints: Vec<f64> =
@@ -405,13 +415,18 @@ proptest! {
         let joint = EdgePair { first: edge, second: target, reversed };
         for options in methods() {
             let options = options.spans(30);
-            if let Ok(found) = splice(&left, &right, joint, &options) {
-                let (gap, angle) = independent(&found.surface, &right, joint);
-                prop_assert!(gap <= options.gap && angle <= options.angle, "{} {}", gap, angle);
-            } else {
-                // Exact joins exist for all but surfaces without tangent planes.
-                let exact = options.method == Method::Exact;
-                prop_assert!(!exact || measure_joint(&left, &right, joint).is_err());
+            match splice(&left, &right, joint, &options) {
+                Ok(found) => {
+                    let (gap, angle) = independent(&found.surface, &right, joint);
+                    prop_assert!(gap <= options.gap && angle <= options.angle, "{} {}", gap, angle);
+                }
+                // Exact joins exist for all but surfaces without tangent planes; next to such a surface rounding errors
+                // and the bounds of the angle are large.
+                Err(e) if options.method == Method::Exact => {
+                    let flat = measure_joint(&left, &right, joint).is_err();
+                    prop_assert!(flat || least_sine(&right, joint) < 0.01, "{}", e);
+                }
+                Err(_) => {}
             }
         }
     }
