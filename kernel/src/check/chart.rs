@@ -70,12 +70,8 @@ impl Chart {
     pub(super) fn counted(&self, polynomial: &Poly, work: &mut Work) -> Result<Poly, Refusal> {
         let mut p = polynomial.clone();
         for (var, by) in &self.by {
-            // Of xᵉ become e + 1 terms.
-            let (degree, growth) = (u64::from(p.degree(*var)), 2 + by.max_bits());
-            let words = 1 + (p.max_bits() + degree * growth) / 64;
             let too_high = if p.total_degree() < 1 << 14 { 0 } else { u64::MAX };
-            let terms = 6 * p.len() as u64 * (degree + 1);
-            work.spend(terms.saturating_mul(words).max(too_high)).ok_or(Refusal::Spent)?;
+            work.spend(cost(&p, *var, by).max(too_high)).ok_or(Refusal::Spent)?;
             p = p.substitute(*var, by);
         }
         Ok(p)
@@ -85,4 +81,11 @@ impl Chart {
     pub fn variables(&self) -> &[(Var, Poly)] {
         &self.by
     }
+}
+
+/// Of putting a polynomial in place of a variable: of xᵉ become e + 1 terms.
+fn cost(p: &Poly, var: Var, by: &Poly) -> u64 {
+    let (degree, growth) = (u64::from(p.degree(var)), 2 + by.max_bits());
+    let words = 1 + (p.max_bits() + degree * growth) / 64;
+    (6 * p.len() as u64 * (degree + 1)).saturating_mul(words)
 }

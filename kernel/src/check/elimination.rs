@@ -25,14 +25,17 @@ pub(super) fn resultant(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Result
     grid.dedup();
     let points = grid.iter().try_fold(1_u32, |n, (_, c)| n.checked_mul(*c).filter(|n| *n <= MAX_POINTS));
     let points = u64::from(points.ok_or(Refusal::Unfit("a resultant is too large"))?);
-    // Elimination, and the interpolation of polynomials with as many terms as there are points.
+    work.spend(cost(a, b, size, points)).ok_or(Refusal::Spent)?;
+    // A factor of the rows does not matter: whole numbers are fast.
+    Ok(on_grid(&a.normalized(), &b.normalized(), var, &grid, (a.degree(var), b.degree(var))))
+}
+
+/// Of elimination, and of the interpolation of polynomials with as many terms as there are points.
+fn cost(a: &Poly, b: &Poly, size: u32, points: u64) -> u64 {
     // A number up to 40 000 in place of a variable has 16 bits.
     let nodes = 16 * (u64::from(a.total_degree()) + u64::from(b.total_degree()));
     let words = 1 + u64::from(size) * (a.max_bits() + b.max_bits() + nodes) / 64;
-    let steps = u64::from(size).pow(3) / 3 + points;
-    work.spend(points.saturating_mul(steps).saturating_mul(words)).ok_or(Refusal::Spent)?;
-    // A factor of the rows does not matter: whole numbers are fast.
-    Ok(on_grid(&a.normalized(), &b.normalized(), var, &grid, (a.degree(var), b.degree(var))))
+    points.saturating_mul(u64::from(size).pow(3) / 3 + points).saturating_mul(words)
 }
 
 fn on_grid(a: &Poly, b: &Poly, var: Var, grid: &[(Var, u32)], degrees: (u32, u32)) -> Poly {
@@ -103,5 +106,29 @@ mod tests {
         let found = resultant(&a, &b, Var(0), work).expect("small");
         assert_eq!(found.normalized(), (&y * &(&y - &Poly::one())).normalized());
         assert_eq!(resultant(&a, &b, Var(0), &mut Work::new(3)), Err(Refusal::Spent));
+    }
+
+    /// Of the highest degrees that they can have, in one polynomial alone, and beyond the largest matrix.
+    #[test]
+    fn degrees_of_resultants() {
+        let (x, y) = (Poly::var(Var(0)), Poly::var(Var(1)));
+        let work = &mut Work::unlimited();
+        let mut of = |a: &Poly, b: &Poly| resultant(a, b, Var(0), work).map(|p| p.normalized());
+        let (a, b) = (&x.pow(2) + &y.pow(3), &(&x.pow(2) * &y.pow(3)) + &Poly::one());
+        assert_eq!(of(&a, &b), Ok((&y.pow(6) - &Poly::one()).pow(2)));
+        assert_eq!(of(&b, &a), Ok((&y.pow(6) - &Poly::one()).pow(2)));
+        let (a, b) = (&x.pow(2) + &Poly::one(), &x - &y);
+        assert_eq!(of(&a, &b), Ok(&y.pow(2) + &Poly::one()));
+        assert_eq!(of(&b, &a), Ok(&y.pow(2) + &Poly::one()));
+        // At y = 0 rows are exchanged.
+        let a = &(&(&x.pow(2) * &y) + &x) + &Poly::one();
+        let expected = &(&Poly::one() - &y.pow(2)).pow(2) + &y;
+        assert_eq!(of(&a, &(&x.pow(2) + &y)), Ok(expected));
+        let high = |degree| &x.pow(degree) + &Poly::one();
+        assert_eq!(of(&high(119), &(&x - &Poly::integer(2))), Ok(Poly::one()));
+        assert_eq!(
+            of(&high(120), &(&x - &Poly::integer(2))),
+            Err(Refusal::Unfit("a resultant is too large"))
+        );
     }
 }

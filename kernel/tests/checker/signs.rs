@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use basis_kernel::algebra::poly::{Monomial, Poly, Var};
+use basis_kernel::algebra::range::{End, Range, Region};
 use basis_kernel::algebra::rational::Rational;
 use basis_kernel::algebra::work::Work;
 use basis_kernel::{
@@ -352,6 +353,101 @@ fn no_field_of_a_certificate_with_irrational_sections_may_change() {
         slices.bases.remove(base);
         assert!(offer(&statement, &less).is_err());
     }
+}
+
+/// A sum of squares that vanish together at an irrational point: all is as it has to be but for the box around it.
+#[test]
+fn boxes_around_irrational_points_are_checked() {
+    let zero = sign("(x0^2 - 2)^2 + (x1^2 - 2)^2 > 0", "0 < x0 < 2, 0 < x1 < 2");
+    let base = |x: &str, y: &str| {
+        let p = "8-4*x0^2-4*x1^2+x0^4+x1^4";
+        let cuts = |y| format!("(cut {y} (cut {y} . .) (cut {y} . .))");
+        format!(
+            "(({x} {y}) ((-2+{x}^2 8-4*{x}^2+{x}^4) ({p})) ((5/4 3/2)) ((1 {}) (7/4 {})))",
+            cuts(y),
+            cuts(y)
+        )
+    };
+    let certificate =
+        |box_: &str| read(&format!("(sign _ (slices ({} {}) ({box_})))", base("x0", "x1"), base("x1", "x0")));
+    let refused = |statement, box_: &str| offer(statement, &certificate(box_)).err();
+    let found = Some(Refusal::Unproved("a Bernstein coefficient on a box is not positive"));
+    assert_eq!(refused(&zero, "(5/4 3/2 5/4 3/2)"), found);
+}
+
+/// Certificates with as many parts within each other as are allowed, and one more.
+#[test]
+fn certificates_have_a_largest_depth() {
+    use basis_kernel::{Cuts, SignProof};
+    let positive = sign("1 + x0 > 0", "0 <= x0 <= 1");
+    let nested = |depth: usize, lower: bool| {
+        (0..depth).fold(Cuts::None, |inner, _| {
+            let (low, high) = if lower { (inner, Cuts::None) } else { (Cuts::None, inner) };
+            Cuts::At { var: Var(0), low: Box::new(low), high: Box::new(high) }
+        })
+    };
+    let by = |cuts| Certificate::Sign { denominator: None, numerator: SignProof::Cuts(cuts) };
+    for lower in [false, true] {
+        assert_eq!(offer(&positive, &by(nested(300, lower))).err(), None);
+        let refused = offer(&positive, &by(nested(301, lower))).err();
+        assert_eq!(refused, Some(Refusal::Unfit("the cells are nested too deeply")));
+    }
+    // 1 + x₀ + x₁ + … at the lower ends of its variables, one after the other.
+    for (count, refused) in [(100, None), (101, Some(Refusal::Unfit("the proof is nested too deeply")))] {
+        let variables: Vec<Var> = (0..count).map(Var).collect();
+        let sum = variables.iter().fold(Poly::one(), |sum, v| &sum + &Poly::var(*v));
+        let proof = variables.iter().rev().fold(SignProof::direct(), |inner, var| SignProof::Corners {
+            var: *var,
+            low: Box::new(inner),
+            high: Box::new(SignProof::direct()),
+            middle: None,
+        });
+        let ranges =
+            variables.iter().map(|v| (*v, Range { low: End::Included(Rational::ZERO), high: End::Infinite }));
+        let domain = Rc::new(Domain::of(Region { ranges: ranges.collect() }));
+        let statement = Statement::Sign { value: sum.into(), relation: Relation::Positive, domain };
+        let certificate = Certificate::Sign { denominator: None, numerator: proof };
+        assert_eq!(offer(&Rc::new(statement), &certificate).err(), refused, "{count}");
+    }
+}
+
+/// The point between the ends at which a polynomial of degree 1 is positive is not an end.
+#[test]
+fn a_middle_lies_inside() {
+    for claim in ["1 - x0 > 0", "x0 > 0"] {
+        let statement = sign(claim, "0 < x0 < 1");
+        let at = |middle: &str| read(&format!("(sign _ (corners x0 . . {middle} .))"));
+        assert!(offer(&statement, &at("1/2")).is_ok());
+        assert!(offer(&statement, &at("0")).is_err());
+        assert!(offer(&statement, &at("1")).is_err());
+    }
+}
+
+/// What has to be made of the polynomials of lower levels, and what has not.
+#[test]
+fn projections_are_complete() {
+    let square = "0 <= x0 <= 1, 0 <= x1 <= 1";
+    let refused = |claim, on, by: &str| offer(&sign(claim, on), &read(by)).err();
+    // An end may be a root everywhere, as a factor of its own.
+    let by = "(sign _ (cells (x0 x1) ((x0 1-x0+x0^2) (-1+x1 x0^2-x0*x1+x1^2)) ((1/2 1/2))))";
+    assert_eq!(refused("(1 - x1)*(x0^2 - x0*x1 + x1^2) >= 0", square, by), None);
+    let by = "(sign _ (cells (x0 x1) ((x0 1+x0) (x0+x1-x0*x1-x1^2)) ((1/2 1/2))))";
+    let zero = Some(Refusal::Unproved("a projection is zero"));
+    assert_eq!(refused("(1 - x1)*(x0 + x1) >= 0", square, by), zero);
+    let by = "(sign _ (cells (x0 x1) ((x0) (1+x0 x0+x1)) ((1/2 1/2))))";
+    let wrong = Some(Refusal::Unfit("a polynomial is on the wrong level"));
+    assert_eq!(refused("x0 + x1 >= 0", square, by), wrong);
+    // With three variables the trailing coefficients are projected too, but for a variable itself.
+    let by = "(sign _ (slices (((x0 x1 x2) ((x0 1+x0) (x1 1+x0*x1) (x2+x0*x1)) () ((1/2 .)))) ()))";
+    assert_eq!(refused("x0*x1 + x2 > 0", "0 < x0 < 1, 0 < x1 < 1, 0 < x2 < 1", by), None);
+    let base = |of_x1: &str| {
+        let levels = format!("((x0 1+x0 2+x0) ({of_x1}1+x0*x1 2+x0*x1) (x2+x0*x1))");
+        format!("(sign _ (slices (((x0 x1 x2) {levels} () ((1/2 .)))) ()))")
+    };
+    let on = "0 < x0 < 1, 0 < x1 < 1, 1 < x2 < 2";
+    assert_eq!(refused("x0*x1 + x2 > 0", on, &base("x1 ")), None);
+    let lacks = Some(Refusal::Unproved("a projection has a factor that the levels lack"));
+    assert_eq!(refused("x0*x1 + x2 > 0", on, &base("")), lacks);
 }
 
 /// The combination would vanish if exponents wrapped: x^65535 times x is not 1.

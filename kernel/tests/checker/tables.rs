@@ -47,6 +47,18 @@ fn tables_of_numbers() {
     assert!(!accepted(&independent("1, 2; 3, 4", "", ""), "(rank ((((0 1) ((0 1)) +))) ())"));
 }
 
+/// Exceptions cut a box into as many parts as are allowed, or into none.
+#[test]
+fn boxes_without_exceptions() {
+    let Statement::Independent { except, region, .. } = &*independent("1", "x0 = 1/2", "0 <= x0 <= 1") else {
+        panic!("independence");
+    };
+    let parts = basis_kernel::pieces(region, except, 2).expect("two parts");
+    assert_eq!(parts, [crate::text::region("0 <= x0 < 1/2"), crate::text::region("1/2 < x0 <= 1")]);
+    assert_eq!(basis_kernel::pieces(region, except, 3).expect("two parts").len(), 2);
+    assert_eq!(basis_kernel::pieces(region, except, 1), None);
+}
+
 /// λ + 3 and 1 − λ in a triangle of blocks.
 #[test]
 fn blocks_and_minors() {

@@ -146,6 +146,10 @@ fn dot_products_on_a_line() {
     let statement = products("x0 - 2*x1 + x2 - x3", Relation::NonNegative, "0 <= x3 <= 1");
     assert_eq!(refuted(&statement, "(line (at (x3 1)) 0 1 1 1)").as_deref(), Some("-1"));
     assert_eq!(refuted(&statement, "(line (at (x3 1)))").as_deref(), Some("-1"));
+    // Every point has its own number.
+    let lengths = products("x0 - x2", Relation::NonNegative, "");
+    assert_eq!(refuted(&lengths, "(line (at) 0 1 1 2)").as_deref(), Some("-3"));
+    assert_eq!(refuted(&lengths, "(line (at) 0 2 1 1)"), None);
     let ranged = products("x0 - 2*x1 + x2 - 1", Relation::NonNegative, "2 <= x0 <= 3");
     assert_eq!(refuted(&ranged, "(line (at))"), None);
     for witness in [

@@ -3,7 +3,7 @@
 use super::outcome::{Outcome, Prove};
 use super::problem::{Point, Problem, as_rational, rational, value};
 use super::{univariate, witness};
-use crate::algebra::divisors::gcd::square_free;
+use crate::algebra::divisors::gcd::{square_free, square_root};
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -23,6 +23,16 @@ pub(super) fn by_factors(
     budget: &mut Budget,
     prove: Prove,
 ) -> Option<Outcome> {
+    if relation == Relation::NonNegative {
+        let positive = problem.poly.leading_term()?.1.is_positive();
+        let root = square_root(&problem.poly.normalized(), &mut budget.work);
+        if let Some(root) = root.filter(|_| positive) {
+            // Whatever the factors of the root are.
+            let factors = vec![(root, FactorSign::Any)];
+            let rest = Box::new(Signed::Positive(SignProof::direct()));
+            return Some(Outcome::Proved(Method::Factors, SignProof::Factors { factors, rest }));
+        }
+    }
     let parts = square_free(&problem.poly, &mut budget.work)?;
     if parts.len() == 1 && parts[0].1 == 1 {
         return None;

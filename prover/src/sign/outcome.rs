@@ -29,11 +29,13 @@ impl Outcome {
 /// What is left when the work is spent.
 pub(crate) fn spent(problem: &Problem, on: &str) -> Outcome {
     let degrees: Vec<String> = problem.ranges.mapped(|(v, _)| problem.poly.degree(*v).to_string());
-    let variables = if degrees.len() == 1 { "a variable" } else { "variables" };
+    let variables = match degrees.len() {
+        1 => String::from("one variable"),
+        count => format!("{count} variables"),
+    };
     let terms = problem.poly.len();
     let left = format!(
-        "the budget is spent on {on}: the sign of a polynomial with {terms} terms in {} {variables} (of degree {}) is open",
-        degrees.len(),
+        "the budget is spent on {on}: the sign of a polynomial with {terms} terms in {variables} (of degree {}) is open",
         degrees.join(", ")
     );
     Outcome::Unknown(left)

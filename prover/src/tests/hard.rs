@@ -37,6 +37,14 @@ fn zeros_on_diagonals() {
     assert_eq!(verdict_of("(t^2 - 2)^2 + (λ^2 - 2)^2 + 1/100 > 0", ""), "proved");
 }
 
+/// A square is nonnegative whatever it is the square of.
+#[test]
+fn even_powers() {
+    let on = "0<=t<=1, 0<=λ<=1, 0<=μ<=1";
+    assert_eq!(verdict_of("((t-λ)^2 + (λ-μ)^2 + (t*λ*μ - 1/7)^2)^6 >= 0", on), "proved");
+    assert_eq!(verdict_of("-((t-λ)^2 + (λ-μ)^2 + t)^6 >= 0", on), "(at (x0 0) (x1 0) (x2 1))");
+}
+
 /// Negative only within 10⁻⁸ of an irrational point, and nowhere.
 #[test]
 fn minima_of_three_variables() {

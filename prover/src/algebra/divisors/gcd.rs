@@ -203,8 +203,7 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
     }
     let mut rest = rest.normalized();
     // Squares are common, and a root is found much faster than a greatest common divisor.
-    work.spend_product(&rest, &rest)?;
-    let exponent = match square_root(&rest) {
+    let exponent = match square_root(&rest, work) {
         Some(root) if !rest.is_one() => {
             rest = root;
             2
@@ -228,7 +227,7 @@ pub fn square_free(poly: &Poly, work: &mut Work) -> Option<Vec<(Poly, u32)>> {
 /// The polynomial with a positive leading coefficient whose square this is, if there is one; from the greatest term on,
 /// each term of a square is twice the product of the greatest term of the root and one that is not known yet, plus what
 /// is known.
-fn square_root(poly: &Poly) -> Option<Poly> {
+pub fn square_root(poly: &Poly, work: &mut Work) -> Option<Poly> {
     let half = |m: &Monomial| {
         let exponents = m.exponents();
         exponents.iter().all(|e| e % 2 == 0).then(|| Monomial::new(exponents.iter().map(|e| e / 2).listed()))
@@ -241,6 +240,7 @@ fn square_root(poly: &Poly) -> Option<Poly> {
     // The root of a square has no more terms than the square.
     for _ in 1..=poly.len() {
         let Some((m, c)) = rest.leading_term() else { return Some(root) };
+        work.spend((rest.len() + root.len()) as u64 * (1 + root.max_bits() / 32))?;
         let next = Poly::term(m.checked_div(&lead.0)?, c / &(&lead.1 + &lead.1));
         rest = &rest - &(&(&(&root + &root) + &next) * &next);
         root = &root + &next;
@@ -331,10 +331,11 @@ mod tests {
     #[test]
     fn square_roots() {
         let p = &(&(&x() * &y()).scale(&Rational::from(3)) - &z().pow(2)) + &n(7);
-        assert_eq!(square_root(&p.pow(2)), Some(p.clone()));
-        assert_eq!(square_root(&(&p.pow(2) + &n(1))), None);
-        assert_eq!(square_root(&(&p.pow(2) + &x())), None);
-        assert_eq!(square_root(&p.pow(2).scale(&Rational::from(2))), None);
-        assert_eq!(square_root(&-&p.pow(2)), None);
+        let root = |p: &Poly| square_root(p, &mut Work::unlimited());
+        assert_eq!(root(&p.pow(2)), Some(p.clone()));
+        assert_eq!(root(&(&p.pow(2) + &n(1))), None);
+        assert_eq!(root(&(&p.pow(2) + &x())), None);
+        assert_eq!(root(&p.pow(2).scale(&Rational::from(2))), None);
+        assert_eq!(root(&-&p.pow(2)), None);
     }
 }
