@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::algebra::rational::Rational;
-use basis_kernel::{Domain, Quotient, Relation, Statement, Values, text};
+use basis_kernel::{Domain, Quotient, Refusal, Relation, Statement, Values, text};
 
 use crate::signs::offer;
 use crate::text::{domain, poly, region};
@@ -40,6 +40,9 @@ fn tables_of_numbers() {
     assert!(!accepted(&independent("1/3, 2147483648; 2147483647, 1", "", ""), "(rank ((((0) ((0)) +))) ())"));
     assert!(!accepted(&independent("1, 2, 3; 4, 5, 6; 7, 8, 9", "", ""), "direct"));
     assert!(accepted(&independent("1, 2, 3; 4, 5, 6; 7, 8, 10", "", ""), "direct"));
+    let long = "1000000000000000000000000000000";
+    assert!(accepted(&independent(&format!("{long}, 1; 0, 1"), "", ""), "direct"));
+    assert!(accepted(&independent(&format!("-{long}, 1; 0, 1"), "", ""), "direct"));
     assert!(!accepted(&independent("1, 2; 3, 4; 5, 6", "", ""), "direct"));
     assert!(!accepted(&independent("0, 0; 3, 4", "", ""), "direct"));
     assert!(!accepted(&independent("1, 2; 3, 4", "x0 = 0", "0 <= x0 <= 1"), "direct"));
@@ -57,6 +60,18 @@ fn boxes_without_exceptions() {
     assert_eq!(parts, [crate::text::region("0 <= x0 < 1/2"), crate::text::region("1/2 < x0 <= 1")]);
     assert_eq!(basis_kernel::pieces(region, except, 3).expect("two parts").len(), 2);
     assert_eq!(basis_kernel::pieces(region, except, 1), None);
+}
+
+/// What a variable with a single value makes zero, and columns that are given twice.
+#[test]
+fn blocks_in_form() {
+    let at_zero = independent("1, x0; 5, 1", "", "0 <= x0 <= 0");
+    let certificate = "(rank ((((0) ((0)) +) ((1) ((1)) +))) ())";
+    assert!(accepted(&at_zero, certificate));
+    assert!(!accepted(&independent("1, x0; 5, 1", "", "0 <= x0 <= 1/1000"), certificate));
+    let twice = text::certificate("(rank ((((0 1) ((1 1)) +))) ())").expect("a certificate");
+    let refusal = offer(&at_zero, &twice).err();
+    assert_eq!(refusal, Some(Refusal::Unfit("columns are not in increasing order")));
 }
 
 /// λ + 3 and 1 − λ in a triangle of blocks.
@@ -185,6 +200,9 @@ fn sums_of_dot_products() {
     assert!(accepted(square, NonNegative, "", "(minors . . .)"));
     assert!(accepted(&format!("{square} + 1"), Positive, "", "direct"));
     assert!(!accepted(square, Positive, "", "direct"));
+    // |2·p₀ + p₁|²/2, and less.
+    assert!(accepted("2*x0 + 2*x1 + 1/2*x2", NonNegative, "", "direct"));
+    assert!(!accepted("2*x0 + 2*x1 + 499/1000*x2", NonNegative, "", "direct"));
     assert!(!accepted(square, Positive, "", "(minors . . .)"));
     assert!(!accepted(&format!("{square} - 1"), NonNegative, "", "direct"));
     assert!(!accepted("x0 - 2*x1 + 999999/1000000*x2", NonNegative, "", "direct"));

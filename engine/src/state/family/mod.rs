@@ -178,7 +178,7 @@ fn by_a_way<'f>(
         return None;
     }
     if sample.is_none() {
-        *sample = Sample::new(family);
+        *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
     }
     let sample = sample.as_ref()?;
     let by = |way: usize| {

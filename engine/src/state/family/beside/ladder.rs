@@ -120,12 +120,12 @@ impl Ladder<'_> {
         inner || [&self.range.low, &self.range.high][side].is_included()
     }
 
-    fn signs(&self, g: &Named) -> Signs {
-        signs_of(&self.sample.signs(&g.value))
+    fn signs(&self, g: &Named, work: &mut Work) -> Signs {
+        self.sample.signs(&g.value, work).map_or(Signs::Other, |rows| signs_of(&rows))
     }
 
-    fn may_be_nonnegative(&self, g: &Named) -> bool {
-        matches!(self.signs(g), Signs::Up)
+    fn may_be_nonnegative(&self, g: &Named, work: &mut Work) -> bool {
+        matches!(self.signs(g, work), Signs::Up)
     }
 
     /// Tries something and forgets its steps if it leads nowhere.
@@ -145,7 +145,7 @@ impl Ladder<'_> {
             return Some(());
         }
         let depth = depth.checked_sub(1)?;
-        if !self.may_be_nonnegative(g) {
+        if !self.may_be_nonnegative(g, work) {
             return None;
         }
         if let Some((simpler, fine)) = self.without_power(g, strict) {
@@ -165,21 +165,21 @@ impl Ladder<'_> {
         }
         let slope = self.slope(g, work)?;
         let (first, last) = (self.at(g, 0, work), self.at(g, 1, work));
-        let monotone = match self.signs(&slope) {
+        let monotone = match self.signs(&slope, work) {
             Signs::Up => Some((0, first.clone(), slope.clone())),
             Signs::Down => Some((1, last.clone(), slope.negated())),
             Signs::UpDown => None,
             Signs::DownUp | Signs::Other => return None,
         };
         if let Some((side, value, slope)) = monotone {
-            let value = value.filter(|v| self.may_be_nonnegative(v))?;
+            let value = value.filter(|v| self.may_be_nonnegative(v, work))?;
             // Without the end itself it is enough that the derivative is positive.
             let open = strict && !self.is_included(side) && value.value.is_zero();
             self.push(&value, strict && !open);
             return self.positive(&slope, open, depth, work);
         }
         for value in [first?, last?] {
-            if !self.may_be_nonnegative(&value) {
+            if !self.may_be_nonnegative(&value, work) {
                 return None;
             }
             self.push(&value, strict);
@@ -190,7 +190,7 @@ impl Ladder<'_> {
     /// g is first ≥ 0 and then ≤ 0.
     fn falls(&mut self, g: &Named, depth: usize, work: &mut Work) -> Option<()> {
         let depth = depth.checked_sub(1)?;
-        match self.signs(g) {
+        match self.signs(g, work) {
             Signs::Up => return self.positive(g, false, depth, work),
             Signs::Down => return self.positive(&g.negated(), false, depth, work),
             Signs::UpDown => {}
@@ -211,16 +211,16 @@ impl Ladder<'_> {
 
     fn falls_by_slope(&mut self, g: &Named, depth: usize, work: &mut Work) -> Option<()> {
         let slope = self.slope(g, work)?;
-        match self.signs(&slope) {
+        match self.signs(&slope, work) {
             Signs::Down => self.positive(&slope.negated(), false, depth, work),
             Signs::UpDown => {
-                let first = self.at(g, 0, work).filter(|v| self.may_be_nonnegative(v))?;
+                let first = self.at(g, 0, work).filter(|v| self.may_be_nonnegative(v, work))?;
                 self.push(&first, false);
                 self.falls(&slope, depth, work)
             }
             Signs::DownUp => {
                 let last = self.at(g, 1, work)?.negated();
-                if !self.may_be_nonnegative(&last) {
+                if !self.may_be_nonnegative(&last, work) {
                     return None;
                 }
                 self.push(&last, false);
@@ -258,7 +258,7 @@ impl Ladder<'_> {
         }
         let mut factor =
             Named { of: format!("the factor of {} in {}", self.angle.name, g.of), value: leading };
-        let rows = self.sample.signs(&factor.value);
+        let rows = self.sample.signs(&factor.value, work)?;
         if rows.iter().flatten().all(|s| *s < 0) {
             factor = factor.negated();
         } else if rows.iter().flatten().any(|s| *s <= 0) {
@@ -279,13 +279,13 @@ impl Ladder<'_> {
         let mut below =
             Named { of: format!("the denominator of {}", g.of), value: g.value.denom().clone().into() };
         let mut above = g.value.numer().clone();
-        match self.signs(&below) {
+        match self.signs(&below, work) {
             Signs::Up => {}
             Signs::Down => (below, above) = (below.negated(), -&above),
             _ => return None,
         }
         let degree = above.degree(var).max(1);
-        let j = [0, 2, 4, 8, 16].into_iter().find_map(|more| self.place_of_change(&above, degree + more))?;
+        let j = [0, 2, 4, 8, 16].into_iter().find_map(|more| self.place_of_change(&above, degree + more, work))?;
         let (j, k) = j;
         let (u, v) =
             (&Poly::var(var) - &Poly::constant(low.clone()), &Poly::constant(high.clone()) - &Poly::var(var));
@@ -300,10 +300,10 @@ impl Ladder<'_> {
     }
 
     /// The exponents j and k for the only change of sign of the Bernstein coefficients at all shape values that are looked at.
-    fn place_of_change(&self, p: &Poly, degree: u32) -> Option<(Rational, Rational)> {
+    fn place_of_change(&self, p: &Poly, degree: u32, work: &mut Work) -> Option<(Rational, Rational)> {
         let (low, high) = self.range.finite()?;
         let (mut after, mut before) = (0_usize, degree as usize);
-        for coefficients in self.sample.bernstein(p, self.angle.var, (low, high), degree) {
+        for coefficients in self.sample.bernstein(p, self.angle.var, (low, high), degree, work)? {
             let last = coefficients.iter().rposition(|s| *s > 0).unwrap_or(0);
             let first = coefficients.iter().position(|s| *s < 0).unwrap_or(degree as usize);
             if last >= first {

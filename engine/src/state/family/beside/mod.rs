@@ -139,10 +139,10 @@ pub(super) fn steps(
             (ladder.found, *level)
         }
         (Way::Halves(level), Some(angle)) => {
-            let at = zero(angle, sample)?;
+            let at = zero(angle, sample, work)?;
             let mut all = Vec::new();
             for half in [Half::Below, Half::Above] {
-                let sample = sample.half(angle, half)?;
+                let sample = sample.half(angle, half, work)?;
                 let zero = Some((at.clone(), half));
                 let mut ladder = Ladder { family, angle, range, sample: &sample, found: Vec::new(), zero };
                 ladder.start(&of, &value, strict, work)?;
@@ -218,11 +218,11 @@ fn along(angle: &Angle, range: &Range) -> Option<Fraction> {
 }
 
 /// Where 0 lies strictly inside of the range of an angle: the value of its variable there.
-fn zero(angle: &Angle, sample: &Sample<'_>) -> Option<Fraction> {
+fn zero(angle: &Angle, sample: &Sample<'_>, work: &mut Work) -> Option<Fraction> {
     let at = (-&angle.low).checked_div(&angle.width)?;
     (angle.shift.is_zero()
-        && sample.half(angle, Half::Below).is_some()
-        && sample.half(angle, Half::Above).is_some())
+        && sample.half(angle, Half::Below, work).is_some()
+        && sample.half(angle, Half::Above, work).is_some())
     .then_some(at)
 }
 
@@ -267,7 +267,7 @@ fn bounded(
         if let Some((changed, other)) = in_the_tangent(family, angle, &step) {
             (step, local) = (changed, Some(other));
         } else if let Some(half) = step.half {
-            let at = zero(angle, sample)?.as_constant()?;
+            let at = zero(angle, sample, work)?.as_constant()?;
             let range = family.domain.first()?.range.clone();
             let range = match half {
                 Half::Below => Range { high: End::Included(at), ..range },
@@ -283,7 +283,7 @@ fn bounded(
     let (mut above, below) = (step.value.numer().clone(), step.value.denom().clone());
     if below.as_constant().is_none() {
         // A quotient has the sign of the numerator where the denominator is positive.
-        let rows = sample.signs(&Fraction::from(below.clone()));
+        let rows = sample.signs(&Fraction::from(below.clone()), work)?;
         let negative = rows.iter().flatten().find(|s| **s != 0).is_some_and(|s| *s < 0);
         let below = if negative { -&below } else { below };
         above = if negative { -&above } else { above };
@@ -337,8 +337,8 @@ pub(super) fn refute(
     statement: &Statement,
     work: &mut Work,
 ) -> Option<(Counterexample, Proof)> {
-    let sample = Sample::new(family)?;
-    let points = sample.lowest(value);
+    let sample = Sample::new(family, work)?;
+    let points = sample.lowest(value, work)?;
     points.into_iter().take(8).find_map(|point| sample::refuted_at(family, statement, &point, work))
 }
 

@@ -28,6 +28,13 @@ const MAX_SHAPES: usize = 16;
 /// Places in the domain between its ends.
 const PLACES: i64 = 16;
 
+/// Units of work for the numbers between which an angle lies, and for a product of two pairs of such numbers.
+const ENCLOSURE: u64 = 1000;
+const PRODUCT: u64 = 20;
+
+/// How often the distance to a place where a function is small is halved.
+const NEARER: u32 = 6;
+
 /// Variables with their values.
 pub(in crate::state) type Values = Vec<(Var, Rational)>;
 
@@ -124,6 +131,12 @@ fn between(f: &Fraction, point: &Values, wide: &[(Var, Interval)]) -> Option<Int
     Some(product(&above, &(below.1.recip()?, below.0.recip()?)))
 }
 
+/// The work of finding numbers between which a quotient lies at a point.
+fn cost(f: &Fraction) -> u64 {
+    let of = |p: &Poly| p.terms().map(|(m, _)| 1 + u64::from(m.total_degree())).sum::<u64>();
+    PRODUCT * (of(f.numer()) + of(f.denom()))
+}
+
 /// A number below or above a function of π and exp(r).
 pub(super) fn bound(family: &Family, f: &Fraction, up: bool) -> Option<Rational> {
     let found = enclosures(family, &Vec::new())?;
@@ -140,7 +153,7 @@ pub(in crate::state::family) struct Sample<'f> {
 
 impl<'f> Sample<'f> {
     /// Points for functions of a family, without a domain variable that is fixed.
-    pub(in crate::state::family) fn new(family: &'f Family) -> Option<Self> {
+    pub(in crate::state::family) fn new(family: &'f Family, work: &mut Work) -> Option<Self> {
         let (var, low, high) = family.interval()?;
         let own = |range: &Range| {
             let mut all: Vec<Rational> = match range.finite() {
@@ -175,6 +188,8 @@ impl<'f> Sample<'f> {
             .map(|k| low + &(&(high - low) * &Rational::new(k, PLACES)))
             .filter(|x| range.contains(x))
             .listed();
+        let all = (shapes.len() * places.len()) as u64;
+        work.spend(all * ENCLOSURE * family.analytic.angles.len() as u64)?;
         let mut rows = Vec::new();
         for shape in shapes {
             let mut row = Vec::new();
@@ -189,8 +204,15 @@ impl<'f> Sample<'f> {
         Some(Self { family, rows })
     }
 
+    /// Counts the work of looking at a function at all points.
+    fn look_at(&self, f: &Fraction, work: &mut Work) -> Option<()> {
+        let points: usize = self.rows.iter().map(Vec::len).sum();
+        work.spend(points as u64 * cost(f))
+    }
+
     /// The points on one side of the angle 0; `None` if there are none.
-    pub(super) fn half(&self, angle: &Angle, half: Half) -> Option<Self> {
+    pub(super) fn half(&self, angle: &Angle, half: Half, work: &mut Work) -> Option<Self> {
+        self.look_at(&angle.tangent(), work)?;
         let fits = |(point, found): &&(Values, Enclosures)| {
             let sign =
                 between(&angle.tangent(), point, &found.between).map(|(a, b)| (a.signum(), b.signum()));
@@ -202,7 +224,8 @@ impl<'f> Sample<'f> {
     }
 
     /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out.
-    pub(super) fn signs(&self, f: &Fraction) -> Vec<Vec<i32>> {
+    pub(super) fn signs(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Vec<i32>>> {
+        self.look_at(f, work)?;
         let sign = |(point, found): &(Values, Enclosures)| {
             let f = found.exact.iter().try_fold(f.clone(), |f, (var, x)| {
                 if f.depends_on(*var) { put(&f, *var, x) } else { Some(f) }
@@ -215,7 +238,7 @@ impl<'f> Sample<'f> {
                 _ => None,
             }
         };
-        self.rows.mapped(|row| row.iter().filter_map(sign).listed())
+        Some(self.rows.mapped(|row| row.iter().filter_map(sign).listed()))
     }
 
     /// By shape values the signs of the Bernstein coefficients of a polynomial, raised to a degree; 0 for what is not seen.
@@ -225,7 +248,10 @@ impl<'f> Sample<'f> {
         var: Var,
         (low, high): (&Rational, &Rational),
         degree: u32,
-    ) -> Vec<Vec<i32>> {
+        work: &mut Work,
+    ) -> Option<Vec<Vec<i32>>> {
+        let sums = u64::from(degree + 1).pow(2) * PRODUCT;
+        work.spend(self.rows.len() as u64 * (cost(&Fraction::from(p.clone())) + sums))?;
         // p(low + width·x) = Σ cᵢ·xⁱ = Σ bᵢ·B(n, i), bᵢ = Σ binomial(i, k)/binomial(n, k)·cₖ.
         let moved = &Poly::constant(low.clone()) + &Poly::var(var).scale(&(high - low));
         let power = p.substitute(var, &moved).coefficients_in(var);
@@ -251,12 +277,15 @@ impl<'f> Sample<'f> {
             }
             all.push(signs);
         }
-        all
+        Some(all)
     }
 
     /// The points at which a function may be smallest: by shape values the one with the smallest value, then places nearer
     /// and nearer to it.
-    pub(super) fn lowest(&self, f: &Fraction) -> Vec<Values> {
+    pub(super) fn lowest(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Values>> {
+        self.look_at(f, work)?;
+        let nearer = ENCLOSURE * self.family.analytic.angles.len() as u64 + cost(f);
+        work.spend(2 * u64::from(NEARER) * self.rows.len() as u64 * nearer)?;
         let value = |point: &Values, found: &Enclosures| {
             let (low, high) = between(f, point, &found.between)?;
             Some(&low + &high)
@@ -275,7 +304,7 @@ impl<'f> Sample<'f> {
             let Some((low, high)) = range.finite() else { continue };
             let mut step = &(high - low) * &Rational::new(1, 2 * PLACES);
             let Some(last) = point.len().checked_sub(1) else { continue };
-            for _ in 0..6 {
+            for _ in 0..NEARER {
                 for sign in [-1, 1] {
                     let mut next = point.clone();
                     next[last].1 += &(&step * &Rational::from(sign));
@@ -292,7 +321,7 @@ impl<'f> Sample<'f> {
             all.push((least, point));
         }
         sort_by(&mut all, |a, b| a.0.cmp(&b.0));
-        all.into_iter().map(|(_, point)| point).listed()
+        Some(all.into_iter().map(|(_, point)| point).listed())
     }
 
     /// A point of the domain.
