@@ -485,6 +485,15 @@ fn witness(
         }
     }
     witness.notes = identity::notes(family, kind, &witness);
+    let rational = found.point.iter().filter_map(|(var, c)| match c {
+        Coordinate::Rational(x) => Some((*var, x.clone())),
+        Coordinate::Algebraic(_) => None,
+    });
+    for (name, x) in beside::about(family, &beside::rational_part(family, &rational.listed())) {
+        if !witness.idle.contains(&name) {
+            witness.notes.push(format!("{name} is about {x:.6} there"));
+        }
+    }
     witness
 }
 

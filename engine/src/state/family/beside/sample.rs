@@ -137,6 +137,24 @@ fn cost(f: &Fraction) -> u64 {
     PRODUCT * (of(f.numer()) + of(f.denom()))
 }
 
+/// About which values the variables have at a point that is named by a tangent between those at the ends of a range: their
+/// names and values.
+pub(in crate::state) fn about(family: &Family, point: &Values) -> Vec<(String, f64)> {
+    let Some(found) = enclosures(family, point) else { return Vec::new() };
+    let scaled = |angle: &&Angle| {
+        let direct = angle.low.is_zero() && angle.width.as_constant().is_some_and(|w| w == Rational::ONE);
+        angle.kind != Kind::Linear && !direct && point.iter().any(|(var, _)| *var == angle.var)
+    };
+    let of = |angle: &Angle| {
+        if found.exact.iter().any(|(var, _)| *var == angle.itself) {
+            return None; // an end, which is named
+        }
+        let (low, high) = &found.between.iter().find(|(var, _)| *var == angle.itself)?.1;
+        Some((angle.name.clone(), (low + high).to_f64() / 2.0))
+    };
+    family.analytic.angles.iter().filter(scaled).filter_map(of).listed()
+}
+
 /// A number below or above a function of π and exp(r).
 pub(super) fn bound(family: &Family, f: &Fraction, up: bool) -> Option<Rational> {
     let found = enclosures(family, &Vec::new())?;
