@@ -175,7 +175,7 @@ impl Elaboration<'_> {
             return None;
         };
         let (low, high) = (self.scalar(low)?, self.scalar(high)?);
-        let mut over = |f: &Fraction| self.scope.between(f, var, &low, &high, span).ok_or(());
+        let mut over = |f: &Fraction| self.scope.between_numbers(f, var, &low, &high, span).ok_or(());
         match value {
             Value::Scalar(f) => over(&f).ok().map(Value::Scalar),
             Value::Vector(form) => form.map(&mut over).ok().map(Value::Vector),

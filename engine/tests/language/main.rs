@@ -1,6 +1,7 @@
 //! Specs and what is said of them: verdicts on claims, messages, names of the library.
 
 mod beside;
+mod integrals;
 mod language_reference;
 mod library_of_specs;
 mod one_mistake;

@@ -62,6 +62,17 @@ fn boxes_without_exceptions() {
     assert_eq!(basis_kernel::pieces(region, except, 1), None);
 }
 
+/// Determinants without a number to divide by, and with rows and columns exchanged.
+#[test]
+fn determinants_of_polynomials() {
+    let table = independent("x0 + 1, x0; x0, x0 + 1", "", "0 <= x0 <= 1");
+    assert!(accepted(&table, "(rank ((((0 1) ((0 1)) +))) ())"));
+    assert!(!accepted(&table, "(rank ((((0 1) ((0 1)) -))) ())"));
+    let cyclic = independent("x0 + 1, x0, 0; 0, x0 + 1, x0; x0, 0, x0 + 1", "", "0 <= x0 <= 1");
+    assert!(accepted(&cyclic, "(rank ((((0 1 2) ((0 1 2)) +))) ())"));
+    assert!(!accepted(&cyclic, "(rank ((((0 1 2) ((0 1 2)) -))) ())"));
+}
+
 /// What a variable with a single value makes zero, and columns that are given twice.
 #[test]
 fn blocks_in_form() {

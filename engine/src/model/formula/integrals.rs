@@ -1,15 +1,16 @@
 //! Integrals in expressions: `integral(f)` over the domain, `integral(f, t, a, b)` in one variable between bounds.
 //!
-//! A polynomial has a polynomial as its antiderivative. Over the simplex u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is
+//! A polynomial has a polynomial as its antiderivative; for angles see `antiderivative`. Over the simplex u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is
 //! a₁! ⋯ aₖ!/(a₁ + … + aₖ + k)!.
 
 use proc_macro2::Span;
 
 use super::Value;
+use super::antiderivative::AngleValue;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::rational::Rational;
-use crate::model::angle::Kind;
+use crate::model::angle::{Angle, Kind};
 use crate::model::expand::names;
 use crate::model::scope::{Scope, Stage};
 use crate::plural::here;
@@ -57,37 +58,20 @@ impl Scope<'_> {
             }
             None => None,
         };
-        let of = |var: &Var| self.analytic.angle(*var).is_some_and(|a| a.kind != Kind::Linear);
-        if bounds.as_ref().map_or_else(|| self.domain.iter().any(of), |(var, ..)| of(var)) {
-            let error = self.error(span, "integrals over an angle are not computed");
-            self.report(error.help("claim the derivative of an antiderivative: `D(-cos(t)) = sin(t)`"));
-            return None;
-        }
-        // A variable whose ends are shape parameters is low + width·y: its differential is width times that of y.
-        let stretched = |var: Var| self.analytic.angle(var).map(|a| (a.clone(), a.width.clone()));
-        let mut factor = Fraction::constant(Rational::ONE);
         let bounds = match bounds {
-            Some((var, low, high)) => Some(match stretched(var) {
-                Some((angle, width)) => {
-                    factor = width;
-                    let at = |value: &Fraction| self.angle_at(&angle, value, span).ok().flatten();
-                    (angle.var, at(&low)?, at(&high)?)
+            Some((var, low, high)) => Some(match self.analytic.angle(var).cloned() {
+                Some(angle) => {
+                    let (from, to) =
+                        (self.value_of(&angle, &low, span)?, self.value_of(&angle, &high, span)?);
+                    (angle.var, [(from, low), (to, high)])
                 }
-                None => (var, low, high),
+                None => (var, [(low.clone(), low), (high.clone(), high)]),
             }),
-            None => {
-                for (_, width) in self.domain.iter().filter_map(|v| stretched(*v)) {
-                    factor = self.fits(self.budget.mul(&factor, &width), span)?;
-                }
-                None
-            }
+            None => None,
         };
-        let over = |scope: &mut Self, f: &Fraction| {
-            let value = match &bounds {
-                Some((var, low, high)) => scope.between(f, *var, low, high, span),
-                None => scope.over_domain_of(f, span),
-            }?;
-            scope.fits(scope.budget.mul(&value, &factor), span)
+        let over = |scope: &mut Self, f: &Fraction| match &bounds {
+            Some((var, [low, high])) => scope.between(f, *var, [low, high], span),
+            None => scope.over_domain_of(f, span),
         };
         match self.value(f)? {
             Value::Scalar(f) => Some(Value::Scalar(over(self, &f)?)),
@@ -188,8 +172,33 @@ impl Scope<'_> {
         None
     }
 
-    /// The integral in one variable.
-    pub(crate) fn between(
+    /// What takes the place of an angle where it has a value.
+    fn value_of(&self, angle: &Angle, value: &Fraction, span: Span) -> Option<Fraction> {
+        match self.angle_at(angle, value, span) {
+            Ok(place) => place,
+            Err((message, help)) => {
+                self.report(self.error(span, message).help(help));
+                None
+            }
+        }
+    }
+
+    /// The integral in one variable; of an angle, and of a variable whose ends contain shape parameters, y and itself at both
+    /// ends.
+    fn between(&self, f: &Fraction, var: Var, [low, high]: [&AngleValue; 2], span: Span) -> Option<Fraction> {
+        match self.analytic.angle(var) {
+            Some(angle) if angle.kind != Kind::Linear => self.over_angle(f, angle, [low, high], span),
+            // s = low + width·y: ds is width times dy.
+            Some(angle) => {
+                let value = self.between_numbers(f, var, &low.0, &high.0, span)?;
+                self.fits(self.budget.mul(&value, &angle.width), span)
+            }
+            None => self.between_numbers(f, var, &low.0, &high.0, span),
+        }
+    }
+
+    /// The integral of a polynomial in one variable.
+    pub(crate) fn between_numbers(
         &self,
         f: &Fraction,
         var: Var,
@@ -214,7 +223,12 @@ impl Scope<'_> {
         let mut value = f.clone();
         for (var, (low, high)) in self.domain.iter().zip(&self.ends) {
             if self.simplex_of(*var).is_none() {
-                value = self.between(&value, *var, low, high, span)?;
+                let [from, to] = match self.analytic.angle(*var) {
+                    Some(angle) => angle.limits.clone(),
+                    None => [low.clone(), high.clone()],
+                };
+                let ends = [&(low.clone(), from), &(high.clone(), to)];
+                value = self.between(&value, *var, ends, span)?;
             }
         }
         for simplex in &self.simplices {

@@ -2,6 +2,7 @@
 //! calls of other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to
 //! mean something; `print` writes them into messages.
 
+mod antiderivative;
 mod calls;
 mod derivatives;
 mod evaluate;

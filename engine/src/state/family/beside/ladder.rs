@@ -285,7 +285,9 @@ impl Ladder<'_> {
             _ => return None,
         }
         let degree = above.degree(var).max(1);
-        let j = [0, 2, 4, 8, 16].into_iter().find_map(|more| self.place_of_change(&above, degree + more, work))?;
+        let j = [0, 2, 4, 8, 16]
+            .into_iter()
+            .find_map(|more| self.place_of_change(&above, degree + more, work))?;
         let (j, k) = j;
         let (u, v) =
             (&Poly::var(var) - &Poly::constant(low.clone()), &Poly::constant(high.clone()) - &Poly::var(var));
