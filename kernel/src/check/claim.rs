@@ -47,8 +47,8 @@ impl Claim {
 pub(super) fn divided(poly: Poly, by: &Poly, work: &mut Work) -> Result<(Poly, u32), Refusal> {
     let (mut left, mut count) = (poly, 0);
     loop {
-        let words = 1 + (left.max_bits() + by.max_bits()) / 64;
-        work.spend((left.len() * by.len()) as u64 * words).ok_or(Refusal::Spent)?;
+        work.spend((left.len() * by.len()) as u64 * (1 + (left.max_bits() + by.max_bits()) / 64))
+            .ok_or(Refusal::Spent)?;
         let Some(quotient) = left.div_exact(by) else { return Ok((left, count)) };
         (left, count) = (quotient, count + 1);
     }

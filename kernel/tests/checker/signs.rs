@@ -375,6 +375,54 @@ fn boxes_around_irrational_points_are_checked() {
     assert_eq!(refused(&zero, "(5/4 3/2 5/4 3/2)"), found);
 }
 
+/// Two irrational sections of one variable: a box for each combination, in order.
+#[test]
+fn boxes_stand_in_order() {
+    let statement = sign(IRRATIONAL.claim, IRRATIONAL.on);
+    let with = |boxes: &str| {
+        let mut certificate = String::from(IRRATIONAL.certificate);
+        for variable in ["x0", "x1"] {
+            let (from, to) = (format!("((-2+{variable}^2 "), format!("((-2+{variable}^2 -3+{variable}^2 "));
+            let sections = "((5/4 3/2) (8/5 15/8)) ((1 .) (31/20 .) (19/10 .))";
+            certificate =
+                certificate.replacen(&from, &to, 1).replacen("((5/4 3/2)) ((1 .) (7/4 .))", sections, 1);
+        }
+        certificate.replacen("((5/4 3/2 5/4 3/2))", boxes, 1)
+    };
+    let accepted = |boxes: &str| offer(&statement, &read(&with(boxes))).is_ok();
+    let (two, three) = ("5/4 3/2", "8/5 15/8");
+    assert!(accepted(&format!("(({two} {two}) ({two} {three}) ({three} {two}) ({three} {three}))")));
+    assert!(!accepted(&format!("(({two} {two}) ({three} {two}) ({two} {three}) ({three} {three}))")));
+    assert!(!accepted(&format!("(({two} {two}) ({two} {three}) ({three} {two}) ({two} {two}))")));
+    assert!(!accepted(&format!("(({two} {two}) ({two} {three}) ({three} {two}))")));
+    let one = offer(
+        &sign("1 + x0^2 > 0", "0 < x0 < 1"),
+        &read("(sign _ (slices (((x0) ((1+x0^2)) () ((1/2 .)))) ()))"),
+    );
+    assert_eq!(one.err(), Some(Refusal::Unfit("slices are for two variables or more")));
+}
+
+/// Signs of factors multiply, and each face has its own proof.
+#[test]
+fn factors_and_faces() {
+    let square = "0 <= x0 <= 1, 0 <= x1 <= 1";
+    let refused = |claim, by: &str| offer(&sign(claim, square), &read(by)).err();
+    let both = "(x0 - 2)*(x1 - 3) >= 0";
+    assert_eq!(refused(both, "(sign _ (factors (-2+x0 -) (-3+x1 -) +))"), None);
+    assert_eq!(refused(both, "(sign _ (factors (-2+x0 -) -))"), None);
+    let negative = Some(Refusal::Unproved("the product of the signs is negative"));
+    assert_eq!(refused("(x0 - 2)*(3 - x1) >= 0", "(sign _ (factors (-2+x0 -) +))"), negative);
+    assert_eq!(refused("x0*(1 + x1) >= 0", "(sign _ (factors (x0 +) +))"), None);
+    let foreign = Some(Refusal::Unfit("a factor does not divide the polynomial"));
+    assert_eq!(refused("x0 >= 0", "(sign _ (factors (1+x0 +) +))"), foreign);
+    let bowl = "x0^2 - x0 + 1/3 + x1 > 0";
+    let cut = "(cut x0 . .)";
+    assert_eq!(refused(bowl, &format!("(sign _ (faces {cut} {cut} {cut} . . . . . .))")), None);
+    for other in [format!(". {cut} {cut} . . . . . ."), format!("{cut} . . {cut} . . {cut} . .")] {
+        assert!(refused(bowl, &format!("(sign _ (faces {other}))")).is_some(), "{other}");
+    }
+}
+
 /// Certificates with as many parts within each other as are allowed, and one more.
 #[test]
 fn certificates_have_a_largest_depth() {

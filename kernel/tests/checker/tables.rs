@@ -40,6 +40,7 @@ fn tables_of_numbers() {
     assert!(!accepted(&independent("1/3, 2147483648; 2147483647, 1", "", ""), "(rank ((((0) ((0)) +))) ())"));
     assert!(!accepted(&independent("1, 2, 3; 4, 5, 6; 7, 8, 9", "", ""), "direct"));
     assert!(accepted(&independent("1, 2, 3; 4, 5, 6; 7, 8, 10", "", ""), "direct"));
+    assert!(accepted(&independent("1/2, 1/3; 1/3, 1/2", "", ""), "direct"));
     let long = "1000000000000000000000000000000";
     assert!(accepted(&independent(&format!("{long}, 1; 0, 1"), "", ""), "direct"));
     assert!(accepted(&independent(&format!("-{long}, 1; 0, 1"), "", ""), "direct"));
