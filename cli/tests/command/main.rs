@@ -19,5 +19,5 @@ mod reproducible;
 mod spans;
 mod start;
 mod streams;
-#[path = "../support.rs"]
+#[path = "../support/mod.rs"]
 mod support;

@@ -5,5 +5,5 @@ mod editors;
 mod guide;
 mod papers;
 mod readme;
-#[path = "../support.rs"]
+#[path = "../support/mod.rs"]
 mod support;

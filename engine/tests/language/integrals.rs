@@ -14,7 +14,8 @@ fn as_declared(spec: &str) {
 
 fn errors(body: &str) -> String {
     let report = check(Source::text("integrals.basis", &format!("family F {{ {body} }}")));
-    report.diagnostics.iter().map(|d| format!("{}: {:?} {:?};", d.message, d.labels, d.help)).collect()
+    let texts = report.diagnostics.iter().map(|d| format!("{}: {:?} {:?}", d.message, d.labels, d.help));
+    texts.collect::<Vec<_>>().join("; ")
 }
 
 #[test]

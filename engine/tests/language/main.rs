@@ -6,6 +6,6 @@ mod language_reference;
 mod library_of_specs;
 mod one_mistake;
 mod rendering;
-#[path = "../support.rs"]
+#[path = "../support/mod.rs"]
 mod support;
 mod verdicts;

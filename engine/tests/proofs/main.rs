@@ -4,7 +4,7 @@ mod independence_on_triangles;
 mod mutation;
 mod oracle;
 mod rounding;
-#[path = "../support.rs"]
+#[path = "../support/mod.rs"]
 mod support;
 mod theorems;
 mod verdicts_check_out;

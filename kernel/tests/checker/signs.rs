@@ -402,6 +402,21 @@ fn boxes_stand_in_order() {
     assert_eq!(one.err(), Some(Refusal::Unfit("slices are for two variables or more")));
 }
 
+/// Rational sections are the roots between the sectors, in order.
+#[test]
+fn rational_sections_stand_in_order() {
+    let refused = |sections: &str| {
+        let levels = "((-1+x0 -5+4*x0 1+x0^2 5+x0^2) (1+x0^2+x1^2))";
+        let by = format!("(sign _ (slices (((x0 x1) {levels} ({sections}) ((1/2 .) (9/8 .) (3/2 .)))) ()))");
+        offer(&sign("1 + x0^2 + x1^2 > 0", "0 < x0 < 2, 0 < x1 < 2"), &read(&by)).err()
+    };
+    assert_eq!(refused("(= 1 .) (= 5/4 .)"), None);
+    let wrong = Some(Refusal::Unproved("a section is not a root"));
+    assert_eq!(refused("(= 5/4 .) (= 1 .)"), wrong);
+    assert_eq!(refused("(= 1 .) (= 4/3 .)"), wrong);
+    assert_eq!(refused("(= 1 .) (= 1 .)"), wrong);
+}
+
 /// Signs of factors multiply, and each face has its own proof.
 #[test]
 fn factors_and_faces() {
