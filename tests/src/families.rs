@@ -100,7 +100,7 @@ shipped! {
 macro_rules! each_family {
     ($scalar:ty, $visit:ident $(, $argument:expr)*) => {
         $crate::each_family!(@ $scalar, $visit, ($($argument),*),
-            BallAlphaBeta SaidBall SaidBallOdd WangBall Linear Cubic Bernstein12 Bernstein13 Bernstein30 BetaSpline
+            BallAlphaBeta SaidBall SaidBallOdd WangBall Linear Cubic Bernstein4 Bernstein5 Bernstein30 BetaSpline
             QuadraticBSpline CubicBSpline UniformBSpline Cardinal DelgadoPenaEven DelgadoPenaOdd CubicHermite
             QuinticHermite KochanekBartels Lagrange QuadraticBezier QuarticBernstein Smoothstep Smootheststep Quadric Tenths)
     };
