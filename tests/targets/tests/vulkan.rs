@@ -160,7 +160,8 @@ fn entry_points(case: &Case, own: &str, results: usize) -> String {
 
 /// Each number as a line, as programs print them.
 fn lines(numbers: &[f32]) -> String {
-    numbers.iter().map(|x| format!("{:016x}\n", f64::from(*x).to_bits())).collect()
+    let all: Vec<String> = numbers.iter().map(|x| format!("{:016x}", f64::from(*x).to_bits())).collect();
+    all.join("\n")
 }
 
 /// The results of a case are within the proved bounds.
