@@ -1,7 +1,8 @@
-//! Generated evaluators beside kurbo's cubic Bézier curve, point by point over 4096 parameters.
+//! Generated evaluators beside kurbo's cubic Bézier curve, point by point over 4096 parameters; and both forms of bound
+//! curves beside each other.
 
 use basis_benches::parameters;
-use basis_runtime::{Curve, basis};
+use basis_runtime::{BernsteinForm, Curve, EndpointForm, Form, basis};
 use divan::{Bencher, black_box};
 use kurbo::{CubicBez, ParamCurve};
 
@@ -69,6 +70,72 @@ fn quartic_values(bencher: Bencher<'_, '_>) {
         for (values, t) in out.iter_mut().zip(&parameters) {
             *values = family.values(*t);
         }
+        black_box(out.as_ptr())
+    });
+}
+
+/// Points in space, one after the other or as a slice, of both forms that a bound curve can have.
+macro_rules! forms {
+    ($($degree:ident: $points:literal, $inner:literal;)*) => { $(
+        mod $degree {
+            use super::{BernsteinForm, Bencher, EndpointForm, many, one_by_one, spread};
+
+            #[divan::bench]
+            fn endpoint_points(bencher: Bencher<'_, '_>) {
+                one_by_one(bencher, EndpointForm::<_, $inner>::new(spread(), spread()));
+            }
+
+            #[divan::bench]
+            fn bernstein_points(bencher: Bencher<'_, '_>) {
+                one_by_one(bencher, BernsteinForm::<_, $points>::new(spread()));
+            }
+
+            #[divan::bench]
+            fn endpoint_slice(bencher: Bencher<'_, '_>) {
+                many(bencher, EndpointForm::<_, $inner>::new(spread(), spread()));
+            }
+
+            #[divan::bench]
+            fn bernstein_slice(bencher: Bencher<'_, '_>) {
+                many(bencher, BernsteinForm::<_, $points>::new(spread()));
+            }
+        }
+    )* };
+}
+
+forms! {
+    degree_02: 3, 1;
+    degree_03: 4, 2;
+    degree_04: 5, 3;
+    degree_05: 6, 4;
+    degree_06: 7, 5;
+    degree_08: 9, 7;
+    degree_10: 11, 9;
+    degree_12: 13, 11;
+}
+
+fn spread<const N: usize>() -> [[f64; 3]; N] {
+    std::array::from_fn(|i| [0, 3, 5].map(|shift| ((i * 7 + shift) % 11) as f64 / 8.0))
+}
+
+fn one_by_one<F: Form<[f64; 3]>>(bencher: Bencher<'_, '_>, form: F) {
+    let form = black_box(form);
+    let parameters = parameters(COUNT);
+    let mut out = vec![[0.0; 3]; COUNT as usize];
+    bencher.counter(COUNT).bench_local(|| {
+        for (point, t) in out.iter_mut().zip(&parameters) {
+            *point = form.eval(*t);
+        }
+        black_box(out.as_ptr())
+    });
+}
+
+fn many<F: Form<[f64; 3]>>(bencher: Bencher<'_, '_>, form: F) {
+    let form = black_box(form);
+    let parameters = parameters(COUNT);
+    let mut out = vec![[0.0; 3]; COUNT as usize];
+    bencher.counter(COUNT).bench_local(|| {
+        form.eval_into(&parameters, &mut out);
         black_box(out.as_ptr())
     });
 }

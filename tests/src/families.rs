@@ -6,13 +6,13 @@ use crate::exact::Reference;
 
 basis!(library "ball");
 basis!(library "ball", SaidBallOdd(3), WangBall(3));
-// Above degree 12 curves are evaluated in another form.
+// Above degree 4 curves are evaluated in another form.
 basis!(
     library "bernstein",
     Bernstein(1) as Linear,
     Bernstein(3) as Cubic,
-    Bernstein(12) as Bernstein12,
-    Bernstein(13) as Bernstein13,
+    Bernstein(4) as Bernstein4,
+    Bernstein(5) as Bernstein5,
     Bernstein(30) as Bernstein30
 );
 basis!(library "beta_spline");
@@ -73,8 +73,8 @@ shipped! {
     WangBall: "ball.basis" WangBall [3], () => Ok(Self::new());
     Linear: "bernstein.basis" Bernstein [1], () => Ok(Self::new());
     Cubic: "bernstein.basis" Bernstein [3], () => Ok(Self::new());
-    Bernstein12: "bernstein.basis" Bernstein [12], () => Ok(Self::new());
-    Bernstein13: "bernstein.basis" Bernstein [13], () => Ok(Self::new());
+    Bernstein4: "bernstein.basis" Bernstein [4], () => Ok(Self::new());
+    Bernstein5: "bernstein.basis" Bernstein [5], () => Ok(Self::new());
     Bernstein30: "bernstein.basis" Bernstein [30], () => Ok(Self::new());
     BetaSpline: "beta_spline.basis" BetaSpline [], (beta1, beta2) => Self::new(beta1, beta2);
     QuadraticBSpline: "bspline.basis" QuadraticBSpline [], () => Ok(Self::new());
@@ -100,7 +100,7 @@ shipped! {
 macro_rules! each_family {
     ($scalar:ty, $visit:ident $(, $argument:expr)*) => {
         $crate::each_family!(@ $scalar, $visit, ($($argument),*),
-            BallAlphaBeta SaidBall SaidBallOdd WangBall Linear Cubic Bernstein12 Bernstein13 Bernstein30 BetaSpline
+            BallAlphaBeta SaidBall SaidBallOdd WangBall Linear Cubic Bernstein4 Bernstein5 Bernstein30 BetaSpline
             QuadraticBSpline CubicBSpline UniformBSpline Cardinal DelgadoPenaEven DelgadoPenaOdd CubicHermite
             QuinticHermite KochanekBartels Lagrange QuadraticBezier QuarticBernstein Smoothstep Smootheststep Quadric Tenths)
     };

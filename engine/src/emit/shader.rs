@@ -516,6 +516,10 @@ impl Functions<'_> {
             if Shader::divides(&code.steps.values()) {
                 text += "// The functions divide: the bounds assume quotients that are rounded correctly.\n";
             }
+            if !code.family.analytic.is_empty() {
+                text += "// Compilers of shaders may reassociate sums: next to an end that is no float, such as pi/2, errors are\n";
+                text += "// small beside 1, not beside the value.\n";
+            }
             let values: Vec<String> = bounds.iter().map(|(_, bound)| format!("{bound}{suffix}")).collect();
             let relative: Vec<String> = bounds.iter().map(|(relative, _)| relative.to_string()).collect();
             let name = self.member("ROUNDING");

@@ -9,9 +9,10 @@ use crate::model::Family;
 use crate::model::angle::Kind;
 use crate::model::bernstein::{affine, to_bernstein};
 
-/// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form: there the rounding error
-/// of the endpoint form would exceed a few ε times the largest control point.
-pub const MAX_ENDPOINT_DEGREE: u32 = 12;
+/// Up to this degree a curve is evaluated in endpoint form, above in Bernstein form, which takes longer for a single
+/// point, but has a proved bound of rounding errors that is smaller by a fifth at degree 5 and by two thirds at
+/// degree 12: the table is in `benches/README.md`.
+pub const MAX_ENDPOINT_DEGREE: u32 = 4;
 
 /// A common factor of more bits than this is no help to readers or floats.
 const MAX_CONTENT: u64 = 60;

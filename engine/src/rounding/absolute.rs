@@ -1,8 +1,9 @@
 //! Bounds of the error itself, for results that change their sign, and of points relative to the largest control point.
 //!
 //! The shares wₖvₖ that have one sign on a cell are added before their sum is enclosed; any other one lies between −m
-//! and m for a number m. A point is linear in the control points Pᵢ, and so are the shares: with max |Pᵢ| = 1, |wₖvₖ|
-//! is at most the sum of the absolute values of their coefficients.
+//! and m for a number m. A point is linear in the control points Pᵢ, and so are the shares: Σ|wₖvₖ| is a convex function
+//! of them, which is largest where every Pᵢ is 1 or −1. It is bounded for each choice of signs, one of two opposite
+//! ones, if these are few, and else by the sums of the absolute values of the coefficients of each share.
 
 use std::rc::Rc;
 
@@ -24,8 +25,12 @@ pub(super) struct Absolute {
     quotients: Vec<(usize, Relative)>,
     /// The common denominator of all shares.
     below: Poly,
-    shares: Shares,
+    /// The shares, with each choice of signs of the points.
+    choices: Vec<Shares>,
 }
+
+/// For up to so many points the signs are chosen: the work grows with 2ⁿ⁻¹.
+const MOST_SIGNED: usize = 7;
 
 impl Absolute {
     /// Of a step that is linear in some points, if there are any; `None` when the work is spent.
@@ -38,13 +43,34 @@ impl Absolute {
         }
         let shares = exact.shares(output, work)?;
         let below = common_denominator(&mut shares.iter().map(|(_, share)| share), work)?;
-        let mut grouped = Shares::default();
+        let mut polys = Vec::new();
         for (k, share) in &shares {
-            for share in coefficients(&over(share, &below)?, points)? {
-                grouped.add(exact, *k, &share, work)?;
-            }
+            polys.push((*k, coefficients(&over(share, &below)?, points)?));
         }
-        Some(Self { output, quotients, below, shares: grouped })
+        let signed = (1..=MOST_SIGNED).contains(&points.len());
+        let mut choices = Vec::new();
+        for signs in 0..if signed { 1_u32 << (points.len() - 1) } else { 1 } {
+            let mut grouped = Shares::default();
+            for (k, coefficients) in &polys {
+                if signed {
+                    let signed = coefficients.iter().enumerate();
+                    let sum =
+                        signed.fold(
+                            Poly::zero(),
+                            |sum, (i, c)| {
+                                if signs >> i & 1 == 1 { &sum - c } else { &sum + c }
+                            },
+                        );
+                    grouped.add(exact, *k, &sum, work)?;
+                } else {
+                    for c in coefficients {
+                        grouped.add(exact, *k, c, work)?;
+                    }
+                }
+            }
+            choices.push(grouped);
+        }
+        Some(Self { output, quotients, below, choices })
     }
 
     /// The bound on a cell in u, and what it follows from; `None` if there is none.
@@ -53,27 +79,35 @@ impl Absolute {
         for (k, divisor) in &self.quotients {
             let (bound, part) = divisor.on(exact, cell, work)?;
             let last = part.last(&bound);
-            part.conditions.into_iter().chain([last]).for_each(|p| conditions.add(p));
+            part.conditions.into_iter().chain(last).for_each(|p| conditions.add(p));
             exact.set_weight(*k, &bound)?;
         }
         let value = conditions.absolute(&self.below, work)?;
-        let (mut signed, mut rest) = (Poly::zero(), Rational::ZERO);
-        for share in &self.shares.groups {
-            let weight = share.weight(exact, &mut conditions, work)?;
-            if weight.is_zero() {
-                continue;
-            }
-            match cell.sign(&share.poly, work) {
-                Some(_) => signed = &signed + &conditions.absolute(&share.poly, work)?.scale(&weight),
-                None => rest += &(&conditions.largest(&share.poly, &value, work)? * &weight),
-            }
-        }
         let size = size(exact, self.output, &mut conditions, work)?;
-        rest += &rest::of_sum(&exact.depth(self.output), &size)?;
-        let first = cell.ratio(&signed, &value, work)?;
+        let rest = rest::of_sum(&exact.depth(self.output), &size)?;
+        let (mut sums, mut most) = (Vec::new(), Rational::ZERO);
+        for shares in &self.choices {
+            let (mut sum, mut between) = (Poly::zero(), Rational::ZERO);
+            for share in &shares.groups {
+                let weight = share.weight(exact, &mut conditions, work)?;
+                if weight.is_zero() {
+                    continue;
+                }
+                match cell.sign(&share.poly, work) {
+                    Some(_) => sum = &sum + &conditions.absolute(&share.poly, work)?.scale(&weight),
+                    None => between += &(&conditions.largest(&share.poly, &value, work)? * &weight),
+                }
+            }
+            let sum = &sum + &value.scale(&between);
+            let first = cell.ratio(&sum, &value, work)?;
+            if first > most {
+                most = first;
+            }
+            sums.push(sum);
+        }
         let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
-        let part = Part { domain, conditions, value, sum: signed, rest: rest.clone() };
-        Some((&first + &rest, part))
+        let part = Part { domain, conditions, value, sums, rest: rest.clone() };
+        Some((&most + &rest, part))
     }
 }
 
@@ -84,7 +118,7 @@ fn coefficients(share: &Poly, points: &[Var]) -> Option<Vec<Poly>> {
     }
     let mut coefficients = Vec::new();
     let mut left = share.clone();
-    for point in points.iter().filter(|point| share.depends_on(**point)) {
+    for point in points {
         let coefficient = share.derivative(*point);
         left = &left - &(&coefficient * &Poly::var(*point));
         coefficients.push(coefficient);

@@ -112,16 +112,17 @@ struct Part {
     domain: Rc<Domain>,
     /// Polynomials that are not negative: conditions under which the others say something about the error.
     conditions: Vec<Poly>,
-    /// With a bound of κ u: (κ − `rest`)·`value` − `sum` is not negative.
+    /// With a bound of κ u: (κ − `rest`)·`value` is at least each of the `sums`.
     value: Poly,
-    sum: Poly,
+    sums: Vec<Poly>,
     rest: Rational,
 }
 
 impl Part {
     /// What is not negative if the error is at most this many u.
-    fn last(&self, bound: &Rational) -> Poly {
-        &self.value.scale(&(bound - &self.rest)) - &self.sum
+    fn last(&self, bound: &Rational) -> Vec<Poly> {
+        let most = self.value.scale(&(bound - &self.rest));
+        self.sums.mapped(|sum| &most - sum)
     }
 }
 
@@ -132,7 +133,7 @@ impl Bound {
         let mut all = Vec::new();
         for part in &self.cells {
             let last = part.last(&(epsilons * &Rational::from(2)));
-            for poly in part.conditions.iter().chain([&last]) {
+            for poly in part.conditions.iter().chain(&last) {
                 let (value, domain) = (Quotient::from(poly.clone()), Rc::clone(&part.domain));
                 all.push(Statement::Sign { value, relation: Relation::NonNegative, domain });
             }

@@ -102,7 +102,7 @@ impl Relative {
         let first = cell.ratio(&sum, &value, work)?;
         let rest = self.higher(exact, &mut conditions, work)?;
         let (domain, conditions) = (Rc::clone(&cell.domain), conditions.known);
-        let part = Part { domain, conditions, value, sum, rest: rest.clone() };
+        let part = Part { domain, conditions, value, sums: vec![sum], rest: rest.clone() };
         Some((&first + &rest, part))
     }
 

@@ -1,7 +1,7 @@
 //! The Bernstein form: control points of a Bézier curve, for high degree.
 
 use super::pointwise;
-use super::slices::{EndpointDerivatives, EndpointPoints, endpoint_coefficients};
+use super::slices::{EndpointDerivatives, EndpointPoints, NestedPoints, endpoint_coefficients};
 use super::tiles::{BernsteinDerivatives, BernsteinPoints, MOST_COMPONENTS};
 use crate::basis::combination;
 use crate::binomial::binomials;
@@ -10,7 +10,11 @@ use crate::{Form, Point, Scalar};
 
 /// The number of control points up to which a slice of parameters is evaluated in endpoint form, which is made on the
 /// spot; from more of them it would lose digits.
-const MOST_CENTRED: usize = 8;
+const MOST_CENTRED: usize = 7;
+
+/// The number of control points up to which each parameter of a slice is taken through all of them: more of them than
+/// this are not unrolled reliably by compilers.
+const MOST_NESTED: usize = 13;
 
 /// The Bézier curve of degree `n = N - 1`, `N >= 1`, over its control points
 ///
@@ -86,6 +90,8 @@ impl<P: Point, const N: usize> Form<P> for BernsteinForm<P, N> {
             for (point, &x) in out.iter_mut().zip(xs) {
                 *point = self.eval(x);
             }
+        } else if N > MOST_CENTRED && N <= MOST_NESTED {
+            dispatch(xs.len(), NestedPoints { points: self.points, xs, out });
         } else if N > MOST_CENTRED {
             dispatch(xs.len(), BernsteinPoints { points: &self.points, xs, out });
         } else {

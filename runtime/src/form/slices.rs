@@ -6,6 +6,8 @@
 // All of it is compiled once for each set of vector instructions, inside of the functions that name them.
 #![allow(clippy::inline_always)]
 
+use super::tiles::MOST_COMPONENTS;
+use crate::binomial::binomials;
 use crate::simd::Kernel;
 use crate::{Point, Scalar, bernstein};
 
@@ -39,6 +41,39 @@ impl<P: Point, A: Copy + AsRef<[P]>, const SKIP: usize> Kernel for EndpointPoint
                         Some((last, rest)) => horner::<FUSED, P>(*last, rest, y, d).fma::<FUSED>(w, chord),
                     }
                 },
+            );
+        }
+    }
+}
+
+/// `out[i] = Σ_k binomial(n, k) s^(n-k) x^k P[k]` at `x = xs[i]`, as in [`BernsteinForm`](crate::BernsteinForm).
+pub(crate) struct NestedPoints<'a, P: Point, const N: usize> {
+    pub(crate) points: [P; N],
+    pub(crate) xs: &'a [P::Scalar],
+    pub(crate) out: &'a mut [P],
+}
+
+impl<P: Point, const N: usize> Kernel for NestedPoints<'_, P, N> {
+    #[inline(always)]
+    fn run<const FUSED: bool>(self) {
+        let Self { points, xs, out } = self;
+        let binomials = const { binomials::<N>() };
+        for (point, &x) in out.iter_mut().zip(xs) {
+            let (s, mut power) = (P::Scalar::ONE - x, P::Scalar::ONE);
+            let mut sums = [power; MOST_COMPONENTS];
+            for (d, sum) in sums.iter_mut().enumerate().take(P::DIM) {
+                *sum = points[0].component(d);
+            }
+            for k in 1..N {
+                power = power * x;
+                let factor = P::Scalar::of(binomials[k]) * power;
+                for (d, sum) in sums.iter_mut().enumerate().take(P::DIM) {
+                    *sum = points[k].component(d).fma::<FUSED>(factor, *sum * s);
+                }
+            }
+            *point = P::from_components(
+                #[inline(always)]
+                |d| sums[d],
             );
         }
     }

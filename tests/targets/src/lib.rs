@@ -98,8 +98,8 @@ fn all_cases() -> Vec<Case> {
         of("quadratic", "QuadraticBezier", &[], &[0.75]),
         bernstein(1, "Linear"),
         bernstein(3, "Cubic"),
+        bernstein(5, "Quintic"),
         bernstein(12, "Twelve"),
-        bernstein(13, "Thirteen"),
         of("beta_spline", "BetaSpline", &[], &[0.5, 3.0]),
         of("kochanek_bartels", "KochanekBartels", &[], &[0.25, -0.5, 0.75]),
         of("cardinal", "Cardinal", &[], &[0.5]),
@@ -650,7 +650,7 @@ fn place(knots: &[f64], t: f64) -> (usize, truth::At) {
 
 /// The number of ε by which what has no proved bound may be off, of the value itself for functions: those with angles or
 /// several spans, and derivatives. Measured, with a reserve.
-fn measured() -> Rational {
+pub fn measured() -> Rational {
     Rational::from(48)
 }
 

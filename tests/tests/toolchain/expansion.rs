@@ -37,16 +37,16 @@ fn of_another_domain() {
     insta::assert_snapshot!("quadric", code("../tests/specs/good/quadric.basis", "Quadric", &[]));
 }
 
-/// Above degree 12 curves are bound in Bernstein form.
+/// Above degree 4 curves are bound in Bernstein form.
 #[test]
 fn of_high_degree() {
     let form = |degree: i64| {
         let code = code("bernstein.basis", "Bernstein", &[degree]);
         let code: String = code.split_whitespace().collect();
-        (code.contains("::EndpointForm<P,11"), code.contains("::BernsteinForm<P,14"))
+        (code.contains("::EndpointForm<P,3"), code.contains("::BernsteinForm<P,6"))
     };
-    assert_eq!(form(12), (true, false));
-    assert_eq!(form(13), (false, true));
+    assert_eq!(form(4), (true, false));
+    assert_eq!(form(5), (false, true));
 }
 
 #[test]
