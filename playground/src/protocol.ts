@@ -100,8 +100,12 @@ export interface Shape {
 export interface Drawing {
   title: string;
   doc: string[];
-  kind: 'interval' | 'simplex' | 'box';
+  /** An interval, or a product of simplices and intervals. */
+  kind: 'interval' | 'product';
+  /** The independent ones, and after them the last barycentric coordinate of each simplex. */
   variables: string[];
+  /** The places of the independent coordinates of each simplex, and the one after them. */
+  simplices: [number, number][];
   shapes: Shape[];
   conditions: { value: Term[]; text: string }[];
   labels: string[];

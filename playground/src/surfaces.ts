@@ -43,14 +43,22 @@ export class Surfaces {
   private pitch = 0.6;
   /** The middle of the picture, to the right and up, and the pixels of a unit. */
   private view = { right: 0, up: 0, unit: 1 };
-  /** The variables after the first two, at which the domain is cut. */
+  /** The place of the first of the two variables that are drawn, those of a simplex if there is one. */
+  private readonly first: number;
+  /** The places of the other variables, and the values at which the domain is cut. */
+  private readonly others: number[];
   private readonly cut: number[];
 
   constructor(private readonly drawing: Drawing, values: number[], readonly points: number[][], private readonly moved: () => void) {
     this.functions = new Functions(drawing, values);
-    this.triangle = drawing.kind === 'simplex';
+    this.triangle = drawing.simplices.length > 0;
     this.ranges = drawing.spans[0]!.ranges;
-    this.cut = this.ranges.slice(2).map(([a, b]) => (this.triangle ? 0.25 : (a + b) / 2));
+    this.first = drawing.simplices[0]?.[0] ?? 0;
+    this.others = this.ranges.map((_, place) => place).filter((place) => place < this.first || place > this.first + 1);
+    this.cut = this.others.map((place) => {
+      const [a, b] = this.ranges[place]!;
+      return this.simplexOf(place) ? 0.25 : (a + b) / 2;
+    });
     drawing.labels.forEach((label, k) => this.choice.append(h('option', { value: k }, label)));
     this.choice.addEventListener('change', () => this.draw());
     const hint = h('p', { class: 'hint' }, 'Drag the control points in the plane of the screen, the background to turn the surface; or use the arrow keys.');
@@ -65,7 +73,7 @@ export class Surfaces {
     this.functions = new Functions(this.drawing, values);
     this.mark = mark;
     if (mark && mark.function !== null) this.choice.value = String(mark.function);
-    const at = mark && this.drawing.variables.slice(2, this.ranges.length).map((name) => mark.at[name]);
+    const at = mark && this.others.map((place) => mark.at[this.drawing.variables[place]!]);
     at?.forEach((x, k) => { if (x !== undefined) this.cut[k] = x; });
     this.mesh();
     this.draw();
@@ -76,15 +84,28 @@ export class Surfaces {
     this.draw();
   }
 
-  /** Sliders for the variables after the first two. */
+  /** The simplex to which the coordinate at a place belongs. */
+  private simplexOf(place: number): [number, number] | undefined {
+    return this.drawing.simplices.find(([start, end]) => start <= place && place < end);
+  }
+
+  /** What the cuts leave of the sum 1 of the barycentric coordinates of a simplex, but for those at one place. */
+  private left([start, end]: [number, number], but = -1): number {
+    const taken = this.others.reduce((sum, place, k) => (start <= place && place < end && place !== but ? sum + this.cut[k]! : sum), 0);
+    return Math.max(0, 1 - taken);
+  }
+
+  /** Sliders for the variables that are not drawn. */
   private cuts(): HTMLElement[] {
     return this.cut.map((value, k) => {
-      const [low, high] = this.ranges[k + 2]!;
-      const name = this.drawing.variables[k + 2]!;
+      const place = this.others[k]!;
+      const [low, high] = this.ranges[place]!;
+      const name = this.drawing.variables[place]!;
+      const simplex = this.simplexOf(place);
       const shown = h('output', {}, number(value, 3));
-      const slide = h('input', { type: 'range', min: low, max: this.triangle ? high * 0.95 : high, step: (high - low) / 200, value, 'aria-label': name });
+      const slide = h('input', { type: 'range', min: low, max: simplex ? high * 0.95 : high, step: (high - low) / 200, value, 'aria-label': name });
       slide.addEventListener('input', () => {
-        this.cut[k] = Number(slide.value);
+        this.cut[k] = Math.min(Number(slide.value), simplex ? this.left(simplex, place) : Infinity);
         shown.textContent = number(this.cut[k]!, 3);
         this.mesh();
         this.draw();
@@ -94,14 +115,18 @@ export class Surfaces {
   }
 
   private rest(): number {
-    return this.triangle ? Math.max(0, 1 - this.cut.reduce((a, b) => a + b, 0)) : 1;
+    return this.triangle ? this.left(this.drawing.simplices[0]!) : 1;
   }
 
   /** The point of the domain at a and b from 0 to 1; of a simplex a + b ≤ 1. */
   private where(a: number, b: number): number[] {
-    if (this.triangle) return [a * this.rest(), b * this.rest(), ...this.cut];
-    const [[u, v], [w, x]] = [this.ranges[0]!, this.ranges[1]!];
-    return [u + a * (v - u), w + b * (x - w), ...this.cut];
+    const at = this.ranges.map(() => 0);
+    this.others.forEach((place, k) => { at[place] = this.cut[k]!; });
+    [a, b].forEach((x, k) => {
+      const [low, high] = this.ranges[this.first + k]!;
+      at[this.first + k] = this.triangle ? x * this.rest() : low + x * (high - low);
+    });
+    return at;
   }
 
   private mesh(): void {
@@ -132,7 +157,7 @@ export class Surfaces {
 
   /** The plane of the domain as a figure with sides of about one. */
   private flat(where: number[]): [number, number] {
-    if (this.triangle) return [where[0]! + where[1]! / 2, where[1]! * ROOT];
+    if (this.triangle) return [where[this.first]! + where[this.first + 1]! / 2, where[this.first + 1]! * ROOT];
     return [0, 1].map((k) => (where[k]! - this.ranges[k]![0]) / (this.ranges[k]![1] - this.ranges[k]![0])) as [number, number];
   }
 
@@ -206,7 +231,8 @@ export class Surfaces {
     }
     context.clearRect(0, 0, size, size);
     context.putImageData(image, 0, 0);
-    const [u, v, w] = this.drawing.variables as [string, string, string?];
+    const { variables } = this.drawing;
+    const [u, v, w] = [this.first, this.first + 1, this.ranges.length].map((place) => variables[place]);
     const axes = this.triangle ? `${u} = 1 at the right, ${v} = 1 at the top, ${w} = 1 at the left` : `${u} to the right, ${v} upwards`;
     const label = this.drawing.labels[k] ?? '';
     this.map.setAttribute('aria-label', `${label} as a map`);
@@ -321,13 +347,17 @@ export class Surfaces {
 
   /** The lines of the net: between points whose indices are neighbours. */
   private net(): [number, number][] {
-    const { indices } = this.drawing;
+    const { indices, simplices, variables } = this.drawing;
+    // All barycentric coordinates of a simplex are indices, where a function has one for each variable.
+    const groups = simplices.map(([start, end], k) => [start + k, end + k + 1] as const);
+    const inSimplex = (change: number[]) => groups.some(([start, end]) => change.every((v, k) => v === 0 || (start <= k && k < end)));
     const lines: [number, number][] = [];
     for (let i = 0; i < indices.length; i++) for (let j = i + 1; j < indices.length; j++) {
-      const change = indices[i]!.map((v, k) => Math.abs(v - indices[j]![k]!)).sort();
+      const change = indices[i]!.map((v, k) => Math.abs(v - indices[j]![k]!));
       const steps = change.reduce((a, b) => a + b, 0);
-      const barycentric = this.triangle && indices[i]!.length === this.drawing.variables.length;
-      if (barycentric ? steps === 2 && change.at(-1) === 1 : steps === 1 && indices[i]!.length > 1) lines.push([i, j]);
+      const barycentric = this.triangle && change.length === variables.length;
+      const along = steps === 1 && change.length > 1;
+      if (along || (barycentric && steps === 2 && Math.max(...change) === 1 && inSimplex(change))) lines.push([i, j]);
     }
     return lines;
   }

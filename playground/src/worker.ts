@@ -1,5 +1,6 @@
 // The engine beside the page: answers questions, and decides the claims of the open spec in slices in between, so that a
 // newer text stops the work on an older one.
+import { decode } from './lzma';
 import type { Item, Reply, Request, Verdicts } from './protocol';
 
 interface Exports {
@@ -91,13 +92,9 @@ function slice(): void {
 
 async function load(): Promise<void> {
   try {
-    const answer = await fetch('basis.wasm');
-    if (!answer.ok) throw new Error(`basis.wasm cannot be loaded: ${answer.status}`);
-    // While it arrives, if the server says that it is WebAssembly; not every one does.
-    const streams = answer.headers.get('content-type') === 'application/wasm';
-    const { instance } = streams
-      ? await WebAssembly.instantiateStreaming(answer, {})
-      : await WebAssembly.instantiate(await answer.arrayBuffer(), {});
+    const answer = await fetch('basis.wasm.lzma');
+    if (!answer.ok) throw new Error(`basis.wasm.lzma cannot be loaded: ${answer.status}`);
+    const { instance } = await WebAssembly.instantiate(decode(new Uint8Array(await answer.arrayBuffer())), {});
     engine = instance.exports as unknown as Exports;
     say({ kind: 'ready' });
     const all = waiting;

@@ -185,6 +185,34 @@ test('a surface has points to drag', async () => {
   await page.context().close();
 });
 
+test('a family on a prism is cut at its height, wherever the triangle stands among the factors', async () => {
+  const page = await open();
+  await decided(page);
+  for (const [name, domain] of [['Upon', '0 <= h <= 2, triangle (p, q, r)'], ['Below', 'triangle (p, q, r), 0 <= h <= 2']]) {
+    await write(page, `family ${name} {
+    domain ${domain};
+    s[0] = p*(2 - h)/2;
+    s[1] = q*(2 - h)/2;
+    s[2] = r*(2 - h)/2;
+    s[3] = (p + q + r)*h/2;
+    prove partition_of_unity;
+    prove s[3] <= 1/2;
+}
+`);
+    await page.waitForFunction((name) => document.querySelector('#panel-plot h2')?.textContent === name, name);
+    await decided(page);
+    await page.selectOption('select[aria-label=function]', '1');
+    // s[1] is at most 1 - h/2, at the corner where q is 1.
+    await page.locator('input[aria-label=h]').fill('0.5');
+    assert.match(await page.textContent('#panel-plot'), /s\[1\] from 0 to 0\.75;.*p = 1 at the right, q = 1 at the top, r = 1 at the left/);
+    await page.click('#tab-verdicts');
+    await page.locator('li.wrong button').click();
+    await page.waitForSelector('circle.counterexample');
+    await page.click('#tab-plot');
+  }
+  await page.context().close();
+});
+
 test('a link holds the text, the shape values and the points', async () => {
   const page = await open();
   await decided(page);

@@ -21,14 +21,12 @@ pub(crate) fn middle(low: &Rational, high: &Rational) -> f64 {
 
 /// A family with its shape parameters and spans.
 pub(crate) fn family(family: &Family) -> Value {
-    let kind = match (family.domain.len(), family.is_simplex()) {
-        (1, false) => "interval",
-        (_, true) => "simplex",
-        (_, false) => "box",
-    };
-    if family.is_product() {
-        return json!({ "error": "functions on a product of a simplex and something else have no picture" });
-    }
+    let kind = if family.domain.len() == 1 { "interval" } else { "product" };
+    // Those that are independent come first, at the places of their ranges.
+    let last = family.simplices.iter().map(|simplex| &simplex.last);
+    let variables: Vec<&str> = family.domain.iter().chain(last).map(|p| p.name.as_str()).collect();
+    let simplices: Vec<[usize; 2]> =
+        family.simplices.iter().map(|simplex| [simplex.places.start, simplex.places.end]).collect();
     let spans: Option<Vec<Value>> = if family.pieces.is_empty() {
         span(family).map(|span| vec![span])
     } else {
@@ -44,7 +42,8 @@ pub(crate) fn family(family: &Family) -> Value {
         "title": family.title(),
         "doc": family.doc,
         "kind": kind,
-        "variables": family.domain_variables().map(|p| p.name.clone()).collect::<Vec<_>>(),
+        "variables": variables,
+        "simplices": simplices,
         "shapes": family.shapes.iter().map(|p| shape(family, p)).collect::<Vec<_>>(),
         "conditions": conditions,
         "labels": (0..family.functions.len()).map(|k| family.function_label(k)).collect::<Vec<_>>(),
