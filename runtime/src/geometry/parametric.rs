@@ -9,7 +9,7 @@ use super::{
 };
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
-use crate::{BoundedSurface, CurveError, Frame, Nearest, Offset, Path, Point, Point3, Scalar};
+use crate::{BoundedSurface, CurveError, Frame, Joint, Nearest, Offset, Path, Point, Point3, Scalar};
 
 /// The scalar type of a curve: of its parameter and of the components of its points.
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
@@ -469,6 +469,25 @@ pub trait ParametricCurve {
         let points = [self.eval(at[0]), other.eval(at[1])];
         let distance = distance(points[0], points[1]);
         distance.is_finite().then(|| Closest::new(at, points, distance, bound))
+    }
+
+    /// How smoothly the start of `next`, a curve of any type, continues the end of this one.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve, Path};
+    ///
+    /// let arch = Path::circle_arc([0.0, 0.0], 1.0, 0.0, std::f64::consts::PI);
+    /// let line = Bezier::from_points([[-1.0, 0.0], [-1.0_f64, -2.0]]);
+    /// let joint = arch.joint(&line);
+    /// assert_eq!(joint.geometric_order(1e-12, 1e-12, 1e-12), Some(1));
+    /// assert!((joint.curvature - 1.0).abs() < 1e-12);
+    /// ```
+    fn joint(&self, next: &dyn ParametricCurve<Point = Self::Point>) -> Joint<CurveScalar<Self>> {
+        let (t, s) = (self.domain()[1], next.domain()[0]);
+        let [mut end, mut start] = [[Self::Point::zero(); 4]; 2];
+        self.derivatives_into(t, &mut end);
+        next.derivatives_into(s, &mut start);
+        Joint::between(end, start, [self.tangent(t), next.tangent(s)])
     }
 
     /// All places at which the curve meets another one, in the order of its own parameter.
