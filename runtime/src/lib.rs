@@ -37,7 +37,7 @@
 //! | for | look at |
 //! | --- | --- |
 //! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
-//! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
+//! | a curve that continues another one of any type with a contact of any order | [`ParametricCurve::continued`], [`Contact`]; from a family [`Basis::curve_after`] |
 //! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
 //! | the curve beside a curve, with joins and trimmed; the outline of a stroke | [`Offset`], [`Stroke`] |
 //! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
@@ -84,6 +84,7 @@
 //! | the curve beside it at a distance: `offset` | yes | yes | yes | yes | yes |
 //! | where it and another curve are nearest to each other: `closest` | yes | yes | yes | yes | yes |
 //! | how smoothly another curve continues it: `joint` | yes | yes | yes | yes | yes |
+//! | a curve of any type, moved so that it comes next or before: `continued`, `preceded` | yes | yes | yes | yes | no: the other curve has a type of its own |
 //! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
 //! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
@@ -249,8 +250,8 @@ pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridCorners, GridFit};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
 pub use geometry::{
-    Closest, CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting,
-    SurfaceMeeting,
+    Closest, CurvePiece, CurveScalar, Enclosed, JoinableCurve, Meeting, MeetingKind, ParametricCurve,
+    PlaneMeeting, SurfaceMeeting,
 };
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};

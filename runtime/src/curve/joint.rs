@@ -44,7 +44,7 @@ fn leading<const N: usize>(conditions: [bool; N]) -> usize {
 }
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
-    /// How smoothly the start of `next` continues the end of this curve.
+    /// How smoothly the start of `next`, with the feature `geometry` a curve of any type, continues the end of this curve.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -56,6 +56,13 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert_eq!(joint.geometric_order(1e-9, 1e-9, 1e-9), Some(1));
     /// assert_eq!(joint.parametric_order(1e-9, [1e-9; 3]), Some(0));
     /// ```
+    #[cfg(feature = "geometry")]
+    pub fn joint(&self, next: &dyn crate::ParametricCurve<Point = P>) -> Joint<B::Scalar> {
+        crate::ParametricCurve::joint(self, next)
+    }
+
+    /// How smoothly the start of `next` continues the end of this curve.
+    #[cfg(not(feature = "geometry"))]
     pub fn joint<C: Basis<Scalar = B::Scalar>>(&self, next: &Curve<C, P>) -> Joint<B::Scalar> {
         Joint::between(
             self.eval_with_derivs(B::domain()[1]),

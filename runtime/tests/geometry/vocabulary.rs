@@ -2,8 +2,9 @@
 
 use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, NurbsSurface};
 use basis_runtime::{
-    BernsteinBasis, Bezier, BoundedSurface, Direction, Edge, Isocurve, ParametricCurve, Path, PiecewiseCurve,
-    Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface, Tessellation,
+    BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve, Path,
+    PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
+    Tessellation,
 };
 
 /// The rows of the table that begins with this head: their cells.
@@ -88,7 +89,8 @@ macro_rules! ask_curve {
     }};
     ($space:expr, $plane:expr) => {
         ask_curve!($space, $plane,
-            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed();)
+            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed();
+            continued(Contact::Tangent { f: 1.0 }, &arch(|p| p)); preceded(Contact::Tangent { f: 1.0 }, &arch(|p| p));)
     };
 }
 
