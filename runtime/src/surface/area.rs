@@ -25,7 +25,7 @@ use crate::gauss::jacobi;
 const NODES: [usize; 6] = [2, 4, 6, 10, 16, 24];
 
 /// At how many cells the work ends.
-const CELLS: usize = 1 << 13;
+const CELLS: usize = 1 << 12;
 
 /// The area of a surface, [`BoundedSurface::area`](crate::BoundedSurface::area).
 #[derive(Clone, Copy, Debug, PartialEq)]
