@@ -25,7 +25,7 @@ use crate::gauss::jacobi;
 const NODES: [usize; 6] = [2, 4, 6, 10, 16, 24];
 
 /// At how many cells the work ends.
-const CELLS: usize = 1 << 12;
+const CELLS: usize = 1 << 11;
 
 /// The area of a surface, [`BoundedSurface::area`](crate::BoundedSurface::area).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,6 +75,8 @@ fn of_nets(nets: &[&Piece], accuracy: f64, epsilon: f64) -> Option<[f64; 2]> {
         cells = few;
         cells.extend(many.iter().flat_map(Cell::halves));
     }
+    // Where the work has ended early, finer rules in some cells gain nothing.
+    let target = cells.iter().map(Cell::best).sum::<f64>().max(target);
     let (mut value, mut error) = (0.0, 0.0);
     for cell in &cells {
         let enough = cell.best().max(target * cell.size / patches.len() as f64);
