@@ -84,7 +84,8 @@ fn of_nets(nets: &[&Piece], accuracy: f64, epsilon: f64) -> Option<[f64; 2]> {
         value += patches[cell.patch].integral(cell, rule);
         error += cell.error(rule);
     }
-    Some([value * unit * unit, error * unit * unit])
+    let found = [value * unit * unit, error * unit * unit];
+    found.iter().all(|x| x.is_finite()).then_some(found)
 }
 
 /// What does not change when a patch is cut.

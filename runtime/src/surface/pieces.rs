@@ -264,7 +264,7 @@ pub trait BoundedSurface: Surface {
     }
 
     /// The area `∫∫ |S_u × S_v| du dv` of a surface in a space of any dimension; see [`Area`] for the bound of its
-    /// error. `None` if anything is not finite, or a weight of the Bézier form is not positive.
+    /// error. `None` if anything is not finite, the area included, or a weight of the Bézier form is not positive.
     ///
     /// ```
     /// use basis_runtime::{Bezier, BoundedSurface, SurfaceOfRevolution};
