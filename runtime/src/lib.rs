@@ -37,7 +37,7 @@
 //! | for | look at |
 //! | --- | --- |
 //! | a curve: points, derivatives, frames, arc length, nearest point, parts, boxes | [`Curve`]; of several segments [`PiecewiseCurve`] |
-//! | the control points next to the end of a curve, from the contact with another one | [`Basis::curve_after`], [`Contact`] |
+//! | a curve that continues another one of any type with a contact of any order | [`ParametricCurve::continued`], [`Contact`]; from a family [`Basis::curve_after`] |
 //! | lines, arcs, ellipses and Bézier segments of any degrees as one curve, SVG paths in and out | [`Path`], [`to_svg`] |
 //! | the curve beside a curve, with joins and trimmed; the outline of a stroke | [`Offset`], [`Stroke`] |
 //! | a tensor surface, its parts and joins | [`TensorSurface`], rational [`RationalSurface`] |
@@ -83,6 +83,8 @@
 //! | what a closed curve encloses, how often it goes round a point: `enclosed`, `winding` | yes | yes | yes | yes | yes |
 //! | the curve beside it at a distance: `offset` | yes | yes | yes | yes | yes |
 //! | where it and another curve are nearest to each other: `closest` | yes | yes | yes | yes | yes |
+//! | how smoothly another curve continues it: `joint` | yes | yes | yes | yes | yes |
+//! | a curve of any type, moved so that it comes next or before: `continued`, `preceded` | yes | yes | yes | yes | no: the other curve has a type of its own |
 //! | where it meets curves, itself, planes: `intersections`, `self_intersections`, `plane_intersections` | yes | yes | yes | yes | yes |
 //! | where it meets a surface: `surface_intersections` | yes | yes | yes | yes | yes |
 //! | rational Bézier pieces: `pieces` | yes | yes | yes | yes | yes |
@@ -101,10 +103,14 @@
 //! | `normal`, with its limits at poles, `curvature` | yes | yes | yes | yes | yes | yes |
 //! | rational Bézier patches: `pieces` | yes | yes | yes | yes | yes | yes |
 //! | boxes: `control_box`, `bounding_box` | yes | yes | yes | yes | yes | yes |
+//! | curves on it: `isocurve`, `boundary` | yes | yes | yes | yes | yes | no: [`Isocurve::new`] takes a `&dyn BoundedSurface` |
+//! | the area, with a bound of its error: `area` | yes | yes | yes | yes | yes | yes |
 //! | the nearest point, with a lower bound: `nearest` | yes | yes | yes | yes | yes | yes |
 //! | where rays and lines meet it: `ray_intersections`, `line_intersections` | yes | yes | yes | yes | yes | yes |
+//! | parts: `split`, `subpatch`, `reversed` | yes | yes | yes | yes | yes | no: a part has a type of its own |
+//! | triangles within a tolerance, by a [tessellation](Tessellation): `with` | yes | yes | yes | yes | yes | yes |
 //!
-//! Triangular patches are surfaces by [`to_tensor_surface`](SimplexPatch::to_tensor_surface).
+//! [`edge_continuity`] measures how smoothly two surfaces of any types meet along an edge. Triangular patches are surfaces by [`to_tensor_surface`](SimplexPatch::to_tensor_surface).
 //!
 //! # Points
 //!
@@ -244,8 +250,8 @@ pub use fit::{Fit, FitEnd, Fitted, FittedSurface, GridCorners, GridFit};
 pub use form::{BernsteinForm, EndpointForm, Form};
 #[cfg(feature = "geometry")]
 pub use geometry::{
-    Closest, CurvePiece, CurveScalar, Enclosed, Meeting, MeetingKind, ParametricCurve, PlaneMeeting,
-    SurfaceMeeting,
+    Closest, CurvePiece, CurveScalar, Enclosed, JoinableCurve, Meeting, MeetingKind, ParametricCurve,
+    PlaneMeeting, SurfaceMeeting,
 };
 #[cfg(feature = "mesh")]
 pub use mesh::{Mesh, MeshError, Tessellation, Vertex};
@@ -267,12 +273,12 @@ pub use simplex::{
     TriangularBasis, TriangularBernsteinBasis, TriangularBernsteinOf, TriangularBezier, TriangularBezierOf,
     TriangularPatch,
 };
+#[cfg(feature = "geometry")]
+pub use surface::{Area, BoundedSurface, Isocurve, SurfacePiece};
 pub use surface::{
     BezierPatchOf, Curvature, Direction, Edge, EdgeContinuity, EdgePair, JoinError, RationalPatchOf,
     RationalSurface, ScalarOf, Surface, TensorSurface, edge_continuity,
 };
-#[cfg(feature = "geometry")]
-pub use surface::{BoundedSurface, SurfacePiece};
 pub use vector::Point3;
 
 #[cfg(all(doctest, feature = "macros"))]

@@ -13,16 +13,16 @@ use basis_runtime::bspline::{
 };
 use basis_runtime::laws::{Checks, Law, Violation};
 use basis_runtime::{
-    BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact, CountError,
-    Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity, EdgePair,
-    Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame, GridCorners,
-    GridFit, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh, MeshError, Nearest, Offset,
-    ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting, ProductPatch, Quadrature,
-    QuadratureError, RationalBezier, RationalCurve, RationalSpline, RationalSurface, RevolutionError,
-    RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex, SimplexPatch, SpanOf, SpannedBasis,
-    SpannedCurve, Stroke, Surface, SurfaceMeeting, SurfaceOfRevolution, SurfacePiece, SvgError, SvgMistake,
-    Tabulation, TensorSurface, Tessellation, TriangleEdge, TriangularBernsteinBasis, TriangularBezier,
-    Vertex, basis, bernstein::Root, edge_continuity,
+    Area, BernsteinBasis, BernsteinForm, Bezier, BoundedSurface, BoxPatch, Chart, Closest, Contact,
+    CountError, Curvature, Curve, CurveError, CurvePiece, DomainFactor, Edge, EdgeBasis, EdgeContinuity,
+    EdgePair, Enclosed, EndpointForm, Entities, Entity, Fit, FitEnd, Fitted, FittedSurface, Frame,
+    GridCorners, GridFit, Isocurve, JoinError, Joint, LineCap, LineJoin, Meeting, MeetingKind, Mesh,
+    MeshError, Nearest, Offset, ParametricCurve, Path, PathSegment, PiecewiseCurve, PlaneMeeting,
+    ProductPatch, Quadrature, QuadratureError, RationalBezier, RationalCurve, RationalSpline,
+    RationalSurface, RevolutionError, RevolutionPatch, Rounding, Samples, ShapeError, SimplexIndex,
+    SimplexPatch, SpanOf, SpannedBasis, SpannedCurve, Stroke, Surface, SurfaceMeeting, SurfaceOfRevolution,
+    SurfacePiece, SvgError, SvgMistake, Tabulation, TensorSurface, Tessellation, TriangleEdge,
+    TriangularBernsteinBasis, TriangularBezier, Vertex, basis, bernstein::Root, edge_continuity,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -318,6 +318,8 @@ fn all_else_is_shared() {
     shared::<SvgMistake>();
     shared::<Enclosed<P>>();
     shared::<Closest<P>>();
+    shared::<Area<f64>>();
+    shared::<Isocurve<'_, BSplineSurface<P>>>();
     shared::<Quadrature<P>>();
     shared::<DomainFactor>();
     shared::<Tabulation<f64, [usize; 2]>>();

@@ -201,11 +201,11 @@ fn partial(angle: f64, shown: &str, exact: bool) -> Result<Drawing, Box<dyn Erro
         let parameters = parts_parameters(first, rest, |angle| angle / PI);
         let turned = |t: f64| (2.0 * t * (1.0 - t)).atan2(1.0 - 2.0 * t);
         let cut = |t: f64| half[0].subpatch(0.0..1.0, 0.0..t);
-        let mut parts: Vec<RevolutionPatch<QuarticBernstein, Point3d>> = vec![cut(parameters[0])];
+        let mut parts: Vec<RevolutionPatch<QuarticBernstein, Point3d>> = vec![cut(parameters[0])?];
         let mut ends = [0.0, turned(parameters[0])];
         if rest > 0.0 {
             // R~ = (r1, r2, -r3) runs backwards from angle 0.
-            parts.push(mirrored(&cut(parameters[1])));
+            parts.push(mirrored(&cut(parameters[1])?));
             ends[0] = -turned(parameters[1]);
         }
         (parts, ends, parameters)

@@ -7,10 +7,11 @@ use core::ops::Range;
 
 use super::{KnotError, KnotVector, SplineError};
 use crate::curve::{divisible, inside, nonempty};
+use crate::geometry::{backwards, possible, replace_first};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::largest_component;
-use crate::{CurveError, CurvePiece, ParametricCurve, Point, Scalar};
+use crate::{CurveError, CurvePiece, JoinableCurve, ParametricCurve, Point, Scalar};
 
 /// The curve `C(t) = Σ N[i,k](t) P[i]` over a knot vector.
 ///
@@ -406,4 +407,26 @@ pub(super) fn middles<S: Scalar>(knots: &KnotVector<S>) -> Vec<S> {
         (middle > lo && middle < hi).then_some(middle)
     };
     knots.spans().filter_map(middle).collect()
+}
+
+impl<P: Point> JoinableCurve for BSplineCurve<P> {
+    fn highest_contact(&self) -> usize {
+        self.degree()
+    }
+
+    /// The knots of the result are clamped.
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        possible(self, "the spline", derivatives)?;
+        let mut curve = self.clamped();
+        let knots = &curve.knots;
+        replace_first(&mut curve.points, derivatives, |k| {
+            knots.derivatives_on(knots.degree(), knots.domain()[0], k).to_vec()
+        })?;
+        Ok(curve)
+    }
+
+    /// The knots of the result are clamped.
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
+    }
 }

@@ -6,10 +6,11 @@ use core::ops::Range;
 use super::homogeneous::check_weights;
 use super::{BSplineCurve, BezierPiece, Homogeneous, KnotError, KnotVector, SplineError};
 use crate::binomial::binomial;
+use crate::geometry::{backwards, numerators, possible, replace_first};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::vector::{largest_component, length};
-use crate::{CurveError, CurvePiece, ParametricCurve, Point, RationalBezier, Scalar};
+use crate::{CurveError, CurvePiece, JoinableCurve, ParametricCurve, Point, RationalBezier, Scalar};
 
 /// The rational curve `C(t) = Σ w[i] N[i](t) P[i] / Σ w[i] N[i](t)` with positive weights.
 ///
@@ -319,5 +320,39 @@ impl<P: Point> TryFrom<&RationalBezier<P>> for NurbsCurve<P> {
         let parts = curve.numerator().iter().zip(curve.weights());
         let points: Vec<_> = parts.map(|(&scaled, &weight)| Homogeneous { scaled, weight }).collect();
         Ok(Self { homogeneous: BSplineCurve::trusted(knots, points) })
+    }
+}
+
+impl<P: Point> JoinableCurve for NurbsCurve<P> {
+    fn highest_contact(&self) -> usize {
+        self.degree()
+    }
+
+    /// The knots of the result are clamped.
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        possible(self, "the spline", derivatives)?;
+        let clamped = self.homogeneous.clamped();
+        let (knots, points) = (clamped.knots(), clamped.control_points());
+        let row = |k: usize| knots.derivatives_on(knots.degree(), knots.domain()[0], k).to_vec();
+        let weight = |k: usize| {
+            row(k)
+                .iter()
+                .zip(points)
+                .fold(P::Scalar::ZERO, |sum, (&factor, point)| sum + factor * point.weight)
+        };
+        let weights: Vec<P::Scalar> = (0..derivatives.len()).map(weight).collect();
+        let mut scaled: Vec<P> = points.iter().map(|point| point.scaled).collect();
+        replace_first(&mut scaled, &numerators(derivatives, &weights), row)?;
+        let points: Vec<Homogeneous<P>> = scaled
+            .into_iter()
+            .zip(points)
+            .map(|(scaled, point)| Homogeneous { scaled, weight: point.weight })
+            .collect();
+        Ok(Self::trusted(BSplineCurve::trusted(knots.clone(), points)))
+    }
+
+    /// The knots of the result are clamped.
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
     }
 }

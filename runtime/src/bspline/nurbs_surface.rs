@@ -1,6 +1,7 @@
 //! Rational B-spline surfaces.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::homogeneous::check_weights;
 use super::nurbs_curve::within;
@@ -12,7 +13,7 @@ use crate::binomial::binomial;
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::surface::partials_by_number;
-use crate::{BoundedSurface, Point, Scalar, Surface, SurfacePiece};
+use crate::{BoundedSurface, CurveError, Point, Scalar, Surface, SurfacePiece};
 
 /// The rational surface `S(u, v) = Σ w[i,j] N[i](u) N[j](v) P[i,j] / Σ w[i,j] N[i](u) N[j](v)` with positive weights.
 ///
@@ -126,12 +127,21 @@ impl<P: Point> NurbsSurface<P> {
         Ok(Self { homogeneous: self.homogeneous.elevate(direction)? })
     }
 
-    /// The parts below and above a parameter of one direction.
+    /// The parts below and above a parameter of one direction, each over its part of the domain.
     ///
     /// # Errors
     /// As [`BSplineSurface::split`].
-    pub fn split(&self, direction: Direction, at: P::Scalar) -> Result<[Self; 2], KnotError> {
+    pub fn split(&self, direction: Direction, at: P::Scalar) -> Result<[Self; 2], CurveError> {
         Ok(self.homogeneous.split(direction, at)?.map(|homogeneous| Self { homogeneous }))
+    }
+
+    /// The part over a rectangle of parameters, which is its domain; a range with `start > end` runs backwards, over the
+    /// same part of the domain.
+    ///
+    /// # Errors
+    /// As [`BSplineSurface::subpatch`].
+    pub fn subpatch(&self, u: Range<P::Scalar>, v: Range<P::Scalar>) -> Result<Self, CurveError> {
+        Ok(Self { homogeneous: self.homogeneous.subpatch(u, v)? })
     }
 
     /// Removes an inner knot up to `times` times while no point of the surface moves by more than `tolerance`; returns

@@ -1,14 +1,16 @@
 //! B-spline surfaces.
 
 use alloc::vec::Vec;
+use core::ops::Range;
 
 use super::curve::{combine, middles};
 use super::rows::{self, Rows};
 use super::{BSplineCurve, Direction, KnotError, KnotVector, Net, SplineError};
+use crate::curve::{divisible, nonempty};
 #[cfg(feature = "serde")]
 use crate::serialize::{Read, Written};
 use crate::surface::partials_by_number;
-use crate::{BoundedSurface, Edge, Nearest, Point, Scalar, Surface, SurfacePiece};
+use crate::{BoundedSurface, CurveError, Edge, Nearest, Point, Scalar, Surface, SurfacePiece};
 
 /// The tensor product surface `S(u, v) = Σ N[i](u) N[j](v) P[i, j]` over two knot vectors.
 ///
@@ -285,13 +287,41 @@ impl<P: Point> BSplineSurface<P> {
         clamp(&clamp(self, Direction::U), Direction::V)
     }
 
-    /// The parts below and above a parameter of one direction.
+    /// The parts below and above a parameter of one direction, each over its part of the domain.
     ///
     /// # Errors
-    /// If the parameter is outside of the domain or at its end.
-    pub fn split(&self, direction: Direction, at: P::Scalar) -> Result<[Self; 2], KnotError> {
-        let parts = rows::split(&self.to_rows(direction), at)?;
+    /// [`CurveError::Parameter`] if the parameter is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of
+    /// it, where one part would be a curve.
+    pub fn split(&self, direction: Direction, at: P::Scalar) -> Result<[Self; 2], CurveError> {
+        divisible(self.knots(direction).domain(), at)?;
+        let at_end = |_| CurveError::AtEnd { parameter: at.to_f64() };
+        let parts = rows::split(&self.to_rows(direction), at).map_err(at_end)?;
         Ok(parts.map(|rows| self.with_rows(direction, rows)))
+    }
+
+    /// The part over a rectangle of parameters, which is its domain; a range with `start > end` runs backwards, over the
+    /// same part of the domain.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of a range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends of one are equal.
+    pub fn subpatch(&self, u: Range<P::Scalar>, v: Range<P::Scalar>) -> Result<Self, CurveError> {
+        let mut part = self.clone();
+        for (direction, Range { start, end }) in [(Direction::U, u), (Direction::V, v)] {
+            let domain = self.knots(direction).domain();
+            nonempty(domain, &(start..end))?;
+            let (low, high) = if start < end { (start, end) } else { (end, start) };
+            if high < domain[1] {
+                [part, _] = part.split(direction, high)?;
+            }
+            if low > domain[0] {
+                [_, part] = part.split(direction, low)?;
+            }
+            if start > end {
+                part = part.reversed(direction);
+            }
+        }
+        Ok(part)
     }
 
     /// The polynomial pieces, one for each pair of spans, as Bézier surfaces; those with the lowest `u` first.

@@ -44,7 +44,7 @@ fn leading<const N: usize>(conditions: [bool; N]) -> usize {
 }
 
 impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
-    /// How smoothly the start of `next` continues the end of this curve.
+    /// How smoothly the start of `next`, with the feature `geometry` a curve of any type, continues the end of this curve.
     ///
     /// ```
     /// use basis_runtime::Bezier;
@@ -56,20 +56,39 @@ impl<B: Basis, P: Point<Scalar = B::Scalar>> Curve<B, P> {
     /// assert_eq!(joint.geometric_order(1e-9, 1e-9, 1e-9), Some(1));
     /// assert_eq!(joint.parametric_order(1e-9, [1e-9; 3]), Some(0));
     /// ```
+    #[cfg(feature = "geometry")]
+    pub fn joint(&self, next: &dyn crate::ParametricCurve<Point = P>) -> Joint<B::Scalar> {
+        crate::ParametricCurve::joint(self, next)
+    }
+
+    /// How smoothly the start of `next` continues the end of this curve.
+    #[cfg(not(feature = "geometry"))]
     pub fn joint<C: Basis<Scalar = B::Scalar>>(&self, next: &Curve<C, P>) -> Joint<B::Scalar> {
-        let end: [P; 4] = self.eval_with_derivs(B::domain()[1]);
-        let start: [P; 4] = next.eval_with_derivs(C::domain()[0]);
-        let nan = B::Scalar::NAN;
-        let angle = match (self.tangent(B::domain()[1]), next.tangent(C::domain()[0])) {
-            (Some(a), Some(b)) => angle(a, b),
-            _ => nan,
+        Joint::between(
+            self.eval_with_derivs(B::domain()[1]),
+            next.eval_with_derivs(C::domain()[0]),
+            [self.tangent(B::domain()[1]), next.tangent(C::domain()[0])],
+        )
+    }
+}
+
+impl<S: Scalar> Joint<S> {
+    /// From the points with three derivatives and the tangents of both curves.
+    pub(crate) fn between<P: Point<Scalar = S>>(
+        end: [P; 4],
+        start: [P; 4],
+        tangents: [Option<P>; 2],
+    ) -> Self {
+        let angle = match tangents {
+            [Some(a), Some(b)] => angle(a, b),
+            _ => S::NAN,
         };
         let curvature = match (curvature_vector(end[1], end[2]), curvature_vector(start[1], start[2])) {
             (Some(a), Some(b)) => distance(a, b),
-            _ => nan,
+            _ => S::NAN,
         };
         let derivatives = [1, 2, 3].map(|k| distance(end[k], start[k]));
-        Joint { gap: distance(end[0], start[0]), angle, curvature, derivatives }
+        Self { gap: distance(end[0], start[0]), angle, curvature, derivatives }
     }
 }
 

@@ -34,10 +34,8 @@ pub(crate) use frame::{curvature, frenet, rotation_minimizing, torsion};
 pub use joint::Joint;
 #[cfg(feature = "geometry")]
 pub(crate) use length::{ELLIPSES, RULES, Rule};
-pub(crate) use parts::inside;
 pub use parts::{Bezier, BezierOf};
-#[cfg(feature = "alloc")]
-pub(crate) use parts::{divisible, nonempty};
+pub(crate) use parts::{divisible, inside, nonempty};
 #[cfg(feature = "alloc")]
 pub use piecewise::PiecewiseCurve;
 pub use slices::Samples;

@@ -6,6 +6,7 @@
 
 mod bounds;
 mod closest;
+mod continued;
 mod curves;
 mod enclosed;
 mod flatten;
@@ -21,6 +22,9 @@ mod surface_meeting;
 
 pub(crate) use bounds::control_box;
 pub use closest::Closest;
+pub use continued::JoinableCurve;
+#[cfg(feature = "bspline")]
+pub(crate) use continued::{backwards, numerators, possible, replace_first};
 pub use enclosed::Enclosed;
 pub use intersect::MeetingKind;
 pub(crate) use intersect::{meetings, self_meetings};

@@ -3,13 +3,16 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
+use super::continued::{JoinableCurve, touching};
 use super::{
     Closest, CurvePiece, Enclosed, Meeting, PlaneMeeting, SurfaceMeeting, bounds, closest, enclosed, flatten,
     length, local, meeting, nearest, surface_meeting,
 };
 use crate::curve::{curvature, frenet, inside, rotation_minimizing, torsion};
 use crate::vector::{direction, distance, largest_component};
-use crate::{BoundedSurface, CurveError, Frame, Nearest, Offset, Path, Point, Point3, Scalar};
+use crate::{
+    BoundedSurface, Contact, CurveError, Frame, Joint, Nearest, Offset, Path, Point, Point3, Scalar,
+};
 
 /// The scalar type of a curve: of its parameter and of the components of its points.
 pub type CurveScalar<C> = <<C as ParametricCurve>::Point as Point>::Scalar;
@@ -469,6 +472,66 @@ pub trait ParametricCurve {
         let points = [self.eval(at[0]), other.eval(at[1])];
         let distance = distance(points[0], points[1]);
         distance.is_finite().then(|| Closest::new(at, points, distance, bound))
+    }
+
+    /// How smoothly the start of `next`, a curve of any type, continues the end of this one.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, ParametricCurve, Path};
+    ///
+    /// let arch = Path::circle_arc([0.0, 0.0], 1.0, 0.0, std::f64::consts::PI);
+    /// let line = Bezier::from_points([[-1.0, 0.0], [-1.0_f64, -2.0]]);
+    /// let joint = arch.joint(&line);
+    /// assert_eq!(joint.geometric_order(1e-12, 1e-12, 1e-12), Some(1));
+    /// assert!((joint.curvature - 1.0).abs() < 1e-12);
+    /// ```
+    fn joint(&self, next: &dyn ParametricCurve<Point = Self::Point>) -> Joint<CurveScalar<Self>> {
+        let (t, s) = (self.domain()[1], next.domain()[0]);
+        let [mut end, mut start] = [[Self::Point::zero(); 4]; 2];
+        self.derivatives_into(t, &mut end);
+        next.derivatives_into(s, &mut start);
+        Joint::between(end, start, [self.tangent(t), next.tangent(s)])
+    }
+
+    /// The curve `next`, moved at its start so that it continues this one with that contact: as many of its control points
+    /// as the order of the contact and one more are replaced, the others, weights and knots stay. Both curves may be of
+    /// any type.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, Contact, ParametricCurve, RationalBezier};
+    ///
+    /// let half = 0.5_f64.sqrt();
+    /// let arc = RationalBezier::new([[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], [1.0, half, 1.0])?;
+    /// let draft = Bezier::from_points([[0.0; 2], [0.0; 2], [0.0; 2], [-3.0, 1.0], [-4.0, 0.0]]);
+    /// let next = arc.continued(Contact::Curvature { f: 2.0, c: 0.0 }, &draft)?;
+    /// assert_eq!(next.control_points()[3..], [[-3.0, 1.0], [-4.0, 0.0]]);
+    /// assert_eq!(arc.joint(&next).geometric_order(1e-12, 1e-12, 1e-12), Some(2));
+    /// # Ok::<(), basis_runtime::CurveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`CurveError::Factor`] if `f` is not positive or a factor not finite, [`CurveError::Contact`] if the order is above
+    /// the [`highest_contact`](JoinableCurve::highest_contact) of `next`, [`CurveError::NotFinite`] if a computed point
+    /// is not finite, [`CurveError::Join`] if the control points do not determine the derivatives.
+    fn continued<C>(&self, contact: Contact<CurveScalar<Self>>, next: &C) -> Result<C, CurveError>
+    where
+        Self: Sized,
+        C: JoinableCurve<Point = Self::Point>,
+    {
+        next.with_start(&touching(self, self.domain()[1], contact, next.highest_contact())?)
+    }
+
+    /// The curve `before`, moved at its end so that this one continues it: as [`continued`](Self::continued), with the
+    /// contact in which this curve is P and the other one Q.
+    ///
+    /// # Errors
+    /// As [`continued`](Self::continued).
+    fn preceded<C>(&self, contact: Contact<CurveScalar<Self>>, before: &C) -> Result<C, CurveError>
+    where
+        Self: Sized,
+        C: JoinableCurve<Point = Self::Point>,
+    {
+        before.with_end(&touching(self, self.domain()[0], contact, before.highest_contact())?)
     }
 
     /// All places at which the curve meets another one, in the order of its own parameter.

@@ -178,6 +178,12 @@ impl CurvePiece {
         part
     }
 
+    /// The piece over another domain.
+    #[inline]
+    pub(crate) fn over(self, domain: [f64; 2]) -> Self {
+        Self { domain, ..self }
+    }
+
     /// The piece seen from a point and measured in a unit.
     #[inline]
     pub(crate) fn seen_from(&self, origin: &[f64], unit: f64) -> Self {

@@ -6,9 +6,12 @@ mod error;
 #[cfg(feature = "alloc")]
 mod rational;
 
+use core::ops::Range;
+
+use crate::curve::{divisible, nonempty};
 use crate::surface::partials_by_number;
 use crate::vector::{cross, direction, dot, is_finite};
-use crate::{Array, Basis, Curve, Point3, Scalar, Surface};
+use crate::{Array, Basis, BernsteinOf, BezierOf, Curve, CurveError, Direction, Point3, Scalar, Surface};
 #[cfg(feature = "bspline")]
 pub(crate) use circle::Arcs;
 pub use circle::half_turn_parameter;
@@ -143,6 +146,93 @@ impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
             [&self.centres, &self.radii, &self.quarters].map(Curve::control_points);
         let point = |i: usize| centres[i].add_scaled(radii[i], cos).add_scaled(quarters[i], sin);
         Curve::new(self.centres.basis(), B::Points::from_fn(point))
+    }
+}
+
+impl<B: Basis, P: Point3<Scalar = B::Scalar>> SurfaceOfRevolution<B, P> {
+    /// The parts below and above a parameter of one direction, each with a generatrix in Bézier form on the unit interval
+    /// and an angle from 0 on: the generatrix is divided, or the turn.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if the parameter is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of
+    /// it, where one part would be a curve.
+    pub fn split(
+        &self,
+        along: Direction,
+        at: P::Scalar,
+    ) -> Result<[SurfaceOfRevolution<BernsteinOf<B>, P>; 2], CurveError> {
+        let [[u_lo, u_hi], [v_lo, v_hi]] = self.domain();
+        match along {
+            Direction::U => {
+                divisible([u_lo, u_hi], at)?;
+                Ok([self.subpatch(u_lo..at, v_lo..v_hi)?, self.subpatch(at..u_hi, v_lo..v_hi)?])
+            }
+            Direction::V => {
+                divisible([v_lo, v_hi], at)?;
+                Ok([self.subpatch(u_lo..u_hi, v_lo..at)?, self.subpatch(u_lo..u_hi, at..v_hi)?])
+            }
+        }
+    }
+
+    /// The part over a rectangle of parameters, with a generatrix in Bézier form on the unit interval and an angle from 0
+    /// on; a range with `start > end` runs backwards, that of the angle about the opposite axis.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of a range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends of one are equal.
+    pub fn subpatch(
+        &self,
+        u: Range<P::Scalar>,
+        v: Range<P::Scalar>,
+    ) -> Result<SurfaceOfRevolution<BernsteinOf<B>, P>, CurveError> {
+        let [u_domain, v_domain] = self.domain();
+        nonempty(u_domain, &u)?;
+        nonempty(v_domain, &v)?;
+        let part = |curve: &Curve<B, P>| curve.subsegment(u.clone());
+        let curves =
+            [part(&self.generatrix)?, part(&self.centres)?, part(&self.radii)?, part(&self.quarters)?];
+        Ok(self.turned(curves, v))
+    }
+
+    /// The same surface with one parameter running the other way, with a generatrix in Bézier form on the unit interval;
+    /// its normals turn to the other side.
+    #[must_use]
+    pub fn reversed(&self, along: Direction) -> SurfaceOfRevolution<BernsteinOf<B>, P> {
+        let [_, [lo, hi]] = self.domain();
+        let curves = [&self.generatrix, &self.centres, &self.radii, &self.quarters];
+        match along {
+            Direction::U => self.turned(curves.map(Curve::reversed), lo..hi),
+            Direction::V => self.turned(curves.map(Curve::to_bezier), hi..lo),
+        }
+    }
+
+    /// The surface between two angles, over these parts of the generatrix, the centres, the radii and the quarters.
+    fn turned(
+        &self,
+        [generatrix, centres, radii, quarters]: [BezierOf<B, P>; 4],
+        v: Range<P::Scalar>,
+    ) -> SurfaceOfRevolution<BernsteinOf<B>, P> {
+        let [cos, sin] = circle::direction(v.start);
+        let sign = if v.start > v.end { -P::Scalar::ONE } else { P::Scalar::ONE };
+        let curve = |of: &dyn Fn(usize) -> P| Curve::new(BernsteinOf::<B>::default(), Array::from_fn(of));
+        let [c, r, q] = [&centres, &radii, &quarters].map(Curve::control_points);
+        let radii = curve(&|i| r[i].scale(cos).add_scaled(q[i], sin));
+        let quarters = curve(&|i| q[i].scale(cos).add_scaled(r[i], -sin).scale(sign));
+        let start = radii.control_points();
+        SurfaceOfRevolution {
+            // At the angle 0 as it was given.
+            generatrix: if sin == P::Scalar::ZERO && cos == P::Scalar::ONE {
+                generatrix
+            } else {
+                curve(&|i| c[i].add_scaled(start[i], P::Scalar::ONE))
+            },
+            point: self.point,
+            axis: self.axis.scale(sign),
+            centres,
+            radii,
+            quarters,
+            angle: (v.end - v.start).abs(),
+        }
     }
 }
 

@@ -1,8 +1,12 @@
 //! Surfaces over a rectangle of two parameters.
 
+#[cfg(feature = "geometry")]
+mod area;
 mod bounds;
 mod curvature;
 mod edge;
+#[cfg(feature = "geometry")]
+mod isocurve;
 mod join;
 mod limit;
 #[cfg(feature = "alloc")]
@@ -16,8 +20,12 @@ mod rational;
 mod tensor;
 mod triangle;
 
+#[cfg(feature = "geometry")]
+pub use area::Area;
 pub use curvature::Curvature;
 pub use edge::{Direction, Edge, EdgeContinuity, EdgePair, edge_continuity};
+#[cfg(feature = "geometry")]
+pub use isocurve::Isocurve;
 pub use join::JoinError;
 pub use parts::BezierPatchOf;
 #[cfg(feature = "geometry")]

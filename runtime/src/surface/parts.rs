@@ -2,11 +2,12 @@
 
 use core::ops::Range;
 
-use super::TensorSurface;
+use super::{Direction, TensorSurface};
 use crate::basis::combination;
 use crate::bernstein::restrict;
+use crate::curve::{divisible, nonempty};
 use crate::domain::unit;
-use crate::{Array, Basis, BernsteinOf, BezierOf, Curve, Point, Scalar};
+use crate::{Array, Basis, BernsteinOf, BezierOf, Curve, CurveError, Point, Scalar};
 
 /// A part of a tensor surface, as a Bézier patch of the same degrees on the unit square.
 ///
@@ -74,38 +75,69 @@ where
         patch::<U, V, P>(self.bezier_net())
     }
 
-    /// The parts before and after `u`, each as a Bézier patch on the unit square. They share an edge exactly.
-    #[must_use]
-    pub fn split_u(&self, u: P::Scalar) -> [BezierPatchOf<U, V, P>; 2] {
-        let ([mut before, mut after], [_, x]) = ([self.bezier_net(); 2], unit(U::domain(), u));
-        restrict_u::<U, V, P>(&mut before, P::Scalar::ZERO, x);
-        restrict_u::<U, V, P>(&mut after, x, P::Scalar::ONE);
-        after.as_mut()[0] = before.as_ref()[U::DEGREE];
-        [patch::<U, V, P>(before), patch::<U, V, P>(after)]
-    }
-
-    /// The parts before and after `v`, each as a Bézier patch on the unit square. They share an edge exactly.
-    #[must_use]
-    pub fn split_v(&self, v: P::Scalar) -> [BezierPatchOf<U, V, P>; 2] {
-        let ([mut before, mut after], [_, y]) = ([self.bezier_net(); 2], unit(V::domain(), v));
-        restrict_v::<U, V, P>(&mut before, P::Scalar::ZERO, y);
-        restrict_v::<U, V, P>(&mut after, y, P::Scalar::ONE);
-        for (before, after) in before.as_ref().iter().zip(after.as_mut()) {
-            after.as_mut()[0] = before.as_ref()[V::DEGREE];
-        }
-        [patch::<U, V, P>(before), patch::<U, V, P>(after)]
-    }
-
-    /// The part over a rectangle of parameters, as a Bézier patch on the unit square.
+    /// The parts below and above a parameter of one direction, each as a Bézier patch on the unit square. They share an
+    /// edge exactly.
     ///
-    /// A range with `start > end` runs backwards; outside of the domain the polynomials are continued.
-    #[must_use]
-    pub fn subpatch(&self, u: Range<P::Scalar>, v: Range<P::Scalar>) -> BezierPatchOf<U, V, P> {
+    /// # Errors
+    /// [`CurveError::Parameter`] if the parameter is outside of the domain or NaN, [`CurveError::AtEnd`] at an end of
+    /// it, where one part would be a curve.
+    pub fn split(
+        &self,
+        direction: Direction,
+        at: P::Scalar,
+    ) -> Result<[BezierPatchOf<U, V, P>; 2], CurveError> {
+        let [mut before, mut after] = [self.bezier_net(); 2];
+        match direction {
+            Direction::U => {
+                divisible(U::domain(), at)?;
+                let [_, x] = unit(U::domain(), at);
+                restrict_u::<U, V, P>(&mut before, P::Scalar::ZERO, x);
+                restrict_u::<U, V, P>(&mut after, x, P::Scalar::ONE);
+                after.as_mut()[0] = before.as_ref()[U::DEGREE];
+            }
+            Direction::V => {
+                divisible(V::domain(), at)?;
+                let [_, y] = unit(V::domain(), at);
+                restrict_v::<U, V, P>(&mut before, P::Scalar::ZERO, y);
+                restrict_v::<U, V, P>(&mut after, y, P::Scalar::ONE);
+                for (before, after) in before.as_ref().iter().zip(after.as_mut()) {
+                    after.as_mut()[0] = before.as_ref()[V::DEGREE];
+                }
+            }
+        }
+        Ok([patch::<U, V, P>(before), patch::<U, V, P>(after)])
+    }
+
+    /// The part over a rectangle of parameters, as a Bézier patch on the unit square; a range with `start > end` runs
+    /// backwards.
+    ///
+    /// # Errors
+    /// [`CurveError::Parameter`] if an end of a range is outside of the domain or NaN, [`CurveError::EmptyRange`] if
+    /// both ends of one are equal.
+    pub fn subpatch(
+        &self,
+        u: Range<P::Scalar>,
+        v: Range<P::Scalar>,
+    ) -> Result<BezierPatchOf<U, V, P>, CurveError> {
+        nonempty(U::domain(), &u)?;
+        nonempty(V::domain(), &v)?;
         let mut net = self.bezier_net();
         let [[_, u_from], [_, u_to]] = [u.start, u.end].map(|u| unit(U::domain(), u));
         let [[_, v_from], [_, v_to]] = [v.start, v.end].map(|v| unit(V::domain(), v));
         restrict_u::<U, V, P>(&mut net, u_from, u_to);
         restrict_v::<U, V, P>(&mut net, v_from, v_to);
+        Ok(patch::<U, V, P>(net))
+    }
+
+    /// The same surface with one parameter running the other way, as a Bézier patch on the unit square; its normals
+    /// turn to the other side.
+    #[must_use]
+    pub fn reversed(&self, direction: Direction) -> BezierPatchOf<U, V, P> {
+        let mut net = self.bezier_net();
+        match direction {
+            Direction::U => net.as_mut().reverse(),
+            Direction::V => net.as_mut().iter_mut().for_each(|row| row.as_mut().reverse()),
+        }
         patch::<U, V, P>(net)
     }
 

@@ -2,10 +2,11 @@
 
 use alloc::vec::Vec;
 
+use super::area::{self, Area};
 use super::bounds::largest_quotient;
 use super::nearest::{Piece, nearest_of_pieces};
 use super::net::Net;
-use super::{RationalSurface, ScalarOf, Surface, TensorSurface};
+use super::{Direction, Edge, Isocurve, RationalSurface, ScalarOf, Surface, TensorSurface};
 use crate::geometry::{SurfaceMeeting, of_line};
 use crate::vector::distance;
 use crate::{Basis, CurveError, Nearest, Point, Point3, Scalar, SurfaceOfRevolution};
@@ -111,25 +112,36 @@ impl SurfacePiece {
 
     #[inline]
     fn along_v(&self, [lo, hi]: [f64; 2], y: f64) -> f64 {
-        if !self.turns || y <= 0.0 || y >= 1.0 {
-            return crate::domain::from_unit([lo, hi], y);
-        }
-        // y / (1 - y) = sin(φ/2) / sin((δ - φ)/2) for the angle φ in an arc of the angle δ.
-        let (sin, cos) = Scalar::sin_cos(0.5 * (hi - lo));
-        lo + 2.0 * Scalar::atan2(y * sin, (1.0 - y) + y * cos)
+        if self.turns { arc_angle([lo, hi], y) } else { crate::domain::from_unit([lo, hi], y) }
     }
 
     /// The place in the unit square of a parameter in one direction.
-    #[cfg(feature = "mesh")]
     #[inline]
     pub(crate) fn place(&self, axis: usize, t: f64) -> f64 {
-        let [lo, hi] = self.domain[axis];
-        if axis == 0 || !self.turns || t <= lo || t >= hi {
-            return crate::domain::unit([lo, hi], t)[1];
-        }
-        let [before, after] = [t - lo, hi - t].map(|angle| Scalar::sin_cos(0.5 * angle).0);
-        before / (before + after)
+        let range = self.domain[axis];
+        if axis == 1 && self.turns { arc_place(range, t) } else { crate::domain::unit(range, t)[1] }
     }
+}
+
+/// The angle at the parameter of a rational quadratic arc from `lo` to `hi` with equal weights at its ends.
+#[inline]
+pub(super) fn arc_angle([lo, hi]: [f64; 2], y: f64) -> f64 {
+    if y <= 0.0 || y >= 1.0 {
+        return crate::domain::from_unit([lo, hi], y);
+    }
+    // y / (1 - y) = sin(φ/2) / sin((δ - φ)/2) for the angle φ in an arc of the angle δ.
+    let (sin, cos) = Scalar::sin_cos(0.5 * (hi - lo));
+    lo + 2.0 * Scalar::atan2(y * sin, (1.0 - y) + y * cos)
+}
+
+/// The parameter of the rational arc at an angle.
+#[inline]
+pub(super) fn arc_place([lo, hi]: [f64; 2], angle: f64) -> f64 {
+    if angle == lo || angle == hi {
+        return f64::from(u8::from(angle == hi));
+    }
+    let [before, after] = [angle - lo, hi - angle].map(|angle| Scalar::sin_cos(0.5 * angle).0);
+    before / (before + after)
 }
 
 #[inline]
@@ -219,6 +231,51 @@ pub trait BoundedSurface: Surface {
         let distance = distance(found, point);
         let at_least = ScalarOf::<Self>::of(bound).min(distance);
         distance.is_finite().then_some(Nearest { at: [u, v], point: found, distance, at_least })
+    }
+
+    /// The curve on which one parameter is constant; `direction` is that of the constant parameter.
+    ///
+    /// Spline surfaces have a method of this name that gives a spline, [`TensorSurface::isocurve_u`],
+    /// [`TensorSurface::isocurve_v`] and [`SurfaceOfRevolution::meridian`] curves over their family.
+    ///
+    /// ```
+    /// use basis_runtime::{BernsteinBasis, BoundedSurface, Direction, ParametricCurve, TensorSurface};
+    ///
+    /// let linear = BernsteinBasis::<f64, 2>::new();
+    /// let saddle = TensorSurface::new(linear, linear, [[[0.0; 3], [0.0, 1.0, 1.0]], [[1.0, 0.0, 1.0], [1.0, 1.0, 0.0]]]);
+    /// let line = saddle.isocurve(Direction::U, 0.5);
+    /// assert_eq!((line.start(), line.end()), ([0.5, 0.0, 0.5], [0.5, 1.0, 0.5]));
+    /// assert_eq!(line.tangent(0.3), Some([0.0, 1.0, 0.0]));
+    /// ```
+    fn isocurve(&self, direction: Direction, at: ScalarOf<Self>) -> Isocurve<'_, Self>
+    where
+        Self: Sized,
+    {
+        Isocurve::new(self, direction, at)
+    }
+
+    /// The boundary curve along an edge, in the direction in which its parameter grows.
+    fn boundary(&self, edge: Edge) -> Isocurve<'_, Self>
+    where
+        Self: Sized,
+    {
+        let [lo, hi] = self.domain()[usize::from(edge.across() == Direction::V)];
+        self.isocurve(edge.across(), if edge.is_end() { hi } else { lo })
+    }
+
+    /// The area `∫∫ |S_u × S_v| du dv` of a surface in a space of any dimension; see [`Area`] for the bound of its
+    /// error. `None` if anything is not finite, the area included, or a weight of the Bézier form is not positive.
+    ///
+    /// ```
+    /// use basis_runtime::{Bezier, BoundedSurface, SurfaceOfRevolution};
+    ///
+    /// let cone = SurfaceOfRevolution::about_x(&Bezier::from_points([[0.0, 0.0], [3.0, 4.0]]), 2.0)?;
+    /// let area = cone.area(1e-9).unwrap();
+    /// assert!(area.error <= 1e-9 && (area.value - 20.0_f64).abs() <= area.error); // half of 2 · 4 · 5
+    /// # Ok::<(), basis_runtime::RevolutionError>(())
+    /// ```
+    fn area(&self, accuracy: ScalarOf<Self>) -> Option<Area<ScalarOf<Self>>> {
+        area::of_pieces(&self.pieces(), accuracy.to_f64(), ScalarOf::<Self>::EPSILON.to_f64())
     }
 
     /// All places at which the ray `origin + t direction`, `t >= 0`, meets the surface, the first one first.

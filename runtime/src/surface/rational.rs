@@ -2,9 +2,9 @@
 
 use core::ops::Range;
 
-use super::partials_by_number;
+use super::{Direction, partials_by_number};
 use crate::binomial::binomial;
-use crate::{Array, Basis, BernsteinOf, Curve, Point, Scalar, Surface, TensorSurface};
+use crate::{Array, Basis, BernsteinOf, Curve, CurveError, Point, Scalar, Surface, TensorSurface};
 
 /// The surface `S(u, v) = N(u, v) / w(u, v)`, a quotient of two tensor surfaces: one of points, one of numbers.
 ///
@@ -118,25 +118,45 @@ where
         RationalSurface { numerator: self.numerator.to_bezier(), weight: self.weight.to_bezier() }
     }
 
-    /// The parts before and after `u`, each as a rational Bézier patch on the unit square. They share an edge exactly.
-    #[must_use]
-    pub fn split_u(&self, u: P::Scalar) -> [RationalPatchOf<U, V, P>; 2] {
-        quotients(self.numerator.split_u(u), self.weight.split_u(u))
+    /// The parts below and above a parameter of one direction, each as a rational Bézier patch on the unit square. They
+    /// share an edge exactly.
+    ///
+    /// # Errors
+    /// As [`TensorSurface::split`].
+    pub fn split(
+        &self,
+        direction: Direction,
+        at: P::Scalar,
+    ) -> Result<[RationalPatchOf<U, V, P>; 2], CurveError> {
+        let [before, after] = self.numerator.split(direction, at)?;
+        let [weight_before, weight_after] = self.weight.split(direction, at)?;
+        Ok([
+            RationalSurface::from_homogeneous(before, weight_before),
+            RationalSurface::from_homogeneous(after, weight_after),
+        ])
     }
 
-    /// The parts before and after `v`, each as a rational Bézier patch on the unit square. They share an edge exactly.
-    #[must_use]
-    pub fn split_v(&self, v: P::Scalar) -> [RationalPatchOf<U, V, P>; 2] {
-        quotients(self.numerator.split_v(v), self.weight.split_v(v))
+    /// The part over a rectangle of parameters, as a rational Bézier patch on the unit square; a range with
+    /// `start > end` runs backwards.
+    ///
+    /// # Errors
+    /// As [`TensorSurface::subpatch`].
+    pub fn subpatch(
+        &self,
+        u: Range<P::Scalar>,
+        v: Range<P::Scalar>,
+    ) -> Result<RationalPatchOf<U, V, P>, CurveError> {
+        let numerator = self.numerator.subpatch(u.clone(), v.clone())?;
+        Ok(RationalSurface { numerator, weight: self.weight.subpatch(u, v)? })
     }
 
-    /// The part over a rectangle of parameters, as a rational Bézier patch on the unit square; see
-    /// [`TensorSurface::subpatch`].
+    /// The same surface with one parameter running the other way, as a rational Bézier patch on the unit square; its
+    /// normals turn to the other side.
     #[must_use]
-    pub fn subpatch(&self, u: Range<P::Scalar>, v: Range<P::Scalar>) -> RationalPatchOf<U, V, P> {
+    pub fn reversed(&self, direction: Direction) -> RationalPatchOf<U, V, P> {
         RationalSurface {
-            numerator: self.numerator.subpatch(u.clone(), v.clone()),
-            weight: self.weight.subpatch(u, v),
+            numerator: self.numerator.reversed(direction),
+            weight: self.weight.reversed(direction),
         }
     }
 
@@ -229,20 +249,4 @@ where
         }
         partials
     }
-}
-
-/// The two parts of a surface from those of its numerator and of its weight.
-fn quotients<U, V, P>(
-    [before, after]: [TensorSurface<U, V, P>; 2],
-    [weight_before, weight_after]: [TensorSurface<U, V, U::Scalar>; 2],
-) -> [RationalSurface<U, V, P>; 2]
-where
-    U: Basis,
-    V: Basis<Scalar = U::Scalar>,
-    P: Point<Scalar = U::Scalar>,
-{
-    [
-        RationalSurface::from_homogeneous(before, weight_before),
-        RationalSurface::from_homogeneous(after, weight_after),
-    ]
 }

@@ -3,6 +3,7 @@
 #![allow(unreachable_pub)]
 
 mod closest;
+mod continued;
 mod hostile;
 mod intersections;
 mod piercings;

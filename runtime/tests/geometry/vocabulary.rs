@@ -1,5 +1,12 @@
 //! The tables of the front page: which type answers which question.
 
+use basis_runtime::bspline::{BSplineCurve, BSplineSurface, Net, NurbsCurve, NurbsSurface};
+use basis_runtime::{
+    BernsteinBasis, Bezier, BoundedSurface, Contact, Direction, Edge, Isocurve, ParametricCurve, Path,
+    PiecewiseCurve, Point, RationalBezier, RationalSurface, Surface, SurfaceOfRevolution, TensorSurface,
+    Tessellation,
+};
+
 /// The rows of the table that begins with this head: their cells.
 fn table(head: &str) -> Vec<Vec<String>> {
     let page = include_str!("../../src/lib.rs");
@@ -25,34 +32,157 @@ fn functions(source: &str, name: &str) -> Vec<String> {
     names
 }
 
-/// Every function of the traits has a row, every row is one, and an empty cell or a "no" has a reason.
-fn agree(head: &str, traits: &[(&str, &str)]) {
+/// Every function of the traits and of `others` has a row, every row is one, and an empty cell or a "no" has a reason; a
+/// query whose name a type has is in its column.
+fn agree(head: &str, traits: &[(&str, &str)], others: &[&str], asked: &[(&str, Vec<&str>)]) {
     let rows = table(head);
     assert!(rows.len() > 8, "the table {head} is there");
     let mut listed = Vec::new();
     for row in &rows[2..] {
         assert_eq!(row.len(), rows[0].len(), "{row:?}");
-        listed.extend(row[0].split('`').skip(1).step_by(2).map(str::to_owned));
-        for cell in &row[1..] {
+        let names: Vec<&str> =
+            row[0].split('`').skip(1).step_by(2).filter(|name| !name.contains(']')).collect();
+        for (cell, column) in row[1..].iter().zip(&rows[0][1..]) {
             let reason = cell.strip_prefix("no: ").is_some_and(|reason| reason.split(' ').count() > 2);
             assert!(cell == "yes" || reason, "{row:?}: {cell}");
+            let (_, calls) = asked.iter().find(|(of, _)| column.contains(of)).expect("the column is asked");
+            for name in &names {
+                assert_eq!(calls.contains(name), cell == "yes", "`{name}` of {column}: {cell}");
+            }
         }
+        listed.extend(names.into_iter().map(str::to_owned));
     }
     let mut expected: Vec<String> =
         traits.iter().flat_map(|&(source, name)| functions(source, name)).collect();
+    expected.extend(others.iter().map(|&name| name.to_owned()));
     listed.sort();
     expected.sort();
     assert_eq!(listed, expected);
 }
 
+/// Calls each query, which so is there under this name with these arguments, whether as a method of the type or of the
+/// trait; what it answers is tested where it belongs. The names of the queries.
+macro_rules! ask {
+    ($object:expr => $($name:ident $(::<$count:literal>)? ($($argument:expr),*);)+) => {{
+        $(let _ = $object.$name$(::<$count>)?($($argument),*);)+
+        vec![$(stringify!($name)),+]
+    }};
+}
+
+/// The queries of curves, in space but for those that have a meaning in the plane alone.
+macro_rules! ask_curve {
+    ($space:expr, $plane:expr, $($more:tt)*) => {{
+        let (space, plane) = ($space, $plane);
+        let line = Bezier::from_points([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]]);
+        let mut names = ask! { space =>
+            domain(); eval(0.3); eval_checked(0.3); eval_clamped(0.3); start(); end();
+            samples_into(&mut [[0.0; 3]; 4]); derivative(0.3, 1); derivatives_into(0.3, &mut [[0.0; 3]; 2]);
+            tangent(0.3); curvature(0.3); torsion(0.3); frenet_frame(0.3); rotation_minimizing_frames(3, None);
+            arclen(1e-3); inv_arclen(0.5, 1e-3); arclen_parameters(3, 1e-3); samples_by_arclen(3, 1e-3);
+            flatten(1e-2); bounding_box(); control_box(); extrema(); nearest([0.0; 3], 1e-3); first_where(0, 0.5);
+            closest(&line, 1e-3); joint(&line); intersections(&line, 1e-3); self_intersections(1e-3);
+            plane_intersections([0.0; 3], [1.0, 0.0, 0.0]); surface_intersections(&plane_patch(), 1e-3); pieces();
+        };
+        names.extend(ask! { plane => inflections(); enclosed(); winding([0.1, 0.2]); offset(0.1, 1e-3); });
+        names.extend(ask! { space => $($more)* });
+        names
+    }};
+    ($space:expr, $plane:expr) => {
+        ask_curve!($space, $plane,
+            samples(3); eval_with_derivs::<3>(0.3); split(0.3); subsegment(0.2..0.1); reversed();
+            continued(Contact::Tangent { f: 1.0 }, &arch(|p| p)); preceded(Contact::Tangent { f: 1.0 }, &arch(|p| p));)
+    };
+}
+
+/// The queries of surfaces.
+macro_rules! ask_surface {
+    ($surface:expr, $($more:tt)*) => {{
+        let surface = $surface;
+        let mut names = ask! { surface =>
+            domain(); eval(0.3, 0.4); eval_grid(&[0.1], &[0.2], &mut [[0.0; 3]; 1]); partial(0.3, 0.4, [1, 1]);
+            partials_into(0.3, 0.4, 2, &mut [[0.0; 3]; 4]); normal(0.3, 0.4); curvature(0.3, 0.4); pieces();
+            control_box(); bounding_box(); area(1e-3); nearest([0.0; 3], 1e-3);
+            ray_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3); line_intersections([0.0; 3], [0.0, 0.0, 1.0], 1e-3);
+        };
+        let _ = Tessellation::new(0.5).unwrap().with(&surface).mesh();
+        names.push("with");
+        names.extend(ask! { surface => $($more)* });
+        names
+    }};
+    ($surface:expr) => {
+        ask_surface!($surface,
+            eval_with_partials::<2>(0.3, 0.4); isocurve(Direction::U, 0.5); boundary(Edge::VEnd);
+            split(Direction::U, 0.5); subpatch(0.75..0.25, 0.25..0.5); reversed(Direction::V);)
+    };
+}
+
+/// The queries that are neither of a trait.
+const PARTS: [&str; 4] = ["split", "subpatch", "reversed", "with"];
+
+fn plane_patch() -> BSplineSurface<[f64; 3]> {
+    BSplineSurface::from_bezier(Net::from_fn(2, 2, |i, j| [i as f64, j as f64, 0.5]).unwrap()).unwrap()
+}
+
+fn arch<P: Point<Scalar = f64>>(of: impl Fn([f64; 3]) -> P) -> Bezier<P, 4> {
+    Bezier::from_points([[0.0, 0.0, 0.0], [1.0, 2.0, 0.5], [2.0, -1.0, 1.0], [3.0, 0.5, 0.0]].map(of))
+}
+
 #[test]
 fn of_curves() {
-    agree("| a curve's", &[(include_str!("../../src/geometry/parametric.rs"), "ParametricCurve")]);
+    let (space, plane) = (arch(|p| p), arch(|[x, y, _]| [x, y]));
+    let splines = (
+        BSplineCurve::from_bezier(space.control_points().to_vec()).unwrap(),
+        BSplineCurve::from_bezier(plane.control_points().to_vec()).unwrap(),
+    );
+    let nurbs = (NurbsCurve::from(splines.0.clone()), NurbsCurve::from(splines.1.clone()));
+    let (path, flat) = (Path::from_curve(&space), Path::from_curve(&plane));
+    let rational = RationalBezier::new([[0.0; 3], [1.0; 3]], [1.0, 2.0]).unwrap();
+    let rational_plane = RationalBezier::new([[0.0; 2], [1.0; 2]], [1.0, 2.0]).unwrap();
+    let surface = plane_patch();
+    let isocurve = Isocurve::new(&surface, Direction::U, 0.5);
+    // Types without a column answer all as well.
+    let _ = (ask_curve!(&path, &flat), ask_curve!(&rational, &rational_plane), ask_curve!(&isocurve, &flat));
+    let asked = [
+        ("`Curve`", ask_curve!(space, plane)),
+        ("`PiecewiseCurve`", ask_curve!(PiecewiseCurve::from(space), PiecewiseCurve::from(plane))),
+        ("`BSplineCurve`", ask_curve!(&splines.0, &splines.1)),
+        ("`NurbsCurve`", ask_curve!(&nurbs.0, &nurbs.1)),
+        ("dyn", {
+            let space: &dyn ParametricCurve<Point = [f64; 3]> = &space;
+            let plane: &dyn ParametricCurve<Point = [f64; 2]> = &plane;
+            ask_curve!(space, plane, domain();)
+        }),
+    ];
+    agree(
+        "| a curve's",
+        &[(include_str!("../../src/geometry/parametric.rs"), "ParametricCurve")],
+        &[],
+        &asked,
+    );
 }
 
 #[test]
 fn of_surfaces() {
     let [surface, bounded] =
         [include_str!("../../src/surface/mod.rs"), include_str!("../../src/surface/pieces.rs")];
-    agree("| a surface's", &[(surface, "Surface"), (bounded, "BoundedSurface")]);
+    let bilinear = [[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 1.0]]];
+    let linear = BernsteinBasis::<f64, 2>::new();
+    let tensor = TensorSurface::new(linear, linear, bilinear);
+    let rational = RationalSurface::new(linear, linear, bilinear, [[1.0, 2.0], [1.0, 1.0]]);
+    let generatrix = Bezier::from_points([[0.0, 1.0], [1.0, 2.0]]);
+    let revolved = SurfaceOfRevolution::about_x(&generatrix, 1.0).unwrap();
+    let spline = plane_patch();
+    let nurbs = NurbsSurface::from(spline.clone());
+    let asked = [
+        ("`TensorSurface`", ask_surface!(tensor)),
+        ("`RationalSurface`", ask_surface!(rational)),
+        ("`SurfaceOfRevolution`", ask_surface!(revolved)),
+        ("`BSplineSurface`", ask_surface!(&spline)),
+        ("`NurbsSurface`", ask_surface!(&nurbs)),
+        ("dyn", {
+            let surface: &dyn BoundedSurface<Point = [f64; 3]> = &tensor;
+            ask_surface!(surface, domain();)
+        }),
+    ];
+    agree("| a surface's", &[(surface, "Surface"), (bounded, "BoundedSurface")], &PARTS, &asked);
 }

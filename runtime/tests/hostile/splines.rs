@@ -283,6 +283,10 @@ const SURFACE: &[Case<S>] = &[
     ("BSplineSurface::elevate", |s, _, _| BOTH.iter().all(|&d| s.elevate(d).is_ok())),
     ("BSplineSurface::clamped", |s, _, _| s.clamped().knots(Direction::V).is_clamped()),
     ("BSplineSurface::split", |s, a, _| BOTH.iter().all(|&d| s.split(d, a).is_ok() == (a > 0.0 && a < 1.0))),
+    ("BSplineSurface::subpatch", |s, a, b| {
+        let inside = |t: f64| (0.0..=1.0).contains(&t);
+        s.subpatch(a..b, b..a).is_ok() == (inside(a) && inside(b) && a != b)
+    }),
     ("BSplineSurface::to_bezier", |s, _, _| s.to_bezier().len() == 4),
     ("BSplineSurface::merged", |s, _, _| s.merged(s).is_ok()),
     ("BSplineSurface::transposed", |s, _, _| s.transposed().degrees() == [3, 2]),
@@ -390,6 +394,10 @@ const NURBS_SURFACE: &[Case<RationalSurface>] = &[
     }),
     ("NurbsSurface::elevate", |s, _, _| BOTH.iter().all(|&d| s.elevate(d).is_ok())),
     ("NurbsSurface::split", |s, a, _| BOTH.iter().all(|&d| s.split(d, a).is_ok() == (a > 0.0 && a < 1.0))),
+    ("NurbsSurface::subpatch", |s, a, b| {
+        let inside = |t: f64| (0.0..=1.0).contains(&t);
+        s.subpatch(a..b, b..a).is_ok() == (inside(a) && inside(b) && a != b)
+    }),
     ("NurbsSurface::remove_knot", |s, a, b| {
         let _ = BOTH.map(|d| (s.remove_knot(d, 0.5, 1, a), s.remove_knot(d, a, 9, b)));
         true

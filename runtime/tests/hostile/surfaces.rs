@@ -1,8 +1,9 @@
 //! Tensor surfaces, rational surfaces, surfaces of revolution, and their meshes.
 
 use basis_runtime::{
-    BoundedSurface, Curve, Direction, Edge, EdgePair, Mesh, RationalSurface, Surface, SurfaceOfRevolution,
-    SurfacePiece, TensorSurface, Tessellation, Vertex, basis, edge_continuity, half_turn_parameter,
+    BoundedSurface, Curve, Direction, Edge, EdgePair, Isocurve, Mesh, ParametricCurve, RationalSurface,
+    Surface, SurfaceOfRevolution, SurfacePiece, TensorSurface, Tessellation, Vertex, basis, edge_continuity,
+    half_turn_parameter,
 };
 
 use crate::{Case, NETS, P, check, is_box, is_finite, is_length, is_nan, is_unit};
@@ -16,6 +17,22 @@ type Revolved = SurfaceOfRevolution<Q, P>;
 
 fn quartic(shape: f64) -> Q {
     Q::new(shape).unwrap()
+}
+
+/// What is asked of every curve on a surface.
+fn is_curve<S: BoundedSurface<Point = P>>(curve: &Isocurve<'_, S>, t: f64) -> bool {
+    let _ = (curve.derivative(t, 2), curve.surface_parameters(t), curve.tangent(t));
+    let [lo, hi] = curve.domain();
+    curve.split(t).is_ok() == (t > lo && t < hi)
+        && (t != 0.375 || is_box(curve.bounding_box()) || !is_finite(curve.start()))
+        && (t != 0.5
+            || curve.nearest([t, 0.5, 1.0], 1e300).is_none_or(|found| found.at_least <= found.distance))
+}
+
+/// What takes longer than to be asked for all parameters.
+fn has_area<S: BoundedSurface<Point = P>>(s: &S) -> bool {
+    s.area(f64::NAN).is_none_or(|area| area.value >= 0.0 && area.error >= 0.0)
+        && Edge::ALL.iter().all(|&edge| is_curve(&s.boundary(edge), 0.5))
 }
 
 /// What every surface answers.
@@ -42,8 +59,16 @@ fn any<S: Surface<Point = P> + BoundedSurface>(s: &S, a: f64, b: f64) -> bool {
                 || !c.gaussian().is_finite()
         })
         && (is_nan(s.eval(a, b)) || !(a.is_nan() && b.is_nan()))
+        && is_curve(&s.isocurve(Direction::U, a), b)
+        && is_curve(&s.isocurve(Direction::V, b), a)
+        && s.area(f64::INFINITY).is_none_or(|area| area.value >= 0.0 && area.error >= 0.0)
         && is_box(BoundedSurface::bounding_box(s))
         && is_box(BoundedSurface::control_box(s))
+}
+
+/// Whether a surface over the unit square has two parts there.
+fn inner(x: f64) -> bool {
+    x > 0.0 && x < 1.0
 }
 
 const TENSOR: &[Case<Tensor>] = &[
@@ -66,10 +91,25 @@ const TENSOR: &[Case<Tensor>] = &[
     ("boundary_u", |s, _, _| s.boundary_u().len() == 2),
     ("boundary_v", |s, _, _| s.boundary_v().iter().all(Option::is_some)),
     ("to_bezier", |s, a, b| any(&s.to_bezier(), a, b)),
-    ("split_u", |s, a, b| s.split_u(a).iter().all(|part| !b.is_nan() || is_nan(part.eval(b, b)))),
-    ("split_v", |s, a, b| s.split_v(a).iter().all(|part| !b.is_nan() || is_nan(part.eval(b, b)))),
-    ("subpatch", |s, a, b| s.subpatch(a..b, b..a).control_point(4, 4).is_some()),
-    ("control_box", |s, _, _| is_box(s.control_box())),
+    ("split", |s, a, b| {
+        [Direction::U, Direction::V].iter().all(|&direction| match s.split(direction, a) {
+            Ok(parts) => inner(a) && parts.iter().all(|part| !b.is_nan() || is_nan(part.eval(b, b))),
+            Err(_) => !inner(a),
+        })
+    }),
+    ("subpatch", |s, a, b| {
+        let part = s.subpatch(a..b, b..a);
+        let given = [a, b].iter().all(|x| (0.0..=1.0).contains(x)) && a != b;
+        part.map_or(!given, |part| given && part.control_point(4, 4).is_some())
+    }),
+    ("reversed", |s, a, b| {
+        [Direction::U, Direction::V].iter().all(|&along| {
+            let turned = s.reversed(along);
+            turned.normal(a, b).is_none_or(is_unit)
+                && (is_nan(turned.eval(a, b)) || !(a.is_nan() && b.is_nan()))
+        })
+    }),
+    ("control_box", |s, a, _| is_box(s.control_box()) && (a != 0.375 || has_area(s))),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
     ("nearest", |s, a, b| {
         // The point matters, and accuracies of every size.
@@ -140,11 +180,19 @@ const RATIONAL: &[Case<Rational>] = &[
     }),
     ("numerator", |s, _, _| s.numerator().rows().len() == 4),
     ("weight", |s, _, _| s.weight().rows().len() == 4),
-    ("subpatch", |s, a, b| s.subpatch(a..b, b..a).numerator().control_point(4, 4).is_some()),
+    ("split", |s, a, _| {
+        s.split(Direction::U, a).is_ok() == inner(a) && s.split(Direction::V, a).is_ok() == inner(a)
+    }),
+    ("subpatch", |s, a, b| {
+        let given = [a, b].iter().all(|x| (0.0..=1.0).contains(x)) && a != b;
+        let part = s.subpatch(a..b, b..a);
+        part.map_or(!given, |part| given && part.numerator().control_point(4, 4).is_some())
+    }),
+    ("reversed", |s, _, _| s.reversed(Direction::U).numerator().control_point(4, 4).is_some()),
     ("control_point", |s, _, _| {
         s.control_point(4, 0).is_none() && s.control_point(usize::MAX, usize::MAX).is_none()
     }),
-    ("control_box", |s, _, _| is_box(s.control_box())),
+    ("control_box", |s, a, _| is_box(s.control_box()) && (a != 0.375 || has_area(s))),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
 ];
 
@@ -166,12 +214,27 @@ const REVOLVED: &[Case<Revolved>] = &[
         let plane = Curve::new(s.generatrix().basis(), [[a, b], [b, a], [0.0, 0.0], [1.0, 1.0]]);
         SurfaceOfRevolution::about_x(&plane, b).map_or(true, |t| any(&t, a, b))
     }),
-    ("control_box", |s, _, _| is_box(s.control_box())),
+    ("control_box", |s, a, _| is_box(s.control_box()) && (a != 0.375 || has_area(s))),
     ("bounding_box", |s, a, b| a != 0.0 || b != 0.0 || is_box(s.bounding_box())),
     ("half_turn_parameter", |_, a, _| {
         half_turn_parameter(a).is_nan()
             || (0.0..=1.0).contains(&half_turn_parameter(a))
             || !(0.0..=core::f64::consts::PI).contains(&a)
+    }),
+    ("split", |s, a, _| {
+        s.split(Direction::U, a).is_ok() == inner(a)
+            && s.split(Direction::V, a).is_ok() == (a > 0.0 && a < 4.0)
+    }),
+    ("subpatch", |s, a, b| {
+        let given = [a, b].iter().all(|x| (0.0..=1.0).contains(x)) && a != b;
+        s.subpatch(a..b, b..a).map_or(!given, |part| given && part.angle() > 0.0)
+    }),
+    ("reversed", |s, a, b| {
+        [Direction::U, Direction::V].iter().all(|&along| {
+            let turned = s.reversed(along);
+            turned.normal(a, b).is_none_or(is_unit)
+                && (is_nan(turned.eval(a, b)) || !(a.is_nan() && b.is_nan()))
+        })
     }),
     ("to_rational_patches", |s, a, b| s.to_rational_patches().iter().all(|patch| any(patch, a, b))),
     ("half_turns", |s, a, b| s.half_turns().iter().all(|patch| any(patch, a, b))),
@@ -199,6 +262,7 @@ const OTHERS: &[&str] = &[
     "polynomial",
     "rational",
     "degrees",
+    "surface_parameters",
 ];
 
 pub(crate) const NAMES: &[&str] = &{

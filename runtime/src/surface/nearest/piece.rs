@@ -35,6 +35,13 @@ impl Piece {
         self.degrees
     }
 
+    /// The number of components of a point.
+    #[cfg(feature = "geometry")]
+    #[inline]
+    pub(crate) fn dim(&self) -> usize {
+        self.dim
+    }
+
     /// The largest value of a component of a control point times a sign; infinite if a weight is not positive.
     #[cfg(feature = "geometry")]
     #[inline]
@@ -237,7 +244,7 @@ impl Piece {
 
     /// The direction in which the patch is longer.
     #[inline]
-    pub(super) fn longer(&self) -> usize {
+    pub(crate) fn longer(&self) -> usize {
         let [ku, kv] = self.degrees;
         let mut lengths = [0.0_f64; 2];
         for j in 0..=kv {

@@ -1,6 +1,6 @@
 //! Joined surfaces have the order of contact asked for, and the measurement sees it.
 
-use basis_runtime::{Edge, EdgePair, JoinError, Surface, TensorSurface, edge_continuity};
+use basis_runtime::{Direction, Edge, EdgePair, JoinError, Surface, TensorSurface, edge_continuity};
 
 use crate::families::{
     Cubic, FiveParameters, QuarticBernstein, bicubic, graph, random_quartic, random_surface,
@@ -172,10 +172,10 @@ fn a_fold_is_not_smooth() {
 #[test]
 fn of_parts_of_one_surface() {
     let bowl = graph(|u, v| u * u + 0.5 * v * v - u * v);
-    let [left, right] = bowl.split_u(0.25);
+    let [left, right] = bowl.split(Direction::U, 0.25).unwrap();
     let measured = edge_continuity(&left, &right, EdgePair::along(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
-    let turned = bowl.subpatch(0.25..1.0, 1.0..-1.0);
+    let turned = bowl.subpatch(0.25..1.0, 1.0..-1.0).unwrap();
     let measured = edge_continuity(&left, &turned, EdgePair::against(Edge::UEnd, Edge::UStart), 17);
     assert_eq!(measured.order(1e-14, 1e-14, 1e-12), Some(2), "{measured:?}");
     assert!(!measured.same_side);

@@ -1,8 +1,8 @@
 //! Meshes are within the tolerance, have no cracks, and turn one way.
 
 use basis_runtime::{
-    BernsteinBasis, Bezier, BoundedSurface, Curve, Mesh, MeshError, Point, Point3, RationalSurface, Scalar,
-    SurfaceOfRevolution, TensorSurface, Tessellation, Vertex,
+    BernsteinBasis, Bezier, BoundedSurface, Curve, Direction, Mesh, MeshError, Point, Point3,
+    RationalSurface, Scalar, SurfaceOfRevolution, TensorSurface, Tessellation, Vertex,
 };
 
 use crate::families::{Cubic, Linear, QuarticBernstein, bicubic, graph, random_surface};
@@ -132,11 +132,11 @@ fn joined_surfaces_share_their_seam() {
     let random = &mut Random::new(82);
     for _ in 0..2 {
         let surface = random_surface::<[f64; 3]>(random);
-        let [left, right] = surface.split_u(0.37);
-        let [below, above] = left.split_v(0.6);
+        let [left, right] = surface.split(Direction::U, 0.37).unwrap();
+        let [below, above] = left.split(Direction::V, 0.6).unwrap();
         // One of them runs the other way round.
-        let right = right.subpatch(0.0..1.0, 1.0..0.0);
-        let [upper, lower] = right.split_v(0.4);
+        let right = right.subpatch(0.0..1.0, 1.0..0.0).unwrap();
+        let [upper, lower] = right.split(Direction::V, 0.4).unwrap();
         let parts = [&below, &above, &upper, &lower];
         let tessellation = parts.iter().fold(Tessellation::new(0.01).unwrap(), |t, part| t.with(*part));
         assert!(deviation(&disc(&tessellation), &parts) <= 0.01);
@@ -195,10 +195,10 @@ fn a_long_edge_meets_short_ones() {
     let random = &mut Random::new(84);
     for _ in 0..1 {
         let surface = random_surface::<[f64; 3]>(random);
-        let [left, right] = surface.split_u(0.37);
-        let [below, above] = left.split_v(0.6);
-        let [first, rest] = right.split_v(0.25);
-        let [second, third] = rest.split_v(0.4);
+        let [left, right] = surface.split(Direction::U, 0.37).unwrap();
+        let [below, above] = left.split(Direction::V, 0.6).unwrap();
+        let [first, rest] = right.split(Direction::V, 0.25).unwrap();
+        let [second, third] = rest.split(Direction::V, 0.4).unwrap();
         let parts = [&below, &above, &first, &second, &third];
         let tessellation = parts.iter().fold(Tessellation::new(0.01).unwrap(), |t, part| t.with(*part));
         assert!(deviation(&disc(&tessellation), &parts) <= 0.01);

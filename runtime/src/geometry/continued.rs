@@ -1,0 +1,203 @@
+//! Curves of every type that are moved at an end so that they continue another curve.
+
+use alloc::vec::Vec;
+
+use super::{CurveScalar, ParametricCurve};
+use crate::binomial::binomial;
+use crate::vector::is_finite;
+use crate::{
+    Array, Basis, Contact, Curve, CurveError, PiecewiseCurve, Point, RationalBasis, RationalBezier,
+    RationalCurve, Scalar,
+};
+
+/// A curve whose control points next to an end can be replaced so that it has given derivatives there: what
+/// [`ParametricCurve::continued`] and [`ParametricCurve::preceded`] move. All types with control points of their own
+/// are: [`Curve`], [`PiecewiseCurve`], [`RationalCurve`], [`RationalBezier`], and with the feature `bspline`
+/// `BSplineCurve` and `NurbsCurve`.
+pub trait JoinableCurve: ParametricCurve + Sized {
+    /// The highest order of contact at an end: one less than the number of control points that its derivatives can
+    /// determine.
+    fn highest_contact(&self) -> usize;
+
+    /// The curve with this point and these derivatives `[C, C', …]` at its start: as many control points as there are of
+    /// these are replaced, weights and knots stay.
+    ///
+    /// # Errors
+    /// [`CurveError::Contact`] if there are more than the [`highest_contact`](Self::highest_contact) allows,
+    /// [`CurveError::Join`] if the control points do not determine them, [`CurveError::NotFinite`] if a computed point is
+    /// not finite.
+    fn with_start(&self, derivatives: &[Self::Point]) -> Result<Self, CurveError>;
+
+    /// As [`with_start`](Self::with_start), at the end of the curve.
+    ///
+    /// # Errors
+    /// As [`with_start`](Self::with_start).
+    fn with_end(&self, derivatives: &[Self::Point]) -> Result<Self, CurveError>;
+}
+
+/// What a curve that is joined to another one at its parameter `t` has there.
+pub(super) fn touching<P: Point>(
+    curve: &(impl ParametricCurve<Point = P> + ?Sized),
+    t: P::Scalar,
+    contact: Contact<P::Scalar>,
+    most: usize,
+) -> Result<Vec<P>, CurveError> {
+    if contact.order() > most {
+        return Err(CurveError::Contact { family: "the curve", most, found: contact.order() });
+    }
+    let mut derivatives = alloc::vec![P::zero(); contact.order() + 1];
+    curve.derivatives_into(t, &mut derivatives);
+    contact.transform(&mut derivatives)?;
+    Ok(derivatives)
+}
+
+/// The error for more derivatives than a curve can have.
+pub(crate) fn possible<C: JoinableCurve>(
+    curve: &C,
+    family: &'static str,
+    derivatives: &[C::Point],
+) -> Result<(), CurveError> {
+    let (most, found) = (curve.highest_contact(), derivatives.len().saturating_sub(1));
+    if found > most { Err(CurveError::Contact { family, most, found }) } else { Ok(()) }
+}
+
+/// The derivatives at the end of the same curve in the other direction.
+pub(crate) fn backwards<P: Point>(derivatives: &[P]) -> Vec<P> {
+    let sign = |k: usize| if k.is_multiple_of(2) { P::Scalar::ONE } else { -P::Scalar::ONE };
+    derivatives.iter().enumerate().map(|(k, p)| p.scale(sign(k))).collect()
+}
+
+/// Replaces the first points so that `Σ_i row(k)[i] points[i] = derivatives[k]`, where the entries of a row behind the
+/// diagonal vanish: as at a clamped end.
+pub(crate) fn replace_first<P: Point>(
+    points: &mut [P],
+    derivatives: &[P],
+    row: impl Fn(usize) -> Vec<P::Scalar>,
+) -> Result<(), CurveError> {
+    for (k, &derivative) in derivatives.iter().enumerate() {
+        let row = row(k);
+        let known = row.iter().zip(&*points).take(k);
+        let rest = known.fold(derivative, |rest, (&weight, &point)| rest.add_scaled(point, -weight));
+        points[k] = P::from_components(|d| rest.component(d) / row[k]);
+        if !is_finite(points[k]) {
+            return Err(CurveError::NotFinite);
+        }
+    }
+    Ok(())
+}
+
+/// The derivatives of the numerator `w C` from those of the curve and of the weight, by Leibniz' rule.
+pub(crate) fn numerators<P: Point>(derivatives: &[P], weights: &[P::Scalar]) -> Vec<P> {
+    let of = |k: usize| {
+        (0..=k).fold(P::zero(), |sum, i| {
+            sum.add_scaled(derivatives[k - i], binomial::<P::Scalar>(k, i) * weights[i])
+        })
+    };
+    (0..derivatives.len()).map(of).collect()
+}
+
+/// An array of the same points.
+fn copied<P: Copy, A: Array<P>>(points: &[P]) -> A {
+    A::from_fn(|i| points[i])
+}
+
+/// [`JoinableCurve`] of a curve over a family.
+macro_rules! over_family {
+    ($($basis:ident: $curve:ident;)+) => {$(
+        impl<B: $basis, P: Point<Scalar = B::Scalar>> JoinableCurve for $curve<B, P> {
+            fn highest_contact(&self) -> usize {
+                self.control_points().len().saturating_sub(1)
+            }
+
+            fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+                possible(self, B::NAME, derivatives)?;
+                let points = self.basis().start_points(derivatives, copied(self.control_points()))?;
+                finite(points.as_ref())?;
+                Ok(Self::new(self.basis(), points))
+            }
+
+            fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+                possible(self, B::NAME, derivatives)?;
+                let points = self.basis().end_points(derivatives, copied(self.control_points()))?;
+                finite(points.as_ref())?;
+                Ok(Self::new(self.basis(), points))
+            }
+        }
+    )+};
+}
+
+over_family! {
+    Basis: Curve;
+    RationalBasis: RationalCurve;
+}
+
+fn finite<P: Point>(points: &[P]) -> Result<(), CurveError> {
+    if points.iter().all(|&p| is_finite(p)) { Ok(()) } else { Err(CurveError::NotFinite) }
+}
+
+/// Only the first or the last segment is changed.
+impl<B: Basis, P: Point<Scalar = B::Scalar>> JoinableCurve for PiecewiseCurve<B, P> {
+    fn highest_contact(&self) -> usize {
+        self.segments()[0].highest_contact()
+    }
+
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        let mut segments = self.segments().to_vec();
+        segments[0] = segments[0].with_start(&in_segment::<B, P>(derivatives))?;
+        Self::new(segments)
+    }
+
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        let mut segments = self.segments().to_vec();
+        let last = segments.len() - 1;
+        segments[last] = segments[last].with_end(&in_segment::<B, P>(derivatives))?;
+        Self::new(segments)
+    }
+}
+
+/// The derivatives in the parameter of a segment, of which the unit interval of the whole curve is one.
+fn in_segment<B: Basis, P: Point<Scalar = B::Scalar>>(derivatives: &[P]) -> Vec<P> {
+    let [lo, hi] = B::domain();
+    let mut scale = P::Scalar::ONE;
+    let scaled = derivatives.iter().map(|derivative| {
+        let scaled = derivative.scale(P::Scalar::ONE / scale);
+        scale = scale * (hi - lo);
+        scaled
+    });
+    scaled.collect()
+}
+
+impl<P: Point> JoinableCurve for RationalBezier<P> {
+    fn highest_contact(&self) -> usize {
+        self.degree()
+    }
+
+    fn with_start(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        possible(self, "the Bézier curve", derivatives)?;
+        let [lo, hi] = self.domain();
+        let degree = self.degree();
+        // The derivative of order k of the Bernstein polynomial i at the start.
+        let row = |k: usize| -> Vec<P::Scalar> {
+            let factor = (0..k)
+                .fold(P::Scalar::ONE, |f, i| f * CurveScalar::<Self>::from_usize(degree - i) / (hi - lo));
+            let entry = |i: usize| {
+                let sign = if (k - i).is_multiple_of(2) { factor } else { -factor };
+                sign * binomial::<P::Scalar>(k, i)
+            };
+            (0..=k).map(entry).collect()
+        };
+        let weight =
+            |k: usize| row(k).iter().zip(self.weights()).fold(P::Scalar::ZERO, |sum, (&a, &w)| sum + a * w);
+        let weights: Vec<P::Scalar> = (0..derivatives.len()).map(weight).collect();
+        let mut points = self.numerator().to_vec();
+        replace_first(&mut points, &numerators(derivatives, &weights), row)?;
+        let divided = points.iter().zip(self.weights());
+        let divided: Vec<P> = divided.map(|(p, &w)| P::from_components(|d| p.component(d) / w)).collect();
+        finite(&divided)?;
+        Ok(Self::new(divided, self.weights().to_vec())?.with_domain([lo, hi]))
+    }
+
+    fn with_end(&self, derivatives: &[P]) -> Result<Self, CurveError> {
+        Ok(self.reversed().with_start(&backwards(derivatives))?.reversed())
+    }
+}
