@@ -1,9 +1,10 @@
 //! Generated types of all kinds of families, beside exact values.
 
+#![allow(mixed_script_confusables, confusable_idents)] // families have α and γ beside a and y
+
 mod beside;
 mod joins;
 mod rational;
 mod refuted_claims;
-#[allow(mixed_script_confusables, confusable_idents)] // a family has α beside p and q
 mod shapes;
 mod spans;
