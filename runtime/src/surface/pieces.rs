@@ -134,11 +134,11 @@ pub(super) fn arc_angle([lo, hi]: [f64; 2], y: f64) -> f64 {
     lo + 2.0 * Scalar::atan2(y * sin, (1.0 - y) + y * cos)
 }
 
-/// The parameter of the rational arc at an angle.
+/// The parameter of the rational arc at an angle; beyond its ends not that of the circle, on which it is infinite somewhere.
 #[inline]
 pub(super) fn arc_place([lo, hi]: [f64; 2], angle: f64) -> f64 {
-    if angle == lo || angle == hi {
-        return f64::from(u8::from(angle == hi));
+    if angle <= lo || angle >= hi {
+        return crate::domain::unit([lo, hi], angle)[1];
     }
     let [before, after] = [angle - lo, hi - angle].map(|angle| Scalar::sin_cos(0.5 * angle).0);
     before / (before + after)
