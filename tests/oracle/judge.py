@@ -674,10 +674,10 @@ def witness_point(own, at):
             value = mpmath.mpf(str(sympy.re(found[0])))
         else:
             return None
-        if match := re.fullmatch(r'(tan|tanh)\((\w+)(?:/(\d+))?\)(?:/tanh\((\d+)/(\d+)\))?', name):
+        if match := re.fullmatch(r'(tan|tanh)\((\w+)(?:/(\d+))?\)(?:/tanh\((\d+)(?:/(\d+))?\))?', name):
             value = to_float(value)
             if match[4]:
-                value *= mpmath.tanh(mpmath.mpf(int(match[4])) / int(match[5]))
+                value *= mpmath.tanh(mpmath.mpf(int(match[4])) / int(match[5] or 1))
             value = (mpmath.atan if match[1] == 'tan' else mpmath.atanh)(value) * int(match[3] or 1)
             name = match[2]
         elif match := re.fullmatch(r'tan\(\(?(\w+) - pi(?:/(\d+))?\)?(?:/(\d+))?\)', name):
