@@ -3,7 +3,7 @@
 //!
 //! sin 2ψ = 2x/(1 + x²), cos 2ψ = (1 − x²)/(1 + x²); sinh 2ψ = 2x/(1 − x²), exp 2ψ = (1 + x)/(1 − x), where ψ = v·s.
 //!
-//! A domain variable whose ends contain shape parameters, and which stands in none of these, is x itself. Where the ends of
+//! A domain variable whose ends contain shape parameters or π, and which stands in none of these, is x itself. Where the ends of
 //! its range are no rational numbers in x, a variable y from 0 to 1 takes the place of x,
 //! x = low + width·y. The numbers π and exp(r) are variables as well: they are transcendental, so that an equation holds
 //! if and only if it holds for all values of these variables, as is so for s itself beside x.
@@ -27,7 +27,7 @@ pub enum Kind {
     Circular,
     /// sinh, cosh, tanh, exp.
     Hyperbolic,
-    /// None: a domain variable whose ends contain shape parameters, x = s.
+    /// None: a domain variable whose ends contain shape parameters or π, x = s.
     Linear,
 }
 

@@ -124,3 +124,29 @@ fn the_end_of_the_domain_is_a_parameter() {
     );
     assert_eq!(found.len(), 1, "{found:?}");
 }
+
+#[test]
+fn equations_fail_at_the_value_that_the_variable_has() {
+    // At tan(t/2) = 0 all of these hold, because t is 0 there.
+    let found = counterexamples(
+        "family F {
+            domain -pi/2 <= t <= pi/2;
+            b[0] = t*sin(t);
+            b[1] = t^2*cos(t);
+            refute b[1] = 0;
+            refute b[0] = t;
+            refute t*cos(t) = sin(t);
+            refute sum(b) = 3*cos(t) + b[0];
+        }
+        family G {
+            domain 0 <= t <= 1;
+            b[0] = t*exp(t);
+            refute b[0] = t^2;
+            refute b[0] = t*(1 + t);
+        }",
+    );
+    assert_eq!(found.len(), 6);
+    for place in &found {
+        assert!(!place.ends_with("at t = 0") || place.starts_with("-3 "), "{found:?}");
+    }
+}

@@ -607,3 +607,46 @@ fn an_angle_does_not_pass_the_pole_of_its_tangent() {
         assert!(report.items.is_empty(), "{domain}");
     }
 }
+
+#[test]
+fn polynomials_up_to_a_multiple_of_pi() {
+    let found = verdicts(
+        "family HalfTurn {
+            domain 0 <= t <= pi;
+            b[0] = 1 - t/pi;
+            b[1] = t/pi;
+            prove partition_of_unity;
+            prove nonnegative;
+            prove symmetric;
+            prove independent;
+            prove D(b[1]) = 1/pi;
+            prove integral(b[1]) = pi/2;
+            prove integral(b[0]*b[1]) = pi/6;
+            prove at t = pi { b = [0, 1]; }
+            refute b[1] <= 9/10;
+        }
+        family Shifted {
+            domain -pi <= t <= 2*pi;
+            shape 0 <= k <= 1;
+            b[0] = (2*pi - t)^2/(9*pi^2) - k*t;
+            prove b[0] >= -63/10;
+            refute b[0] >= -62/10;
+            prove D(b[0]) <= 0;
+            prove at k = 0 { integral(b[0]) = pi; }
+        }
+        family Hat {
+            domain -pi <= t <= 0, 0 <= t <= pi;
+            b[0] = 1 + t/pi | 1 - t/pi;
+            prove smooth(0);
+            prove nonnegative;
+            prove symmetric;
+            prove integral(b[0]) = pi;
+            refute smooth(1);
+        }",
+    );
+    let refuted: Vec<&str> = found.iter().map(String::as_str).filter(|f| *f != "=").collect();
+    assert_eq!(found.len(), 18);
+    assert_eq!(refuted[0], "1/10 at t/pi = 1");
+    assert!(refuted[1].ends_with("at k = 1, (t + pi)/(3*pi) = 1"), "{refuted:?}");
+    assert_eq!(refuted.len(), 3);
+}

@@ -10,6 +10,22 @@ basis!(
     CBezierQuadratic, HBezierQuadratic, ExponentialLine, TrigonometricBBasis(2), ExponentialBernstein(3)
 );
 
+basis! {
+    family HalfTurn {
+        domain 0 <= t <= pi;
+        b[0] = 1 - t/pi;
+        b[1] = t/pi;
+        prove partition_of_unity;
+        prove nonnegative;
+    }
+    family Hat {
+        domain -pi <= t <= 0, 0 <= t <= pi;
+        b[0] = 1 + t/pi | 1 - t/pi;
+        prove smooth(0);
+        prove nonnegative;
+    }
+}
+
 /// Golden values of one scalar type; written by `golden.py`.
 fn golden(scalar: &str) -> Vec<Value> {
     let all: Value = serde_json::from_str(include_str!("golden.json")).expect("it is JSON");
@@ -172,4 +188,22 @@ fn the_map_has_an_inverse() {
         both_ways(&CBezierQuadratic::new(α).expect("inside"));
         both_ways(&HBezierQuadratic::new(α).expect("inside"));
     }
+}
+
+#[test]
+fn polynomials_end_at_multiples_of_pi() {
+    use core::f64::consts::{FRAC_1_PI, PI};
+    for (t, share) in [(0.0, 0.0), (1.0, FRAC_1_PI), (PI / 2.0, 0.5), (PI, 1.0)] {
+        let [left, right] = HalfTurn::new().values(t);
+        assert!(
+            (right - share).abs() <= 1e-15 && (left - (1.0 - share)).abs() <= 1e-15,
+            "{t}: {left}, {right}"
+        );
+        for side in [-t, t] {
+            let [hat] = Hat::new().values(side);
+            assert!((hat - (1.0 - share)).abs() <= 1e-15 && hat >= 0.0, "{side}: {hat}");
+        }
+    }
+    let slope = HalfTurn::new().derivatives(1.0, 1);
+    assert!((slope[1] - FRAC_1_PI).abs() <= 1e-15 && (slope[0] + FRAC_1_PI).abs() <= 1e-15);
 }

@@ -258,6 +258,13 @@ struct Bound {
     text: String,
 }
 
+impl Bound {
+    /// Whether it contains π or shape parameters.
+    fn is_no_number(&self) -> bool {
+        !self.value.pi.is_zero() || !self.value.parts.is_empty()
+    }
+}
+
 /// x at a number, by ψ/π or by the number.
 enum Tangent {
     Exact(Rational),
@@ -375,7 +382,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         let at = Place { slot: slots[k], itself: itself(k), is_domain: k >= shape_count };
         let range = match &all[k] {
             Some(of) => angle(scope, decl, &at, of, &limits[k], (&all, count, &parameters)),
-            None if at.is_domain && limits[k].iter().flatten().any(|l| !l.value.parts.is_empty()) => {
+            None if at.is_domain && limits[k].iter().flatten().any(Bound::is_no_number) => {
                 linear(scope, decl, &at, &limits[k], count, (&parameters, &constraints))
             }
             None => plain(scope, decl, &at, &limits[k], written.incomplete),
@@ -387,6 +394,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         // Alone it needs no brackets.
         let name = &scope.names[slots[k].0];
         let bare = name.strip_prefix('(').and_then(|name| name.strip_suffix(')'));
+        let bare = bare.filter(|inner| !inner.contains([')', '(']));
         let (name, place) = (bare.unwrap_or(name).to_string(), scope.place(decl.name.span));
         parameters.push(Parameter { name, doc: doc.to_vec(), place, var: slots[k], range });
     }
@@ -586,7 +594,7 @@ fn plain(
     scope.names[at.itself.0] = format!("{name} ");
     scope.names[at.slot.0] = name;
     for limit in limits.iter().flatten() {
-        if !limit.value.pi.is_zero() || !limit.value.parts.is_empty() {
+        if limit.is_no_number() {
             if incomplete {
                 return Some(Range::unit()); // its sine may be what could not be read
             }
@@ -594,7 +602,7 @@ fn plain(
                 decl.name.span,
                 format!("an end of the range of `{}` is not a number", decl.name.text),
             );
-            scope.report(error.help("ends with `pi`, and shape parameters as ends of the domain, belong to variables that stand in `sin`, `cos`, `exp` and the like"));
+            scope.report(error.help("ends with `pi`, and ends that are shape parameters, belong to domain variables, and to shape parameters that stand in `sin`, `cos`, `exp` and the like"));
             return None;
         }
     }
@@ -631,7 +639,7 @@ fn sum_of(scope: &Scope<'_>, value: &Linear, count: usize) -> Option<Fraction> {
     Some(sum)
 }
 
-/// A domain variable whose ends contain shape parameters: y runs from 0 to 1.
+/// A domain variable whose ends contain shape parameters or π: y runs from 0 to 1.
 fn linear(
     scope: &mut Scope<'_>,
     decl: &RangeDecl,
@@ -648,7 +656,8 @@ fn linear(
     };
     let (first, last) = (sum_of(scope, &low.value, count)?, sum_of(scope, &high.value, count)?);
     let width = &last - &first;
-    let region = Region { ranges: known.mapped(|p| (p.var, p.range.clone())) };
+    let ranges = known.iter().map(|p| (p.var, p.range.clone())).chain(ranges(scope));
+    let region = Region { ranges: ranges.listed() };
     if let Err(text) = scope.is_positive(&width, &region, constraints) {
         let message = format!("the ends of the domain of `{name}` are not in order");
         let error = scope.error(decl.name.span, message).label(text);
@@ -672,12 +681,15 @@ fn linear(
         declared: declared(name, limits),
         mirror: Vec::new(),
     };
-    let own =
-        |text: &str| if text.contains([' ', '+', '-']) { format!("({text})") } else { text.to_string() };
-    scope.names[at.slot.0] = if new.low.is_zero() {
-        format!("{name}/{}", own(&high.text))
-    } else {
-        format!("({name} - {})/({} - {})", own(&low.text), high.text, own(&low.text))
+    let own = |f: &Fraction| {
+        let text = f.display(&scope.names);
+        if text.contains([' ', '*', '/']) { format!("({text})") } else { text }
+    };
+    let (from, width) = (first.display(&scope.names), own(&new.width));
+    scope.names[at.slot.0] = match (new.low.is_zero(), from.strip_prefix('-')) {
+        (true, _) => format!("{name}/{width}"),
+        (false, Some(below)) if !below.contains(' ') => format!("({name} + {below})/{width}"),
+        _ => format!("({name} - {})/{width}", own(&first)),
     };
     scope.analytic.angles.push(new);
     scope.ends.push((Fraction::zero(), Fraction::constant(Rational::ONE)));

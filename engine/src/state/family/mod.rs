@@ -381,6 +381,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
                     "the functions are dependent at values that the assumptions may rule out",
                 ));
             }
+            let found = beside::genuine(family, *found);
             let about = (of.clone(), found.refutation.statement());
             let witness = witness(family, &claim.kind, about, &found, piece);
             Verdict::Refuted(Box::new(if *of == label { witness } else { witness.about(&label) }))
@@ -507,12 +508,14 @@ fn shown(family: &Family, found: &Counterexample) -> Option<String> {
     if !of(&value.numerator) && !of(&value.denominator) {
         return None;
     }
-    let put = |p: &Poly| {
-        found.point.iter().filter(|(v, _)| !wide(*v)).fold(p.clone(), |p, (v, c)| match c {
-            Coordinate::Rational(x) => p.at(*v, x),
-            Coordinate::Algebraic(_) => p,
-        })
-    };
+    let rational = found.point.iter().filter_map(|(v, c)| match c {
+        Coordinate::Rational(x) if !wide(*v) => Some((*v, x.clone())),
+        _ => None,
+    });
+    let rational = rational.listed();
+    let put = |p: &Poly| rational.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x));
     let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
+    let exact = beside::exact(family, &rational);
+    let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
     Some(value.display(&family.names))
 }

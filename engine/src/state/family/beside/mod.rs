@@ -29,7 +29,7 @@ use crate::model::enclosure::{Anchor, From, without};
 use ladder::Ladder;
 use sample::Values;
 
-pub(super) use sample::{Sample, about, at_point};
+pub(super) use sample::{Sample, about, at_point, exact, genuine};
 
 /// Something that has to be ≥ 0, or > 0.
 #[derive(Clone)]

@@ -88,6 +88,74 @@ fn enclosures(family: &Family, point: &Values) -> Option<Enclosures> {
     Some(found)
 }
 
+/// What variables beside their sines are where that is known exactly: at ends of their ranges, and where a tangent is 0.
+pub(in crate::state::family) fn exact(family: &Family, point: &Values) -> Vec<(Var, Fraction)> {
+    let Some(found) = enclosures(family, point) else { return Vec::new() };
+    let mut all = found.exact;
+    for angle in family.analytic.angles.iter().filter(|a| a.kind != Kind::Linear) {
+        if all.iter().any(|(var, _)| *var == angle.itself) {
+            continue;
+        }
+        let tangent = between(&angle.tangent(), point, &found.between);
+        if tangent.is_none_or(|(low, high)| !low.is_zero() || !high.is_zero()) {
+            continue;
+        }
+        let shift = Fraction::constant(angle.shift.clone());
+        let pi = family.analytic.pi.filter(|_| !angle.turns).map(Fraction::var);
+        all.push((angle.itself, pi.map_or_else(|| shift.clone(), |pi| &shift * &pi)));
+    }
+    all
+}
+
+/// A counterexample to an equation at a point where the two sides differ with the value that a variable beside its sine has
+/// there, t = 0 where tan(t/2) = 0; in the statement both are free.
+pub(in crate::state::family) fn genuine(family: &Family, found: Counterexample) -> Counterexample {
+    let statement = Rc::new(found.refutation.statement().clone());
+    let Statement::Zero { value, domain } = &*statement else { return found };
+    let depends = |v: Var| value.numerator.depends_on(v) || value.denominator.depends_on(v);
+    let angles = family.analytic.angles.iter();
+    let angles: Vec<&Angle> =
+        angles.filter(|a| a.kind != Kind::Linear && a.itself != a.var && depends(a.itself)).listed();
+    let mut point: Values = Vec::new();
+    for (var, coordinate) in &found.point {
+        let Coordinate::Rational(x) = coordinate else { return found };
+        point.push((*var, x.clone()));
+    }
+    let differs = |point: &Values| {
+        let exact = exact(family, &super::rational_part(family, point));
+        let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
+        let value = exact.iter().try_fold(value, |value, (var, x)| put(&value, *var, x))?;
+        (!value.is_zero()).then_some(exact)
+    };
+    let elsewhere = angles.iter().flat_map(|angle| {
+        let point = &point;
+        let near = candidates(&domain.region.range(angle.var), OTHERS).into_iter();
+        near.map(|x| {
+            point.iter().map(|(v, y)| (*v, if *v == angle.var { x.clone() } else { y.clone() })).listed()
+        })
+    });
+    for mut point in core::iter::once(point.clone()).chain(elsewhere) {
+        let Some(exact) = differs(&point) else { continue };
+        for (var, x) in exact {
+            let own = point.iter_mut().find(|(v, _)| *v == var);
+            if let (Some((_, value)), Some(x)) = (own, x.as_constant()) {
+                *value = x;
+            }
+        }
+        let coordinates = point.into_iter().map(|(v, x)| (v, Coordinate::Rational(x))).listed();
+        if let Some(found) = refute(&statement, &coordinates, &mut Work::new(GENUINE)) {
+            return found;
+        }
+    }
+    found
+}
+
+/// How many values of an angle are tried where both sides of an equation agree at the first one.
+const OTHERS: u32 = 8;
+
+/// The work for one of them.
+const GENUINE: u64 = 1_000_000;
+
 /// A number with a short denominator that is not above, or not below, another one.
 fn rounded(x: &Rational, up: bool) -> Rational {
     let unit = Rational::from(2).pow(90);
