@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use basis_engine::diagnostic::Place;
-use basis_engine::formulas::Formulas;
+use basis_engine::formulas::{self, Formulas, PointFormulas};
 use basis_engine::model::obligation::Obligation;
 use basis_engine::state;
 use basis_engine::theorem::theorems;
@@ -51,8 +51,10 @@ pub(crate) struct Decided {
     pub(crate) obligations: Vec<Obligation>,
     /// The claims in the order in which they are written.
     pub(crate) claims: Vec<DecidedClaim>,
-    /// If they are asked for, the formulas as they are written; nothing for a theorem, or if one has no counterpart.
+    /// If they are asked for, the formulas of a family as they are written; nothing if one has no counterpart.
     pub(crate) formulas: Option<Formulas>,
+    /// The same of a theorem or join.
+    pub(crate) points: Option<PointFormulas>,
 }
 
 /// A claim with its verdict.
@@ -114,13 +116,13 @@ impl Outcome {
     }
 }
 
-/// Checks one file; `formulas` are kept for [`crate::coq`].
-pub(crate) fn file(entry: Entry, formulas: Formal) -> Outcome {
-    watched(entry, formulas, &|| ())
+/// Checks one file; formulas are kept for [`crate::coq`].
+pub(crate) fn file(entry: Entry, formal: Formal) -> Outcome {
+    watched(entry, formal, &|| ())
 }
 
 /// Checks one file, and says of each claim that it is decided.
-pub(crate) fn watched(entry: Entry, formulas: Formal, decided: &dyn Fn()) -> Outcome {
+pub(crate) fn watched(entry: Entry, formal: Formal, decided: &dyn Fn()) -> Outcome {
     let path = entry.path.display().to_string();
     let source = match entry.problem.map_or_else(|| spec::read(&entry.path), |problem| Err(problem.into())) {
         Ok(source) => source,
@@ -135,11 +137,14 @@ pub(crate) fn watched(entry: Entry, formulas: Formal, decided: &dyn Fn()) -> Out
     let warnings = generate::no_floats(&families);
     let items = families.into_iter().chain(theorems(&library));
     let mut items: Vec<Decided> = items.map(|i| item(i, run, decided)).collect();
-    if formulas == Formal::Kept {
+    if formal == Formal::Kept {
         for item in &mut items {
-            if let Subject::Family(family) = &item.subject {
-                let claims: Vec<Claim> = item.claims.iter().map(|c| c.claim.clone()).collect();
-                item.formulas = basis_engine::formulas::of(&library, family, &claims);
+            match &item.subject {
+                Subject::Family(family) => {
+                    let claims: Vec<Claim> = item.claims.iter().map(|c| c.claim.clone()).collect();
+                    item.formulas = formulas::of(&library, family, &claims);
+                }
+                Subject::Theorem(theorem) => item.points = formulas::of_theorem(&library, theorem),
             }
         }
     }
@@ -164,5 +169,5 @@ fn item(item: Item, run: &mut state::Run, decided: &dyn Fn()) -> Decided {
         DecidedClaim { claim, verdict, error, time }
     };
     let claims = claims.into_iter().map(decide).collect();
-    Decided { subject, obligations, claims, formulas: None }
+    Decided { subject, obligations, claims, formulas: None, points: None }
 }

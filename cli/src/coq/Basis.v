@@ -1101,6 +1101,20 @@ Theorem lt_by rs by_ cn cd a b env :
   prove_sign true rs by_ cn cd (Diff b a) = true -> inbox rs env -> eval a env < eval b env.
 Proof. intros H B. pose proof (sign_by _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
 
+(** A positive factor n/d by which one vector is a multiple of another one. *)
+Lemma ratio_positive n d : 0 < n * d -> 0 < n / d.
+Proof.
+  intros H. assert (d <> 0) by (intros ->; lra).
+  replace (n / d) with (n * d * (/ d * / d)) by (field; assumption).
+  apply Rmult_lt_0_compat; auto. apply Rsqr_pos_lt, Rinv_neq_0_compat, H0.
+Qed.
+
+Lemma ratio_by n d a b : 0 < n * d -> d * a = n * b -> a = n / d * b.
+Proof.
+  intros H E. assert (d <> 0) by (intros ->; lra).
+  apply (Rmult_eq_reg_l d); auto. rewrite E. field. assumption.
+Qed.
+
 (** A function as data, by the polynomials that vm_compute has made of its formula. *)
 Theorem fn_by (f : list R -> R) e r :
   norm e = r -> (forall env, f env = eval e env) ->

@@ -59,13 +59,15 @@ impl Writer<'_> {
     fn parts(&self, term: &Term, around: &mut Vec<usize>) -> (String, Binding) {
         match term {
             Term::Number(n) => (number(n), Binding::Atom),
-            Term::Variable(v) => (
-                match around.iter().rposition(|bound| bound == v) {
-                    Some(depth) => inner(depth + 1),
-                    None => (self.variables)(*v).unwrap_or_else(|| format!("missing'{v}")),
-                },
-                Binding::Atom,
-            ),
+            Term::Variable(v) => match around.iter().rposition(|bound| bound == v) {
+                Some(depth) => (inner(depth + 1), Binding::Atom),
+                None => {
+                    let text = (self.variables)(*v).unwrap_or_else(|| format!("missing'{v}"));
+                    // A coordinate is the value of a function.
+                    let binding = if text.contains(' ') { Binding::Application } else { Binding::Atom };
+                    (text, binding)
+                }
+            },
             Term::Neg(x) => (format!("(- {})", self.at_least(x, Binding::Atom, around)), Binding::Atom),
             Term::Sum(parts) => {
                 let mut text = String::new();

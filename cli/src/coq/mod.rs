@@ -9,15 +9,18 @@ mod formula;
 mod frame;
 mod independence;
 mod names;
+mod points;
 mod quotients;
 mod theorem;
 
 use std::fs;
 use std::path::Path;
+use std::rc::Rc;
 
-use basis_engine::formulas::{Definition, Formulas};
+use basis_engine::formulas::{Definition, Formulas, PointFormulas};
 use basis_engine::model::obligation::Obligation;
 use basis_engine::plural::count;
+use basis_engine::theorem::Theorem;
 use basis_engine::{Family, Subject};
 use basis_kernel::Proof;
 
@@ -67,8 +70,16 @@ impl Export {
             };
             let family = match &decided.subject {
                 Subject::Family(family) => family,
-                Subject::Theorem(_) => {
-                    self.missing.extend(decided.claims.iter().map(|c| missing(c, "a claim about points")));
+                Subject::Theorem(theorem) => {
+                    let Some(formulas) = &decided.points else {
+                        let why = "a curve or a `let` of the theorem cannot be stated in Coq yet";
+                        self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
+                        continue;
+                    };
+                    let (text, left_out) = Text::of_theorem(outcome, decided, theorem, formulas);
+                    self.missing
+                        .extend(left_out.into_iter().map(|(k, why)| missing(&decided.claims[k], why)));
+                    self.write(folder, outcome, decided, text)?;
                     continue;
                 }
             };
@@ -96,13 +107,24 @@ impl Export {
             for (claim, why) in text.claims(outcome, decided, family, formulas) {
                 self.missing.push(missing(&decided.claims[claim], why));
             }
-            self.theorems += text.theorems.len();
-            let name = self.name(&outcome.path, &decided.subject);
-            fs::create_dir_all(folder)
-                .and_then(|()| fs::write(folder.join(format!("{name}.v")), text.finish()))
-                .map_err(|e| format!("cannot write `{}`: {e}", folder.join(format!("{name}.v")).display()))?;
-            self.files.push(name);
+            self.write(folder, outcome, decided, text)?;
         }
+        Ok(())
+    }
+
+    fn write(
+        &mut self,
+        folder: &Path,
+        outcome: &Outcome,
+        decided: &Decided,
+        text: Text,
+    ) -> Result<(), String> {
+        self.theorems += text.theorems.len();
+        let name = self.name(&outcome.path, &decided.subject);
+        fs::create_dir_all(folder)
+            .and_then(|()| fs::write(folder.join(format!("{name}.v")), text.finish()))
+            .map_err(|e| format!("cannot write `{}`: {e}", folder.join(format!("{name}.v")).display()))?;
+        self.files.push(name);
         Ok(())
     }
 
@@ -182,18 +204,62 @@ impl Text {
                 names.give(&format!("{}_{}", identifier(&definition.family), definition.name))
             }
         };
-        let mut definitions = vec![String::new(); formulas.definitions.len()];
-        for (k, definition) in formulas.definitions.iter().enumerate() {
-            definitions[k] = given(&mut identifiers, definition);
-        }
-        let mut text = format!("(** {} of {}. *)\n\n", comment(&title), comment(&outcome.path));
-        text += "From Coq Require Import Reals QArith Lia Lra.\nFrom Coquelicot Require Import Coquelicot.\n";
-        text += "From Basis Require Import Basis.\nImport List ListNotations.\nOpen Scope R_scope.\n\n";
-        let mut this = Self { written: text, definitions, names, identifiers, theorems: Vec::new() };
+        let definitions = formulas.definitions.iter().map(|d| given(&mut identifiers, d)).collect();
+        let written = beginning(&title, &outcome.path);
+        let mut this = Self { written, definitions, names, identifiers, theorems: Vec::new() };
         for (k, definition) in formulas.definitions.iter().enumerate() {
             this.define(k, definition);
         }
         this
+    }
+
+    /// The file of a theorem or join, and the claims without a theorem, each with the reason.
+    fn of_theorem(
+        outcome: &Outcome,
+        decided: &Decided,
+        theorem: &Rc<Theorem>,
+        formulas: &PointFormulas,
+    ) -> (Self, Vec<(usize, &'static str)>) {
+        let mut identifiers = Names::default();
+        let name =
+            |names: &mut Names, d: &Definition| names.give(&format!("{}_{}", identifier(&d.family), d.name));
+        let definitions: Vec<String> =
+            formulas.definitions.iter().map(|d| name(&mut identifiers, d)).collect();
+        let written = beginning(&decided.subject.title(), &outcome.path);
+        let names = Vec::new();
+        let mut this = Self { written, definitions, names, identifiers, theorems: Vec::new() };
+        for (k, definition) in formulas.definitions.iter().enumerate() {
+            this.define(k, definition);
+        }
+        let obligations: Vec<&Proof> = decided.obligations.iter().filter_map(|o| o.proof.as_ref()).collect();
+        let definitions = this.definitions.clone();
+        let about = points::About::new(theorem, formulas, &definitions, &obligations, &mut this.identifiers);
+        let mut missing = Vec::new();
+        for (k, claim) in decided.claims.iter().enumerate() {
+            let name = this.identifiers.give(&format!("claim_{}", k + 1));
+            let claimed = formulas.claims.get(k).and_then(Option::as_ref);
+            let theorems = claimed
+                .ok_or("a formula that cannot be stated in Coq yet")
+                .and_then(|claimed| about.theorems(&name, &claim.claim, claimed, &claim.verdict));
+            match theorems {
+                Ok(theorems) => this.add(outcome, claim, theorems),
+                Err(why) => missing.push((k, why)),
+            }
+        }
+        (this, missing)
+    }
+
+    /// The theorems of a claim.
+    fn add(&mut self, outcome: &Outcome, claim: &DecidedClaim, theorems: Vec<String>) {
+        let line = outcome.line(&claim.claim.place).map(|l| format!("Line {l}: ")).unwrap_or_default();
+        let keyword = claim.claim.expected.keyword();
+        self.written += &format!("(** {line}{keyword} {}. *)\n", comment(&claim.claim.text));
+        for theorem in theorems {
+            let name = theorem.split_whitespace().nth(1).unwrap_or_default();
+            self.theorems.push(name.to_string());
+            self.written += &theorem;
+            self.written.push('\n');
+        }
     }
 
     /// A definition, and the same as data.
@@ -249,18 +315,7 @@ impl Text {
                 continue;
             };
             match subject.theorems(&name, &decided.claim, claimed, &decided.verdict) {
-                Ok(theorems) => {
-                    let line =
-                        outcome.line(&decided.claim.place).map(|l| format!("Line {l}: ")).unwrap_or_default();
-                    let keyword = decided.claim.expected.keyword();
-                    self.written += &format!("(** {line}{keyword} {}. *)\n", comment(&decided.claim.text));
-                    for theorem in theorems {
-                        let name = theorem.split_whitespace().nth(1).unwrap_or_default();
-                        self.theorems.push(name.to_string());
-                        self.written += &theorem;
-                        self.written.push('\n');
-                    }
-                }
+                Ok(theorems) => self.add(outcome, decided, theorems),
                 Err(why) => missing.push((k, why)),
             }
         }
@@ -275,6 +330,14 @@ impl Text {
         }
         self.written
     }
+}
+
+/// What stands first in a file.
+fn beginning(title: &str, path: &str) -> String {
+    let mut text = format!("(** {} of {}. *)\n\n", comment(title), comment(path));
+    text += "From Coq Require Import Reals QArith Lia Lra.\nFrom Coquelicot Require Import Coquelicot.\n";
+    text += "From Basis Require Import Basis.\nImport List ListNotations.\nOpen Scope R_scope.\n\n";
+    text
 }
 
 /// A word for a claim.

@@ -198,18 +198,8 @@ impl Subject<'_> {
         let writer = self.writer(&names);
         let goal = writer.compared(&compared.left, compared.comparison, &compared.right);
         let (left, right) = (writer.data(&put(&compared.left), &[]), writer.data(&put(&compared.right), &[]));
-        let by = |lemma: &str, a: &str, b: &str| format!("{lemma} [] [] Direct Direct {a} {b} [] _ I");
-        let proof = match compared.comparison {
-            Comparison::Equal if witness.value.is_negative() => {
-                format!("Rlt_not_eq _ _ ({})", by("lt_by", &left, &right))
-            }
-            Comparison::Equal => format!("Rgt_not_eq _ _ (Rlt_gt _ _ ({}))", by("lt_by", &right, &left)),
-            Comparison::LessEqual => format!("Rlt_not_le _ _ ({})", by("lt_by", &right, &left)),
-            Comparison::GreaterEqual => format!("Rlt_not_ge _ _ ({})", by("lt_by", &left, &right)),
-            Comparison::Less => format!("Rle_not_lt _ _ ({})", by("le_by", &right, &left)),
-            Comparison::Greater => format!("Rle_not_gt _ _ ({})", by("le_by", &left, &right)),
-            Comparison::NotEqual => return Err("a comparison that is no claim"),
-        };
+        let proof = fails(compared.comparison, &left, &right, witness.value.is_negative())
+            .ok_or("a comparison that is no claim")?;
         let hypotheses: Vec<String> = frame.hypotheses.iter().map(|h| format!("  {h} /\\\n")).collect();
         let numbers: Vec<String> = point.iter().map(number).collect();
         let splits = "  split; [repeat split; lra |].\n".repeat(frame.hypotheses.len());
@@ -221,4 +211,18 @@ impl Subject<'_> {
             numbers.join(", "),
         ))
     }
+}
+
+/// Why a comparison of numbers, given as data, fails; of two that are said to be equal, whether the left one is less.
+pub(super) fn fails(comparison: Comparison, left: &str, right: &str, is_less: bool) -> Option<String> {
+    let by = |lemma: &str, a: &str, b: &str| format!("{lemma} [] [] Direct Direct {a} {b} [] _ I");
+    Some(match comparison {
+        Comparison::Equal if is_less => format!("Rlt_not_eq _ _ ({})", by("lt_by", left, right)),
+        Comparison::Equal => format!("Rgt_not_eq _ _ (Rlt_gt _ _ ({}))", by("lt_by", right, left)),
+        Comparison::LessEqual => format!("Rlt_not_le _ _ ({})", by("lt_by", right, left)),
+        Comparison::GreaterEqual => format!("Rlt_not_ge _ _ ({})", by("lt_by", left, right)),
+        Comparison::Less => format!("Rle_not_lt _ _ ({})", by("le_by", right, left)),
+        Comparison::Greater => format!("Rle_not_gt _ _ ({})", by("le_by", left, right)),
+        Comparison::NotEqual => return None,
+    })
 }

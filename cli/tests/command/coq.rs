@@ -28,6 +28,44 @@ family Skew {
 }
 ";
 
+/// Points of any space and points of the plane, curves and surfaces, and claims of all kinds.
+const POINTS: [&str; 2] = [
+    "\
+join Next {
+    curve P = Bernstein(3);
+    curve Q = Bernstein(2);
+    scalar 0 < f;
+    let Q[0] = P[3];
+    let Q[1] = Q[0] + 3*(P[3] - P[2])/(2*f);
+    prove Q(0) == P(1);
+    prove D(P)(1) == f*D(Q)(0);
+    prove D(P)(1) parallel D(Q)(0);
+    refute D(P, 2)(1) == f^2*D(Q, 2)(0);
+    prove cross(D(P)(1), D(P, 2)(1)) == 18*cross(P[3] - P[2], P[1] - P[2]);
+    refute cross(D(P)(1), D(P, 2)(1)) == 18*cross(P[3] - P[2], P[1]);
+}
+",
+    "\
+theorem Plane {
+    scalar 0 <= c <= 1;
+    scalar 0 <= t <= 1;
+    curve P = Bernstein(2) [(0, 0), (1, 0), (c, 1)];
+    curve R = Bernstein(1);
+    surface S = Bernstein(1)(u) * Bernstein(2)(v);
+    surface T = TriangularBernstein(2);
+    prove cross(D(P)(t), D(P, 2)(t)) > 0;
+    prove P(t)[0] >= 0;
+    refute P(t)[0] <= 1/2;
+    prove dot(D(P)(0), D(P)(0)) == 4;
+    refute D(P)(1) == (2, 2);
+    prove D(S, v)(0, 0) == 2*(S[0,1] - S[0,0]);
+    prove D(S, u, v)(0, 1) == 2*(S[1,2] - S[1,1] - S[0,2] + S[0,1]);
+    prove D(T, u)(1, 0, 0) == 2*(T[2,0,0] - T[1,0,1]);
+    prove R(t)[0] - R[0][0] == t*(R[1][0] - R[0][0]);
+}
+",
+];
+
 /// The text of the only file with theorems.
 fn exported(folder: &Folder, spec: &str) -> (i32, String, String) {
     let run = folder.run(&["check", "--coq", "v", spec]);
@@ -108,14 +146,14 @@ fn theorems_are_about_the_formulas_as_they_are_written() {
 
 #[test]
 fn what_has_no_counterpart_is_listed() {
-    let spec = "theorem T { curve P = Bernstein(2); prove P(0) == P[0]; }\n";
+    let spec = "theorem T { curve P = Bernstein(2); prove P(0) == P[0]; prove integral(P(t), t, 0, 1) == (P[0] + P[1] + P[2])/3; }\n";
     let folder = Folder::with("t.basis", &format!("{QUARTIC}{spec}"));
     let run = folder.run(&["check", "--coq", "v", "t.basis"]);
     assert_eq!(run.code, 1, "{run:?}");
-    let last = "Coq: 16 theorems in 1 file, 1 claim not exported:\n  t.basis:17: theorem T: `P(0) == P[0]`: a claim about points\n";
+    let last = "Coq: 17 theorems in 2 files, 1 claim not exported:\n  t.basis:17: theorem T: `integral(P(t), t, 0, 1) == (P[0] + P[1] + P[2])/3`: a formula that cannot be stated in Coq yet\n";
     assert!(run.stdout.ends_with(last), "{}", run.stdout);
     let project = fs::read_to_string(folder.path().join("v/_CoqProject")).expect("it is written");
-    assert!(project.ends_with("Basis.v\nt_QuarticBernstein.v\n"), "{project}");
+    assert!(project.ends_with("Basis.v\nt_QuarticBernstein.v\nt_T.v\n"), "{project}");
 }
 
 #[test]
@@ -217,5 +255,55 @@ family Pair {
     ] {
         let (fine, said) = accepted(&folder, &changed(&text, old, new));
         assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+    }
+}
+
+#[test]
+fn theorems_about_points_are_about_their_coordinates() {
+    let [join, plane] = POINTS.map(|spec| {
+        let folder = Folder::with("points.basis", spec);
+        let (code, said, text) = exported(&folder, "points.basis");
+        assert_eq!(code, 0, "{said}");
+        text
+    });
+    for part in [
+        "  forall (f : R) (P_0 P_1 P_2 P_3 Q_2 : nat -> R),\n  0 < f ->\n  forall i : nat, is_derive",
+        "  exists f' : R, 0 < f' /\\ forall i : nat, Derive",
+        "  forall i j : nat, ",
+        "  exists i : nat, ~ (",
+    ] {
+        assert!(join.contains(part), "`{part}` is not in\n{join}");
+    }
+    for part in ["  forall (c t : R),\n  0 <= c <= 1 ->\n  0 <= t <= 1 ->\n  ", "S_0_1_x", "T_2_0_0_y"] {
+        assert!(plane.contains(part), "`{part}` is not in\n{plane}");
+    }
+}
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_theorems_about_points() {
+    let changes: [&[(&str, &str)]; 2] = [
+        &[
+            // a factor, a control point, a range, the number of a coordinate
+            ("3 * (P_3 i - P_2 i) / (2 * f)", "2 * (P_3 i - P_2 i) / (2 * f)"),
+            ("0 < f ->\n  forall i : nat, is_derive", "0 <= f ->\n  forall i : nat, is_derive"),
+            ("exists (f / 1)", "exists (f / 2)"),
+            ("18 * ((P_3 i - P_2 i) * (P_1 j", "18 * ((P_3 i - P_2 i) * (P_1 i"),
+        ],
+        &[
+            ("2 * (S_0_1_x - S_0_0_x)", "2 * (S_0_1_y - S_0_0_x)"),
+            ("Bernstein_2_b_2 t * c >= 0", "Bernstein_2_b_2 t * c >= 1"),
+        ],
+    ];
+    for (spec, changes) in POINTS.into_iter().zip(changes) {
+        let folder = Folder::with("points.basis", spec);
+        let (_, _, text) = exported(&folder, "points.basis");
+        let folder = folder.path().join("v");
+        let (fine, said) = accepted(&folder, &text);
+        assert!(fine, "{said}");
+        for (old, new) in changes {
+            let (fine, said) = accepted(&folder, &changed(&text, old, new));
+            assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+        }
     }
 }

@@ -154,19 +154,22 @@ pub fn polynomial(p: &Poly) -> Term {
     for (monomial, coefficient) in p.terms() {
         let mut factors = vec![(Role::Factor, Term::Number(coefficient.clone()))];
         for var in p.variables() {
-            let exponent = monomial.exponent(var);
-            if exponent > 0 {
-                factors
-                    .push((Role::Factor, Term::Power(Rc::new(Term::Variable(var.0)), u32::from(exponent))));
-            }
+            let variable = Term::Variable(var.0);
+            factors.extend(match monomial.exponent(var) {
+                0 => None,
+                1 => Some((Role::Factor, variable)),
+                n => Some((Role::Factor, Term::Power(Rc::new(variable), u32::from(n)))),
+            });
         }
         if factors.len() > 1 && coefficient.is_one() {
             factors.remove(0);
         }
-        parts.push((Sign::Plus, Term::Product(factors)));
+        let only = if factors.len() == 1 { factors.pop() } else { None };
+        parts.push((Sign::Plus, only.map_or(Term::Product(factors), |(_, only)| only)));
     }
     match parts.len() {
         0 => Term::integer(0),
+        1 => parts.remove(0).1,
         _ => Term::Sum(parts),
     }
 }

@@ -5,6 +5,8 @@
 //! syntax tree with the expansion in `model`; where the two read differently, what is exported is not proved.
 
 mod claims;
+#[cfg(feature = "joins")]
+mod points;
 mod read;
 mod scope;
 mod value;
@@ -13,6 +15,8 @@ use std::rc::Rc;
 
 pub use crate::syntax::{Comparison, Role, Sign};
 pub use claims::polynomial;
+#[cfg(feature = "joins")]
+pub use points::{PointClaim, PointFormulas, Quantity, coordinate, coordinate_variable, of_theorem};
 pub use read::of;
 
 use crate::algebra::rational::Rational;

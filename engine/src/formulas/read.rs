@@ -16,7 +16,7 @@ const MAX_PARTS: usize = 4_000_000;
 const MAX_DEPTH: usize = 200;
 
 /// The variables of derivatives have numbers from here on.
-const BOUND: usize = 1 << 20;
+pub(super) const BOUND: usize = 1 << 20;
 
 /// The formulas of a family of the spec that was asked for, and of its claims; `None` when one of its functions has no
 /// counterpart.
@@ -26,8 +26,7 @@ pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Fo
     if !is_algebraic(family) {
         return None;
     }
-    let (definitions, known) = (Vec::new(), Vec::new());
-    let mut reader = Reader { library, definitions, known, fresh: BOUND, parts: MAX_PARTS, depth: 0 };
+    let mut reader = Reader::new(library);
     let functions = reader.family(unit, &family.name, &order)?;
     let place = |f: &crate::model::Function| functions.get(&f.index).copied();
     let places = family.functions.iter().map(place).collect::<Option<Vec<usize>>>()?;
@@ -43,6 +42,13 @@ const fn is_algebraic(family: &Family) -> bool {
         && analytic.pi.is_none()
         && analytic.exponential.is_none()
         && family.pieces.is_empty()
+}
+
+impl<'a, 'f> Reader<'a, 'f> {
+    pub(super) fn new(library: &'a Library<'f>) -> Self {
+        let (definitions, known) = (Vec::new(), Vec::new());
+        Self { library, definitions, known, fresh: BOUND, parts: MAX_PARTS, depth: 0 }
+    }
 }
 
 impl Reader<'_, '_> {

@@ -93,6 +93,25 @@ impl<'w> Scope<'w> {
         }
     }
 
+    /// Of a theorem only the variables are known here.
+    pub(super) fn of_theorem(unit: usize, names: Vec<String>) -> Self {
+        Self {
+            unit,
+            title: RefCell::default(),
+            constants: RefCell::default(),
+            order: Constants::new(),
+            lets: Vec::new(),
+            known: RefCell::default(),
+            arguments: RefCell::default(),
+            names,
+            factors: Vec::new(),
+            function_name: String::new(),
+            functions: RefCell::new(SortedMap::new()),
+            planned: RefCell::new(SortedMap::new()),
+            missing_is_zero: RefCell::new(false),
+        }
+    }
+
     pub(super) fn constant(&self, name: &str) -> Option<i64> {
         self.constants.borrow().iter().rev().find(|(n, _)| n == name).map(|(_, value)| *value)
     }

@@ -534,7 +534,7 @@ fn size(value: &Value) -> usize {
     }
 }
 
-fn parts(term: &Term) -> usize {
+pub(super) fn parts(term: &Term) -> usize {
     1 + match term {
         Term::Number(_) | Term::Variable(_) => 0,
         Term::Neg(x) | Term::Power(x, _) => parts(x),

@@ -20,6 +20,8 @@ pub use elaborate::theorems;
 pub use form::{Form, Unit};
 #[cfg(not(feature = "joins"))]
 pub use off::theorems;
+#[cfg(all(feature = "joins", any(test, feature = "tools")))]
+pub(crate) use patch::split_points;
 
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};

@@ -493,7 +493,7 @@ impl Elaboration<'_> {
 }
 
 /// The factors of a product, and the list of control points that stands after the last one.
-fn split_points(value: &Expr) -> (Option<Vec<&Expr>>, Option<&[Expr]>) {
+pub(crate) fn split_points(value: &Expr) -> (Option<Vec<&Expr>>, Option<&[Expr]>) {
     let (mut factors, last) = match &value.kind {
         ExprKind::Product(parts) if parts.iter().all(|(role, _)| *role == Role::Factor) => {
             let mut factors: Vec<&Expr> = parts.mapped(|(_, e)| e);
