@@ -1121,6 +1121,129 @@ Theorem fn_by (f : list R -> R) e r :
   forall env, Forall (nz env) (cs r) -> is (fr r) env (f env).
 Proof. intros <- E env H. rewrite E. apply norm_ok, H. Qed.
 
+(** A function has a derivative. *)
+Theorem ex_derive_by rs by_ e a env :
+  forallb (defined rs by_) (cs (norm (Der e a))) = true -> inbox rs env ->
+  ex_derive (fun x => eval e (x :: env)) (eval a env).
+Proof.
+  intros H B. apply (defined_ok _ _ _ env) in H; auto.
+  simpl in H. apply joins_ok in H as [H I]. apply (at_first_ok _ _ _ _ (norm_ok a env I)) in H.
+  eexists. apply (der_ok e _ _ (norm_ok e) H).
+Qed.
+
+(** * Angles *)
+
+Lemma half_cos q : - PI < q < PI -> cos (q / 2) <> 0.
+Proof. intros H. apply Rgt_not_eq, cos_gt_0; lra. Qed.
+
+Lemma half_sum q : - PI < q < PI -> 1 + tan (q / 2) ^ 2 = / (cos (q / 2) * cos (q / 2)).
+Proof.
+  intros H. pose proof (half_cos q H) as C. unfold tan.
+  pose proof (sin2_cos2 (q / 2)) as S. unfold Rsqr in S.
+  replace (1 + (sin (q / 2) / cos (q / 2)) ^ 2)
+    with ((sin (q / 2) * sin (q / 2) + cos (q / 2) * cos (q / 2)) / (cos (q / 2) * cos (q / 2))) by (field; auto).
+  rewrite S. field; auto.
+Qed.
+
+(** With x = tan (q/2): sin and cos of an angle q between -π and π are quotients in tan (q/2). *)
+Lemma sin_half p q : p = q -> - PI < q < PI -> sin p = 2 * tan (q / 2) / (1 + tan (q / 2) ^ 2).
+Proof.
+  intros -> H. pose proof (half_cos q H) as C. rewrite (half_sum q H).
+  replace q with (2 * (q / 2)) at 1 by field. rewrite sin_2a. unfold tan. field. auto.
+Qed.
+
+Lemma cos_half p q : p = q -> - PI < q < PI -> cos p = (1 - tan (q / 2) ^ 2) / (1 + tan (q / 2) ^ 2).
+Proof.
+  intros -> H. pose proof (half_cos q H) as C. rewrite (half_sum q H).
+  replace q with (2 * (q / 2)) at 1 by field. rewrite cos_2a. unfold tan. field. auto.
+Qed.
+
+(** Where the angle is a multiple of a quarter turn. *)
+Lemma tan_at p (k : Z) : p = IZR k * (PI / 2) -> (-1 <= k <= 1)%Z -> tan (p / 2) = IZR k.
+Proof.
+  intros -> H. assert (E : (k = -1 \/ k = 0 \/ k = 1)%Z) by lia.
+  destruct E as [-> | [-> | ->]].
+  - replace (-1 * (PI / 2) / 2) with (- (PI / 4)) by field. rewrite tan_neg, tan_PI4. reflexivity.
+  - replace (0 * (PI / 2) / 2) with 0 by field. apply tan_0.
+  - replace (1 * (PI / 2) / 2) with (PI / 4) by field. apply tan_PI4.
+Qed.
+
+Lemma tan_le a b : - (PI / 2) < a -> a <= b -> b < PI / 2 -> tan a <= tan b.
+Proof.
+  intros A [H | ->] B; [left; apply tan_increasing; lra | right; reflexivity].
+Qed.
+
+(** The derivative of a function of an angle a·t + b, which is a function of the tangent of its half. *)
+Lemma derive_angle f g a b t :
+  (forall u, - PI < a * u + b < PI -> f u = g (tan ((a * u + b) / 2))) ->
+  - PI < a * t + b < PI -> ex_derive g (tan ((a * t + b) / 2)) ->
+  is_derive f t (Derive g (tan ((a * t + b) / 2)) * (a * ((1 + tan ((a * t + b) / 2) ^ 2) / 2))).
+Proof.
+  intros E H D.
+  apply (is_derive_ext_loc (fun u => g (tan ((a * u + b) / 2)))).
+  - assert (L : continuous (fun u : R => a * u + b) t).
+    { apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. auto. }
+    assert (O : locally (a * t + b) (fun y : R => - PI < y < PI)).
+    { apply (open_and (fun y => - PI < y) (fun y => y < PI)); [apply open_gt | apply open_lt | exact H]. }
+    apply (filter_imp (fun u => - PI < a * u + b < PI)); [|exact (L _ O)].
+    intros u Hu. symmetry. apply E, Hu.
+  - pose proof (half_cos _ H) as C.
+    assert (T : is_derive (fun u => tan ((a * u + b) / 2)) t (a * ((1 + tan ((a * t + b) / 2) ^ 2) / 2))).
+    { pose proof (sin2_cos2 ((a * t + b) / 2)) as S. unfold Rsqr in S. unfold tan. auto_derive; [exact C|].
+      change (a * t + b) with (a * t + b).
+      replace ((a * t + b) * / 2) with ((a * t + b) / 2) by reflexivity.
+      field_simplify; auto. }
+    apply Derive_correct in D.
+    pose proof (is_derive_comp g (fun u => tan ((a * u + b) / 2)) t _ _ D T) as G.
+    evar_last; [exact G|]. unfold scal; simpl. unfold mult; simpl. ring.
+Qed.
+
+Lemma derive_angle_is f g a b t :
+  (forall u, - PI < a * u + b < PI -> f u = g (tan ((a * u + b) / 2))) ->
+  - PI < a * t + b < PI -> ex_derive g (tan ((a * t + b) / 2)) ->
+  Derive f t = Derive g (tan ((a * t + b) / 2)) * (a * ((1 + tan ((a * t + b) / 2) ^ 2) / 2)).
+Proof. intros E H D. apply is_derive_unique, derive_angle; assumption. Qed.
+
+(** Twice the angle. *)
+Lemma sin_twice p q : p = 2 * q -> - PI < q < PI ->
+  sin p = 2 * (2 * tan (q / 2) / (1 + tan (q / 2) ^ 2)) * ((1 - tan (q / 2) ^ 2) / (1 + tan (q / 2) ^ 2)).
+Proof. intros -> H. rewrite sin_2a, (sin_half q q), (cos_half q q); auto. Qed.
+
+Lemma cos_twice p q : p = 2 * q -> - PI < q < PI ->
+  cos p = ((1 - tan (q / 2) ^ 2) / (1 + tan (q / 2) ^ 2)) ^ 2 - (2 * tan (q / 2) / (1 + tan (q / 2) ^ 2)) ^ 2.
+Proof. intros -> H. rewrite cos_2a, (sin_half q q), (cos_half q q); auto. ring. Qed.
+
+(** Bounds of an angle, and of the tangent of its half. *)
+Lemma tan_lt a b : - (PI / 2) < a -> a < b -> b < PI / 2 -> tan a < tan b.
+Proof. intros. apply tan_increasing; lra. Qed.
+
+Lemma tangent_from k q : (-1 <= k <= 1)%Z -> IZR k * (PI / 2) <= q -> q < PI -> IZR k <= tan (q / 2).
+Proof.
+  intros K L H. pose proof PI_RGT_0. assert (-1 <= IZR k) by (apply IZR_le; lia).
+  rewrite <- (tan_at _ k eq_refl K). apply tan_le; nra.
+Qed.
+
+Lemma tangent_above k q : (-1 <= k <= 1)%Z -> IZR k * (PI / 2) < q -> q < PI -> IZR k < tan (q / 2).
+Proof.
+  intros K L H. pose proof PI_RGT_0. assert (-1 <= IZR k) by (apply IZR_le; lia).
+  rewrite <- (tan_at _ k eq_refl K). apply tan_lt; nra.
+Qed.
+
+Lemma tangent_to k q : (-1 <= k <= 1)%Z -> q <= IZR k * (PI / 2) -> - PI < q -> tan (q / 2) <= IZR k.
+Proof.
+  intros K L H. pose proof PI_RGT_0. assert (IZR k <= 1) by (apply IZR_le; lia).
+  rewrite <- (tan_at _ k eq_refl K). apply tan_le; nra.
+Qed.
+
+Lemma tangent_below k q : (-1 <= k <= 1)%Z -> q < IZR k * (PI / 2) -> - PI < q -> tan (q / 2) < IZR k.
+Proof.
+  intros K L H. pose proof PI_RGT_0. assert (IZR k <= 1) by (apply IZR_le; lia).
+  rewrite <- (tan_at _ k eq_refl K). apply tan_lt; nra.
+Qed.
+
+Ltac angle := pose proof PI_RGT_0; split; nra.
+Ltac tangent by_ := apply by_; [lia | |]; pose proof PI_RGT_0; nra.
+
 (** * Linear independence *)
 
 (** ** Polynomials that vanish on an interval *)

@@ -1,7 +1,7 @@
 //! Formulas twice: as a reader of Coq sees them, and as the data of `Basis.v` whose value they are.
 
 use basis_engine::algebra::rational::Rational;
-use basis_engine::formulas::{Comparison, Role, Sign, Term};
+use basis_engine::formulas::{Circular, Comparison, Role, Sign, Term};
 
 /// The identifiers of definitions and variables.
 pub(super) struct Writer<'a> {
@@ -43,6 +43,11 @@ impl Writer<'_> {
         format!("is_derive {function} {} {}", self.argument(at), self.argument(value))
     }
 
+    /// What is differentiated, as a function.
+    pub(super) fn derived_function(&self, body: &Term, bound: usize) -> String {
+        self.function(body, bound, &mut Vec::new())
+    }
+
     fn function(&self, body: &Term, bound: usize, around: &mut Vec<usize>) -> String {
         around.push(bound);
         let text = format!("(fun {} => {})", inner(around.len()), self.at_least(body, Binding::Sum, around));
@@ -59,6 +64,14 @@ impl Writer<'_> {
     fn parts(&self, term: &Term, around: &mut Vec<usize>) -> (String, Binding) {
         match term {
             Term::Number(n) => (number(n), Binding::Atom),
+            Term::Pi => (String::from("PI"), Binding::Atom),
+            Term::Circular(f, x) => {
+                let name = match f {
+                    Circular::Sin => "sin",
+                    Circular::Cos => "cos",
+                };
+                (format!("{name} {}", self.at_least(x, Binding::Atom, around)), Binding::Application)
+            }
             Term::Variable(v) => match around.iter().rposition(|bound| bound == v) {
                 Some(depth) => (inner(depth + 1), Binding::Atom),
                 None => {
@@ -122,6 +135,8 @@ impl Writer<'_> {
                 let place = env.iter().position(|known| known == v);
                 place.map_or_else(|| format!("missing'{v}"), |place| format!("(Var {place})"))
             }
+            // What stands for these is rational.
+            Term::Pi | Term::Circular(..) => String::from("missing'"),
             Term::Neg(x) => format!("(Opp {})", self.data(x, env)),
             Term::Sum(parts) => {
                 self.folded(parts.iter().map(|(s, x)| (*s == Sign::Minus, x)), ["Sum", "Diff"], env)

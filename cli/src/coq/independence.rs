@@ -83,8 +83,8 @@ impl Subject<'_> {
     fn divisors(&self, definition: usize) -> Vec<Term> {
         fn below(term: &Term, found: &mut Vec<Term>, called: &mut Vec<usize>) {
             match term {
-                Term::Number(_) | Term::Variable(_) => {}
-                Term::Neg(x) | Term::Power(x, _) => below(x, found, called),
+                Term::Number(_) | Term::Variable(_) | Term::Pi => {}
+                Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => below(x, found, called),
                 Term::Sum(parts) => {
                     for (_, x) in parts {
                         below(x, found, called);

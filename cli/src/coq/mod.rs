@@ -4,6 +4,7 @@
 //! for each of them the same as data of `Basis.v`; and a theorem for each comparison that its claims make. What has no
 //! counterpart is counted and listed.
 
+mod angles;
 mod certificate;
 mod formula;
 mod frame;
@@ -83,13 +84,22 @@ impl Export {
                     continue;
                 }
             };
-            // Tangents in place of angles, and formulas by span, have no counterpart either.
-            let plain = family.analytic.is_empty() && family.pieces.is_empty();
-            let Some(formulas) = decided.formulas.as_ref().filter(|_| plain) else {
+            let Some(formulas) = &decided.formulas else {
                 let why = "a formula of the family cannot be stated in Coq yet";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
                 continue;
             };
+            if !family.analytic.is_empty() {
+                match Text::of_angles(outcome, decided, family, formulas) {
+                    Ok((text, left_out)) => {
+                        self.missing
+                            .extend(left_out.into_iter().map(|(k, why)| missing(&decided.claims[k], why)));
+                        self.write(folder, outcome, decided, text)?;
+                    }
+                    Err(why) => self.missing.extend(decided.claims.iter().map(|c| missing(c, why))),
+                }
+                continue;
+            }
             if family.is_product() {
                 let why = "a family on a product of a simplex and something else";
                 self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
@@ -181,6 +191,9 @@ impl Export {
     }
 }
 
+/// The claims without a theorem, by their places, each with the reason.
+type Missing = Vec<(usize, &'static str)>;
+
 /// A file that is being written.
 struct Text {
     written: String,
@@ -194,6 +207,15 @@ struct Text {
 impl Text {
     /// The beginning of a file, with all definitions.
     fn new(outcome: &Outcome, decided: &Decided, family: &Family, formulas: &Formulas) -> Self {
+        let mut this = Self::named(outcome, decided, family, formulas);
+        for (k, definition) in formulas.definitions.iter().enumerate() {
+            this.define(k, definition);
+        }
+        this
+    }
+
+    /// A file without anything in it, but with the names of all.
+    fn named(outcome: &Outcome, decided: &Decided, family: &Family, formulas: &Formulas) -> Self {
         let mut identifiers = Names::default();
         let names: Vec<String> = family.names.iter().map(|name| identifiers.give(name)).collect();
         let title = decided.subject.title();
@@ -206,11 +228,59 @@ impl Text {
         };
         let definitions = formulas.definitions.iter().map(|d| given(&mut identifiers, d)).collect();
         let written = beginning(&title, &outcome.path);
-        let mut this = Self { written, definitions, names, identifiers, theorems: Vec::new() };
+        Self { written, definitions, names, identifiers, theorems: Vec::new() }
+    }
+
+    /// The file of a family with an angle, and the claims without a theorem, each with the reason.
+    ///
+    /// # Errors
+    /// What a function of the family has that cannot be stated.
+    fn of_angles(
+        outcome: &Outcome,
+        decided: &Decided,
+        family: &Family,
+        formulas: &Formulas,
+    ) -> Result<(Self, Missing), &'static str> {
+        let turn = angles::Turn::of(family).ok_or("pi or more than one angle")?;
+        let mut this = Self::named(outcome, decided, family, formulas);
+        let (definitions, names) = (this.definitions.clone(), this.names.clone());
+        let all = family.obligations.iter().chain(&decided.obligations);
+        let obligations: Vec<&Proof> = all.filter_map(|o| o.proof.as_ref()).collect();
+        let subject = angles::Angular {
+            family,
+            formulas,
+            turn,
+            definitions: &definitions,
+            names: &names,
+            obligations: &obligations,
+            turning: angles::angular(formulas),
+        };
         for (k, definition) in formulas.definitions.iter().enumerate() {
-            this.define(k, definition);
+            if !subject.turning[k] {
+                this.define(k, definition);
+                continue;
+            }
+            if definition.family != decided.subject.title() {
+                return Err("a function of another family with an angle");
+            }
+            let in_tangents = subject.definition(k, definition)?;
+            let parameters = this.state(&definitions[k], &definitions, definition);
+            this.written.push('\n');
+            let own: Vec<String> =
+                definitions.iter().enumerate().map(|(k, name)| subject.in_tangents(k, name)).collect();
+            this.with_data(&own[k], &own, &in_tangents);
+            this.written += &subject.lemma(k, &parameters)?;
         }
-        this
+        let mut missing = Vec::new();
+        for (k, (claim, claimed)) in decided.claims.iter().zip(&formulas.claims).enumerate() {
+            let name = this.identifiers.give(&format!("claim_{}_{}", k + 1, kind(claim)));
+            let claimed = claimed.as_ref().ok_or("a formula that cannot be stated in Coq yet");
+            match claimed.and_then(|claimed| subject.theorems(&name, claimed, &claim.verdict)) {
+                Ok(theorems) => this.add(outcome, claim, theorems),
+                Err(why) => missing.push((k, why)),
+            }
+        }
+        Ok((this, missing))
     }
 
     /// The file of a theorem or join, and the claims without a theorem, each with the reason.
@@ -219,7 +289,7 @@ impl Text {
         decided: &Decided,
         theorem: &Rc<Theorem>,
         formulas: &PointFormulas,
-    ) -> (Self, Vec<(usize, &'static str)>) {
+    ) -> (Self, Missing) {
         let mut identifiers = Names::default();
         let name =
             |names: &mut Names, d: &Definition| names.give(&format!("{}_{}", identifier(&d.family), d.name));
@@ -264,7 +334,12 @@ impl Text {
 
     /// A definition, and the same as data.
     fn define(&mut self, place: usize, definition: &Definition) {
-        let name = &self.definitions[place];
+        let definitions = self.definitions.clone();
+        self.with_data(&definitions[place], &definitions, definition);
+    }
+
+    /// A definition with a name; the identifiers of its parameters.
+    fn state(&mut self, name: &str, definitions: &[String], definition: &Definition) -> Vec<String> {
         let mut own = Names::default();
         let parameters: Vec<String> = definition.parameters.iter().map(|p| own.give(p)).collect();
         // A parameter must not hide a function.
@@ -273,20 +348,25 @@ impl Text {
             .map(|p| if self.definitions.contains(&p) { format!("{p}'") } else { p })
             .collect();
         let called = |v: usize| parameters.get(v).cloned();
-        let writer = Writer { definitions: &self.definitions, variables: &called };
-        let value = writer.text(&definition.value);
+        let value = Writer { definitions, variables: &called }.text(&definition.value);
+        self.written += &format!("Definition {name} ({} : R) : R :=\n  {value}.\n", parameters.join(" "));
+        parameters
+    }
+
+    fn with_data(&mut self, name: &str, definitions: &[String], definition: &Definition) {
+        let parameters = self.state(name, definitions, definition);
+        let called = |v: usize| parameters.get(v).cloned();
+        let writer = Writer { definitions, variables: &called };
         let env: Vec<usize> = (0..parameters.len()).collect();
         let data = writer.data(&definition.value, &env);
         let applied: Vec<String> = env.iter().map(|k| format!("(nth {k} env 0)")).collect();
         let applied = format!("(fun env => {name} {})", applied.join(" "));
         self.written += &format!(
-            "Definition {name} ({} : R) : R :=\n  {value}.\n\
-             Definition {name}'data : expr := {data}.\n\
+            "Definition {name}'data : expr := {data}.\n\
              Definition {name}'norm : norm_result := Eval vm_compute in norm {name}'data.\n\
              Lemma {name}'ok : forall env,\n  Forall (nz env) (cs {name}'norm) -> is (fr {name}'norm) env ({applied} env).\n\
              Proof. apply (fn_by _ {name}'data); [vm_cast_no_check (eq_refl {name}'norm) | reflexivity]. Qed.\n\
              Definition {name}'fn : fn := Fn {applied} (fr {name}'norm) (cs {name}'norm) {name}'ok.\n\n",
-            parameters.join(" "),
         );
     }
 
@@ -297,7 +377,7 @@ impl Text {
         decided: &Decided,
         family: &Family,
         formulas: &Formulas,
-    ) -> Vec<(usize, &'static str)> {
+    ) -> Missing {
         let all = family.obligations.iter().chain(&decided.obligations);
         let obligations: Vec<&Proof> = all.filter_map(|o| o.proof.as_ref()).collect();
         let mut missing = Vec::new();

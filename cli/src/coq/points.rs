@@ -514,9 +514,9 @@ fn factor(a: &Form, b: &Form) -> Option<(Poly, Poly)> {
 /// The free variables of a formula.
 fn variables(term: &Term, found: &mut Vec<usize>) {
     match term {
-        Term::Number(_) => {}
+        Term::Number(_) | Term::Pi => {}
         Term::Variable(v) => found.push(*v),
-        Term::Neg(x) | Term::Power(x, _) => variables(x, found),
+        Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => variables(x, found),
         Term::Sum(parts) => parts.iter().for_each(|(_, x)| variables(x, found)),
         Term::Product(parts) => parts.iter().for_each(|(_, x)| variables(x, found)),
         Term::Call(_, args) => args.iter().for_each(|x| variables(x, found)),

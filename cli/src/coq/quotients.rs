@@ -44,8 +44,8 @@ pub(super) fn cancel(family: &Family, formulas: &Formulas, obligations: &[&Oblig
 /// Whether a formula divides by something else than a number.
 fn divides(term: &Term) -> bool {
     match term {
-        Term::Number(_) | Term::Variable(_) => false,
-        Term::Neg(x) | Term::Power(x, _) => divides(x),
+        Term::Number(_) | Term::Variable(_) | Term::Pi => false,
+        Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => divides(x),
         Term::Sum(parts) => parts.iter().any(|(_, x)| divides(x)),
         Term::Product(parts) => parts
             .iter()
@@ -104,6 +104,7 @@ impl Reader {
         Some(match term {
             Term::Number(x) => Fraction::constant(x.clone()),
             Term::Variable(v) => Fraction::var(Var(*v)),
+            Term::Pi | Term::Circular(..) => return None,
             Term::Neg(x) => {
                 let x = self.value(x, divisors)?;
                 Fraction::zero().sub_within(&x, &mut self.work)?

@@ -307,3 +307,65 @@ fn coq_accepts_theorems_about_points() {
         }
     }
 }
+
+/// An angle with a shape parameter, and another one as a multiple of pi.
+const ANGLE: &str = "\
+family Quarter {
+    domain 0 <= θ <= pi/2;
+    shape -1 <= λ <= 1;
+    b[0] = (1 - sin(θ))*(1 - λ*sin(θ));
+    b[1] = (1 + λ)*(sin(θ) + cos(θ) - 1);
+    b[2] = 1 - b[0] - b[1];
+    prove partition_of_unity;
+    prove nonnegative;
+    prove D(b[0]) <= 0;
+    prove at θ = pi/2 { b = [0, 0, 1]; D(b[2], 2) = 2*λ; }
+    prove sin(2*θ) = 2*sin(θ)*cos(θ);
+    refute independent;
+}
+family Turn {
+    domain 0 <= t < 1;
+    b[0] = (1 - cos(pi*t/2))/(1 + cos(pi*t/2));
+    prove nonnegative;
+    prove D(b[0])(0) = 0;
+    prove b[0] < 1;
+}
+";
+
+#[test]
+#[ignore = "needs Coq and Coquelicot"]
+fn coq_accepts_angles() {
+    let folder = Folder::with("angle.basis", ANGLE);
+    let run = folder.run(&["check", "--coq", "v", "angle.basis"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    let last = "Coq: 13 theorems in 2 files, 1 claim not exported:\n  angle.basis:12: Quarter: `independent`: a refutation beside an angle\n";
+    assert!(run.stdout.ends_with(last), "{}", run.stdout);
+    let folder = folder.path().join("v");
+    let changes: [(&str, &[(&str, &str)]); 2] = [
+        (
+            "angle_Quarter.v",
+            &[
+                // the function, its form in tangents, the range of the angle and of the parameter, the place, the slope
+                ("(1 - sin θ) * (1 - λ * sin θ)", "(1 - sin θ) * (1 - λ * cos θ)"),
+                ("(1 - 2 * x / (1 + x ^ 2)) * (1", "(1 - 2 * x / (2 + x ^ 2)) * (1"),
+                ("  0 <= θ <= (1 / 2) * PI ->\n  b_0 λ θ >= 0", "  0 <= θ <= 2 * PI ->\n  b_0 λ θ >= 0"),
+                (
+                    "  (-1) <= λ <= 1 ->\n  0 <= θ <= (1 / 2) * PI ->\n  b_1 λ θ >= 0",
+                    "  (-2) <= λ <= 1 ->\n  0 <= θ <= (1 / 2) * PI ->\n  b_1 λ θ >= 0",
+                ),
+                ("b_2 λ θ = 1.", "b_2 λ θ = 2."),
+                ("θ = 2 * λ.", "θ = 3 * λ."),
+            ],
+        ),
+        ("angle_Turn.v", &[("  0 <= t < 1 ->\n  b_0 t < 1.", "  0 <= t <= 1 ->\n  b_0 t < 1.")]),
+    ];
+    for (file, changes) in changes {
+        let text = fs::read_to_string(folder.join(file)).expect("it is written");
+        let (fine, said) = accepted(&folder, &text);
+        assert!(fine, "{said}");
+        for (old, new) in changes {
+            let (fine, said) = accepted(&folder, &changed(&text, old, new));
+            assert!(!fine, "`{new}` in place of `{old}` is accepted: {said}");
+        }
+    }
+}

@@ -97,6 +97,8 @@ impl Reader<'_, '_> {
                     |left| Compared { left, comparison: Comparison::GreaterEqual, right: Term::integer(0) };
                 calls.into_iter().map(one).collect()
             }
+            // An angle moves with its tangent.
+            ClaimKind::Symmetric if !family.analytic.is_empty() => return None,
             ClaimKind::Symmetric => {
                 let coordinates = scope.coordinates();
                 let mut all = Vec::new();
@@ -107,7 +109,7 @@ impl Reader<'_, '_> {
                 }
                 all
             }
-            ClaimKind::Continuity(joint) if joint.next.is_empty() => {
+            ClaimKind::Continuity(joint) if joint.next.is_empty() && family.analytic.is_empty() => {
                 let (var, low, high) = family.interval()?;
                 let mut derivatives = calls;
                 let mut all = Vec::new();

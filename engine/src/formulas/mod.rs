@@ -21,6 +21,15 @@ pub use read::of;
 
 use crate::algebra::rational::Rational;
 
+/// A function of an angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Circular {
+    /// The sine.
+    Sin,
+    /// The cosine.
+    Cos,
+}
+
 /// A formula.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Term {
@@ -34,6 +43,10 @@ pub enum Term {
     Sum(Vec<(Sign, Term)>),
     /// Factors and divisors, at least one; the first one is a factor.
     Product(Vec<(Role, Term)>),
+    /// The number π.
+    Pi,
+    /// The sine or cosine of an angle.
+    Circular(Circular, Rc<Term>),
     /// A power with a whole exponent ≥ 0.
     Power(Rc<Term>, u32),
     /// The value of a definition, by its place in [`Formulas::definitions`].
@@ -58,7 +71,8 @@ impl Term {
     /// Terms in place of variables, all at once.
     pub fn put(&self, by: &dyn Fn(usize) -> Option<Self>) -> Self {
         match self {
-            Self::Number(_) => self.clone(),
+            Self::Number(_) | Self::Pi => self.clone(),
+            Self::Circular(f, x) => Self::Circular(*f, Rc::new(x.put(by))),
             Self::Variable(v) => by(*v).unwrap_or_else(|| self.clone()),
             Self::Neg(x) => Self::Neg(Rc::new(x.put(by))),
             Self::Sum(parts) => Self::Sum(parts.iter().map(|(sign, x)| (*sign, x.put(by))).collect()),

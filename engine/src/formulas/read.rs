@@ -2,7 +2,10 @@
 
 use super::scope::{Constants, Functions, Planned, Reader, Scope, Value};
 use super::{Claimed, Definition, Formulas, Term};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::rational::Rational;
 use crate::claim::Claim;
+use crate::model::angle::{Angle, Kind};
 use crate::model::label;
 use crate::model::tuples::numbered;
 use crate::model::{Family, Library};
@@ -23,7 +26,7 @@ pub(super) const BOUND: usize = 1 << 20;
 pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Formulas> {
     let order: Vec<i64> = family.order.iter().map(|(_, value)| *value).collect();
     let (unit, written) = library.written(&family.name)?;
-    if !is_algebraic(family) {
+    if !is_plain(family) {
         return None;
     }
     let mut reader = Reader::new(library);
@@ -34,12 +37,18 @@ pub fn of(library: &Library<'_>, family: &Family, claims: &[Claim]) -> Option<Fo
     Some(Formulas { definitions: reader.definitions, functions: places, claims })
 }
 
-/// Whether all variables of a family stand for themselves, and one formula for the whole domain: no angle, no π and no
-/// exponential function occurs, and the domain has one span.
-const fn is_algebraic(family: &Family) -> bool {
+/// Whether one formula stands for the whole domain, all shape parameters stand for themselves, and so does the domain
+/// variable or it is an angle whose tangent has rational ends.
+fn is_plain(family: &Family) -> bool {
     let analytic = &family.analytic;
-    analytic.angles.is_empty()
-        && analytic.pi.is_none()
+    let angle = |a: &Angle| {
+        a.kind == Kind::Circular
+            && a.low.is_zero()
+            && a.width == Fraction::constant(Rational::ONE)
+            && family.domain.iter().any(|p| p.var == a.var)
+    };
+    analytic.angles.iter().all(angle)
+        && (analytic.is_empty() || family.domain.len() == 1)
         && analytic.exponential.is_none()
         && family.pieces.is_empty()
 }
@@ -77,7 +86,7 @@ impl Reader<'_, '_> {
             return Some(functions.clone());
         }
         let family = self.library.family(unit, name, order).ok()?;
-        if !is_algebraic(&family) {
+        if !is_plain(&family) {
             return None;
         }
         let written = self.library.tree(home, position)?;
@@ -175,7 +184,7 @@ impl Reader<'_, '_> {
         let value = self.inside(|reader| {
             scope.alone(Vec::new(), || scope.with(&constants, || reader.scalar(scope, &def.value)))
         })?;
-        let place = self.define(scope, label(&scope.function_name, &written), value);
+        let place = self.define(scope, label(&scope.function_name, &written), &value);
         scope.functions.borrow_mut().insert(written.clone(), place);
         if def.permute {
             self.permuted(scope, &written, place);
@@ -192,7 +201,7 @@ impl Reader<'_, '_> {
         let value = self.inside(|reader| scope.alone(Vec::new(), || reader.value(scope, &def.value)))?;
         let mut named = |term: Term, name: String| match self.number_of(&term) {
             Some(number) => Term::Number(number),
-            None => scope.call(self.define(scope, name, term)),
+            None => scope.call(self.define(scope, name, &term)),
         };
         let value = match value {
             Value::Scalar(term) => Value::Scalar(named(term, name.clone())),
@@ -204,8 +213,12 @@ impl Reader<'_, '_> {
         Some(value)
     }
 
-    fn define(&mut self, scope: &Scope<'_>, name: String, value: Term) -> usize {
-        let (family, parameters) = (scope.title.borrow().clone(), scope.names.clone());
+    fn define(&mut self, scope: &Scope<'_>, name: String, value: &Term) -> usize {
+        let family = scope.title.borrow().clone();
+        let parameters = scope.parameters.iter().filter_map(|v| scope.names.get(*v).cloned()).collect();
+        // A variable is a parameter by its place from now on.
+        let place = |v: usize| scope.parameters.iter().position(|p| *p == v).map(Term::Variable);
+        let value = value.put(&place);
         self.definitions.push(Definition { family, name, parameters, value });
         self.definitions.len() - 1
     }
@@ -242,7 +255,7 @@ impl Reader<'_, '_> {
                 Term::Variable(k.map_or(v, |k| coordinates[order[k]]))
             });
             let value = Term::Call(place, args.collect());
-            let new = self.define(scope, label(&scope.function_name, &moved), value);
+            let new = self.define(scope, label(&scope.function_name, &moved), &value);
             scope.functions.borrow_mut().insert(moved, new);
         }
     }
@@ -273,7 +286,7 @@ impl Reader<'_, '_> {
                 let own = names.iter().cloned().zip(index.iter().copied());
                 let values: Constants = std::iter::once((order.to_string(), current)).chain(own).collect();
                 let value = scope.with(&values, || self.scalar(scope, &def.value))?;
-                let place = self.define(scope, label(&scope.function_name, &index), value);
+                let place = self.define(scope, label(&scope.function_name, &index), &value);
                 raised.insert(index, place);
             }
             scope.missing_is_zero.replace(false);

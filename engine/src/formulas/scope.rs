@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::ops::Range;
 
 use super::{Definition, Term};
+use crate::algebra::poly::Var;
 use crate::model::{Family, Library};
 use crate::syntax::{self, FunctionDef, NameDef, StatementKind};
 use basis_prover::collections::map::SortedMap;
@@ -61,6 +62,8 @@ pub(super) struct Scope<'w> {
     /// The arguments of the name with arguments whose formula is being read.
     pub(super) arguments: RefCell<Vec<(String, Value)>>,
     pub(super) names: Vec<String>,
+    /// The numbers of the variables on which functions depend: an angle, not its tangent.
+    pub(super) parameters: Vec<usize>,
     /// For each factor of the domain the numbers of its variables, of a simplex the dependent one last.
     factors: Vec<Vec<usize>>,
     pub(super) function_name: String,
@@ -85,7 +88,12 @@ impl<'w> Scope<'w> {
             known: RefCell::default(),
             arguments: RefCell::default(),
             names: family.names.clone(),
-            factors: family.factors().iter().map(|f| f.variables().map(|p| p.var.0).collect()).collect(),
+            parameters: parameters(family),
+            factors: family
+                .factors()
+                .iter()
+                .map(|f| f.variables().map(|p| itself(family, p.var)).collect())
+                .collect(),
             function_name: family.function_name.clone(),
             functions: RefCell::new(SortedMap::new()),
             planned: RefCell::new(SortedMap::new()),
@@ -103,6 +111,7 @@ impl<'w> Scope<'w> {
             lets: Vec::new(),
             known: RefCell::default(),
             arguments: RefCell::default(),
+            parameters: (0..names.len()).collect(),
             names,
             factors: Vec::new(),
             function_name: String::new(),
@@ -174,6 +183,20 @@ impl<'w> Scope<'w> {
 
     /// A function at the point itself.
     pub(super) fn call(&self, definition: usize) -> Term {
-        Term::Call(definition, (0..self.names.len()).map(Term::Variable).collect())
+        Term::Call(definition, self.parameters.iter().copied().map(Term::Variable).collect())
     }
+}
+
+/// The numbers of the variables on which the functions of a family depend.
+pub(super) fn parameters(family: &Family) -> Vec<usize> {
+    if family.analytic.angles.is_empty() && family.analytic.pi.is_none() {
+        return (0..family.names.len()).collect();
+    }
+    let all = family.shapes.iter().chain(family.domain_variables());
+    all.map(|p| itself(family, p.var)).collect()
+}
+
+/// The number of a variable, of the tangent of an angle that of the angle.
+fn itself(family: &Family, var: Var) -> usize {
+    family.analytic.angle(var).map_or(var, |angle| angle.itself).0
 }

@@ -2,12 +2,12 @@
 
 use std::rc::Rc;
 
-use super::scope::{Constants, Reader, Scope, Value};
-use super::{Comparison, Role, Sign, Term};
+use super::scope::{Constants, Reader, Scope, Value, parameters};
+use super::{Circular, Comparison, Role, Sign, Term};
 use crate::algebra::number::binomial;
 use crate::algebra::rational::Rational;
 use crate::model::tuples::multi_indices;
-use crate::model::words::BUILTINS;
+use crate::model::words::{BUILTINS, CIRCULAR, PI};
 use crate::syntax::{Condition, Expr, ExprKind, Generator, Loops};
 
 /// Terms with their signs.
@@ -105,7 +105,7 @@ impl Reader<'_, '_> {
     pub(super) fn number_of(&self, term: &Term) -> Option<Rational> {
         Some(match term {
             Term::Number(n) => n.clone(),
-            Term::Variable(_) | Term::Derivative { .. } => return None,
+            Term::Variable(_) | Term::Pi | Term::Circular(..) | Term::Derivative { .. } => return None,
             Term::Neg(x) => -self.number_of(x)?,
             Term::Sum(parts) => {
                 let mut sum = Rational::ZERO;
@@ -214,6 +214,9 @@ impl Reader<'_, '_> {
             self.spend(size(&value))?;
             return Some(value);
         }
+        if PI.contains(&name) {
+            return Some(Value::Scalar(Term::Pi));
+        }
         if let Some(var) = scope.names.iter().position(|n| n == name) {
             return Some(Value::Scalar(Term::Variable(var)));
         }
@@ -265,7 +268,7 @@ impl Reader<'_, '_> {
                 args.extend(own.into_iter().map(Term::Variable));
             }
         }
-        if args.len() != family.names.len() {
+        if args.len() != parameters(&family).len() {
             return None;
         }
         let functions = self.inside(|reader| reader.family(scope.unit, named.name, &order))?;
@@ -314,6 +317,16 @@ impl Reader<'_, '_> {
             }
             if BUILTINS.contains(&name.as_str()) {
                 return self.builtin(scope, name, arguments);
+            }
+            if let ([x], true) = (arguments, CIRCULAR.contains(&name.as_str())) {
+                let x = Rc::new(self.scalar(scope, x)?);
+                let (sine, cosine) =
+                    (Term::Circular(Circular::Sin, Rc::clone(&x)), Term::Circular(Circular::Cos, x));
+                return Some(Value::Scalar(match name.as_str() {
+                    "sin" => sine,
+                    "cos" => cosine,
+                    _ => Term::Product(vec![(Role::Factor, sine), (Role::Divisor, cosine)]),
+                }));
             }
         }
         let (inner, index) = match &callee.kind {
@@ -536,8 +549,8 @@ fn size(value: &Value) -> usize {
 
 pub(super) fn parts(term: &Term) -> usize {
     1 + match term {
-        Term::Number(_) | Term::Variable(_) => 0,
-        Term::Neg(x) | Term::Power(x, _) => parts(x),
+        Term::Number(_) | Term::Variable(_) | Term::Pi => 0,
+        Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => parts(x),
         Term::Sum(list) => list.iter().map(|(_, x)| parts(x)).sum(),
         Term::Product(list) => list.iter().map(|(_, x)| parts(x)).sum(),
         Term::Call(_, args) => args.iter().map(parts).sum(),
