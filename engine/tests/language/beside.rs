@@ -150,3 +150,29 @@ fn equations_fail_at_the_value_that_the_variable_has() {
         assert!(!place.ends_with("at t = 0") || place.starts_with("-3 "), "{found:?}");
     }
 }
+
+#[test]
+fn quotients_with_the_variable_below() {
+    let found = counterexamples(
+        "family Exponential {
+            domain 0 <= t <= 1;
+            b[0] = exp(t);
+            prove exp(-t) >= 1/(1 + t + t^2);
+            prove b[0] <= (2 + t)/(2 - t);
+            refute b[0] >= (2 + t)/(2 - t);
+            prove (b[0] - 1)/(1 + t) >= 0;
+            prove sinh(t)/(1 + t^2) <= 3/4;
+        }
+        family Quarter {
+            domain 0 <= t <= pi/2;
+            b[0] = sin(t)/(1 + t);
+            prove b[0] <= 1/2;
+            prove b[0] >= t/(1 + t) - t^3/(6*(1 + t));
+            refute b[0] >= t/(1 + t) - t^3/(7*(1 + t));
+            prove sin(t) >= t*(60 - 7*t^2)/(60 + 3*t^2) - 1/100;
+            prove cos(t) >= (12 - 5*t^2)/(12 + t^2);
+        }",
+    );
+    assert_eq!(found.len(), 2);
+    assert_eq!(found[0], "-3 + exp(1) at t = 1");
+}

@@ -204,6 +204,10 @@ fn function(scope: &mut Scope<'_>, def: &FunctionDef) {
 fn insert<'a>(scope: &mut Scope<'a>, function: &PlannedFunction<'a>, index: Vec<i64>) -> bool {
     let def = function.def;
     if let Some(Definition { span: first, permuted, .. }) = scope.defined.get(&index) {
+        // Under another name it is no second mistake.
+        if def.name.text != scope.function_name {
+            return true;
+        }
         let name = label(&def.name.text, &index);
         let error = scope
             .error(def.name.span, format!("`{name}` is defined twice"))

@@ -148,6 +148,12 @@ impl Ladder<'_> {
         if !self.may_be_nonnegative(g, work) {
             return None;
         }
+        if g.value.denom().depends_on(self.angle.itself) {
+            return self.attempt(|ladder| {
+                let above = ladder.without_denominator(g, depth, work)?;
+                ladder.positive(&above, strict, depth, work)
+            });
+        }
         if let Some((simpler, fine)) = self.without_power(g, strict) {
             return if fine { self.positive(&simpler, strict, depth, work) } else { None };
         }
@@ -199,6 +205,12 @@ impl Ladder<'_> {
         if !g.value.depends_on(self.angle.itself) {
             return self.falls_without(g, work);
         }
+        if g.value.denom().depends_on(self.angle.itself) {
+            return self.attempt(|ladder| {
+                let above = ladder.without_denominator(g, depth, work)?;
+                ladder.falls(&above, depth, work)
+            });
+        }
         if let Some((simpler, true)) = self.without_power(g, false) {
             return self.falls(&simpler, depth, work);
         }
@@ -243,6 +255,21 @@ impl Ladder<'_> {
         let from_zero = self.angle.limits[0].is_zero() || above;
         let fine = from_zero && (!strict || !self.is_included(0));
         from_zero.then(|| (Named { of: format!("({})/{}", g.of, self.angle.name), value }, fine))
+    }
+
+    /// What stands above the fraction line, with the sign of the function, where what stands below has one sign.
+    fn without_denominator(&mut self, g: &Named, depth: usize, work: &mut Work) -> Option<Named> {
+        let mut below =
+            Named { of: format!("the denominator of {}", g.of), value: g.value.denom().clone().into() };
+        let mut above =
+            Named { of: format!("the numerator of {}", g.of), value: g.value.numer().clone().into() };
+        match self.signs(&below, work) {
+            Signs::Up => {}
+            Signs::Down => (below, above) = (below.negated(), above.negated()),
+            _ => return None,
+        }
+        self.positive(&below, true, depth, work)?;
+        Some(above)
     }
 
     /// The function divided by the coefficient of the highest power of the variable, where that is positive.
