@@ -39,5 +39,8 @@ pub(crate) fn degrees(family: &Family) -> Vec<u32> {
             degrees.max().unwrap_or(0)
         }
     };
-    family.factors().into_iter().map(degree).collect()
+    let own: Vec<u32> = family.factors().into_iter().map(degree).collect();
+    // Of several spans the one of the highest degree counts.
+    let others = family.pieces.iter().flat_map(|piece| degrees(piece));
+    if let [only] = own[..] { vec![others.fold(only, u32::max)] } else { own }
 }
