@@ -115,3 +115,49 @@ fn what_leaves_the_functions() {
     let error = errors("domain 0 <= t <= pi/2; b[0] = sin(t); prove integral(b[0], t, 0, pi/5) = 1;");
     assert!(error.contains("pi/5"), "{error}");
 }
+
+#[test]
+fn quotients() {
+    as_declared(
+        "family Quotients {
+            domain 0 <= t <= 1;
+            shape 0 < c, 1 <= k <= 2;
+            b[0] = 1/(c + t);
+            prove integral(b[0]^2) = 1/(c*(c + 1));
+            prove integral(t/(1 + t^2)^2) = 1/4;
+            prove integral((1 - t^2)/(1 + t^2)^2) = 1/2;
+            prove integral(1/(1 + t)^3) = 3/8;
+            refute integral(1/(1 + t)^3) = 1/4;
+            prove integral((2*t + k)/(t^2 + k*t + 1)^2) = 1 - 1/(2 + k);
+            prove integral(t^2 + 1/(1 + t)^2, t, 0, 1/2) = 3/8;
+            prove integral(t^2*(3 + 2*t)/(1 + t)^2) = 1/2;
+            refute integral(t^2*(3 + 2*t)/(1 + t)^2) = 1/3;
+            prove D(integral(b[0]^2), c) <= 0;
+        }
+        family Box {
+            domain 0 <= x <= 1, 0 <= y <= 1;
+            b[0] = x*y;
+            prove integral(1/(1 + x + y)^3) = 1/6;
+            prove integral(y/(1 + x)^2, x, 0, 1) = y/2;
+        }
+        family Spans {
+            domain -1 <= t <= 0, 0 <= t <= 1;
+            b[0] = 1/(2 + t)^2 | 1/(2 - t)^2;
+            prove integral(b[0]) = 1;
+        }",
+    );
+    let no = |domain: &str, claim: &str| errors(&format!("domain {domain}; b[0] = t; prove {claim};"));
+    for f in ["1/(1 + t)", "1/(1 + t^2)", "(1 + t^2)/(1 + t)^2", "t/(1 + t)^2"] {
+        let error = no("0 <= t <= 1", &format!("integral({f}) = 1"));
+        assert!(error.contains("the integral is not a rational number or function"), "{f}: {error}");
+    }
+    // A pole between the bounds, at an end, or perhaps.
+    for (domain, f, what) in [
+        ("0 <= t <= 1", "integral(1/(2*t - 1)^2)", "vanishes at t = 1/2"),
+        ("0 < t <= 1", "integral(1/t^2)", "becomes zero"),
+        ("1 <= t <= 2", "integral(1/t^2, t, -1, 1)", "may have a pole"),
+    ] {
+        let error = no(domain, &format!("{f} = 1"));
+        assert!(error.contains(what), "{f}: {error}");
+    }
+}

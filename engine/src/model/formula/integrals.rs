@@ -1,6 +1,6 @@
 //! Integrals in expressions: `integral(f)` over the domain, `integral(f, t, a, b)` in one variable between bounds.
 //!
-//! A polynomial has a polynomial as its antiderivative; for angles see `antiderivative`. Over the simplex u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is
+//! A polynomial has a polynomial as its antiderivative; for quotients and angles see `antiderivative`. Over the simplex u₁ + … + uₖ ≤ 1 the integral of u₁^a₁ ⋯ uₖ^aₖ is
 //! a₁! ⋯ aₖ!/(a₁ + … + aₖ + k)!.
 
 use proc_macro2::Span;
@@ -23,7 +23,7 @@ fn factorial(n: u32) -> Rational {
 }
 
 /// What an integral that cannot be written down is answered with.
-const LEAVES: &str = "integrals of polynomials are exact; multiply by the denominator";
+const LEAVES: &str = "multiply by the denominator, or claim the derivative of an antiderivative";
 
 impl Scope<'_> {
     /// integral(f), integral(f, t, a, b).
@@ -206,16 +206,48 @@ impl Scope<'_> {
         high: &Fraction,
         span: Span,
     ) -> Option<Fraction> {
-        self.check_integrand(f, &[var], span)?;
         self.fits(self.budget.spend(f.numer().len() as u64), span)?;
-        let raised = f.numer().terms().map(|(m, c)| {
-            let exponent = m.exponent(var) + 1;
-            (m.with_exponent(var, exponent), c * &Rational::new(1, i64::from(exponent)))
-        });
-        let antiderivative = Fraction::new(Poly::from_terms(raised), f.denom().clone())?;
+        let antiderivative = if f.denom().depends_on(var) {
+            self.check_bounds(var, [low, high], span)?;
+            let Some(found) = self.fits(self.rational_antiderivative(f, var), span)? else {
+                let error = self.error(span, "the integral is not a rational number or function");
+                let label = "the antiderivative has a logarithm or an arc tangent";
+                self.report(error.label(label).help(LEAVES));
+                return None;
+            };
+            found
+        } else {
+            let raised = f.numer().terms().map(|(m, c)| {
+                let exponent = m.exponent(var) + 1;
+                (m.with_exponent(var, exponent), c * &Rational::new(1, i64::from(exponent)))
+            });
+            Fraction::new(Poly::from_terms(raised), f.denom().clone())?
+        };
         let upper = self.put_one(&antiderivative, var, high, span)?;
         let lower = self.put_one(&antiderivative, var, low, span)?;
         self.fits(self.budget.sub(&upper, &lower), span)
+    }
+
+    /// A function is known to have no pole in the domain; between other bounds it may.
+    fn check_bounds(&self, var: Var, bounds: [&Fraction; 2], span: Span) -> Option<()> {
+        let own = self.domain.iter().position(|v| *v == var).and_then(|k| self.ends.get(k));
+        let inside = own.is_some_and(|(low, high)| {
+            let ends = [low.as_constant(), high.as_constant()];
+            bounds.into_iter().all(|bound| {
+                let between = |x: Rational| matches!(&ends, [Some(a), Some(b)] if *a <= x && x <= *b);
+                bound == low || bound == high || bound.as_constant().is_some_and(between)
+            })
+        });
+        if !inside {
+            let name = &self.names[var.0];
+            let error = self.error(span, "the integrand may have a pole between the bounds");
+            let error = error.label(format!("`{name}` is in a denominator"));
+            self.report(
+                error
+                    .help("where there is a denominator, the bounds are ends of the domain or numbers in it"),
+            );
+        }
+        inside.then_some(())
     }
 
     /// The integral over the whole domain.
