@@ -15,7 +15,8 @@ pub(crate) fn factored(family: &Family, form: &IntervalForm, function: &Function
     }
     let whole = f.inner_monomial(form).scale(&f.content);
     let ends = distances(form.var, &form.low, &form.high);
-    let powers: Vec<(Poly, u32)> = ends.into_iter().zip([f.x_power, f.s_power]).listed();
+    let square = f.square_monomial(form).map(|h| (h, 2));
+    let powers: Vec<(Poly, u32)> = ends.into_iter().zip([f.x_power, f.s_power]).chain(square).listed();
     product(&whole, &powers, &function.denom, &family.names)
 }
 

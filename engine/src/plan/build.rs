@@ -26,6 +26,8 @@ pub(super) struct Builder {
     pub(super) power_lets: Vec<Let>,
     /// The names of expressions in shape values.
     pub(super) scalar_lets: Vec<Let>,
+    /// The names of what is squared.
+    pub(super) root_lets: Vec<Let>,
 }
 
 impl Builder {
@@ -93,6 +95,7 @@ impl Builder {
         let mut lets = self.units;
         lets.extend(self.power_lets);
         lets.extend(self.scalar_lets);
+        lets.extend(self.root_lets);
         lets.extend(last);
         Plan { nodes: self.nodes, lets, outputs }
     }

@@ -2,9 +2,15 @@
 
 use basis_prover::collections::list::{Listed, Mapped};
 
+use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
+use std::rc::Rc;
+
+use crate::algebra::divisors::gcd::checked_gcd;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Region;
 use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
 use crate::model::Family;
 use crate::model::angle::Kind;
 use crate::model::bernstein::{affine, to_bernstein};
@@ -48,7 +54,7 @@ pub struct FunctionForm {
     pub endpoint: Vec<Poly>,
 }
 
-/// content · x^a · s^b · g, with g in the Bernstein basis of its own degree.
+/// content · x^a · s^b · h² · g, with g and h in the Bernstein bases of their own degrees.
 #[derive(Clone, Debug)]
 pub struct Factored {
     /// A number.
@@ -57,6 +63,9 @@ pub struct Factored {
     pub x_power: u32,
     /// The power of s.
     pub s_power: u32,
+    /// The Bernstein coefficients of h; none if that is 1. A square is taken out where Bernstein coefficients without it
+    /// are not all of one sign: next to a double zero they would give values of both signs.
+    pub square: Vec<Poly>,
     /// The Bernstein coefficients of g; none for the function 0.
     pub inner: Vec<Poly>,
 }
@@ -68,7 +77,8 @@ impl IntervalForm {
         let degree = family.degree(var);
         let functions = family
             .functions
-            .mapped(|f| FunctionForm::new(f.value.numer(), f.value.denom(), var, [low, high], degree, false));
+            .mapped(|f| FunctionForm::new(family, f.value.numer(), f.value.denom(), degree, false));
+        let functions = functions.into_iter().collect::<Option<Vec<_>>>()?;
         Some(Self { var, low: low.clone(), high: high.clone(), degree, functions })
     }
 
@@ -113,28 +123,24 @@ impl RationalForm {
         let (var, low, high) = family.interval()?;
         let degree = family.degree(var).max(family.over.degree(var)).max(least);
         let is_affine = family.analytic.angle(var).is_none_or(|angle| angle.kind == Kind::Linear);
-        let form = |p: &Poly, q: &Poly| FunctionForm::new(p, q, var, [low, high], degree, !is_affine);
+        let form = |p: &Poly, q: &Poly| FunctionForm::new(family, p, q, degree, !is_affine);
         let one = Poly::one();
         let functions = if family.is_rational() {
             family.numerators().mapped(|p| form(p, &one))
         } else {
             family.functions.mapped(|f| form(f.value.numer(), f.value.denom()))
         };
+        let functions = functions.into_iter().collect::<Option<Vec<_>>>()?;
         let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
-        Some(Self { numerators, denominator: form(&family.over, &one), is_affine })
+        Some(Self { numerators, denominator: form(&family.over, &one)?, is_affine })
     }
 }
 
 impl FunctionForm {
-    /// `homogeneous` factors have the degree of the family, all others their own.
-    fn new(
-        numer: &Poly,
-        denom: &Poly,
-        var: Var,
-        [low, high]: [&Rational; 2],
-        degree: u32,
-        homogeneous: bool,
-    ) -> Self {
+    /// `homogeneous` factors have the degree of the family, all others their own; `None` when it has several domain
+    /// variables.
+    fn new(family: &Family, numer: &Poly, denom: &Poly, degree: u32, homogeneous: bool) -> Option<Self> {
+        let (var, low, high) = family.interval()?;
         let terms = degree as usize + 1;
         let mut monomial = numer.coefficients_in(var);
         monomial.resize(terms, Poly::zero());
@@ -142,13 +148,14 @@ impl FunctionForm {
         let unit = affine(&numer.coefficients_in(var), low, &(high - low));
         let own_degree = unit.iter().rposition(|c| !c.is_zero()).unwrap_or(0);
         let bernstein = to_bernstein(&unit, degree);
-        let factored = Factored::new(if homogeneous {
+        let own = if homogeneous {
             bernstein.clone()
         } else {
             to_bernstein(&unit[..=own_degree], own_degree as u32)
-        });
+        };
+        let factored = Factored::new(own).without_square(var, &family.region());
         let endpoint = if degree <= MAX_ENDPOINT_DEGREE { endpoint(&unit, degree) } else { Vec::new() };
-        Self { denom: denom.clone(), monomial, bernstein, factored, endpoint }
+        Some(Self { denom: denom.clone(), monomial, bernstein, factored, endpoint })
     }
 }
 
@@ -157,7 +164,8 @@ impl Factored {
     fn new(mut c: Vec<Poly>) -> Self {
         let (mut x_power, mut s_power) = (0, 0);
         if c.iter().all(Poly::is_zero) {
-            return Self { content: Rational::ZERO, x_power, s_power, inner: Vec::new() };
+            let none = Vec::new;
+            return Self { content: Rational::ZERO, x_power, s_power, square: none(), inner: none() };
         }
         while c.len() > 1 && c[0].is_zero() {
             let n = c.len() as i64 - 1;
@@ -175,37 +183,126 @@ impl Factored {
             }
             s_power += 1;
         }
-        let mut content = c.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
-        if c.iter().all(|p| p.leading_term().is_none_or(|(_, c)| c.is_negative())) {
-            content = -content;
-        }
-        if content.bits() > MAX_CONTENT {
-            // What is left would be beyond the range of floats.
-            content = Rational::from(i64::from(content.signum()));
-        }
-        let factor = content.recip().unwrap_or(Rational::ONE);
-        let inner = c.mapped(|p| p.scale(&factor));
-        Self { content, x_power, s_power, inner }
+        let (content, inner) = without_content(&c);
+        Self { content, x_power, s_power, square: Vec::new(), inner }
     }
 
-    /// g expanded in t, for reading: content · (t − low)^a · (high − t)^b · g is the function.
-    pub fn inner_monomial(&self, form: &IntervalForm) -> Poly {
-        let n = self.inner.len().saturating_sub(1) as u32;
-        let width = &form.high - &form.low;
-        let t = Poly::var(form.var);
-        // The ends of an interval are different.
-        let unit = width.recip().unwrap_or(Rational::ONE);
-        let x = (&t - &Poly::constant(form.low.clone())).scale(&unit);
-        let s = &Poly::one() - &x;
-        let mut sum = Poly::zero();
-        for (j, c) in self.inner.iter().enumerate() {
-            let j = j as u32;
-            let basis = &(&s.pow(n - j) * &x.pow(j)).scale(&binomial(n, j)) * c;
-            sum = &sum + &basis;
+    /// With h² taken out of g, where that helps; the shape parameters lie in `region`.
+    fn without_square(mut self, var: Var, region: &Region) -> Self {
+        if has_one_sign(&self.inner, region) {
+            return self;
         }
-        // x^a s^b = (t − low)^a (high − t)^b / width^(a + b)
-        sum.scale(&unit.pow(self.x_power + self.s_power))
+        // g is homogeneous in s and x: with s = 1 a polynomial in x, here `var`.
+        let n = self.inner.len() as u32 - 1;
+        let terms = self.inner.iter().zip(0..);
+        let whole = terms
+            .fold(Poly::zero(), |sum, (c, j)| &sum + &(&Poly::var(var).pow(j) * c).scale(&binomial(n, j)));
+        let Some((square, rest)) = square_factor(&whole, var) else { return self };
+        let table = |p: &Poly| {
+            let own = p.coefficients_in(var);
+            let degree = own.len() as u32 - 1;
+            let scaled = own
+                .iter()
+                .zip(0..)
+                .map(|(c, j)| c.scale(&binomial(degree, j).recip().unwrap_or(Rational::ONE)));
+            scaled.listed()
+        };
+        let (content, inner) = without_content(&table(&rest));
+        let content = &self.content * &content;
+        if content.bits() <= MAX_CONTENT {
+            (self.content, self.square, self.inner) = (content, table(&square), inner);
+        }
+        self
     }
+
+    /// g expanded in t, for reading: content · (t − low)^a · (high − t)^b · h² · g is the function.
+    pub fn inner_monomial(&self, form: &IntervalForm) -> Poly {
+        let width = &form.high - &form.low;
+        // x^a s^b = (t − low)^a (high − t)^b / width^(a + b); the ends of an interval are different.
+        let unit = width.recip().unwrap_or(Rational::ONE);
+        expanded(&self.inner, form).scale(&unit.pow(self.x_power + self.s_power))
+    }
+
+    /// h expanded in t, for reading; nothing if it is 1.
+    pub fn square_monomial(&self, form: &IntervalForm) -> Option<Poly> {
+        (!self.square.is_empty()).then(|| expanded(&self.square, form))
+    }
+}
+
+/// The numeric content of coefficients, negative if all of them are, and the coefficients without it.
+fn without_content(c: &[Poly]) -> (Rational, Vec<Poly>) {
+    let mut content = c.iter().fold(Rational::ZERO, |g, p| g.gcd(&p.numeric_content()));
+    if c.iter().all(|p| p.leading_term().is_none_or(|(_, c)| c.is_negative())) {
+        content = -content;
+    }
+    if content.bits() > MAX_CONTENT {
+        // What is left would be beyond the range of floats.
+        content = Rational::from(i64::from(content.signum()));
+    }
+    let factor = content.recip().unwrap_or(Rational::ONE);
+    (content, c.mapped(|p| p.scale(&factor)))
+}
+
+/// Σ c_j binomial(n, j) s^(n−j) x^j in t.
+fn expanded(coefficients: &[Poly], form: &IntervalForm) -> Poly {
+    let n = coefficients.len().saturating_sub(1) as u32;
+    let unit = (&form.high - &form.low).recip().unwrap_or(Rational::ONE);
+    let x = (&Poly::var(form.var) - &Poly::constant(form.low.clone())).scale(&unit);
+    let s = &Poly::one() - &x;
+    let mut sum = Poly::zero();
+    for (c, j) in coefficients.iter().zip(0..) {
+        sum = &sum + &(&(&s.pow(n - j) * &x.pow(j)).scale(&binomial(n, j)) * c);
+    }
+    sum
+}
+
+/// Whether Bernstein coefficients are all ≥ 0, or all ≤ 0, for all shape values: as numbers, or as polynomials whose own
+/// coefficients show it.
+fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
+    let domain = Rc::new(Domain::of(region.clone()));
+    let fine = |p: &Poly| {
+        p.as_constant().map_or_else(
+            || {
+                let (value, domain) = (Quotient::from(p.clone()), Rc::clone(&domain));
+                let statement = Statement::Sign { value, relation: Relation::NonNegative, domain };
+                Proof::new(Rc::new(statement), Certificate::Direct, &mut Work::usual(1)).is_ok()
+            },
+            |c| !c.is_negative(),
+        )
+    };
+    coefficients.iter().all(fine) || coefficients.iter().all(|c| fine(&-c))
+}
+
+/// The work for the common divisors of one function.
+const SQUARE: u64 = 2_000_000;
+
+/// h and g with p = h²·g, the coefficients of h being whole numbers without a common divisor, by the multiplicities of the factors (D. Yun, "On square-free decomposition algorithms", SYMSAC
+/// 1976); `None` where h would be 1.
+fn square_factor(p: &Poly, var: Var) -> Option<(Poly, Poly)> {
+    let work = &mut Work::new(SQUARE);
+    let slope = p.derivative(var);
+    let common = checked_gcd(p, &slope, work)?;
+    if common.degree(var) == 0 {
+        return None;
+    }
+    let (mut b, mut c) = (p.div_exact(&common)?, slope.div_exact(&common)?);
+    let mut square = Poly::one();
+    let mut multiplicity = 1;
+    while b.degree(var) > 0 {
+        let d = &c - &b.derivative(var);
+        let factor = if d.is_zero() { b.clone() } else { checked_gcd(&b, &d, work)? };
+        if factor.degree(var) > 0 {
+            square = &square * &factor.pow(multiplicity / 2);
+        }
+        if d.is_zero() {
+            break;
+        }
+        (b, c) = (b.div_exact(&factor)?, d.div_exact(&factor)?);
+        multiplicity += 1;
+    }
+    square = square.scale(&square.numeric_content().recip()?);
+    let rest = p.div_exact(&(&square * &square))?;
+    (square.degree(var) > 0).then_some((square, rest))
 }
 
 /// E0, E1, R0, R1, …: b − s·E0 − x·E1 vanishes at both ends; divided by s·x it is written in y = x − s.

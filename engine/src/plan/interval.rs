@@ -1,14 +1,14 @@
 //! Families on an interval: values, tables, and the binding to control points.
 
 use super::form::{Factored, IntervalForm, MAX_ENDPOINT_DEGREE};
-use super::{Builder, Input, Node, Plan, Ref};
+use super::{Builder, Input, Let, Node, Plan, Ref};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::model::Family;
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// The values of all functions: x^a s^b g(s, x) for each, powers shared; with g in Bernstein form no step is negative
-/// where its coefficients are not.
+/// The values of all functions: x^a s^b h(s, x)² g(s, x) for each, powers shared; with g in Bernstein form no step is
+/// negative where its coefficients are not.
 pub fn values(family: &Family, form: &IntervalForm) -> Plan {
     let mut builder = Builder::of(family);
     let t = builder.input(Input::Coordinate(0));
@@ -27,21 +27,36 @@ pub(super) fn value(builder: &mut Builder, f: &Factored, denom: &Poly) -> Ref {
     if !f.content.is_one() {
         product.push(builder.number(f.content.clone()));
     }
+    if !f.square.is_empty() {
+        product.push(builder.square(&f.square));
+    }
     match f.inner.as_slice() {
         [] => return builder.number(Rational::ZERO),
         [one] if one.is_one() => {}
         [one] => product.push(builder.scalar(one)),
-        many => {
-            let coefficients = many.mapped(|p| builder.scalar(p));
-            let [s, x] = [builder.coordinates[0].1, builder.coordinates[1].1];
-            product.push(builder.push(Node::Bernstein { coefficients, s, x }));
-        }
+        many => product.push(builder.bernstein(many)),
     }
     if f.s_power > 0 || f.x_power > 0 {
         product.extend(builder.monomial(&[f.s_power, f.x_power]));
     }
     product.extend(builder.reciprocal(denom));
     builder.product(&product)
+}
+
+impl Builder {
+    /// Σ c_j binomial(n, j) s^(n−j) x^j.
+    fn bernstein(&mut self, coefficients: &[Poly]) -> Ref {
+        let coefficients = coefficients.mapped(|p| self.scalar(p));
+        let [s, x] = [self.coordinates[0].1, self.coordinates[1].1];
+        self.push(Node::Bernstein { coefficients, s, x })
+    }
+
+    /// h², where h is computed once.
+    fn square(&mut self, coefficients: &[Poly]) -> Ref {
+        let root = self.bernstein(coefficients);
+        self.root_lets.push(Let { names: vec![format!("_root{}", self.root_lets.len())], value: root });
+        self.push(Node::Product(root, root))
+    }
 }
 
 /// The monomial coefficients: for each function those of t⁰, t¹, …

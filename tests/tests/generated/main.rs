@@ -10,5 +10,6 @@ mod matrices;
 mod patches;
 mod points;
 mod serialize;
+mod squares;
 mod triangular_patch;
 mod values;

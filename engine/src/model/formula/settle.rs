@@ -259,6 +259,8 @@ impl Scope<'_> {
             return (!range.contains(&c)).then(|| inside.outside(&c, place));
         }
         let shown = value.display(&self.names);
+        // A quotient of tangents carries brackets for its powers and products.
+        let name = name.strip_prefix('(').and_then(|name| name.strip_suffix(')')).unwrap_or(name);
         let declared = range.display(name).to_string();
         for (end, above) in [(&range.low, false), (&range.high, true)] {
             let (bound, relation) = match end {
