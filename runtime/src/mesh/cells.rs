@@ -6,12 +6,14 @@ use core::cmp::Ordering;
 
 use super::MeshError;
 use super::flat::{self, Flatness, P3, Part};
+use super::lines::{Lines, lines};
 use super::patch::Patch;
 use crate::vector::{cross, distance, dot, length};
 use crate::{Edge, Scalar, SurfacePiece};
 
-/// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised.
-pub(super) const WIDTH: u32 = 1 << 20;
+/// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised. Single precision
+/// holds it, and 3, 5, 7 and 9 equal spans begin at whole numbers.
+pub(super) const WIDTH: u32 = (1 << 14) * 9 * 5 * 7;
 
 /// The highest number of rectangles of one surface.
 const MOST: usize = 1 << 21;
@@ -59,13 +61,17 @@ impl Cell {
         Some(usize::from(h <= 1 || !across_u && k > 1))
     }
 
-    /// Both halves, and the parameter between them.
-    fn halves(self, axis: usize) -> ([Self; 2], u32) {
-        let middle = self.from[axis] + (self.to[axis] - self.from[axis]) / 2;
+    /// The parts before and after a parameter.
+    fn cut(self, axis: usize, along: u32) -> [Self; 2] {
         let (mut before, mut after) = (self, self);
-        before.to[axis] = middle;
-        after.from[axis] = middle;
-        ([before, after], middle)
+        before.to[axis] = along;
+        after.from[axis] = along;
+        [before, after]
+    }
+
+    /// Whether a side lies on an edge of the parameter square.
+    fn is_outer(self) -> bool {
+        self.from.contains(&0) || self.to.contains(&WIDTH)
     }
 }
 
@@ -91,6 +97,7 @@ pub(super) struct Sheet<'a, S> {
     pieces: Vec<SurfacePiece>,
     surface: usize,
     limits: Limits,
+    lines: [Lines; 2],
 }
 
 /// What the triangles of a surface have to keep.
@@ -98,6 +105,8 @@ pub(super) struct Sheet<'a, S> {
 pub(super) struct Limits {
     /// The largest distance from the surface.
     pub(super) tolerance: f64,
+    /// How far points on edges may move when they become one.
+    pub(super) reach: f64,
     /// Points that near to each other are one.
     pub(super) weld: f64,
     /// The longest side of a rectangle.
@@ -108,7 +117,28 @@ pub(super) struct Limits {
 
 impl<'a, S: Scalar> Sheet<'a, S> {
     pub(super) fn new(patch: &'a dyn Patch<S>, surface: usize, limits: Limits) -> Self {
-        Self { patch, pieces: patch.bezier(), surface, limits }
+        let pieces = patch.bezier();
+        let mut sheet = Self { patch, pieces, surface, limits, lines: Default::default() };
+        if sheet.flatness(&sheet.whole()).distance > sheet.allowed(Cell::WHOLE) {
+            sheet.lines = sheet.lines();
+        }
+        sheet
+    }
+
+    /// The knots, and the parts of which the bend of the surface asks for.
+    fn lines(&self) -> [Lines; 2] {
+        let knots = [0, 1].map(|axis| {
+            let [start, end] = [0, WIDTH].map(|along| self.parameter(axis, along));
+            let along = |t: f64| ((t - start) / (end - start) * f64::from(WIDTH) + 0.5) as u32;
+            self.pieces.iter().flat_map(|piece| piece.domain[axis]).map(along).collect()
+        });
+        let Limits { tolerance, reach, .. } = self.limits;
+        lines(knots, tolerance, reach, |x| self.patch.point(x.map(S::of)).map(Scalar::to_f64))
+    }
+
+    /// The largest distance of the triangles over a rectangle: those on edges have to leave something to the seams.
+    fn allowed(&self, cell: Cell) -> f64 {
+        self.limits.tolerance - if cell.is_outer() { self.limits.reach } else { 0.0 }
     }
 
     fn point(&self, node: Node) -> P3 {
@@ -138,8 +168,9 @@ impl<'a, S: Scalar> Sheet<'a, S> {
     }
 
     fn cut(&self, open: Open, axis: usize) -> [Open; 2] {
-        let ([before, after], middle) = open.cell.halves(axis);
-        let [low, high] = flat::cut(&self.pieces, open.parts, axis, self.parameter(axis, middle));
+        let along = self.lines[axis].between(open.cell.from[axis], open.cell.to[axis]);
+        let [before, after] = open.cell.cut(axis, along);
+        let [low, high] = flat::cut(&self.pieces, open.parts, axis, self.parameter(axis, along));
         [Open { cell: before, parts: low }, Open { cell: after, parts: high }]
     }
 
@@ -155,9 +186,10 @@ impl<'a, S: Scalar> Sheet<'a, S> {
             self.patch.point(at).map(Scalar::to_f64)
         };
         let mut flatness = flat::sampled(corners, halves);
-        if flatness.distance <= self.limits.tolerance {
+        let allowed = self.allowed(open.cell);
+        if flatness.distance <= allowed {
             let moved = flatness.distance;
-            flatness = flat::measure(&open.parts, corners, self.limits.tolerance, self.limits.weld);
+            flatness = flat::measure(&open.parts, corners, allowed, self.limits.weld);
             // A corner in the middle moves the triangles.
             if is_crowded(&corners, 2.0 * self.limits.weld) {
                 flatness.distance += moved;
@@ -168,7 +200,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         let lengths = [sides[0].max(sides[1]), sides[2].max(sides[3])];
         if lengths[0].max(lengths[1]) > self.limits.edge {
             flatness = Flatness { bends: lengths, distance: f64::INFINITY };
-        } else if self.limits.angle < f64::PI && flatness.distance <= self.limits.tolerance {
+        } else if self.limits.angle < f64::PI && flatness.distance <= allowed {
             let turns = self.turns(open.cell);
             if turns[0].max(turns[1]) > self.limits.angle {
                 flatness = Flatness { bends: turns, distance: f64::INFINITY };
@@ -185,6 +217,44 @@ impl<'a, S: Scalar> Sheet<'a, S> {
             _ => 0.0,
         };
         [angle(0, 1).max(angle(3, 2)), angle(0, 3).max(angle(1, 2))]
+    }
+
+    /// The bound for a rectangle with one corner of a neighbour on a side, at which all triangles meet.
+    ///
+    /// With a point `f` of the opposite side the triangles are those of two quadrilaterals, one on each side of the line
+    /// from that corner to `f`, and the bound holds for each of them. As `f` is not on the surface, the point of the
+    /// surface that belongs to it may not be farther from it than that either.
+    fn fan(&self, cell: Cell, nodes: &[Node]) -> Option<f64> {
+        let points: Vec<P3> = nodes.iter().map(|&node| self.point(node)).collect();
+        if nodes.len() != 5 || is_crowded(&points, 2.0 * self.limits.weld) {
+            return None;
+        }
+        let corners = cell.corners();
+        let node = *nodes.iter().find(|node| !corners.contains(node))?;
+        let axis = usize::from(node[1] > cell.from[1] && node[1] < cell.to[1]);
+        let is_low = node[1 - axis] == cell.from[1 - axis];
+        let mut opposite = node;
+        opposite[1 - axis] = if is_low { cell.to[1 - axis] } else { cell.from[1 - axis] };
+        let ([a, b, c, d], apex, opposite) =
+            (corners.map(|node| self.point(node)), self.point(node), self.point(opposite));
+        let [from, to] = match (axis, is_low) {
+            (0, true) => [d, c],
+            (0, false) => [a, b],
+            (_, true) => [b, c],
+            (_, false) => [a, d],
+        };
+        let foot = flat::foot(opposite, from, to);
+        let [low, high] = if is_low { [apex, foot] } else { [foot, apex] };
+        let quadrilaterals = if axis == 0 {
+            [[a, low, high, d], [low, b, c, high]]
+        } else {
+            [[a, b, high, low], [low, high, c, d]]
+        };
+        let parts = flat::cut(&self.pieces, self.open(cell).parts, axis, self.parameter(axis, node[axis]));
+        let bounds = parts.iter().zip(quadrilaterals).map(|(parts, corners)| {
+            flat::measure(parts, corners, self.allowed(cell), self.limits.weld).distance
+        });
+        Some(bounds.fold(flat::distance(opposite, foot), f64::max))
     }
 
     fn too_fine(&self) -> MeshError {
@@ -229,7 +299,7 @@ struct Estimate {
 impl Estimate {
     fn new<S: Scalar>(sheet: &Sheet<'_, S>, open: Open) -> Self {
         let flatness = sheet.flatness(&open);
-        let tolerance = sheet.limits.tolerance;
+        let tolerance = sheet.allowed(open.cell);
         let [u, v, all] =
             [flatness.bends[0], flatness.bends[1], flatness.distance].map(|d| (d / tolerance).max(1.0));
         Self { needed: Scalar::sqrt(all).max(Scalar::sqrt(u) * Scalar::sqrt(v)), flatness, open }
@@ -296,7 +366,7 @@ impl Cells {
             if *judged == MANY {
                 sheet.foreseen()?;
             }
-            if flatness.distance <= sheet.limits.tolerance {
+            if flatness.distance <= sheet.allowed(next.cell) {
                 self.add(Leaf { cell: next.cell, distance: flatness.distance, corners: 4 });
             } else {
                 let axis = next.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?;
@@ -318,16 +388,29 @@ impl Cells {
         let mut judged = 0;
         for leaf in leaves {
             let nodes = self.around(leaf.cell);
-            if nodes.len() == leaf.corners
-                || leaf.distance + displacement(sheet, leaf.cell, &nodes) <= sheet.limits.tolerance
-            {
+            let is_kept = nodes.len() == leaf.corners || {
+                let allowed = sheet.allowed(leaf.cell);
+                leaf.distance + displacement(sheet, leaf.cell, &nodes) <= allowed
+                    || sheet.fan(leaf.cell, &nodes).is_some_and(|distance| distance <= allowed)
+            };
+            if is_kept {
                 self.leaves.push(Leaf { corners: nodes.len(), ..leaf });
                 continue;
             }
-            // What moves most says where to cut: a side along u, or one along v.
             let whole = sheet.open(leaf.cell);
-            let flatness = sheet.flatness(&whole);
-            let axis = leaf.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?;
+            // Between the corners of neighbours, or else across what bends more.
+            let on_sides = [1, 0].map(|axis| {
+                let is_on = |node: &&Node| [leaf.cell.from[axis], leaf.cell.to[axis]].contains(&node[axis]);
+                nodes.iter().filter(is_on).count()
+            });
+            let axis = match on_sides[0].cmp(&on_sides[1]) {
+                Ordering::Greater => 0,
+                Ordering::Less => 1,
+                Ordering::Equal => {
+                    let flatness = sheet.flatness(&whole);
+                    leaf.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?
+                }
+            };
             open.extend(sheet.cut(whole, axis));
         }
         let changed = !open.is_empty();
@@ -391,8 +474,7 @@ fn displacement<S: Scalar>(sheet: &Sheet<'_, S>, cell: Cell, nodes: &[Node]) -> 
     if nodes.len() > 4 {
         let [a, b, c, d] = corners.map(|node| sheet.point(node));
         let middle = sheet.point(middle(cell));
-        let away = [[a, b, c], [a, c, d]].map(|triangle| flat::distance_to_triangle(middle, triangle));
-        largest = largest.max(away[0].min(away[1]));
+        largest = largest.max(flat::distance_to_triangles(middle, [a, b, c, d]));
     }
     largest
 }

@@ -96,13 +96,13 @@ pub(super) fn sampled(corners: [P3; 4], at: impl Fn([u32; 2]) -> P3) -> Flatness
     let middle = at([1, 1]);
     let along_u = larger(distance_to_segment(low, a, b), distance_to_segment(high, d, c));
     let along_v = larger(distance_to_segment(left, a, d), distance_to_segment(right, b, c));
-    let away = [[a, b, c], [a, c, d]].map(|triangle| distance_to_triangle(middle, triangle));
+    let away = distance_to_triangles(middle, corners);
     Flatness {
         bends: [
             larger(along_u, distance_to_segment(middle, left, right)),
             larger(along_v, distance_to_segment(middle, low, high)),
         ],
-        distance: larger(larger(along_u, along_v), away[0].min(away[1])),
+        distance: larger(larger(along_u, along_v), away),
     }
 }
 
@@ -177,7 +177,6 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
         }
     }
     let [a, b, c, d] = corners;
-    let triangles = [[a, b, c], [a, c, d]];
     for part in parts {
         let [m, n] = part.net.degrees();
         // The sides of the rectangle on which the part lies: along u at both ends of v, along v at both ends of u.
@@ -191,8 +190,7 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
         for j in 0..=n {
             for i in 0..=m {
                 let p = part.point(i, j);
-                let away = triangles.map(|triangle| distance_to_triangle(p, triangle));
-                farthest = larger(farthest, away[0].min(away[1]));
+                farthest = larger(farthest, distance_to_triangles(p, corners));
                 let is_on = [j == 0, j == n, i == 0, i == m];
                 for side in 0..4 {
                     if on_side[side] && is_on[side] {
@@ -277,31 +275,48 @@ pub(super) fn distance(a: P3, b: P3) -> f64 {
     crate::vector::distance(a, b)
 }
 
-fn distance_to_segment(p: P3, from: P3, to: P3) -> f64 {
+pub(super) fn distance_to_segment(p: P3, from: P3, to: P3) -> f64 {
+    distance(p, foot(p, from, to))
+}
+
+/// The point of a segment that is nearest to a point.
+pub(super) fn foot(p: P3, from: P3, to: P3) -> P3 {
     let chord = minus(to, from);
     let x = dot(minus(p, from), chord) / dot(chord, chord);
     // Also where the chord has no length.
     if x <= 0.0 || x.is_nan() {
-        return distance(p, from);
+        return from;
     }
     if x >= 1.0 {
-        return distance(p, to);
+        return to;
     }
-    distance(p, [0, 1, 2].map(|k| from[k] + x * chord[k]))
+    [0, 1, 2].map(|k| from[k] + x * chord[k])
 }
 
-pub(super) fn distance_to_triangle(p: P3, [a, b, c]: [P3; 3]) -> f64 {
+/// The distance from the triangles `abc` and `acd`.
+pub(super) fn distance_to_triangles(p: P3, [a, b, c, d]: [P3; 4]) -> f64 {
+    match [[a, b, c], [a, c, d]].map(|triangle| height(p, triangle)) {
+        [Some(x), Some(y)] => x.min(y),
+        // The other triangle may be a little nearer; a bound is all that is asked for.
+        [Some(x), None] | [None, Some(x)] => x,
+        [None, None] => {
+            let sides = [[a, b], [b, c], [c, d], [d, a], [a, c]];
+            sides.map(|[from, to]| distance_to_segment(p, from, to)).into_iter().fold(f64::INFINITY, f64::min)
+        }
+    }
+}
+
+/// The distance from the plane of a triangle, if the foot is inside.
+fn height(p: P3, [a, b, c]: [P3; 3]) -> Option<f64> {
     let (ab, ac, ap) = (minus(b, a), minus(c, a), minus(p, a));
     let (bb, bc, cc, bp, cp) = (dot(ab, ab), dot(ab, ac), dot(ac, ac), dot(ab, ap), dot(ac, ap));
     let determinant = bb * cc - bc * bc;
-    if determinant > 1e-24 * bb * cc {
-        let (x, y) = ((cc * bp - bc * cp) / determinant, (bb * cp - bc * bp) / determinant);
-        if x >= 0.0 && y >= 0.0 && x + y <= 1.0 {
-            return distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k]));
-        }
+    if determinant <= 1e-24 * bb * cc {
+        return None;
     }
-    let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| distance_to_segment(p, from, to));
-    sides.into_iter().fold(f64::INFINITY, f64::min)
+    let (x, y) = ((cc * bp - bc * cp) / determinant, (bb * cp - bc * bp) / determinant);
+    let is_inside = x >= 0.0 && y >= 0.0 && x + y <= 1.0;
+    is_inside.then(|| distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k])))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ mod facets;
 mod flat;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod lines;
 mod meet;
 #[cfg(feature = "obj")]
 mod obj;

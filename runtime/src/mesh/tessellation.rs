@@ -138,7 +138,8 @@ impl<'a, S: Scalar> Tessellation<'a, S> {
         let reach = weld + weld;
         let patches = &self.patches;
         let limits = Limits {
-            tolerance: (self.tolerance - reach).to_f64(),
+            tolerance: self.tolerance.to_f64(),
+            reach: reach.to_f64(),
             weld: weld.to_f64(),
             edge: self.longest_edge.to_f64(),
             angle: self.largest_angle.to_f64(),

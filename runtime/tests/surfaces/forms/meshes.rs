@@ -12,7 +12,7 @@ const FULL: f64 = 2.0 * core::f64::consts::PI;
 
 /// The largest distance that was met of points of the triangles from their surface, and of points of the surfaces from
 /// the mesh.
-fn deviation<T>(mesh: &Mesh<f64>, surfaces: &[&T]) -> f64
+pub(super) fn deviation<T>(mesh: &Mesh<f64>, surfaces: &[&T]) -> f64
 where
     T: BoundedSurface,
     T::Point: Point3<Scalar = f64>,
@@ -81,7 +81,7 @@ fn normals_agree(mesh: &Mesh<f64>) -> bool {
     })
 }
 
-fn lonely<T>(surface: &T, tolerance: f64) -> Mesh<f64>
+pub(super) fn lonely<T>(surface: &T, tolerance: f64) -> Mesh<f64>
 where
     T: BoundedSurface,
     T::Point: Point3<Scalar = f64>,
@@ -361,51 +361,6 @@ fn refused() {
     let net = [[[0.0; 3], [0.0, 1.0, 0.0]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]];
     let pole = RationalSurface::new(linear, linear, net, [[1.0, 1.0], [-1.0, -1.0]]);
     assert!(Tessellation::new(0.1).unwrap().with(&pole).mesh().is_err());
-}
-
-/// What a flat piece needs, and no more: around a circle the sides that a tolerance asks for, rounded up to a power of
-/// two, and nothing along straight lines.
-#[test]
-fn no_more_triangles_than_are_needed() {
-    let revolved = |from: [f64; 2], to: [f64; 2]| {
-        SurfaceOfRevolution::about_x(&Bezier::from_points([from, to]), FULL).unwrap()
-    };
-    let (disk, cone, cylinder) = (
-        revolved([0.0, 0.0], [0.0, 1.0]),
-        revolved([0.0, 0.0], [1.0, 1.0]),
-        revolved([0.0, 1.0], [1.0, 1.0]),
-    );
-    for (tolerance, sides) in [(1e-2, 23), (1e-3, 71), (1e-4, 223)] {
-        let counts = [&disk, &cone, &cylinder].map(|surface| {
-            let mesh = lonely(surface, tolerance);
-            assert!(mesh.is_oriented());
-            if tolerance > 2e-4 {
-                assert!(deviation(&mesh, &[surface]) <= tolerance);
-            }
-            mesh.triangles.len()
-        });
-        assert!(counts[0] <= 2 * sides && counts[1] <= 2 * sides && counts[2] <= 4 * sides, "{counts:?}");
-    }
-    // The parameters run unevenly, and not along the sides.
-    let uneven = |k: usize| [0.0, 0.05, 0.9, 1.0][k];
-    let square = bicubic(|i, j| [uneven(i), uneven(3 - j), 0.0]);
-    assert_eq!(lonely(&square, 1e-9).triangles.len(), 2);
-    let slanted = bicubic(|i, j| [uneven(i), if i % 3 == 0 { uneven(j) } else { j as f64 / 3.0 }, 0.0]);
-    assert_eq!(lonely(&slanted, 1e-9).triangles.len(), 2);
-}
-
-/// In each direction in which a surface bends the number grows with the root of the tolerance.
-#[test]
-fn growth() {
-    let bowl = graph(|u, v| u * u + v * v);
-    let trough = graph(|u, _| u * u);
-    let twisted = graph(|u, v| u * v);
-    for (surface, power) in [(&bowl, 1.0), (&trough, 0.5), (&twisted, 1.0)] {
-        let counts = [1e-1, 1e-3].map(|tolerance| lonely(surface, tolerance).triangles.len() as f64);
-        // Cut in halves it comes in steps of two.
-        let growth = counts[1] / counts[0];
-        assert!(growth <= 2.1 * 100_f64.powf(power), "{counts:?}");
-    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! What is made of surfaces: parts, joined surfaces, other forms of the same surface, meshes and files.
 
+mod counts;
 #[cfg(any(feature = "gltf", feature = "obj", feature = "stl"))]
 mod exports;
 mod joins;
