@@ -1,9 +1,10 @@
-//! Rays and meshes of a torus beside curvo's: `cargo bench -p basis-benches --bench solids`.
+//! Rays through a torus beside curvo's, and meshes of a torus and a sphere beside those of curvo and truck:
+//! `cargo bench -p basis-benches --bench solids`.
 //!
 //! Prints two tables in Markdown. The rays are random lines through a torus, of which the zeros of a polynomial of degree
 //! four tell how often they meet it; right are the lines for which a library finds as many places. The meshes are compared
-//! at one distance from the torus: ours is the tolerance that was asked for, curvo has one of normals, and the coarsest
-//! mesh counts whose triangles are, at samples, not farther away than that.
+//! at one distance from the surface: ours is the tolerance that was asked for, the others have tolerances of normals and
+//! of parts of the surface, and the coarsest mesh counts whose triangles are, at samples, not farther away than that.
 
 use std::f64::consts::PI;
 use std::time::{Duration, Instant};
@@ -15,6 +16,8 @@ use curvo::prelude::{
 };
 use divan::black_box;
 use nalgebra::{Point3, Vector3};
+use truck_meshalgo::tessellation::{MeshableShape as _, MeshedShape as _};
+use truck_modeling::{Rad, Shell, Wire, builder};
 
 type P3 = [f64; 3];
 
@@ -39,33 +42,98 @@ fn main() {
     };
     row("curvo", &lines, count);
 
-    println!("\n| torus within | triangles, ours | ms | triangles, curvo | ms |");
-    println!("| --- | --- | --- | --- | --- |");
-    for tolerance in [1e-1, 1e-2] {
-        let (mesh, time) = timed(|| {
-            Tessellation::new(tolerance).and_then(|all| all.with(&ours).mesh()).expect("a torus has a mesh")
+    println!("\n| surface, within | triangles, ours | ms | triangles, curvo | ms | triangles, truck | ms |");
+    println!("| --- | --- | --- | --- | --- | --- | --- |");
+    let (ball, curvos_ball) = (sphere(), curvo_sphere());
+    for tolerance in [1e-1, 1e-2, 1e-3] {
+        meshes("torus", tolerance, [&ours, &curvos, &truck_torus()], distance);
+        meshes("sphere", tolerance, [&ball, &curvos_ball, &truck_sphere()], |[x, y, z]| {
+            (x.hypot(y).hypot(z) - 1.0).abs()
         });
-        let mut norm = 1.0;
-        let (faces, peer) = loop {
-            let (mesh, time) = timed(|| {
-                let options = AdaptiveTessellationOptions::<f64>::default()
-                    .with_norm_tolerance(norm)
-                    .with_max_depth(20);
-                curvos.tessellate(Some(options))
-            });
-            let corner = |k: usize| <[f64; 3]>::from(mesh.points()[k].coords);
-            if mesh.faces().iter().all(|face| farthest(face.map(corner)) <= tolerance) {
-                break (mesh.faces().len(), time);
-            }
-            norm *= 0.8;
-        };
-        println!(
-            "| {tolerance} | {} | {:.2} | {faces} | {:.2} |",
-            mesh.triangles.len(),
-            1e3 * time.as_secs_f64(),
-            1e3 * peer.as_secs_f64()
-        );
     }
+}
+
+/// A surface that a library meshes with a tolerance of its own: all triangles.
+trait Meshed {
+    fn mesh(&self, tolerance: f64) -> Vec<[P3; 3]>;
+}
+
+impl Meshed for NurbsSurface<P3> {
+    fn mesh(&self, tolerance: f64) -> Vec<[P3; 3]> {
+        let mesh = Tessellation::new(tolerance).and_then(|all| all.with(self).mesh()).expect("it has a mesh");
+        mesh.triangles
+            .iter()
+            .filter_map(|&triangle| mesh.corners(triangle))
+            .map(|corners| corners.map(|k| mesh.positions[k as usize]))
+            .collect()
+    }
+}
+
+impl Meshed for NurbsSurface3D<f64> {
+    fn mesh(&self, tolerance: f64) -> Vec<[P3; 3]> {
+        let options =
+            AdaptiveTessellationOptions::<f64>::default().with_norm_tolerance(tolerance).with_max_depth(20);
+        let mesh = self.tessellate(Some(options));
+        let corner = |k: usize| <[f64; 3]>::from(mesh.points()[k].coords);
+        mesh.faces().iter().map(|face| face.map(corner)).collect()
+    }
+}
+
+impl Meshed for Shell {
+    fn mesh(&self, tolerance: f64) -> Vec<[P3; 3]> {
+        let mesh = self.triangulation(tolerance).to_polygon();
+        let corner = |k: usize| Into::<[f64; 3]>::into(mesh.positions()[k]);
+        mesh.faces().triangle_iter().map(|face| face.map(|vertex| corner(vertex.pos))).collect()
+    }
+}
+
+/// A row: of ours, curvo's and truck's the triangles and milliseconds.
+fn meshes(name: &str, tolerance: f64, surfaces: [&dyn Meshed; 3], distance: impl Fn(P3) -> f64) {
+    let mut row = format!("| {name}, {tolerance} |");
+    for (index, surface) in surfaces.into_iter().enumerate() {
+        let mut own = if index == 0 { tolerance } else { 1.0 };
+        let found = loop {
+            let triangles = surface.mesh(own);
+            if triangles.iter().all(|&triangle| farthest(triangle, &distance) <= tolerance) {
+                break Some(timed(|| surface.mesh(own)));
+            }
+            own *= 0.8;
+            if own < 1e-3 * tolerance {
+                break None;
+            }
+        };
+        row += &match found {
+            Some((triangles, time)) => format!(" {} | {:.2} |", triangles.len(), 1e3 * time.as_secs_f64()),
+            None => " never | |".to_owned(),
+        };
+    }
+    println!("{row}");
+}
+
+fn truck_torus() -> Shell {
+    let vertex = builder::vertex(truck_modeling::Point3::new(RADII[0] + RADII[1], 0.0, 0.0));
+    let middle = truck_modeling::Point3::new(RADII[0], 0.0, 0.0);
+    let circle = builder::rsweep(&vertex, middle, truck_modeling::Vector3::unit_y(), Rad(7.0));
+    let middle = truck_modeling::Point3::new(0.0, 0.0, 0.0);
+    builder::rsweep(&circle, middle, truck_modeling::Vector3::unit_z(), Rad(7.0))
+}
+
+fn truck_sphere() -> Shell {
+    let [low, high] = [-1.0, 1.0].map(|z| builder::vertex(truck_modeling::Point3::new(0.0, 0.0, z)));
+    let arc = builder::circle_arc(&low, &high, truck_modeling::Point3::new(1.0, 0.0, 0.0));
+    builder::cone(&Wire::from(vec![arc]), truck_modeling::Vector3::unit_z(), Rad(7.0))
+}
+
+fn sphere() -> NurbsSurface<P3> {
+    let h = 0.5_f64.sqrt();
+    let points = vec![[0.0, 0.0, -1.0], [1.0, 0.0, -1.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 0.0, 1.0]];
+    let knots = KnotVector::clamped(2, &[0.0, 1.0, 1.0, 2.0]).expect("increasing");
+    let arc = NurbsCurve::new(knots, points, [1.0, h, 1.0, h, 1.0]).expect("five points");
+    NurbsSurface::revolved(&arc, [0.0; 3], [0.0, 0.0, 1.0], 2.0 * PI).expect("an axis")
+}
+
+fn curvo_sphere() -> NurbsSurface3D<f64> {
+    NurbsSurface3D::try_sphere(&Point3::origin(), &Vector3::z(), &Vector3::x(), 1.0).expect("a sphere")
 }
 
 fn torus() -> NurbsSurface<P3> {
@@ -139,8 +207,8 @@ fn timed<T>(work: impl Fn() -> T) -> (T, Duration) {
     (result, best.min(start.elapsed()))
 }
 
-/// The largest distance of a triangle from the torus, at samples.
-fn farthest([a, b, c]: [P3; 3]) -> f64 {
+/// The largest distance of a triangle from the surface, at samples.
+fn farthest([a, b, c]: [P3; 3], distance: impl Fn(P3) -> f64) -> f64 {
     let mut farthest = 0.0_f64;
     for i in 0..=4 {
         for j in 0..=4 - i {

@@ -11,6 +11,7 @@ mod knots;
 mod networks;
 mod projections;
 mod rational;
+mod rational_constructions;
 mod refinement;
 mod splicing;
 mod support;

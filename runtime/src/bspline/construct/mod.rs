@@ -1,17 +1,16 @@
 //! Surfaces from curves: extruded, ruled, translated, lofted, swept, and filled between four boundary curves.
 
 mod error;
+mod rational;
 
 use alloc::vec::Vec;
 
 pub use error::ConstructionError;
 
 use super::fit::{averaged, parameters_of_rows};
-use super::{
-    BSplineCurve, BSplineSurface, Direction, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, Spacing,
-};
+use super::{BSplineCurve, BSplineSurface, Direction, KnotVector, Net, Spacing};
 use crate::vector::distance;
-use crate::{ParametricCurve, Point, Point3, Scalar};
+use crate::{Frame, ParametricCurve, Point, Point3, Scalar};
 
 /// More sections of a sweep are refused.
 const MOST_SECTIONS: usize = 1 << 16;
@@ -76,15 +75,21 @@ impl<P: Point> BSplineSurface<P> {
         spacing: Spacing,
     ) -> Result<Self, ConstructionError> {
         let all = compatible(&sections.iter().collect::<Vec<_>>())?;
-        let Some(first) = all.first() else {
-            return Err(super::FitError::TooFew { needed: 2, found: 0 }.into());
-        };
-        let grid = Net::from_fn(first.control_points().len(), all.len(), |i, j| all[j].control_points()[i])?;
-        let parameters = parameters_of_rows(&grid, spacing)?;
-        let v = averaged(degree, &parameters)?;
+        let grid = grid(&all)?;
+        Self::through(&all[0], &grid, degree, &parameters_of_rows(&grid, spacing)?)
+    }
+
+    /// The surface through sections over the knots of the first, whose control points are the columns of a grid.
+    fn through(
+        first: &BSplineCurve<P>,
+        grid: &Net<P>,
+        degree: usize,
+        parameters: &[P::Scalar],
+    ) -> Result<Self, ConstructionError> {
+        let v = averaged(degree, parameters)?;
         let rows: Vec<Vec<P>> = (0..grid.rows())
             .map(|i| {
-                let row = BSplineCurve::interpolate_at(v.clone(), &parameters, grid.row(i))?;
+                let row = BSplineCurve::interpolate_at(v.clone(), parameters, grid.row(i))?;
                 Ok(row.control_points().to_vec())
             })
             .collect::<Result<_, ConstructionError>>()?;
@@ -168,54 +173,38 @@ impl<P: Point3> BSplineSurface<P> {
         count: usize,
         normal: Option<P>,
     ) -> Result<Self, ConstructionError> {
-        if count > MOST_SECTIONS {
-            return Err(crate::CurveError::TooManyPoints { needed: count as f64 }.into());
-        }
-        let frames = path.rotation_minimizing_frames(count, normal)?;
-        let sections: Vec<BSplineCurve<P>> = frames
-            .iter()
-            .map(|frame| {
-                let placed = |p: &P| {
-                    frame
-                        .point
-                        .add_scaled(frame.normal, p.component(0))
-                        .add_scaled(frame.binormal, p.component(1))
-                        .add_scaled(frame.tangent, p.component(2))
-                };
-                let points: Vec<P> = profile.control_points().iter().map(placed).collect();
-                BSplineCurve::trusted(profile.knots().clone(), points)
-            })
-            .collect();
+        let frames = frames(path, count, normal)?;
+        let sections: Vec<BSplineCurve<P>> =
+            frames.iter().map(|frame| profile.map(|p| placed(frame, p))).collect();
         // The frames lie at equal distances of the parameter.
         Self::lofted(&sections, 3.min(count.saturating_sub(1)), Spacing::Uniform)
     }
 }
 
-impl<P: Point> NurbsSurface<P> {
-    /// The surface `S(u, v) = C(u) + v · along`, `0 <= v <= 1`, with the weights of the curve: cylinders over circles and
-    /// ellipses, exactly.
-    ///
-    /// # Errors
-    /// As [`BSplineSurface::extruded`].
-    pub fn extruded(curve: &NurbsCurve<P>, along: P) -> Result<Self, ConstructionError> {
-        let rows = curve.homogeneous().control_points().iter().map(|&p| {
-            let scaled = p.scaled.add_scaled(along, p.weight);
-            [p, Homogeneous { scaled, weight: p.weight }]
-        });
-        let line = KnotVector::uniform(1, 1)?;
-        let surface = BSplineSurface::new(curve.knots().clone(), line, Net::from_rows(rows)?)?;
-        Ok(Self::from_homogeneous(surface)?)
+/// The frames of a sweep.
+fn frames<P: Point3>(
+    path: &(impl ParametricCurve<Point = P> + ?Sized),
+    count: usize,
+    normal: Option<P>,
+) -> Result<Vec<Frame<P>>, ConstructionError> {
+    if count > MOST_SECTIONS {
+        return Err(crate::CurveError::TooManyPoints { needed: count as f64 }.into());
     }
+    Ok(path.rotation_minimizing_frames(count, normal)?)
+}
 
-    /// The surface of the straight lines between points of two curves with the same parameter, as
-    /// [`BSplineSurface::ruled`] over homogeneous points: where the weights of both points differ, the parameter on the
-    /// line is a rational function of `v`.
-    ///
-    /// # Errors
-    /// As [`BSplineSurface::ruled`].
-    pub fn ruled(first: &NurbsCurve<P>, second: &NurbsCurve<P>) -> Result<Self, ConstructionError> {
-        Ok(Self::from_homogeneous(BSplineSurface::ruled(first.homogeneous(), second.homogeneous())?)?)
-    }
+/// The point with these coordinates in a frame.
+fn placed<P: Point3>(frame: &Frame<P>, p: P) -> P {
+    let along_normal = frame.point.add_scaled(frame.normal, p.component(0));
+    along_normal.add_scaled(frame.binormal, p.component(1)).add_scaled(frame.tangent, p.component(2))
+}
+
+/// The control points of curves over one knot vector, those of a curve as a column.
+fn grid<P: Point>(curves: &[BSplineCurve<P>]) -> Result<Net<P>, ConstructionError> {
+    let Some(first) = curves.first() else {
+        return Err(super::FitError::TooFew { needed: 2, found: 0 }.into());
+    };
+    Ok(Net::from_fn(first.control_points().len(), curves.len(), |i, j| curves[j].control_points()[i])?)
 }
 
 /// The curves over one knot vector, the domain being that of the first; no point changes.
