@@ -119,7 +119,7 @@ pub(crate) fn multiple_of_pi(factor: &Rational) -> String {
 }
 
 /// A factor, perhaps times π, and a name: `pi*t/2`.
-fn times(factor: &Rational, turns: bool, name: &str) -> String {
+pub(crate) fn times(factor: &Rational, turns: bool, name: &str) -> String {
     let (above, below) = (factor.numer(), factor.denom());
     let mut text = String::new();
     if above == Rational::from(-1) {

@@ -156,6 +156,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         "where" | "when" | "with" => {
             "ranges are declared, `scalar 0 < c;`; index variables follow after `for`"
         }
+        "at" => "a place comes first: `prove at t = 0 { b[0] = 1; }`",
         "triangle" | "tetrahedron" => {
             "the factors of a domain are separated by commas: `domain -1 <= z <= 1, triangle (u, v, w);`"
         }

@@ -178,12 +178,17 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
 }
 
 /// Words with which statements begin elsewhere, and what to write.
-const ELSEWHERE: [(&str, &str); 5] = [
+const ELSEWHERE: [(&str, &str); 7] = [
     ("parameter parameters param params", "write `shape -1 <= λ <= 1;` for a shape parameter"),
     ("claim claims assert lemma show property ensure check verify", "write `prove …;`"),
     ("disprove deny", "write `refute …;`"),
     ("define def set var where", "write `let c = …;` for a name, `b[0] = …;` for a basis function"),
     ("variable variables interval", "write `domain 0 <= t <= 1;`"),
+    (
+        "span spans piece pieces piecewise segment",
+        "spans follow one another in the domain, and in each function: `domain 0 <= t <= 1, 1 <= t <= 2;` and `b[0] = t | 2 - t;`",
+    ),
+    ("knots knot", "knots are the ends of spans: `domain 0 <= t <= 1, 1 <= t <= 2;`"),
 ];
 
 fn unknown_statement(word: &proc_macro2::Ident, text: &str) -> syn::Error {
@@ -274,7 +279,14 @@ fn function(input: ParseStream<'_>) -> Result<FunctionDef> {
     while !content.is_empty() {
         indices.push(expr(&content)?);
         if !content.is_empty() {
-            content.parse::<Token![,]>().map_err(|_| unexpected(&content, "`,`"))?;
+            content.parse::<Token![,]>().map_err(|_| {
+                let found = unexpected(&content, "`,`");
+                if !content.peek(Token![for]) {
+                    return found;
+                }
+                let help = format!("the range follows the formula: `{}[i] = … for i in 0..=n;`", name.text);
+                error(content.span(), found.to_string(), help)
+            })?;
         }
     }
     if indices.is_empty() {

@@ -650,3 +650,32 @@ fn polynomials_up_to_a_multiple_of_pi() {
     assert!(refuted[1].ends_with("at k = 1, (t + pi)/(3*pi) = 1"), "{refuted:?}");
     assert_eq!(refuted.len(), 3);
 }
+
+/// The angle of the parameter is half of that of the variable there.
+#[test]
+fn angles_in_the_middle_of_a_domain() {
+    let found = verdicts(
+        "family CBezierQuadratic {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            b[0] = (1 - cos(α - t))/(1 - cos(α));
+            b[2] = (1 - cos(t))/(1 - cos(α));
+            b[1] = 1 - b[0] - b[2];
+            prove at t = α/2 { b[0] = b[2]; b[0] = 1/(2 + 2*cos(α/2)); D(b[1]) = 0; }
+            prove b[1](α/2) <= 1/2;
+            prove b[1] <= b[1](α/2);
+            refute at t = α/2 { b[1] = 1/2; }
+            prove nonnegative;
+        }
+        family Between {
+            shape 0 < α < pi, 0 < β < pi;
+            domain -α <= t <= β;
+            b[0] = sin(β - t);
+            b[1] = sin(t + α);
+            prove at t = (β - α)/2 { b[0] = b[1]; }
+            prove at t = β/2 { b[0] = sin(β/2); }
+        }",
+    );
+    let expected = ["=", "=", "=", "=", "=", "-1/8 at tan(α/4) = 1/2, tan(t/2) = 1/2", "=", "=", "="];
+    assert_eq!(found, expected);
+}

@@ -13,10 +13,10 @@ use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind, multiple_of_pi};
 use crate::model::chart::Constraint;
 use crate::model::formula::numbers::range_of;
-use crate::model::formula::phase::Linear;
+use crate::model::formula::phase::{Linear, as_end_of_domain, frequency};
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
-use crate::model::words::{PI, is_transcendental};
+use crate::model::words::{CIRCULAR, PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
@@ -130,6 +130,8 @@ struct Uses {
     numbers: Vec<Rational>,
     /// Shape parameters that stand in functions themselves.
     beside: Vec<Var>,
+    /// Shape parameters as frequencies of domain variables, with the function, and where.
+    frequencies: Vec<(Var, Var, String, Span)>,
 }
 
 #[derive(Clone, Debug)]
@@ -193,12 +195,19 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         }
     }
     let mut uses = Uses { beside, ..Uses::default() };
-    for Argument { circular, value, span } in probe.recorded.unwrap_or_default() {
-        let Some(linear) = Linear::of(&value, probe.analytic.pi) else { continue };
+    for Argument { name, value, span } in probe.recorded.unwrap_or_default() {
+        let Some(linear) = Linear::of(&value, probe.analytic.pi) else {
+            let pair = frequency(&value, |v| v.0 < shapes, |v| (shapes..names.len()).contains(&v.0));
+            if let Some((parameter, t)) = pair {
+                uses.frequencies.push((parameter, t, name, span));
+            }
+            continue;
+        };
         // Not of a sine of a sine.
         if linear.parts.iter().any(|(var, ..)| var.0 >= names.len()) {
             continue;
         }
+        let circular = CIRCULAR.contains(&name.as_str());
         let kind = if circular { Kind::Circular } else { Kind::Hyperbolic };
         for (var, factor, turns) in &linear.parts {
             uses.add(*var, Use { kind, turns: *turns, unit: factor.abs(), torn: None, beside: false, span });
@@ -208,9 +217,16 @@ fn survey<'a>(scope: &Scope<'a>, written: &'a syntax::Family, names: &[String], 
         }
     }
     for (var, value) in places {
-        let unit = uses.of(var).filter(|u| u.kind == Kind::Hyperbolic).map(|u| u.unit.clone());
-        if let (Some(unit), Some(number)) = (unit, value.as_constant().filter(|n| !n.is_zero())) {
-            uses.numbers.push(&number.abs() * &unit);
+        let Some(of) = uses.of(var).cloned() else { continue };
+        if let Some(number) = value.as_constant() {
+            if of.kind == Kind::Hyperbolic && !number.is_zero() {
+                uses.numbers.push(&number.abs() * &of.unit);
+            }
+        } else if let Some(linear) = Linear::of(&value, probe.analytic.pi) {
+            // In the middle of the domain, at t = α/2, the angle of α is half of that of t.
+            for (shape, factor, _) in linear.parts.iter().filter(|(shape, ..)| shape.0 < shapes) {
+                uses.add(*shape, Use { unit: &of.unit * &factor.abs(), ..of.clone() });
+            }
         }
     }
     uses
@@ -307,6 +323,11 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     }
     let names = shapes.iter().chain(&domain).map(|(d, _)| d.name.text.clone()).listed();
     let uses = survey(scope, written, &names, shapes.len());
+    if let Some((parameter, t, function, span)) = uses.frequencies.first() {
+        let error = scope.error(*span, format!("the argument of `{function}` is not linear in one variable"));
+        scope.report(error.help(as_end_of_domain(function, &names[parameter.0], &names[t.0])));
+        return None;
+    }
     let mut slots = Vec::new();
     for (decl, _) in &shapes {
         slots.push(variable(scope, &decl.name)?);
@@ -340,18 +361,19 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     // An end of the domain that is a shape parameter is an angle like the variable.
     let mut all: Vec<Option<Use>> = (0..names.len()).map(|k| uses.of(Var(k)).cloned()).listed();
     for k in shape_count..names.len() {
+        let Some(own) = all[k].clone() else { continue };
         for end in limits[k].iter().flatten() {
             for (var, factor, _) in &end.value.parts {
                 let shape = var.0.checked_sub(count).filter(|s| *s < shape_count)?;
-                if let Some(mut of) = all[k].clone() {
-                    of.unit = &of.unit * &factor.abs();
-                    if let Some(known) = &all[shape] {
-                        of.unit = of.unit.gcd(&known.unit);
-                        of.torn = of.torn.or(known.torn);
-                    }
-                    all[shape] = Some(of.clone());
-                    all[k] = Some(of);
+                let mut of = Use { unit: &own.unit * &factor.abs(), ..own.clone() };
+                if let Some(known) = &all[shape] {
+                    of.unit = of.unit.gcd(&known.unit);
+                    of.torn = of.torn.or(known.torn);
                 }
+                if let Some(variable) = &mut all[k] {
+                    variable.torn = variable.torn.or(of.torn);
+                }
+                all[shape] = Some(of);
             }
         }
     }
@@ -719,10 +741,21 @@ fn shifts(unit: &Rational, turns: bool, ends: &[&Bound]) -> Vec<Rational> {
 }
 
 /// Whether `rate` times an end that holds shape parameters is less than a quarter turn at all their values.
-fn stays_finite(scope: &Scope<'_>, rate: &Rational, end: &Bound) -> bool {
+fn stays_finite(scope: &Scope<'_>, rate: &Rational, end: &Bound, known: &[Parameter]) -> bool {
     let value = &end.value;
-    if value.parts.len() <= 1 && value.pi.is_zero() && value.number.is_zero() {
-        return true;
+    let mut reached = true;
+    if let ([(var, factor, _)], true) = (&value.parts[..], value.pi.is_zero() && value.number.is_zero()) {
+        // Of one parameter alone it is known from its own range.
+        let Some(angle) = scope.analytic.angles.iter().find(|a| a.itself == *var) else { return false };
+        if angle.rate == rate * &factor.abs() {
+            return true;
+        }
+        let own = known.iter().find(|parameter| parameter.var == angle.var);
+        reached = own.is_none_or(|own| {
+            [&own.range.low, &own.range.high]
+                .iter()
+                .any(|end| matches!(end, End::Included(x) if !x.is_zero()))
+        });
     }
     // In units of π; where an end of a range is no multiple of it, nothing is known.
     let Some(pi) = scope.analytic.pi else { return false };
@@ -739,7 +772,8 @@ fn stays_finite(scope: &Scope<'_>, rate: &Rational, end: &Bound) -> bool {
         }
         sum += &(&largest * &factor.abs());
     }
-    value.number.is_zero() && rate * &sum < Rational::new(1, 2)
+    let (turned, quarter) = (rate * &sum, Rational::new(1, 2));
+    value.number.is_zero() && (turned < quarter || turned == quarter && !reached)
 }
 
 /// Makes a variable an angle; the range of y.
@@ -844,7 +878,7 @@ fn angle(
             return None;
         }
     } else {
-        // The rate of the parameter, which has been found.
+        // The rates of the parameters have been found: that of the variable is a multiple of them.
         let mut rates: Vec<(Rational, Rational)> = Vec::new();
         for (var, factor, _) in &parametric {
             let shape = all.get(var.0.checked_sub(count)?)?;
@@ -852,9 +886,32 @@ fn angle(
             let angle = scope.analytic.angles.iter().find(|a| a.itself == *var)?;
             rates.push((angle.rate.clone(), factor.abs()));
         }
-        let (rate, factor) = rates.first()?;
-        let rate = rate.checked_div(factor)?;
-        if of.turns || rates.iter().any(|(r, f)| r.checked_div(f).as_ref() != Some(&rate)) {
+        // The least common multiple of those that the ends ask for.
+        let mut least: Option<Rational> = None;
+        for (rate, factor) in &rates {
+            let wanted = rate.checked_div(factor)?;
+            least = Some(match &least {
+                Some(known) => (known * &wanted).checked_div(&known.gcd(&wanted))?,
+                None => wanted,
+            });
+        }
+        let least = least?;
+        let goes = |rate: &Rational| {
+            let multiple = |(own, factor): &(Rational, Rational)| (rate * factor).checked_div(own);
+            !of.turns && rates.iter().all(|known| multiple(known).is_some_and(|n| n.is_integer()))
+        };
+        // Where the variable is used with larger factors than the parameter, its rate is larger, too, if its tangent is
+        // finite then.
+        let own = (&of.unit * &half).checked_div(&least)?;
+        let rate = match own.to_i64() {
+            Some(n) if n > 1 && !of.beside => {
+                let rate = &least * &own;
+                let finite = ends.iter().all(|l| !circular || stays_finite(scope, &rate, l, known));
+                if goes(&rate) && finite { rate } else { least }
+            }
+            _ => least,
+        };
+        if !goes(&rate) {
             wrong(
                 scope,
                 format!("the ends of the domain of `{name}` are not multiples of one angle"),
@@ -862,8 +919,8 @@ fn angle(
             );
             return None;
         }
-        // Beyond a quarter turn the tangent is another one. Of one parameter alone that is known from its own range.
-        if let Some(end) = ends.iter().find(|l| circular && !stays_finite(scope, &rate, l)) {
+        // Beyond a quarter turn the tangent is another one.
+        if let Some(end) = ends.iter().find(|l| circular && !stays_finite(scope, &rate, l, known)) {
             let reach = multiple_of_pi(&half.checked_div(&rate)?);
             wrong(
                 scope,

@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::angle::{Angle, Kind, multiple_of_pi};
+use crate::model::angle::{Angle, Kind, multiple_of_pi, times};
 use crate::model::scope::{Argument, Scope};
 use crate::model::words::CIRCULAR;
 use crate::syntax::Expr;
@@ -107,6 +107,29 @@ impl Phase {
     }
 }
 
+/// A shape parameter and the domain variable of which it is the frequency: a polynomial of degree 2 that has their product.
+pub(crate) fn frequency(
+    value: &Fraction,
+    is_parameter: impl Fn(Var) -> bool,
+    is_domain: impl Fn(Var) -> bool,
+) -> Option<(Var, Var)> {
+    let polynomial = value.as_poly().filter(|p| p.total_degree() == 2)?;
+    let variables = polynomial.variables();
+    let pairs = variables
+        .iter()
+        .filter(|p| is_parameter(**p))
+        .flat_map(|p| variables.iter().filter(|t| is_domain(**t)).map(move |t| (*p, *t)));
+    let mut pairs = pairs.filter(|(p, t)| !polynomial.derivative(*p).derivative(*t).is_zero());
+    pairs.next()
+}
+
+/// What to write for a shape parameter as a frequency.
+pub(crate) fn as_end_of_domain(name: &str, parameter: &str, t: &str) -> String {
+    format!(
+        "a frequency is a number: let the parameter be the end of the domain, `shape 0 < {parameter}; domain 0 <= {t} <= {parameter};`, and write `{name}({t})`"
+    )
+}
+
 /// More than this often no angle is multiplied.
 const MAX_MULTIPLE: i64 = 40;
 
@@ -133,12 +156,10 @@ impl Scope<'_> {
             let n =
                 factor.checked_div(&angle.rate).filter(|_| *turns == angle.turns).and_then(|n| n.to_i64());
             let Some(n) = n.filter(|n| n.abs() <= MAX_MULTIPLE) else {
+                let unit = times(&(&angle.rate + &angle.rate), angle.turns, name);
                 return Err((
-                    format!(
-                        "this is not a multiple of the angle `{}` in which the family is expanded",
-                        angle.tangent_name()
-                    ),
-                    String::from("arguments of sin and cos are rational multiples of one angle"),
+                    format!("the functions are known at whole multiples of `{unit}`, and this is none"),
+                    String::from("write the sines and cosines of this argument themselves"),
                 ));
             };
             let shift = &(&angle.rate * &angle.shift) * &Rational::from(n);
@@ -202,7 +223,7 @@ impl Scope<'_> {
         if let Some(recorded) = &mut self.recorded {
             // tan(ψ) itself is one of the tangents.
             let value = if is_tangent(name) { &value + &value } else { value };
-            recorded.push(Argument { circular: kind == Kind::Circular, value, span: argument.span });
+            recorded.push(Argument { name: name.to_owned(), value, span: argument.span });
             return Some(Fraction::var(Var(self.names.len())));
         }
         let Some(linear) = Linear::of(&value, self.analytic.pi) else {
@@ -247,23 +268,18 @@ impl Scope<'_> {
 
     /// The error for an argument that is not linear.
     fn report_frequency(&self, name: &str, value: &Fraction, span: Span) {
+        let is_angle = |v: Var| {
+            let mut angles = self.analytic.angles.iter();
+            angles.any(|angle| angle.itself == v && self.domain.contains(&angle.var))
+        };
+        let is_domain = |v: Var| self.domain.contains(&v) || is_angle(v);
+        let is_parameter = |v: Var| !is_domain(v) && Some(v) != self.analytic.pi;
         let error = self.error(span, format!("the argument of `{name}` is not linear in one variable"));
-        let shape = |v: &Var| !self.domain.iter().any(|d| d == v) && Some(*v) != self.analytic.pi;
-        let variables = value.numer().variables();
-        let domain = variables.iter().find(|v| {
-            self.domain.contains(v)
-                || self.analytic.angles.iter().any(|a| a.itself == **v && self.domain.contains(&a.var))
-        });
-        let parameter = variables.iter().find(|v| shape(v) && Some(*v) != domain);
-        let product = value.numer().total_degree() == 2 && value.as_poly().is_some_and(|p| p.len() == 1);
-        self.report(match (parameter, domain) {
-            (Some(parameter), Some(t)) if product => {
-                let (p, t) = (&self.names[parameter.0], &self.names[t.0]);
-                error.help(format!(
-                    "a frequency is a number: let the parameter be the end of the domain, `shape 0 < {p}; domain 0 <= {t} <= {p};`, and write `{name}({t})`"
-                ))
+        self.report(match frequency(value, is_parameter, is_domain) {
+            Some((parameter, t)) => {
+                error.help(as_end_of_domain(name, &self.names[parameter.0], &self.names[t.0]))
             }
-            _ => error.help(
+            None => error.help(
                 "it is a rational multiple of a variable, or that times `pi`, plus multiples of shape parameters and of `pi/2`",
             ),
         });

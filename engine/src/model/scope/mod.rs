@@ -52,8 +52,8 @@ pub(crate) enum Subject {
 
 /// An argument of sin, cos, exp or the like.
 pub(crate) struct Argument {
-    /// Whether of sin, cos or tan.
-    pub(crate) circular: bool,
+    /// The name of the function.
+    pub(crate) name: String,
     pub(crate) value: Fraction,
     pub(crate) span: Span,
 }
