@@ -13,7 +13,7 @@ pub(crate) fn describe(family: &Family) -> String {
 /// What is assumed of the shape parameters beside their ranges, such as `α^2 + β^2 <= 1`, and what follows for those that
 /// an equation determines.
 pub(crate) fn assumptions(family: &Family) -> Vec<String> {
-    let conditions = family.constraints.iter().map(|c| c.text.clone());
+    let conditions = family.assumed().map(|c| c.text.clone());
     let values = family.determined.iter().map(|(name, f)| format!("{name} = {}", f.display(&family.names)));
     conditions.chain(values).collect()
 }

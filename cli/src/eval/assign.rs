@@ -286,7 +286,7 @@ impl Table<'_> {
             return;
         }
         let family = self.family;
-        let broken = family.constraints.iter().find(|constraint| {
+        let broken = family.assumed().find(|constraint| {
             let known = self.known(&Fraction::from(constraint.value.clone()));
             known.is_some_and(|(value, _)| !constraint.relation.holds(&value))
         });

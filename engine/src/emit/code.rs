@@ -340,7 +340,7 @@ fn assumptions(family: &Family) -> Vec<Assumption<'_>> {
         }
         builder.finish(&[sum])
     };
-    let constraints = family.constraints.iter();
+    let constraints = family.assumed();
     constraints
         .map(|c| Assumption { steps: one(c), strict: c.relation == Relation::Positive, text: &c.text })
         .collect()

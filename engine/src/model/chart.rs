@@ -23,6 +23,8 @@ pub struct Constraint {
     pub relation: Relation,
     /// The condition as it is written, such as `q < p`.
     pub text: String,
+    /// Whether it is an end of the declared range of an angle, whose tangent is irrational.
+    pub is_end: bool,
 }
 
 /// A part of the values as the image of a box, whose variables have the names of those that they stand for.

@@ -310,6 +310,11 @@ impl Family {
         pieces
     }
 
+    /// What is assumed of the shape parameters beside their ranges.
+    pub fn assumed(&self) -> impl Iterator<Item = &Constraint> {
+        self.constraints.iter().filter(|constraint| !constraint.is_end)
+    }
+
     /// The parts of all points, as boxes and simplices: of the shape parameters alone, or with the domain.
     pub fn parts(&self, shapes_only: bool) -> Vec<(Piece, Rc<Domain>)> {
         let whole = |piece: Piece| {

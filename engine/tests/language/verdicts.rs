@@ -679,3 +679,48 @@ fn angles_in_the_middle_of_a_domain() {
     let expected = ["=", "=", "=", "=", "=", "-1/8 at tan(α/4) = 1/2, tan(t/2) = 1/2", "=", "=", "="];
     assert_eq!(found, expected);
 }
+
+/// The tangents at the ends are irrational; claims are sharp there.
+#[test]
+fn angles_that_end_at_a_third_of_a_turn() {
+    let found = verdicts(
+        "family CBezierQuadratic {
+            shape 0 < α <= 2*pi/3;
+            domain 0 <= t <= α;
+            b[0] = (1 - cos(α - t))/(1 - cos(α));
+            b[2] = (1 - cos(t))/(1 - cos(α));
+            b[1] = 1 - b[0] - b[2];
+            prove nonnegative;
+            prove cos(α) >= -1/2;
+            prove (1 + 2*cos(α))*sin(t) >= 0;
+            prove 1 - cos(t) <= 3/2;
+            refute cos(α) >= -499/1000;
+        }
+        family TwoEnds {
+            shape pi/6 <= α < pi/3, pi/4 <= β <= 3*pi/4;
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t)*cos(α) + sin(t)*sin(β);
+            prove sin(α) >= 1/2;
+            prove 2*cos(α) - 1 > 0;
+            prove cos(β)^2 <= 1/2;
+            prove cos(α) + sin(β) >= 6/5;
+            prove tan(α)^2 < 3;
+            refute sin(α)^2 <= 29/10*cos(α)^2;
+            refute 2*cos(β)^2 <= 999/1000;
+        }
+        family FifthOfATurn {
+            shape 0 < α < 2*pi/5;
+            domain 0 <= t <= α;
+            b[0] = sin(α - t)/sin(α);
+            b[1] = sin(t)/sin(α);
+            prove 16*sin(α)^4 - 20*sin(α)^2 + 5 <= 5;
+            prove nonnegative;
+            prove 4*cos(α)^2 + 2*cos(α) - 1 > 0;
+            refute 4*cos(α)^2 + 2*cos(α) - 1 > 1/100;
+        }",
+    );
+    let is_proved = found.iter().map(|verdict| verdict == "=").collect::<Vec<_>>();
+    let expected = [&[true; 4][..], &[false], &[true; 5], &[false; 2], &[true; 3], &[false]];
+    assert_eq!(is_proved, expected.concat(), "{found:?}");
+    assert!(found.iter().all(|verdict| !verdict.starts_with("undecided")), "{found:?}");
+}

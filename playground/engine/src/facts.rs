@@ -55,7 +55,7 @@ pub(crate) fn family(family: &Family) -> Value {
         "doc": family.doc,
         "domain": domain,
         "shapes": shapes,
-        "conditions": family.constraints.iter().map(|c| math(&c.text)).collect::<Vec<_>>(),
+        "conditions": family.assumed().map(|c| math(&c.text)).collect::<Vec<_>>(),
         "functions": functions
     })
 }

@@ -39,7 +39,7 @@ pub(in crate::generate) fn family(
         Factor::Interval(p) => format!("`{}`", family.declared(p)),
     }));
     ranges.extend(family.shapes.iter().map(|p| format!("`{}`", family.declared(p))));
-    ranges.extend(family.constraints.iter().map(|c| format!("`{}`", c.text)));
+    ranges.extend(family.assumed().map(|c| format!("`{}`", c.text)));
     lines.push(format!("for {}.", ranges.join(", ")));
     lines.extend(rounding.iter().cloned());
     if !verdicts.is_empty() {

@@ -206,8 +206,8 @@ impl Shell<'_> {
         let Self { fields, runtime, family, .. } = self;
         let title = family.title();
         let mut docs = TokenStream::new();
-        if !family.constraints.is_empty() {
-            let texts = family.constraints.mapped(|c| c.text.clone());
+        let texts: Vec<String> = family.assumed().map(|c| c.text.clone()).collect();
+        if !texts.is_empty() {
             let line = doc(&format!("They satisfy `{}`.", texts.join("`, `")));
             docs = quote_spanned!(site()=> #[doc = ""] #line);
         }
@@ -229,7 +229,7 @@ impl Shell<'_> {
                 #runtime::__private::check_shape(#title, #of, #(#terms)+*, #low, #high, #text)?;
             }
         };
-        (docs, family.constraints.mapped(check))
+        (docs, family.assumed().map(check).collect())
     }
 }
 

@@ -4,6 +4,7 @@
 use proc_macro2::Span;
 
 use super::domain::{self, Domain, variable};
+use super::edges::{Edge, edge};
 use super::shapes::Shapes;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -17,7 +18,8 @@ use crate::model::formula::phase::{Linear, as_end_of_domain, frequency};
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Argument, Scope, Stage};
 use crate::model::words::{CIRCULAR, PI, is_transcendental};
-use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, Relation, StatementKind};
+use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, StatementKind};
+use basis_kernel::Relation;
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 
@@ -106,7 +108,7 @@ fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
 }
 
 /// The sides of a claim.
-fn sides(relation: &Relation, with: &mut dyn FnMut(&Expr)) {
+fn sides(relation: &syntax::Relation, with: &mut dyn FnMut(&Expr)) {
     with(&relation.left);
     with(&relation.right);
     relation.chain.iter().for_each(|(_, side)| with(side));
@@ -257,7 +259,7 @@ fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, places: 
 }
 
 /// Evaluates the sides of a claim for all values of its index variables.
-fn probe_relation(probe: &mut Scope<'_>, relation: &Relation) {
+fn probe_relation(probe: &mut Scope<'_>, relation: &syntax::Relation) {
     probe.each(&relation.loops, &mut |probe| {
         sides(relation, &mut |side| {
             probe.value(side);
@@ -396,6 +398,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     }
     exponential(scope, &uses, &all, &limits);
     let mut parameters = Vec::new();
+    let mut ends: Vec<Constraint> = Vec::new();
     let mut constraints: Vec<Constraint> = Vec::new();
     for (k, (decl, doc)) in shapes.iter().chain(&domain).enumerate() {
         if k == shape_count {
@@ -403,7 +406,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         }
         let at = Place { slot: slots[k], itself: itself(k), is_domain: k >= shape_count };
         let range = match &all[k] {
-            Some(of) => angle(scope, decl, &at, of, &limits[k], (&all, count, &parameters)),
+            Some(of) => angle(scope, decl, &at, of, &limits[k], (&all, count, &parameters), &mut ends),
             None if at.is_domain && limits[k].iter().flatten().any(Bound::is_no_number) => {
                 linear(scope, decl, &at, &limits[k], count, (&parameters, &constraints))
             }
@@ -424,6 +427,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         return None;
     }
     mirrors(scope, shape_count, &parameters, &limits, count)?;
+    constraints.extend(ends);
     scope.analytic.ranges = ranges(scope);
     let domain = parameters.split_off(shape_count);
     if own.is_none() && domain.is_empty() {
@@ -515,9 +519,8 @@ fn assumed(
     let mut shapes = Shapes { parameters: parameters.to_vec(), constraints: Vec::new() };
     for (lower, upper, included, text) in order {
         let value = &Poly::var(slots[*upper]) - &Poly::var(slots[*lower]);
-        let relation =
-            if *included { basis_kernel::Relation::NonNegative } else { basis_kernel::Relation::Positive };
-        shapes.constraints.push(Constraint { value, relation, text: text.clone() });
+        let relation = if *included { Relation::NonNegative } else { Relation::Positive };
+        shapes.constraints.push(Constraint { value, relation, text: text.clone(), is_end: false });
     }
     let mut span = None;
     for statement in &written.statements {
@@ -784,6 +787,7 @@ fn angle(
     of: &Use,
     limits: &Limits,
     (all, count, known): (&[Option<Use>], usize, &[Parameter]),
+    conditions: &mut Vec<Constraint>,
 ) -> Option<Range> {
     let name = &decl.name.text;
     let ends: Vec<&Bound> = limits.iter().flatten().listed();
@@ -810,8 +814,10 @@ fn angle(
         return None;
     }
     let half = Rational::new(1, 2);
-    // The rate: half of the unit, or a part of that, so that the tangent is finite, and rational at the ends.
+    // The rate: half of the unit, or a part of that, so that the tangent is finite, and rational at the ends; else what
+    // takes their place.
     let mut chosen = None;
+    let mut edges: [Option<Edge>; 2] = [None, None];
     if parametric.is_empty() {
         if circular && !of.turns && at.is_domain {
             let proper = |l: &&Bound| {
@@ -865,6 +871,14 @@ fn angle(
                 }
             }
         }
+        if chosen.is_none() && circular && !at.is_domain && !of.turns {
+            let mut rates = (1..=8).map(|m| &(&of.unit * &half) * &Rational::new(1, m));
+            let found = rates.find_map(|rate| Some((irrational_ends(at.slot, &rate, &ends)?, rate)));
+            if let Some((found, rate)) = found {
+                edges = found;
+                chosen = Some((rate, Rational::ZERO));
+            }
+        }
         if chosen.is_none() {
             let texts: Vec<&str> = ends.mapped(|l| l.text.as_str());
             wrong(
@@ -873,7 +887,11 @@ fn angle(
                     "the functions of `{name}` have irrational values at the ends {} of its range",
                     texts.join(" and ")
                 ),
-                "choose ends at which half of the smallest angle is a multiple of pi/4; a shape parameter may also be the end of the domain, `shape 0 < α < pi;`",
+                if at.is_domain {
+                    "choose ends at which half of the smallest angle is a multiple of pi/4; a shape parameter may also be the end of the domain, `shape 0 < α <= pi/2; domain 0 <= t <= α;`"
+                } else {
+                    "let the range begin at 0, or choose ends at which half of the smallest angle is a multiple of pi/4"
+                },
             );
             return None;
         }
@@ -954,6 +972,10 @@ fn angle(
     let exact = parametric.is_empty() && (circular || ends.iter().all(|l| l.value.number.is_zero()));
     let range = if exact {
         let end = |side: usize| match &limits[side] {
+            Some(l) if edges[side].is_some() => {
+                let beyond = edges[side].as_ref().map_or(Rational::ZERO, |edge| edge.beyond.clone());
+                if l.included { End::Included(beyond) } else { End::Excluded(beyond) }
+            }
             None => {
                 // Only of a hyperbolic parameter.
                 End::Excluded(Rational::from(if side == 0 { -1 } else { 1 }))
@@ -1016,7 +1038,31 @@ fn angle(
         return None;
     }
     scope.analytic.angles.push(new);
+    for (edge, limit) in edges.into_iter().zip(limits) {
+        let (Some(edge), Some(limit)) = (edge, limit) else { continue };
+        let relation = if limit.included { Relation::NonNegative } else { Relation::Positive };
+        let text = declared(name, limits);
+        conditions.push(Constraint { value: edge.inside, relation, text, is_end: true });
+    }
     Some(range)
+}
+
+/// What takes the place of ends whose tangents are irrational; `None` where a tangent is infinite, or the conditions are
+/// not.
+fn irrational_ends(var: Var, rate: &Rational, ends: &[&Bound]) -> Option<[Option<Edge>; 2]> {
+    let [low, high] = ends else { return None };
+    let psi = [low, high].map(|l| psi(rate, false, &Rational::ZERO, l));
+    let is_finite = |psi: &Rational| psi.abs() < Rational::new(1, 2);
+    let mut edges = [None, None];
+    for side in 0..2 {
+        if !is_finite(&psi[side]) || !is_finite(&psi[1 - side]) {
+            return None;
+        }
+        if !(&psi[side] * &Rational::from(4)).is_integer() {
+            edges[side] = Some(edge(var, &psi[side], &psi[1 - side])?);
+        }
+    }
+    Some(edges)
 }
 
 /// x at an end of the range, for reading, such as `tan(α/2)`, `tanh(1)` or `(a + h)`.

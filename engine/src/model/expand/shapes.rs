@@ -230,7 +230,7 @@ fn constrain(
         scope.report(error.help("multiply by it: write the condition with polynomials"));
         return None;
     };
-    shapes.constraints.push(Constraint { value: value.clone(), relation, text });
+    shapes.constraints.push(Constraint { value: value.clone(), relation, text, is_end: false });
     Some(())
 }
 
@@ -499,7 +499,7 @@ fn determine(
             (true, false) => "<",
         };
         let text = format!("{} {sign} {bound} by {text}", parameter.name);
-        shapes.constraints.push(Constraint { value: distance, relation, text });
+        shapes.constraints.push(Constraint { value: distance, relation, text, is_end: false });
     }
     Some(())
 }

@@ -154,13 +154,17 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
             } else {
                 without_numbers(family, of.clone(), value.clone())
             };
-            let mut stated =
+            let stated =
                 Stated::new(on_part(&of, number, parts.len()), compared_on(&value, comparison, part)?);
             let plainly = matches!(saying, Saying::Plainly);
-            if let Some(statement) = premises::without(&stated.statement).filter(|_| !plainly) {
-                stated = Stated { statement, is_stronger: true, ..stated };
+            let Some(enough) = premises::without(&stated.statement).filter(|_| !plainly) else {
+                all.push(Said { stated, of, piece: part.0.clone() });
+                continue;
+            };
+            for statement in enough {
+                let stated = Stated { statement, is_stronger: true, ..stated.clone() };
+                all.push(Said { stated, of: of.clone(), piece: part.0.clone() });
             }
-            all.push(Said { stated, of, piece: part.0.clone() });
         }
     }
     Some(all)

@@ -3,6 +3,8 @@
 //! **Theorem.** Where g ≥ 0, a function f with f − c·m·g ≥ 0 is ≥ 0, for a number c ≥ 0 and a product m of powers that are ≥ 0
 //! (the S-procedure of V. A. Yakubovich 1971). It is > 0 if f − c·m·g is, or if g, c and m are.
 //!
+//! Where g is a polynomial in one variable, f = q·g + r by division, and q ≥ 0 and r ≥ 0 are enough.
+//!
 //! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box. The number c has to satisfy
 //! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
 //! the kernel to see.
@@ -31,59 +33,206 @@ const MAX_TERMS: usize = 400;
 
 /// What is enough for a statement about a sign to hold where its premises do; `None` if it does not need them, or seems to be
 /// false, or no multiple of a premise is found to help.
-pub(super) fn without(statement: &Statement) -> Option<Statement> {
+pub(super) fn without(statement: &Statement) -> Option<Vec<Statement>> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
     if domain.premises.is_empty() {
         return None;
     }
-    let points = sample(value, domain)?;
-    let f = values(&value.numerator, &value.denominator, &points)?;
+    let sign = Sign { value: value.clone(), relation: *relation, domain };
+    let seen = Seen::new(value, domain)?;
     // Without a negative value the box alone may be enough.
-    f.iter().flatten().find(|x| x.is_negative())?;
-    let one = Poly::one();
-    let factor = common(&value.numerator, domain);
-    let m = values(&factor, &one, &points)?;
-    for (g, premise) in &domain.premises {
-        if g.is_zero() {
-            continue;
-        }
-        let own = values(g, &one, &points)?;
-        let (mut low, mut high) = (Rational::ZERO, None::<Rational>);
-        let mut fits = true;
-        for ((f, g), m) in f.iter().zip(&own).zip(&m) {
-            let (Some(f), Some(g), Some(m)) = (f, g, m) else { continue };
-            let bound = &(g * m);
-            match bound.signum() {
-                0 => fits &= !f.is_negative(),
-                1 => {
-                    let most = f.checked_div(bound)?;
-                    high = Some(high.map_or(most.clone(), |known| known.min(most)));
-                }
-                _ => low = low.max(f.checked_div(bound)?),
-            }
-        }
-        let c = match high {
-            Some(high) if fits && low <= high => {
-                // Away from both ends, if there is room.
-                let quarter = &(&high - &low) * &Rational::new(1, 4);
-                simplest_within(&(&low + &quarter), &(&high - &quarter))
-            }
-            None if fits => &low + &Rational::ONE,
-            _ => continue,
-        };
-        if !c.is_positive() {
-            continue;
-        }
-        let term = &(g * &factor).scale(&c) * &value.denominator;
-        let numerator = &value.numerator - &term;
-        let value = Quotient { numerator, denominator: value.denominator.clone() };
-        // From a strict premise follows a strict inequality.
-        let strict = *relation == Relation::Positive && *premise == Relation::Positive && factor.is_one();
-        let relation = if strict { Relation::NonNegative } else { *relation };
-        let domain = Rc::new(Domain { premises: Vec::new(), ..(**domain).clone() });
-        return Some(Statement::Sign { value, relation, domain });
+    if !seen.is_negative() {
+        return None;
     }
-    None
+    sign.enough(&seen, domain.premises.len() + 1)
+}
+
+/// That a quotient has a sign where premises hold.
+struct Sign<'s> {
+    value: Quotient,
+    relation: Relation,
+    domain: &'s Domain,
+}
+
+/// Points of a box, and the values of a quotient there.
+struct Seen {
+    points: Vec<Vec<Rational>>,
+    values: Vec<Option<Rational>>,
+}
+
+impl Seen {
+    fn new(value: &Quotient, domain: &Domain) -> Option<Self> {
+        let points = sample(value, domain)?;
+        let values = values(&value.numerator, &value.denominator, &points)?;
+        Some(Self { points, values })
+    }
+
+    fn is_negative(&self) -> bool {
+        self.values.iter().flatten().any(Rational::is_negative)
+    }
+}
+
+impl Sign<'_> {
+    /// The statement about the whole box.
+    fn plain(&self) -> Statement {
+        let (value, relation) = (self.value.clone(), self.relation);
+        Statement::Sign { value, relation, domain: without_premises(self.domain) }
+    }
+
+    /// Statements about the whole box from which it follows.
+    fn enough(&self, seen: &Seen, depth: usize) -> Option<Vec<Statement>> {
+        if !seen.is_negative() {
+            return Some(vec![self.plain()]);
+        }
+        let divided = |exactly| self.divided(depth, exactly);
+        divided(true).or_else(|| divided(false)).or_else(|| self.by_number(seen))
+    }
+
+    /// For a quotient of q·g + r, where g is a premise: that q and r have the sign. `exactly` where r is 0.
+    fn divided(&self, depth: usize, exactly: bool) -> Option<Vec<Statement>> {
+        let depth = depth.checked_sub(1)?;
+        let part = |numerator: Poly, relation: Relation| {
+            let value = Quotient { numerator, denominator: self.value.denominator.clone() };
+            let sign = Sign { value, relation, domain: self.domain };
+            let seen = Seen::new(&sign.value, self.domain)?;
+            let mut fails = seen
+                .points
+                .iter()
+                .zip(&seen.values)
+                .filter(|(_, value)| value.as_ref().is_some_and(Rational::is_negative));
+            if fails.any(|(point, _)| self.domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point))))
+            {
+                return None;
+            }
+            sign.enough(&seen, depth)
+        };
+        self.domain.premises.iter().find_map(|(g, premise)| {
+            let (q, r) = divided(&self.value.numerator, g)?;
+            if r.is_zero() != exactly || q.is_zero() {
+                return None;
+            }
+            // Strict is what has one strict summand.
+            if r.is_zero() {
+                let strict = self.relation == Relation::Positive;
+                if strict && *premise != Relation::Positive {
+                    return None;
+                }
+                return part(q, self.relation);
+            }
+            Some([part(q, Relation::NonNegative)?, part(r, self.relation)?].concat())
+        })
+    }
+
+    /// With a number times a premise taken away, and times something that is ≥ 0.
+    fn by_number(&self, seen: &Seen) -> Option<Vec<Statement>> {
+        let Self { value, relation, domain } = self;
+        let Seen { points, values: f } = seen;
+        let one = Poly::one();
+        let below = &value.denominator;
+        let is_positive = |p: &Poly| {
+            let values = values(p, &one, points).unwrap_or_default();
+            !p.is_one() && values.iter().flatten().all(Rational::is_positive)
+        };
+        for (g, premise) in domain.premises.iter().filter(|(g, _)| !g.is_zero()) {
+            for factor in factors(&value.numerator, g, domain) {
+                let product = &factor * g;
+                // Over the denominator of the value, too, or over the part of it in the variables of the premise.
+                let part = of_variables(below, g).filter(|part| part != below);
+                let over = [Some(below.clone()), part].into_iter().flatten().filter(|p| is_positive(p));
+                for over in [one.clone()].into_iter().chain(over) {
+                    let Some(c) = multiple(f, &values(&product, &over, points)?) else { continue };
+                    let numerator = &value.numerator - &(&product.scale(&c) * &below.div_exact(&over)?);
+                    // From a strict premise follows a strict inequality.
+                    let strict =
+                        *relation == Relation::Positive && *premise == Relation::Positive && factor.is_one();
+                    let relation = if strict { Relation::NonNegative } else { *relation };
+                    let domain = without_premises(domain);
+                    let sign = |value: Quotient, relation| Statement::Sign {
+                        value,
+                        relation,
+                        domain: Rc::clone(&domain),
+                    };
+                    let rest = sign(Quotient { numerator, denominator: below.clone() }, relation);
+                    let denominator = (!over.is_one()).then(|| sign(over.into(), Relation::Positive));
+                    return Some([rest].into_iter().chain(denominator).listed());
+                }
+            }
+        }
+        None
+    }
+}
+
+/// A number c > 0 with c·g ≤ f at all points, in the middle of those that do.
+fn multiple(f: &[Option<Rational>], g: &[Option<Rational>]) -> Option<Rational> {
+    let (mut low, mut high) = (Rational::ZERO, None::<Rational>);
+    for pair in f.iter().zip(g) {
+        let (Some(f), Some(g)) = pair else { continue };
+        match g.signum() {
+            0 if f.is_negative() => return None,
+            0 => {}
+            1 => {
+                let most = f.checked_div(g)?;
+                high = Some(high.map_or(most.clone(), |known| known.min(most)));
+            }
+            _ => low = low.max(f.checked_div(g)?),
+        }
+    }
+    let c = match high {
+        Some(high) if low <= high => {
+            // Away from both ends, if there is room.
+            let quarter = &(&high - &low) * &Rational::new(1, 4);
+            simplest_within(&(&low + &quarter), &(&high - &quarter))
+        }
+        None => &low + &Rational::ONE,
+        Some(_) => return None,
+    };
+    c.is_positive().then_some(c)
+}
+
+/// The factor of a product that has the variables of a premise, if the others do not occur in it.
+fn of_variables(product: &Poly, premise: &Poly) -> Option<Poly> {
+    let others = product.variables().into_iter().filter(|v| !premise.depends_on(*v));
+    let part = others.fold(product.clone(), |p, v| p.at(v, &Rational::ZERO));
+    product.div_exact(&part).map(|_| part)
+}
+
+/// What a premise is multiplied by: the powers that a numerator has in all its terms, alone, and times the distances from
+/// the ends of the ranges of other variables, and times their squares.
+fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
+    let own = common(numerator, domain);
+    let mut all = vec![own.clone()];
+    let others = ranges(domain);
+    let others = others.iter().filter(|(v, _)| numerator.depends_on(*v) && !premise.depends_on(*v));
+    for (var, range) in others {
+        let x = Poly::var(*var);
+        let low = range.low.value().map(|end| &x - &Poly::constant(end.clone()));
+        let high = range.high.value().map(|end| &Poly::constant(end.clone()) - &x);
+        for distance in [low, high].into_iter().flatten() {
+            all.push(&own * &distance);
+            all.push(&own * &distance.pow(2));
+        }
+    }
+    all
+}
+
+fn without_premises(domain: &Domain) -> Rc<Domain> {
+    Rc::new(Domain { premises: Vec::new(), ..domain.clone() })
+}
+
+/// q and r with f = q·g + r, where g is a polynomial in one variable and r has a lower degree in it.
+fn divided(f: &Poly, g: &Poly) -> Option<(Poly, Poly)> {
+    let [x] = g.variables()[..] else { return None };
+    let degree = g.degree(x);
+    let lead = g.coefficients_in(x).pop()?.as_constant()?.recip()?;
+    let (mut q, mut r) = (Poly::zero(), f.clone());
+    while r.degree(x) >= degree && !r.is_zero() {
+        let top = r.degree(x);
+        let coefficient = r.coefficients_in(x).pop()?;
+        let term = (&coefficient * &Poly::var(x).pow(top - degree)).scale(&lead);
+        r = &r - &(&term * g);
+        q = &q + &term;
+    }
+    Some((q, r))
 }
 
 /// A counterexample to a statement about a sign under premises, among some points.
@@ -112,14 +261,17 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
     let (mut point, mut least) = best?;
     // Downhill in smaller and smaller steps.
     let ranges = ranges(domain);
-    let directions = directions(ranges.len());
+    let moving =
+        |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
+    let moving: Vec<&(Var, Range)> = ranges.iter().filter(moving).collect();
+    let directions = directions(moving.len());
     let mut step = Rational::new(1, 16);
     let mut tries = 0;
     while tries < MAX_TRIES && relation.holds(&least) {
         let mut lower = None;
         for direction in &directions {
             let mut next = point.clone();
-            for ((var, range), steps) in ranges.iter().zip(direction) {
+            for ((var, range), steps) in moving.iter().zip(direction) {
                 let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
                 next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
             }
@@ -239,7 +391,13 @@ fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Rational>>> {
 fn coordinates(range: &Range, parts: i64) -> Vec<Rational> {
     let all: Vec<Rational> = match (range.low.value(), range.high.value()) {
         (Some(low), Some(high)) => {
-            (0..=parts).map(|k| low + &(&(high - low) * &Rational::new(k, parts))).listed()
+            let at = |share: Rational| low + &(&(high - low) * &share);
+            // Next to an end that is left out, too.
+            let beside = [Rational::new(1, 1024), Rational::new(1023, 1024)];
+            let all = (0..=parts).map(|k| Rational::new(k, parts));
+            let left_out = [&range.low, &range.high].map(|end| !end.is_included());
+            let extra = beside.into_iter().zip(left_out).filter_map(|(x, out)| out.then_some(x));
+            all.chain(extra).map(at).listed()
         }
         (low, high) => {
             let (start, sign) = match (low, high) {
@@ -277,8 +435,8 @@ mod tests {
     }
 
     fn proved(f: &Poly) -> bool {
-        let statement = without(&on_disk(f, Relation::NonNegative)).expect("a multiple of the premise");
-        basis_prover::decide(statement, &Vec::new(), 1).is_ok()
+        let statements = without(&on_disk(f, Relation::NonNegative)).expect("a multiple of the premise");
+        statements.into_iter().all(|statement| basis_prover::decide(statement, &Vec::new(), 1).is_ok())
     }
 
     #[test]
