@@ -207,3 +207,27 @@ fn polynomials_end_at_multiples_of_pi() {
     let slope = HalfTurn::new().derivatives(1.0, 1);
     assert!((slope[1] - FRAC_1_PI).abs() <= 1e-15 && (slope[0] + FRAC_1_PI).abs() <= 1e-15);
 }
+
+basis! {
+    /// tan(α/2) at the end of the range of α is the root of 3.
+    family ThirdOfATurn {
+        shape 0 < α <= 2*pi/3;
+        domain 0 <= t <= α;
+        b[0] = (1 - cos(α - t))/(1 - cos(α));
+        b[1] = 1 - b[0] - b[2];
+        b[2] = (1 - cos(t))/(1 - cos(α));
+        prove nonnegative;
+        prove cos(α) >= -1/2;
+    }
+}
+
+#[test]
+fn the_end_of_a_range_may_have_an_irrational_tangent() {
+    let end = 2.0 * core::f64::consts::FRAC_PI_3;
+    let basis = ThirdOfATurn::new(end).expect("the end belongs to the range");
+    for (value, third) in basis.values(end / 2.0).iter().zip([1.0 / 3.0; 3]) {
+        assert!((value - third).abs() < 4e-16, "{value}");
+    }
+    assert!(ThirdOfATurn::new(end + 1e-15).is_err());
+    assert!(ThirdOfATurn::new(0.0).is_err());
+}
