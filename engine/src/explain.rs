@@ -81,7 +81,7 @@ pub fn formulas(family: &Family) -> Vec<Formula> {
 /// The derivatives of a curve `C = Σ b[i] P[i]` at both ends of an interval as combinations of the control points, such
 /// as `C'(0) = (3 + λ)*(-P[0] + P[1])`, for the orders 0 to `order`; empty on other domains.
 pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
-    let Some((var, low, high)) = family.interval() else { return Vec::new() };
+    let Some((_, low, high)) = family.interval() else { return Vec::new() };
     let mut lines = Vec::new();
     let inside = |end: &Rational| family.domain.iter().all(|p| p.range.contains(end));
     let Some(texts) = family.end_texts() else { return lines };
@@ -92,12 +92,9 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
                 .functions
                 .iter()
                 .map(|f| {
-                    let work = &mut Work::unlimited();
-                    let derivative = (0..order).fold(f.value.clone(), |f, _| {
-                        family.derivative_within(&f, var, work).unwrap_or_else(Fraction::zero)
-                    });
                     // A denominator vanishes nowhere on the domain.
-                    family.at_end(&derivative, upper, work).unwrap_or_else(Fraction::zero)
+                    let all = family.derivatives_at_end(&f.value, order, upper, &mut Work::unlimited());
+                    all.and_then(|mut all| all.pop()).unwrap_or_else(Fraction::zero)
                 })
                 .collect();
             let name = match order {

@@ -91,7 +91,7 @@ impl Angle {
     }
 
     /// The factor of y′ = factor·(1 ± x²), the derivative in s.
-    fn slope(&self, pi: Option<Var>) -> Fraction {
+    pub(super) fn slope(&self, pi: Option<Var>) -> Fraction {
         let rate = Fraction::constant(self.rate.clone());
         let rate = match pi.filter(|_| self.turns) {
             Some(pi) => &rate * &Fraction::var(pi),

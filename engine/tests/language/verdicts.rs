@@ -724,3 +724,44 @@ fn angles_that_end_at_a_third_of_a_turn() {
     assert_eq!(is_proved, expected.concat(), "{found:?}");
     assert!(found.iter().all(|verdict| !verdict.starts_with("undecided")), "{found:?}");
 }
+
+/// Values at a knot are compared in one tangent, and in powers of one exponential, whatever the ends of the other spans are.
+#[test]
+fn spans_of_different_lengths() {
+    let found = verdicts(
+        "family Angles {
+            shape 0 < h < pi/3;
+            domain 0 <= x <= 2*h, 2*h <= x <= 3*h;
+            b[0] = sin(x) | sin(x);
+            b[1] = sin(x) | sin(x)*cos(x - 2*h);
+            prove smooth(1);
+            refute smooth(2);
+        }
+        family Exponentials {
+            domain 0 <= t <= 2, 2 <= t <= 3, 3 <= t <= 7/2;
+            b[0] = exp(t) | exp(t) | exp(t);
+            b[1] = t*exp(-t) | t*exp(-t) | t*exp(-t);
+            b[2] = 1 | exp(t - 2) | exp(1)*(t - 2);
+            prove smooth(0);
+            refute smooth(1);
+        }
+        family QuadraticTrigonometricBSpline {
+            shape 0 < h < 2*pi/3;
+            domain 0 <= x <= h, h <= x <= 2*h, 2*h <= x <= 3*h;
+            let c = sin(h/2)*sin(h);
+            let p(x) = sin(x/2)^2/c;
+            let q(x) = (sin(x/2)*sin((2*h - x)/2) + sin((3*h - x)/2)*sin((x - h)/2))/c;
+            N[0] = p(x) | q(x) | p(3*h - x);
+            prove smooth(1);
+            refute smooth(2);
+            prove nonnegative;
+            prove at x = h { N[0] = sin(h/2)/sin(h); }
+        }",
+    );
+    let [a, b, c, d, e, f, g, h] = &found[..] else { panic!("{found:?}") };
+    assert_eq!([a, c, e, g, h], ["="; 5], "{found:?}");
+    // Of sin(x) cos(x - 2h) the second derivative is less by sin(2h); h = 2 arctan(7/24) there.
+    assert!(b.starts_with("354144/390625 at"), "{b}");
+    assert_eq!(d, "-1 at ", "{d}");
+    assert!(f.starts_with("150060625/79328256 at"), "{f}");
+}

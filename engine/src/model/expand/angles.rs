@@ -324,7 +324,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         }
     }
     let names = shapes.iter().chain(&domain).map(|(d, _)| d.name.text.clone()).listed();
-    let uses = survey(scope, written, &names, shapes.len());
+    let mut uses = survey(scope, written, &names, shapes.len());
     if let Some((parameter, t, function, span)) = uses.frequencies.first() {
         let error = scope.error(*span, format!("the argument of `{function}` is not linear in one variable"));
         scope.report(error.help(as_end_of_domain(function, &names[parameter.0], &names[t.0])));
@@ -364,7 +364,18 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     let mut all: Vec<Option<Use>> = (0..names.len()).map(|k| uses.of(Var(k)).cloned()).listed();
     for k in shape_count..names.len() {
         let Some(own) = all[k].clone() else { continue };
-        for end in limits[k].iter().flatten() {
+        // Of all spans, so that values at a knot are in one tangent, and powers of one exponential.
+        let mut spans = Vec::new();
+        for statement in &written.statements {
+            let StatementKind::Domain(decls) = &statement.kind else { continue };
+            for decl in decls.iter().filter(|decl| decl.name.text == names[k]) {
+                spans.push(self::limits(scope, decl)?);
+            }
+        }
+        for end in spans.iter().flatten().flatten() {
+            if own.kind == Kind::Hyperbolic && !end.value.number.is_zero() {
+                uses.numbers.push(&end.value.number.abs() * &own.unit);
+            }
             for (var, factor, _) in &end.value.parts {
                 let shape = var.0.checked_sub(count).filter(|s| *s < shape_count)?;
                 let mut of = Use { unit: &own.unit * &factor.abs(), ..own.clone() };

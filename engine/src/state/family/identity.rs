@@ -255,16 +255,11 @@ fn reversal(family: &Family, variable: &Parameter, place: usize, last: &[i64]) -
 /// vanishes. `None` where a value has no form.
 pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
-    let (var, ..) = family.interval()?;
     let len = family.functions.len();
     let [low_text, high_text] = family.end_texts()?;
     let at = |k: usize, order: u32, upper: bool| {
         let work = &mut Work::unlimited();
-        let mut value = family.functions[k].value.clone();
-        for _ in 0..order {
-            value = family.derivative_within(&value, var, work)?;
-        }
-        family.at_end(&value, upper, work)
+        family.derivatives_at_end(&family.functions[k].value, order, upper, work)?.pop()
     };
     let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);

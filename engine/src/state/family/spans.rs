@@ -90,17 +90,8 @@ pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec
     let mut differences = Vec::new();
     for pair in family.pieces.windows(2) {
         let knot = pair[0].end_texts()?[1].clone();
-        let at = |piece: &Rc<Family>, k: usize, upper: bool, work: &mut Work| -> Option<Vec<Fraction>> {
-            let (var, ..) = piece.interval()?;
-            let mut derivative = piece.functions[k].value.clone();
-            let mut values = Vec::new();
-            for order in 0..=order {
-                if order > 0 {
-                    derivative = piece.derivative_within(&derivative, var, work)?;
-                }
-                values.push(piece.at_end(&derivative, upper, work)?);
-            }
-            Some(values)
+        let at = |piece: &Rc<Family>, k: usize, upper: bool, work: &mut Work| {
+            piece.derivatives_at_end(&piece.functions[k].value, order, upper, work)
         };
         for k in 0..family.functions.len() {
             let (left, right) = (at(&pair[0], k, true, work)?, at(&pair[1], k, false, work)?);

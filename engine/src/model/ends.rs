@@ -1,0 +1,151 @@
+//! Derivatives at an end of an interval.
+//!
+//! In y, the tangent between the ends of the domain, a function is N(y, s)/W(y, s), where s is the variable itself. At an end
+//! y and s are power series in the distance τ from it: s = s₀ + τ, and y from y′ = v(1 ± x²)/width with x = low + width·y.
+//! The quotient of the series of N and W has the derivatives as coefficients, k! times each. Only functions of shape
+//! parameters are multiplied and divided, where derivatives of the whole function would be of a higher degree in y with
+//! each order.
+
+use basis_prover::collections::list::Listed;
+
+use super::Family;
+use super::angle::{Angle, Kind};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+
+impl Family {
+    /// The value of a function and its derivatives up to an order at the lower or the upper end of an interval. `None` when
+    /// there is no interval or no value, or the work is spent.
+    pub fn derivatives_at_end(
+        &self,
+        f: &Fraction,
+        order: u32,
+        upper: bool,
+        work: &mut Work,
+    ) -> Option<Vec<Fraction>> {
+        let (var, low, high) = self.interval()?;
+        let Some(angle) = self.analytic.angle(var) else {
+            let (mut derivative, mut all) = (f.clone(), vec![self.at_end(f, upper, work)?]);
+            for _ in 0..order {
+                derivative = self.derivative_within(&derivative, var, work)?;
+                all.push(self.at_end(&derivative, upper, work)?);
+            }
+            return Some(all);
+        };
+        let end = if upper { high } else { low };
+        let place = Place {
+            vars: [angle.var, angle.itself],
+            y: tangents(angle, self.analytic.pi, end, order, work)?,
+            s: distance(&angle.limits[usize::from(upper)], order),
+        };
+        let (above, below) = (place.series(f.numer(), work)?, place.series(f.denom(), work)?);
+        let mut all = quotient(&above, &below, work)?;
+        let mut factorial = Rational::ONE;
+        for (k, coefficient) in (0_i64..).zip(&mut all) {
+            factorial = &factorial * &Rational::from(k.max(1));
+            *coefficient = coefficient.mul_within(&Fraction::constant(factorial.clone()), work)?;
+        }
+        Some(all)
+    }
+}
+
+/// An end, as series of y and of s.
+struct Place {
+    vars: [Var; 2],
+    y: Vec<Fraction>,
+    s: Vec<Fraction>,
+}
+
+impl Place {
+    /// A polynomial in y, s and shape parameters, by Horner's scheme in both.
+    fn series(&self, p: &Poly, work: &mut Work) -> Option<Vec<Fraction>> {
+        let [y, s] = self.vars;
+        let zero = vec![Fraction::zero(); self.y.len()];
+        let mut outer = zero.clone();
+        for coefficient in p.coefficients_in(y).into_iter().rev() {
+            let mut inner = zero.clone();
+            for number in coefficient.coefficients_in(s).into_iter().rev() {
+                if inner.iter().any(|c| !c.is_zero()) {
+                    inner = product(&inner, &self.s, work)?;
+                }
+                inner[0] = inner[0].add_within(&Fraction::from(number), work)?;
+            }
+            if outer.iter().any(|c| !c.is_zero()) {
+                outer = product(&outer, &self.y, work)?;
+            }
+            for (sum, term) in outer.iter_mut().zip(&inner) {
+                *sum = sum.add_within(term, work)?;
+            }
+        }
+        Some(outer)
+    }
+}
+
+/// s₀ + τ.
+fn distance(end: &Fraction, order: u32) -> Vec<Fraction> {
+    let coefficient = |k: u32| match k {
+        0 => end.clone(),
+        1 => Fraction::constant(Rational::ONE),
+        _ => Fraction::zero(),
+    };
+    (0..=order).map(coefficient).listed()
+}
+
+/// The series of y.
+fn tangents(
+    angle: &Angle,
+    pi: Option<Var>,
+    end: &Rational,
+    order: u32,
+    work: &mut Work,
+) -> Option<Vec<Fraction>> {
+    let slope = angle.slope(pi);
+    let mut y = vec![Fraction::constant(end.clone())];
+    for k in 0..order as usize {
+        // The coefficient of τᵏ in 1 ± x²; that of x is width·y, and low more for k = 0.
+        let mut x = Vec::new();
+        for coefficient in &y {
+            x.push(angle.width.mul_within(coefficient, work)?);
+        }
+        x[0] = x[0].add_within(&angle.low, work)?;
+        let mut sum = Fraction::constant(if k == 0 { Rational::ONE } else { Rational::ZERO });
+        for i in 0..=k {
+            let term = x[i].mul_within(&x[k - i], work)?;
+            sum = match angle.kind {
+                Kind::Circular => sum.add_within(&term, work)?,
+                Kind::Hyperbolic => sum.sub_within(&term, work)?,
+                Kind::Linear => sum,
+            };
+        }
+        let share = Fraction::constant(Rational::new(1, k as i64 + 1));
+        y.push(slope.mul_within(&sum, work)?.mul_within(&share, work)?);
+    }
+    Some(y)
+}
+
+fn product(a: &[Fraction], b: &[Fraction], work: &mut Work) -> Option<Vec<Fraction>> {
+    let mut all = Vec::new();
+    for k in 0..a.len() {
+        let mut sum = Fraction::zero();
+        for i in (0..=k).filter(|i| !a[*i].is_zero() && !b[k - i].is_zero()) {
+            sum = sum.add_within(&a[i].mul_within(&b[k - i], work)?, work)?;
+        }
+        all.push(sum);
+    }
+    Some(all)
+}
+
+/// `None` too where the denominator vanishes at the end.
+fn quotient(above: &[Fraction], below: &[Fraction], work: &mut Work) -> Option<Vec<Fraction>> {
+    let mut all: Vec<Fraction> = Vec::new();
+    for k in 0..above.len() {
+        let mut rest = above[k].clone();
+        for i in (0..k).filter(|i| !below[k - i].is_zero()) {
+            rest = rest.sub_within(&all[i].mul_within(&below[k - i], work)?, work)?;
+        }
+        all.push(rest.div_within(&below[0], work).ok().flatten()?);
+    }
+    Some(all)
+}
