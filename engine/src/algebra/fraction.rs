@@ -204,7 +204,19 @@ impl Fraction {
         {
             return Ok(Some(Self::from(self.numer.substitute(var, poly))));
         }
-        // Over one denominator each: value.denom to the degree of the polynomial.
+        let ((n, below_n), (d, below_d)) = self.put(var, value);
+        Self::divided((&n, &below_n), (&d, &below_d), work)
+    }
+
+    /// Whether the function with another put in place of a variable is a third one: by products, without a common divisor.
+    pub fn is_with(&self, var: Var, value: &Self, third: &Self) -> bool {
+        let ((n, below_n), (d, below_d)) = self.put(var, value);
+        !d.is_zero() && &(&n * &below_d) * &third.denom == &(&d * &below_n) * &third.numer
+    }
+
+    /// Numerator and denominator with a function in place of a variable, each over a denominator: that of the function to the
+    /// degree of the polynomial.
+    fn put(&self, var: Var, value: &Self) -> ((Poly, Poly), (Poly, Poly)) {
         let put = |p: &Poly| match value.as_poly() {
             Some(poly) => (p.substitute(var, poly), Poly::one()),
             None => {
@@ -217,8 +229,7 @@ impl Fraction {
                 (sum, value.denom.pow(degree))
             }
         };
-        let ((n, below_n), (d, below_d)) = (put(&self.numer), put(&self.denom));
-        Self::divided((&n, &below_n), (&d, &below_d), work)
+        (put(&self.numer), put(&self.denom))
     }
 
     /// The function with variables renamed, by their index; no two may get the same name.

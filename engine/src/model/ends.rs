@@ -51,6 +51,47 @@ impl Family {
     }
 }
 
+/// What takes the place of s and of y of a span in that one which takes its place when the domain is reversed, in s and y
+/// of the latter; both hold the same angle. `None` when the work is spent.
+///
+/// With u from 0 to 1 on both spans, tan of the difference from the sum of the ends is a quotient of linear functions of
+/// u with the values 1 and 0 at the ends, (1 - u)/(1 + c·u), and 1 + c is what the slopes say at the end u = 0.
+pub(crate) fn reversed(piece: &Family, mirrored: &Family, work: &mut Work) -> Option<Vec<(Var, Fraction)>> {
+    let ((var, low, high), (other, other_low, other_high)) = (piece.interval()?, mirrored.interval()?);
+    let one = Fraction::constant(Rational::ONE);
+    let u = &(&Fraction::var(var) - &Fraction::constant(low.clone()))
+        * &Fraction::constant((high - low).recip()?);
+    let span = Fraction::constant(other_high - other_low);
+    let start = Fraction::constant(other_low.clone());
+    let (Some(own), Some(angle)) = (piece.analytic.angle(var), mirrored.analytic.angle(other)) else {
+        return Some(vec![(other, &start + &(&span * &(&one - &u)))]);
+    };
+    // (1 ± x²)/W at an end, where x = L + W·u.
+    let mut slope = |angle: &Angle, width: &Rational, end: &Rational| {
+        let x =
+            angle.low.add_within(&angle.width.mul_within(&Fraction::constant(end.clone()), work)?, work)?;
+        let square = x.mul_within(&x, work)?;
+        let above = match angle.kind {
+            Kind::Circular => one.add_within(&square, work)?,
+            Kind::Hyperbolic => one.sub_within(&square, work)?,
+            Kind::Linear => one.clone(),
+        };
+        let width = angle.width.mul_within(&Fraction::constant(width.clone()), work)?;
+        above.div_within(&width, work).ok().flatten()
+    };
+    let there = slope(angle, &(other_high - other_low), other_high)?;
+    let here = slope(own, &(high - low), low)?;
+    let c = there.div_within(&here, work).ok().flatten()?.sub_within(&one, work)?;
+    let below = one.add_within(&c.mul_within(&u, work)?, work)?;
+    let u = (&one - &u).div_within(&below, work).ok().flatten()?;
+    let y = start.add_within(&span.mul_within(&u, work)?, work)?;
+    let [first, last] = &angle.limits;
+    let [own_first, own_last] = &own.limits;
+    // The sum of the ends of both spans together is twice that of the domain.
+    let sum = &(&(first + last) + &(own_first + own_last)) * &Fraction::constant(Rational::new(1, 2));
+    Some(vec![(angle.itself, &sum - &Fraction::var(own.itself)), (angle.var, y)])
+}
+
 /// An end, as series of y and of s.
 struct Place {
     vars: [Var; 2],

@@ -10,7 +10,7 @@ pub(crate) mod bernstein;
 pub(crate) mod budget;
 pub mod chart;
 pub(crate) mod enclosure;
-mod ends;
+pub(crate) mod ends;
 mod expand;
 mod family;
 pub(crate) mod formula;

@@ -765,3 +765,40 @@ fn spans_of_different_lengths() {
     assert_eq!(d, "-1 at ", "{d}");
     assert!(f.starts_with("150060625/79328256 at"), "{f}");
 }
+
+/// Each span takes the place of another one, in whose angle it is written.
+#[test]
+fn spans_with_angles_are_reversed() {
+    let found = verdicts(
+        "family QuadraticTrigonometricBSpline {
+            shape 0 < h < 2*pi/3;
+            domain 0 <= x <= h, h <= x <= 2*h, 2*h <= x <= 3*h;
+            let c = sin(h/2)*sin(h);
+            let p(x) = sin(x/2)^2/c;
+            let q(x) = (sin(x/2)*sin((2*h - x)/2) + sin((3*h - x)/2)*sin((x - h)/2))/c;
+            N[0] = p(x) | q(x) | p(3*h - x);
+            prove symmetric;
+        }
+        family Exponentials {
+            shape 0 < c;
+            domain 0 <= t <= c, c <= t <= 3*c, 3*c <= t <= 4*c;
+            b[0] = t*exp(t) | exp(c)*t*(4*c - t)/(3*c) | (4*c - t)*exp(4*c - t);
+            b[1] = b[0] | b[0] | b[0];
+            prove symmetric;
+        }
+        family Quarters {
+            domain -pi/2 <= t <= 0, 0 <= t <= pi/2;
+            b[0] = cos(t) | cos(t)^2;
+            b[1] = cos(t)^2 | cos(t);
+            prove symmetric;
+        }
+        family Odd {
+            domain -pi/2 <= t <= 0, 0 <= t <= pi/2;
+            b[0] = sin(t) | sin(t);
+            refute symmetric;
+        }",
+    );
+    assert_eq!(found[..3], ["="; 3]);
+    // 2 sin t.
+    assert_eq!(found[3..], ["-8/5 at tan(t/2) = -1/2"]);
+}

@@ -148,7 +148,7 @@ fn property(
             let (k, _) = scope.span?;
             let pieces = scope.siblings.as_ref().map(|(pieces, _)| &pieces[..])?;
             if !spans::are_symmetric(pieces) {
-                let error = scope.error(span, "`symmetric` needs spans that are symmetric, without angles");
+                let error = scope.error(span, "`symmetric` needs spans that are symmetric");
                 scope.report(error.help("claim equations on the spans"));
                 return None;
             }

@@ -29,15 +29,22 @@ pub(crate) fn ends(family: &Family) -> Option<(Fraction, Fraction)> {
     })
 }
 
-/// Whether the spans of a family are their own mirror image, and none is one of angles.
+/// Whether the spans of a family are their own mirror image, and those that hold angles hold the same ones.
 pub(super) fn are_symmetric(pieces: &[Rc<Family>]) -> bool {
     let all: Option<Vec<(Fraction, Fraction)>> = pieces.iter().map(|piece| ends(piece)).collect();
     let Some(all) = all else { return false };
     let (Some((low, _)), Some((_, high))) = (all.first(), all.last()) else { return false };
     let sum = low + high;
-    let plain = pieces.iter().all(|p| p.analytic.angles.iter().all(|a| a.kind == Kind::Linear));
     let turned = |(a, b): &(Fraction, Fraction)| (&sum - b, &sum - a);
-    plain && all.iter().zip(all.iter().rev()).all(|(span, mirrored)| *span == turned(mirrored))
+    let angle = |piece: &Rc<Family>| {
+        let (var, ..) = piece.interval()?;
+        piece.analytic.angle(var).map(|angle| (angle.kind, angle.rate.clone(), angle.turns))
+    };
+    let spans = all.iter().zip(pieces);
+    spans
+        .clone()
+        .zip(spans.rev())
+        .all(|((span, piece), (mirrored, other))| *span == turned(mirrored) && angle(piece) == angle(other))
 }
 
 impl Scope<'_> {

@@ -9,6 +9,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind};
 use crate::model::Family;
+use crate::model::ends::reversed;
 use crate::state::verdict::{Evidence, Stated, Verdict};
 use basis_kernel::Statement;
 use basis_prover::collections::list::Listed;
@@ -114,21 +115,25 @@ pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec
 pub(super) fn symmetric(family: &Family, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
     let count = family.functions.len();
-    let one = Fraction::constant(crate::algebra::rational::Rational::ONE);
     for (piece, mirrored) in family.pieces.iter().zip(family.pieces.iter().rev()) {
-        let (var, low, _) = piece.interval()?;
-        let (other, _, high) = mirrored.interval()?;
-        // The place in the other span of a place in this one, y or t itself.
-        let turned = match piece.analytic.angle(var) {
-            Some(_) => &one - &Fraction::var(var),
-            None => &Fraction::constant(low + high) - &Fraction::var(var),
-        };
+        // The place in the other span of a place in this one.
+        let turned = reversed(piece, mirrored, work)?;
         for k in 0..count {
-            let image =
-                mirrored.functions[count - 1 - k].value.substitute_within(other, &turned, work).ok()??;
+            let mut image = mirrored.functions[count - 1 - k].value.clone();
+            let (last, others) = turned.split_last()?;
+            for (var, place) in others {
+                image = image.substitute_within(*var, place, work).ok()??;
+            }
+            let own = &piece.functions[k].value;
+            // Equal functions need no common divisor.
+            let difference = if image.is_with(last.0, &last.1, own) {
+                Fraction::zero()
+            } else {
+                own.sub_within(&image.substitute_within(last.0, &last.1, work).ok()??, work)?
+            };
             let (this, that) = (family.function_label(k), family.function_label(count - 1 - k));
             let of = on(piece, &format!("{this} - {that} reversed"));
-            differences.push((of, piece.functions[k].value.sub_within(&image, work)?));
+            differences.push((of, difference));
         }
     }
     Some(differences)
