@@ -5,7 +5,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use basis_kernel::Quotient;
 
-use super::divisors::gcd::checked_gcd;
+use super::divisors::gcd::{checked_gcd, content};
 use super::poly::{Poly, PolyExt, Var};
 use super::rational::Rational;
 use super::work::{Spent, Work};
@@ -177,16 +177,51 @@ impl Fraction {
 
     /// The partial derivative in a variable; `None` when the work is spent.
     pub fn derivative_within(&self, var: Var, work: &mut Work) -> Option<Self> {
-        let slope = self.numer.derivative(var);
-        if !self.denom.depends_on(var) {
-            return Self::reduced(slope, self.denom.clone(), work);
+        self.derivative_of_order(var, 1, work)
+    }
+
+    /// The partial derivative of an order in a variable; `None` when the work is spent.
+    ///
+    /// With the denominator c·p, where c is without the variable, and r the product of the irreducible factors of p, the
+    /// derivative of order k is n[k]/(c·p·rᵏ), n[k + 1] = n[k]′·r − n[k]·(r·p′/p + k·r′). No factor of p divides n[k]: only
+    /// one with c is to be looked for.
+    pub(crate) fn derivative_of_order(&self, var: Var, order: u32, work: &mut Work) -> Option<Self> {
+        let mut numer = self.numer.clone();
+        if order == 0 || !self.denom.depends_on(var) {
+            for _ in 0..order {
+                if numer.is_zero() {
+                    break;
+                }
+                numer = numer.derivative(var);
+            }
+            return Self::reduced(numer, self.denom.clone(), work);
         }
-        work.spend_product(&slope, &self.denom)?;
-        work.spend_product(&self.numer, &self.denom)?;
-        work.spend_product(&self.denom, &self.denom)?;
-        let numer = &(&slope * &self.denom) - &(&self.numer * &self.denom.derivative(var));
-        // The square of a denominator is not zero.
-        Self::reduced(numer, self.denom.pow(2), work)
+        let content = content(&self.denom, var, work)?;
+        let primitive = self.denom.div_exact(&content)?;
+        let slope = primitive.derivative(var);
+        let common = checked_gcd(&primitive, &slope, work)?;
+        let (radical, mut change) = (primitive.div_exact(&common)?, slope.div_exact(&common)?);
+        let further = radical.derivative(var);
+        let mut denom = primitive;
+        for _ in 0..order {
+            let slope = numer.derivative(var);
+            work.spend_product(&slope, &radical)?;
+            work.spend_product(&numer, &change)?;
+            work.spend_product(&denom, &radical)?;
+            numer = &(&slope * &radical) - &(&numer * &change);
+            denom = &denom * &radical;
+            change = &change + &further;
+        }
+        let rest = Self::reduced(numer, content, work)?;
+        work.spend_product(&denom, &rest.denom)?;
+        let denom = &denom * &rest.denom;
+        let whole = denom.normalized();
+        // `denom` is a number times `whole`.
+        let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
+        if rest.numer.is_zero() {
+            return Some(Self::zero());
+        }
+        Some(Self { numer: rest.numer.scale(&factor), denom: whole })
     }
 
     /// The function with another put in place of a variable; `None` when that makes the denominator zero.
@@ -394,5 +429,29 @@ mod tests {
         assert_eq!(a.substitute(Var(0), &Fraction::constant(Rational::from(-1))), None);
         assert_eq!(b.substitute(Var(0), &a), one.checked_div(&(&two + &x)));
         assert_eq!(a.display(&[String::from("x")]), "1/(1 + x)");
+    }
+
+    /// Against the quotient rule, with powers below and a factor without the variable.
+    #[test]
+    fn derivatives_of_higher_orders() {
+        let (x, y) = (Poly::var(Var(0)), Poly::var(Var(1)));
+        let one = Poly::one();
+        let square = &(&x * &x) + &y;
+        let above = [&one + &x, &square * &(&x - &y), &(&x * &y) - &one];
+        let below =
+            [&square * &square, &(&y + &one) * &(&x + &one).pow(3), &y * &(&square * &(&x - &one)), x.pow(2)];
+        for n in &above {
+            for d in &below {
+                let f = Fraction::new(n.clone(), d.clone()).expect("a denominator");
+                let mut by_rule = f.clone();
+                for order in 1..=3 {
+                    let (n, d) = (by_rule.numer().clone(), by_rule.denom().clone());
+                    let slope = &(&n.derivative(Var(0)) * &d) - &(&n * &d.derivative(Var(0)));
+                    by_rule = Fraction::new(slope, &d * &d).expect("a denominator");
+                    let found = f.derivative_of_order(Var(0), order, &mut Work::unlimited());
+                    assert_eq!(found.as_ref(), Some(&by_rule), "{n:?} / {d:?}");
+                }
+            }
+        }
     }
 }

@@ -310,15 +310,29 @@ impl Budget {
         Ok(result)
     }
 
-    /// The partial derivative in a variable.
+    /// The partial derivative of an order in a variable.
     pub(crate) fn derivative(
         &self,
         value: &Fraction,
-        var: Var,
+        (var, order): (Var, u32),
         analytic: &Analytic,
     ) -> Result<Fraction, TooLarge> {
-        self.spend((value.numer().len() + value.denom().len()) as u64)?;
-        self.reduce(|work| analytic.derivative_within(value, var, work).ok_or(Spent)).and_then(Self::checked)
+        let spend = |value: &Fraction| self.spend((value.numer().len() + value.denom().len()) as u64);
+        if analytic.angles.is_empty() {
+            spend(value)?;
+            let derivative = self.reduce(|work| value.derivative_of_order(var, order, work).ok_or(Spent));
+            return derivative.and_then(Self::checked);
+        }
+        let mut value = value.clone();
+        for _ in 0..order {
+            if value.is_zero() {
+                break;
+            }
+            spend(&value)?;
+            let derivative = self.reduce(|work| analytic.derivative_within(&value, var, work).ok_or(Spent));
+            value = derivative.and_then(Self::checked)?;
+        }
+        Ok(value)
     }
 
     /// The function with another put in place of a variable; `None` when its denominator becomes zero.

@@ -802,3 +802,20 @@ fn spans_with_angles_are_reversed() {
     // 2 sin t.
     assert_eq!(found[3..], ["-8/5 at tan(t/2) = -1/2"]);
 }
+
+/// Values of SymPy.
+#[test]
+fn derivatives_of_rational_functions_with_two_weights() {
+    let found = verdicts(
+        "family RationalQuartic {
+            shape 0 < w, 0 < v;
+            domain 0 <= t <= 1;
+            let s = 1 - t;
+            b[0] = s^4/(s^4 + 4*w*t*s^3 + 6*v*t^2*s^2 + 4*w*t^3*s + t^4);
+            prove at t = 0 { D(b[0], 2) = 32*w^2 - 12*v - 8*w; }
+            refute at t = 0 { D(b[0], 2) = 32*w^2 - 12*v; }
+            prove at t = 1 { D(b[0], 3) = 0; D(b[0], 4) = 24; }
+        }",
+    );
+    assert_eq!(found, ["=", "-8 at w = 1, v = 1, t = 0", "=", "="]);
+}

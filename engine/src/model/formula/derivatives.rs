@@ -86,12 +86,8 @@ impl Scope<'_> {
         };
         for (index, mut f) in list {
             for (var, order) in &steps {
-                for _ in 0..*order {
-                    if f.is_zero() {
-                        break;
-                    }
-                    f = self.fits(self.budget.derivative(&f, *var, &self.analytic), span)?;
-                }
+                let order = u32::try_from(*order).unwrap_or(u32::MAX);
+                f = self.fits(self.budget.derivative(&f, (*var, order), &self.analytic), span)?;
             }
             result.push((index, f));
         }
