@@ -7,7 +7,6 @@ pub(crate) mod angles;
 mod build;
 mod claims;
 mod domain;
-mod edges;
 mod function;
 mod functions;
 mod indices;

@@ -1,0 +1,270 @@
+//! Which variables stand in sin, cos, exp and the like in a family, with which factors: the family is evaluated once with
+//! names in place of sines, and their arguments are looked at.
+
+use proc_macro2::Span;
+
+use super::super::{functions, names};
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::model::angle::Kind;
+use crate::model::formula::phase::{Linear, frequency};
+use crate::model::scope::{Argument, Scope, Stage};
+use crate::model::words::{CIRCULAR, PI, is_transcendental};
+use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, StatementKind};
+use basis_prover::collections::list::Listed;
+use basis_prover::collections::map::SortedMap;
+/// Whether sin, cos, exp and the like, or π, occur in a family, or a shape parameter at an end of the domain.
+pub(in crate::model::expand) fn occur(written: &syntax::Family) -> bool {
+    let mut found = parametric_ends(written);
+    each_expression(written, &mut |expr| found |= mentions(expr));
+    found && !written.statements.iter().any(|s| declares_pi(&s.kind))
+}
+
+/// Whether a shape parameter stands at an end of the domain.
+pub(super) fn parametric_ends(written: &syntax::Family) -> bool {
+    let declared = |name: &String| {
+        written
+            .statements
+            .iter()
+            .any(|s| matches!(&s.kind, StatementKind::Shape(decls) if decls.iter().any(|d| d.names().contains(&&**name))))
+    };
+    let decls = written.statements.iter().flat_map(|s| match &s.kind {
+        StatementKind::Domain(decls) => decls.as_slice(),
+        _ => &[],
+    });
+    decls.flat_map(|d| d.low.iter().chain(&d.high)).any(|limit| limit.value.has_name(&declared))
+}
+
+pub(super) fn declares_pi(kind: &StatementKind) -> bool {
+    let is_pi = |name: &syntax::Name| PI.contains(&name.text.as_str());
+    match kind {
+        // Beside another name it is the number at the end of a range.
+        StatementKind::Shape(decls) => decls.iter().any(|d| {
+            let names = d.names();
+            !names.is_empty() && names.iter().all(|name| PI.contains(name))
+        }),
+        StatementKind::Domain(decls) => decls.iter().any(|d| is_pi(&d.name)),
+        StatementKind::Product(factors) => factors.iter().flat_map(Factor::names).any(is_pi),
+        StatementKind::Let(def) => is_pi(&def.name),
+        _ => false,
+    }
+}
+
+/// Calls a function with every expression of a family.
+pub(super) fn each_expression(written: &syntax::Family, with: &mut dyn FnMut(&Expr)) {
+    let range = |decl: &RangeDecl, with: &mut dyn FnMut(&Expr)| {
+        for limit in decl.low.iter().chain(&decl.high) {
+            with(&limit.value);
+        }
+    };
+    for statement in &written.statements {
+        match &statement.kind {
+            StatementKind::Domain(decls) => decls.iter().for_each(|decl| range(decl, with)),
+            StatementKind::Product(factors) => {
+                factors.iter().filter_map(Factor::range).for_each(|decl| range(decl, with));
+            }
+            StatementKind::Shape(decls) => {
+                decls.iter().flat_map(|d| &d.parts).for_each(&mut *with);
+            }
+            StatementKind::Assume(relation) => {
+                with(&relation.left);
+                with(&relation.right);
+                relation.chain.iter().for_each(|(_, side)| with(side));
+            }
+            StatementKind::Let(def) => with(&def.value),
+            StatementKind::Function(def) | StatementKind::Raise(def) => {
+                with(&def.value);
+                def.further.iter().for_each(&mut *with);
+            }
+            StatementKind::Base(_, functions) => functions.iter().for_each(|def| with(&def.value)),
+            StatementKind::Claim(claim) => match &claim.kind {
+                ClaimKind::Relation(r) => sides(r, with),
+                ClaimKind::At(bindings, relations) => {
+                    for b in bindings {
+                        with(&b.value);
+                    }
+                    for r in relations {
+                        sides(r, with);
+                    }
+                }
+                ClaimKind::Independent(exceptions) => {
+                    exceptions.iter().flatten().for_each(|b| with(&b.value));
+                }
+                _ => {}
+            },
+            StatementKind::Budget(_) => {}
+        }
+    }
+}
+
+/// The sides of a claim.
+pub(super) fn sides(relation: &syntax::Relation, with: &mut dyn FnMut(&Expr)) {
+    with(&relation.left);
+    with(&relation.right);
+    relation.chain.iter().for_each(|(_, side)| with(side));
+}
+
+pub(super) fn mentions(expr: &Expr) -> bool {
+    let own = match &expr.kind {
+        ExprKind::Name(name) => PI.contains(&name.as_str()),
+        ExprKind::Call(callee, _) => matches!(&callee.kind, ExprKind::Name(name) if is_transcendental(name)),
+        _ => false,
+    };
+    own || expr.parts().into_iter().any(mentions)
+}
+
+/// The arguments of one variable, or of one number.
+#[derive(Default)]
+pub(super) struct Uses {
+    /// By variable: its factors, those in sin and cos first, then those in exp; whether they are multiples of π.
+    pub(super) by_var: Vec<(Var, Use)>,
+    /// Numbers in arguments of exp.
+    pub(super) numbers: Vec<Rational>,
+    /// Shape parameters that stand in functions themselves.
+    pub(super) beside: Vec<Var>,
+    /// Shape parameters as frequencies of domain variables, with the function, and where.
+    pub(super) frequencies: Vec<(Var, Var, String, Span)>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct Use {
+    pub(super) kind: Kind,
+    pub(super) turns: bool,
+    /// The greatest common divisor of the factors.
+    pub(super) unit: Rational,
+    /// Whether the factors do not go together.
+    pub(super) torn: Option<&'static str>,
+    /// Whether the variable stands in functions itself, too: its tangent is to be bounded then, as bounds for it need.
+    pub(super) beside: bool,
+    pub(super) span: Span,
+}
+
+impl Uses {
+    pub(super) fn add(&mut self, var: Var, new: Use) {
+        if let Some((_, known)) = self.by_var.iter_mut().find(|(v, _)| *v == var) {
+            if known.kind != new.kind {
+                known.torn = Some("sin or cos, and exp, sinh or cosh");
+                known.span = new.span;
+            } else if known.turns != new.turns {
+                known.torn = Some("sin and cos of different angles, with and without `pi`");
+                known.span = new.span;
+            }
+            known.unit = known.unit.gcd(&new.unit);
+        } else {
+            self.by_var.push((var, new));
+        }
+    }
+
+    pub(super) fn of(&self, var: Var) -> Option<&Use> {
+        self.by_var.iter().find(|(v, _)| *v == var).map(|(_, u)| u)
+    }
+}
+
+/// All uses in a family. It is expanded with all variables themselves and one more for every sine; errors are those of
+/// the expansion proper.
+pub(super) fn survey<'a>(
+    scope: &Scope<'a>,
+    written: &'a syntax::Family,
+    names: &[String],
+    shapes: usize,
+) -> Uses {
+    let mut probe = Scope::new(scope.library, scope.unit, scope.source);
+    probe.constants.clone_from(&scope.constants);
+    probe.order = scope.order;
+    probe.names = names.to_vec();
+    probe.domain = (shapes..names.len()).map(Var).listed();
+    probe.analytic.pi = Some(Var(names.len()));
+    probe.names.push(String::from(PI[0]));
+    probe.recorded = Some(Vec::new());
+    let (mut places, mut beside) = (Vec::new(), Vec::new());
+    // The angles are the same on all spans, so that their tangents can be compared.
+    for k in 0..scope.span.map_or(1, |(_, count)| count) {
+        probe.span = scope.span.map(|(_, count)| (k, count));
+        probe.functions = SortedMap::new();
+        probe.planned_functions = SortedMap::new();
+        probe.defined = SortedMap::new();
+        probe.lets = SortedMap::new();
+        probe_claims(&mut probe, written, &mut places);
+        for var in (0..shapes).map(Var) {
+            if probe.functions.values().flatten().any(|f| f.depends_on(var)) {
+                beside.push(var);
+            }
+        }
+    }
+    let mut uses = Uses { beside, ..Uses::default() };
+    for Argument { name, value, span } in probe.recorded.unwrap_or_default() {
+        let Some(linear) = Linear::of(&value, probe.analytic.pi) else {
+            let pair = frequency(&value, |v| v.0 < shapes, |v| (shapes..names.len()).contains(&v.0));
+            if let Some((parameter, t)) = pair {
+                uses.frequencies.push((parameter, t, name, span));
+            }
+            continue;
+        };
+        // Not of a sine of a sine.
+        if linear.parts.iter().any(|(var, ..)| var.0 >= names.len()) {
+            continue;
+        }
+        let circular = CIRCULAR.contains(&name.as_str());
+        let kind = if circular { Kind::Circular } else { Kind::Hyperbolic };
+        for (var, factor, turns) in &linear.parts {
+            uses.add(*var, Use { kind, turns: *turns, unit: factor.abs(), torn: None, beside: false, span });
+        }
+        if !circular && !linear.number.is_zero() {
+            uses.numbers.push(linear.number.abs());
+        }
+    }
+    for (var, value) in places {
+        let Some(of) = uses.of(var).cloned() else { continue };
+        if let Some(number) = value.as_constant() {
+            if of.kind == Kind::Hyperbolic && !number.is_zero() {
+                uses.numbers.push(&number.abs() * &of.unit);
+            }
+        } else if let Some(linear) = Linear::of(&value, probe.analytic.pi) {
+            // In the middle of the domain, at t = α/2, the angle of α is half of that of t.
+            for (shape, factor, _) in linear.parts.iter().filter(|(shape, ..)| shape.0 < shapes) {
+                uses.add(*shape, Use { unit: &of.unit * &factor.abs(), ..of.clone() });
+            }
+        }
+    }
+    uses
+}
+
+/// Evaluates the functions and the claims of a family; the values that `at` gives to variables.
+pub(super) fn probe_claims<'a>(
+    probe: &mut Scope<'a>,
+    written: &'a syntax::Family,
+    places: &mut Vec<(Var, Fraction)>,
+) {
+    probe.stage = Stage::Defining;
+    names::plan(probe, written);
+    functions::define(probe, written);
+    probe.stage = Stage::Complete;
+    for statement in &written.statements {
+        let StatementKind::Claim(claim) = &statement.kind else { continue };
+        match &claim.kind {
+            ClaimKind::Relation(relation) => probe_relation(probe, relation),
+            ClaimKind::At(bindings, relations) => {
+                for Binding { name, value, .. } in bindings {
+                    let var = probe.variable(&name.text);
+                    places.extend(var.zip(probe.scalar(value)));
+                }
+                for relation in relations {
+                    probe_relation(probe, relation);
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Evaluates the sides of a claim for all values of its index variables.
+pub(super) fn probe_relation(probe: &mut Scope<'_>, relation: &syntax::Relation) {
+    probe.each(&relation.loops, &mut |probe| {
+        sides(relation, &mut |side| {
+            probe.value(side);
+        });
+        probe.waits_for = None;
+        true
+    });
+}
