@@ -7,8 +7,8 @@ use basis_kernel::algebra::range::{End, Range, Region};
 use basis_kernel::algebra::rational::Rational;
 use basis_kernel::algebra::work::Work;
 use basis_kernel::{
-    Certificate, Domain, Proof, Quotient, Rank, Refusal, Refutation, Relation, SignProof, Statement, Witness,
-    text,
+    Certificate, Chart, Domain, Proof, Quotient, Rank, Refusal, Refutation, Relation, SignProof, Simplex,
+    Statement, Witness, text,
 };
 
 use crate::text::sign;
@@ -577,4 +577,22 @@ fn denominators_of_direct_certificates() {
     assert!(offer(&sign("x0 // x0 - 1/2 >= 0", "0 <= x0 <= 1"), &direct).is_err());
     assert!(offer(&sign("x0 // 2 >= 0", "0 <= x0 <= 1"), &said("_")).is_ok());
     assert!(offer(&sign("x0 // 2 >= 0", "0 <= x0 <= 1"), &said("+")).is_err());
+}
+
+/// x₁ = c(1 − s₁), x₂ = c·s₁(1 − s₂), in variables of the box that occur nowhere else.
+#[test]
+fn a_simplex_is_the_image_of_a_box() {
+    let [x, y] = [Var(0), Var(1)];
+    let triangle = Simplex { variables: vec![x, y], sum: Rational::from(3) };
+    let domain =
+        Domain { region: Region { ranges: Vec::new() }, simplices: vec![triangle], premises: Vec::new() };
+    let value = &Poly::var(x) + &Poly::var(y);
+    let chart = Chart::new(&domain, [&value, &Poly::one()]).expect("a triangle");
+    let [s1, s2] = [2, 3].map(|k| Poly::var(Var(k)));
+    let (one, c) = (Poly::one(), Poly::integer(3));
+    let first = &c * &(&one - &s1);
+    let second = &(&c * &s1) * &(&one - &s2);
+    assert_eq!(chart.variables(), [(x, first), (y, second)]);
+    let box_variables: Vec<Var> = chart.region().ranges.iter().map(|(var, _)| *var).collect();
+    assert_eq!(box_variables, [Var(2), Var(3)]);
 }
