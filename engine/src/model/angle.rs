@@ -113,6 +113,18 @@ impl Angle {
     }
 }
 
+/// A name that stands alone: the tangent between two ends is written in brackets, for its powers.
+pub(crate) fn without_brackets(name: &str) -> &str {
+    let Some(inner) = name.strip_prefix('(').and_then(|name| name.strip_suffix(')')) else { return name };
+    let mut depth = 0_i32;
+    let closes = |c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth < 0
+    };
+    // The first bracket belongs to the last one.
+    if inner.chars().any(closes) { name } else { inner }
+}
+
 /// `pi/2`, `-2*pi` and so on.
 pub(crate) fn multiple_of_pi(factor: &Rational) -> String {
     if factor.is_zero() { String::from("0") } else { times(factor, false, "pi") }
@@ -293,6 +305,9 @@ mod tests {
         assert_eq!(name(Rational::new(1, 2), false), "tan(t/2)");
         assert_eq!(name(Rational::new(1, 4), true), "tan(pi*t/4)");
         assert_eq!(name(Rational::new(3, 2), false), "tan(3*t/2)");
+        assert_eq!(without_brackets("(tanh(t/2)/tanh(1))"), "tanh(t/2)/tanh(1)");
+        assert_eq!(without_brackets("(a + b)/(c)"), "(a + b)/(c)");
+        assert_eq!(without_brackets("(a)*(b)"), "(a)*(b)");
         let shifted = Angle { shift: Rational::new(1, 2), ..angle("t", Rational::new(1, 2), false, 0) };
         assert_eq!(shifted.tangent_name(), "tan((t - pi/2)/2)");
     }

@@ -14,6 +14,7 @@ use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::model::angle::without_brackets;
 use crate::model::angle::{Angle, Kind};
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
@@ -259,8 +260,7 @@ impl Scope<'_> {
             return (!range.contains(&c)).then(|| inside.outside(&c, place));
         }
         let shown = value.display(&self.names);
-        // A quotient of tangents carries brackets for its powers and products.
-        let name = name.strip_prefix('(').and_then(|name| name.strip_suffix(')')).unwrap_or(name);
+        let name = without_brackets(name);
         let declared = range.display(name).to_string();
         for (end, above) in [(&range.low, false), (&range.high, true)] {
             let (bound, relation) = match end {

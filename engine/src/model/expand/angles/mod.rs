@@ -17,7 +17,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::model::Parameter;
-use crate::model::angle::Kind;
+use crate::model::angle::{Kind, without_brackets};
 use crate::model::chart::Constraint;
 use crate::model::formula::numbers::range_of;
 use crate::model::formula::phase::as_end_of_domain;
@@ -152,9 +152,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         };
         // Alone it needs no brackets.
         let name = &scope.names[slots[k].0];
-        let bare = name.strip_prefix('(').and_then(|name| name.strip_suffix(')'));
-        let bare = bare.filter(|inner| !inner.contains([')', '(']));
-        let (name, place) = (bare.unwrap_or(name).to_string(), scope.place(decl.name.span));
+        let (name, place) = (without_brackets(name).to_owned(), scope.place(decl.name.span));
         parameters.push(Parameter { name, doc: doc.to_vec(), place, var: slots[k], range });
     }
     if !fine {
