@@ -32,6 +32,14 @@ fn surface(net: fn(usize) -> P) -> S {
     S::new(knots(), unclamped(), Net::from_fn(5, 5, |i, j| net(5 * i + j)).unwrap()).unwrap()
 }
 
+/// The curve with these weights at both ends, or as it is if they are none.
+fn with_end_weights(curve: &RationalCurve, first: f64, last: f64) -> RationalCurve {
+    let mut weights = curve.weights();
+    let end = weights.len() - 1;
+    (weights[0], weights[end]) = (first, last);
+    NurbsCurve::new(curve.knots().clone(), curve.control_points(), weights).unwrap_or_else(|_| curve.clone())
+}
+
 /// Whether a costly question is asked: a few of the numbers, of every kind.
 fn few(a: f64, b: f64) -> bool {
     [0.375, 1e300, f64::MAX, f64::INFINITY, f64::NAN].iter().any(|x| x.to_bits() == a.to_bits())
@@ -213,6 +221,35 @@ const NURBS_CURVE: &[Case<RationalCurve>] = &[
     }),
     ("NurbsSurface::ruled", |c, _, _| {
         NurbsSurface::ruled(c, &c.reversed()).map_or(true, |s| s.domain() == [[0.0, 1.0]; 2])
+    }),
+    ("NurbsSurface::translated", |c, a, b| {
+        [c, &with_end_weights(c, a, b)].iter().all(|path| {
+            NurbsSurface::translated(c, path).map_or(true, |s| {
+                s.degrees() == [2, 2] && s.weights().as_slice().iter().all(|&w| w > 0.0 && w.is_finite())
+            })
+        })
+    }),
+    ("NurbsSurface::lofted", |c, a, b| {
+        let sections = [c.clone(), c.map(|p| [p[0], p[1], p[2] + a]), with_end_weights(c, a, b)];
+        [0, 1, 2, 3, usize::MAX].into_iter().all(|degree| {
+            NurbsSurface::lofted(&sections, degree, Spacing::Uniform)
+                .map_or(true, |s| s.degrees() == [2, degree])
+        }) && RationalSurface::lofted(&[], 1, Spacing::Chord).is_err()
+    }),
+    ("NurbsSurface::coons", |c, a, b| {
+        let moved = with_end_weights(c, a, b).map(|p| [p[0], p[1] + a, p[2]]);
+        let line = KnotVector::uniform(1, 1).unwrap();
+        let side = |from: P, to: P| NurbsCurve::new(line.clone(), [from, to], [1.0, 0.25]).unwrap();
+        let sides = [side(c.start(), moved.start()), side(c.end(), moved.end())];
+        let found = NurbsSurface::coons([c, &moved], [&sides[0], &sides[1]], 1e-9);
+        found.map_or(true, |s| s.degrees() == [2, 1])
+            && NurbsSurface::coons([c, c], [c, c], f64::NAN).is_err()
+    }),
+    ("NurbsSurface::swept", |c, a, b| {
+        let path = with_end_weights(c, b, a).map(|p| [p[0], p[1] + a, p[2]]);
+        [0, 1, 2, 5, usize::MAX].into_iter().all(|count| {
+            NurbsSurface::swept(c, &path, count, Some([a, 0.0, 1.0])).map_or(true, |s| s.degrees()[0] == 2)
+        })
     }),
     ("NurbsCurve::homogeneous", |c, _, _| c.homogeneous().degree() == 2),
     ("NurbsCurve::degree", |c, _, _| c.degree() == 2),
