@@ -433,6 +433,88 @@ fn words_are_suggested_where_they_fit() {
 }
 
 #[test]
+fn names_of_specs_are_suggested_and_explained() {
+    let mut editor = Editor::open(Folder::with("base.basis", BASE));
+    let spec = "use \"b\";\nuse library \"quad\";\nuse library \"quadratic\";\nuse \"base.basis\";\n";
+    editor.show("f.basis", spec);
+    let mut labels = |mark: &str, after: usize| -> Vec<String> {
+        let all = editor.ask_at("textDocument/completion", "f.basis", spec, mark, after, json!({}));
+        let all = all.as_array().expect("a list").iter();
+        all.map(|s| s["label"].as_str().expect("a name").to_string()).collect()
+    };
+    assert_eq!(labels("\"b\"", 2), ["base.basis"], "the spec itself is left out");
+    let library = labels("\"quad\"", 5);
+    assert!(library.contains(&String::from("quadratic")) && !library.contains(&String::from("base.basis")));
+    let mut hover = |mark: &str| {
+        let hover = editor.ask_at("textDocument/hover", "f.basis", spec, mark, 1, json!({}));
+        hover["contents"]["value"].as_str().unwrap_or_default().to_string()
+    };
+    let quadratic = hover("\"quadratic\"");
+    assert!(
+        quadratic.starts_with("Quadratic Bézier curves") && quadratic.contains("family **QuadraticBezier**")
+    );
+    assert_eq!(hover("\"base.basis\""), "\n- family **Base**: The basis.");
+    assert_eq!(hover("\"quad\""), "", "there is no such spec");
+    editor.close();
+}
+
+#[test]
+fn parameters_show_their_declarations() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = "family F(n in 1..=3) {
+    domain 0 <= t <= 1;
+    shape 0 <= λ[i] <= i for i in 1..=n;
+    let h(x) = 1 - x;
+    b[j] = binomial(n, j)*t^j*h(t)^(n - j) for j in 0..=n if j >= 0;
+}
+family G { shape 0 < α < pi; domain 0 <= θ <= α; g[0] = sin(θ); }
+";
+    editor.show("f.basis", spec);
+    for (mark, declared) in [
+        ("n, j", "n in 1..=3"),
+        ("λ[i]", "shape 0 <= λ[i] <= i for i in 1..=n;"),
+        ("j)*t", "j in 0..=n"),
+        ("x;", "let h(x) = 1 - x;"),
+        ("α < pi", "shape 0 < α < pi;"),
+    ] {
+        let hover = editor.ask_at("textDocument/hover", "f.basis", spec, mark, 0, json!({}));
+        let value = hover["contents"]["value"].as_str().expect("a text");
+        assert!(value.ends_with(&format!("```basis\n{declared}\n```")), "{mark}: {value}");
+    }
+    editor.close();
+}
+
+#[test]
+fn a_change_says_where_it_is() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = QUARTIC.replace("family", "// 𝔸λ\r\nfamily");
+    editor.show("q.basis", &spec);
+    assert!(editor.errors(1).is_empty());
+    // A wide character is two units. The second change is about the text after the first one.
+    let at = |line: u32, character: u32| json!({ "line": line, "character": character });
+    let first = position(&spec, spec.find("prove symmetric").expect("it is there"));
+    let (line, column) = (first["line"].as_u64().expect("a number") as u32, first["character"].as_u64());
+    let column = column.expect("a number") as u32;
+    let changes = json!([
+        { "range": { "start": at(0, 5), "end": at(0, 6) }, "text": "x\n// y" },
+        { "range": { "start": at(line + 1, column), "end": at(line + 1, column + 5) }, "text": "refute" }
+    ]);
+    let document = json!({ "uri": editor.uri("q.basis"), "version": 2 });
+    editor.tell("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes }));
+    let errors = editor.errors(2);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert_eq!(errors[0]["range"]["start"], at(line + 1, column));
+    assert!(errors[0]["message"].as_str().expect("a text").contains("symmetric"));
+    let outline = editor
+        .ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": editor.uri("q.basis") } }));
+    assert_eq!(
+        outline[0]["range"]["start"]["line"],
+        json!(spec.lines().position(|l| l.starts_with("family")).expect("it is there") + 1)
+    );
+    editor.close();
+}
+
+#[test]
 fn a_text_has_an_outline_folds_colours_and_a_layout() {
     let mut editor = Editor::open(Folder::new());
     let messy = QUARTIC.replace("    prove symmetric", "  prove   symmetric ");

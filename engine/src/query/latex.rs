@@ -79,6 +79,35 @@ fn letter(c: char) -> String {
     if *word == "omicron" { String::from("o") } else { format!("\\{word} ").trim_end().to_string() }
 }
 
+/// What a raised character stands for, `2` for `²`.
+fn raised(c: char) -> Option<char> {
+    match c {
+        '¹' => Some('1'),
+        '²' => Some('2'),
+        '³' => Some('3'),
+        'ⁱ' => Some('i'),
+        'ⁿ' => Some('n'),
+        '⁺' => Some('+'),
+        '⁻' => Some('-'),
+        '⁰' | '⁴'..='⁹' => char::from_digit(c as u32 - '⁰' as u32, 10),
+        _ => None,
+    }
+}
+
+/// What a lowered character stands for, `2` for `₂`.
+fn lowered(c: char) -> Option<char> {
+    match c {
+        'ᵢ' => Some('i'),
+        'ⱼ' => Some('j'),
+        'ₖ' => Some('k'),
+        'ₙ' => Some('n'),
+        '₊' => Some('+'),
+        '₋' => Some('-'),
+        '₀'..='₉' => char::from_digit(c as u32 - '₀' as u32, 10),
+        _ => None,
+    }
+}
+
 /// A text outside of formulas.
 pub fn escape(text: &str) -> String {
     let mut latex = String::new();
@@ -112,12 +141,22 @@ pub fn escape(text: &str) -> String {
             '∞' => latex += "$\\infty$",
             '→' => latex += "$\\to$",
             '′' => latex += "$'$",
+            '″' => latex += "$''$",
+            '×' => latex += "$\\times$",
+            '±' => latex += "$\\pm$",
+            '°' => latex += "$^\\circ$",
+            '∈' => latex += "$\\in$",
+            '∂' => latex += "$\\partial$",
+            '∫' => latex += "$\\int$",
+            '∑' => latex += "$\\sum$",
+            '∏' => latex += "$\\prod$",
+            '≈' => latex += "$\\approx$",
+            '≡' => latex += "$\\equiv$",
             '…' => latex += "\\dots{}",
             '–' => latex += "--",
             '—' => latex += "---",
-            '²' => latex += "$^2$",
-            '³' => latex += "$^3$",
-            '⁴' => latex += "$^4$",
+            c if raised(c).is_some() => latex += &format!("$^{{{}}}$", raised(c).unwrap_or(c)),
+            c if lowered(c).is_some() => latex += &format!("$_{{{}}}$", lowered(c).unwrap_or(c)),
             '‘' => latex += "`",
             '’' => latex += "'",
             '“' => latex += "``",
@@ -576,6 +615,7 @@ mod tests {
         assert_eq!(math(&format!("{}1{}", "(".repeat(1000), ")".repeat(1000))), None);
         assert_eq!(math(&format!("{}1", "2^".repeat(1000))), None);
         assert_eq!(inline("50% of λ"), "50\\% of $\\lambda$");
+        assert_eq!(escape("S₁ᵢ¹⁰ × ″"), "S$_{1}$$_{i}$$^{1}$$^{0}$ $\\times$ $''$");
         assert_eq!(escape("`a_b` & \"c\" ≥ 0…"), "\\texttt{a\\_b} \\& ``c'' $\\ge$ 0\\dots{}");
     }
 }
