@@ -12,6 +12,7 @@ mod facts;
 mod format;
 pub mod latex;
 mod lex;
+mod prose;
 mod vocabulary;
 
 pub use analysis::{Analysed, Analysis, Statement};

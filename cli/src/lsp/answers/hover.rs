@@ -66,7 +66,10 @@ fn shown(text: &Text, range: &Range<usize>, value: String) -> Hover {
 /// What the comment of a spec says, and what it declares.
 fn of_spec(document: &Document) -> String {
     let doc = document.tokens.iter().map(|t| t.text(&document.text)).map_while(|t| t.strip_prefix("//!"));
-    let mut value = doc.map(|line| format!("{}\n", line.trim_start())).collect::<String>();
+    let mut value = String::new();
+    for line in doc {
+        value += &format!("{}\n", line.trim_start());
+    }
     for symbol in document.symbols.iter().filter(|s| s.kind.is_item()) {
         let first = symbol.doc.lines().next().unwrap_or_default();
         value += &format!("\n- {} **{}**", symbol.kind.noun(), symbol.name);
