@@ -170,6 +170,7 @@ export class Curves {
     const few = places.length <= 16;
     // Names stand at the side of the point that is turned away from the others.
     const [mx, my] = on(places.reduce((sum, p) => sum + p[0], 0) / places.length, places.reduce((sum, p) => sum + p[1], 0) / places.length);
+    const zero = on(0, 0)[1];
     places.forEach((p, k) => {
       const name = this.drawing.labels[k]!.replace(/^[^[]*/, 'P');
       const [px, py] = on(...p);
@@ -179,7 +180,10 @@ export class Curves {
       this.plane.append(dot);
       const far = Math.hypot(px - mx, py - my) || 1;
       const [dx, dy] = far < 2 ? [0, -1] : [(px - mx) / far, (py - my) / far];
-      if (few) this.plane.append(svg('text', { x: px + 22 * dx, y: py + 18 * dy + 4, 'text-anchor': 'middle', class: 'name' }, name));
+      // The zero line does not run through a name.
+      const away = py + 18 * dy - zero;
+      const middle = Math.abs(away) < 16 ? zero + (away < 0 ? -16 : 16) : zero + away;
+      if (few) this.plane.append(svg('text', { x: px + 22 * dx, y: middle + 4, 'text-anchor': 'middle', class: 'name' }, name));
       if (focus === String(k)) dot.focus();
     });
   }

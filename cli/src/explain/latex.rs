@@ -91,8 +91,12 @@ fn of_span(facts: &FamilyFacts) -> String {
     for matrix in facts.matrices.iter().filter(|m| m.columns.len() <= MAX_COLUMNS) {
         let (title, formula) = matrix.title.split_once(": ").unwrap_or((&matrix.title, ""));
         let formula = if formula.is_empty() { String::new() } else { format!(", {}", inline(formula)) };
-        let fit = if matrix.columns.len() > 6 { "\\footnotesize\n" } else { "" };
-        text += &format!("\\paragraph{{{}}}{formula}\n{{{fit}\\[ {} \\]}}\n\n", words(title), matrix.latex);
+        let (shown, letters) = super::matrix::matrix(&matrix.entries);
+        text += &format!("\\paragraph{{{}}}{formula}\n{shown}", words(title));
+        if !letters.is_empty() {
+            text += &format!("with\n{}", display(letters.into_iter()));
+        }
+        text.push('\n');
     }
     for f in &facts.extrema {
         let taken = |e: &super::facts::Extremum| {
@@ -135,7 +139,16 @@ fn words(title: &str) -> String {
         let formula = word.contains(['[', '*', '(']) || word == "+";
         format!("{}{end}", if formula { inline(word) } else { escape(word) })
     };
-    title.split(' ').map(word).collect::<Vec<_>>().join(" ")
+    let plain = |text: &str| text.split(' ').map(word).collect::<Vec<_>>().join(" ");
+    // What is integrated is one formula, with spaces in it.
+    match title.split_once("the integrals of ") {
+        Some((before, rest)) => {
+            let (formula, given) = rest.split_once(" for ").map_or((rest, None), |(f, g)| (f, Some(g)));
+            let given = given.map(|g| format!(" for {}", inline(g))).unwrap_or_default();
+            format!("{}the integrals of {}{given}", plain(before), inline(formula))
+        }
+        None => plain(title),
+    }
 }
 
 fn of_contact(contact: &Contact) -> String {

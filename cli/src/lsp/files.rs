@@ -121,6 +121,17 @@ pub(super) fn address(other: &Other) -> Option<Uri> {
     uri(&other.path)
 }
 
+/// The names of the other spec files in the folder of a spec.
+pub(super) fn beside(path: Option<&Path>) -> Vec<String> {
+    let Some((path, folder)) = path.and_then(|p| Some((p, p.parent()?))) else { return Vec::new() };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let specs = entries.filter(|p| p != path && p.extension().is_some_and(|e| e == EXTENSION));
+    let mut names: Vec<String> =
+        specs.filter_map(|p| Some(p.file_name()?.to_str()?.to_string())).take(MAX_SPECS).collect();
+    names.sort();
+    names
+}
+
 /// The most specs of a workspace that are looked at.
 const MAX_SPECS: usize = 2000;
 

@@ -12,8 +12,9 @@ use lsp_types::{
     CompletionParams, DocumentHighlight, FoldingRangeProviderCapability, GotoDefinitionParams,
     HoverProviderCapability, InitializeParams, InlayHintParams, OneOf, PublishDiagnosticsParams,
     ReferenceParams, RenameOptions, RenameParams, SemanticTokens, SemanticTokensFullOptions,
-    SemanticTokensOptions, ServerCapabilities, TextDocumentIdentifier, TextDocumentPositionParams,
-    TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri, WorkDoneProgressOptions,
+    SemanticTokensOptions, ServerCapabilities, TextDocumentContentChangeEvent, TextDocumentIdentifier,
+    TextDocumentPositionParams, TextDocumentSyncCapability, TextDocumentSyncKind, TextEdit, Uri,
+    WorkDoneProgressOptions,
 };
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
@@ -21,6 +22,7 @@ use serde_json::{Value, json};
 
 use super::answers::{actions, complete, hover, marks, names, outline, words};
 use super::files::{self, Overlay};
+use super::position::Lines;
 use super::workspace::{Shown, Text, Workspace};
 use basis_engine::query::Analysis;
 
@@ -83,10 +85,10 @@ pub(super) fn serve(connection: &Connection) -> Result<(), Failure> {
 
 fn capabilities() -> ServerCapabilities {
     ServerCapabilities {
-        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::FULL)),
+        text_document_sync: Some(TextDocumentSyncCapability::Kind(TextDocumentSyncKind::INCREMENTAL)),
         hover_provider: Some(HoverProviderCapability::Simple(true)),
         completion_provider: Some(CompletionOptions {
-            trigger_characters: Some(vec![String::from("\\")]),
+            trigger_characters: Some(vec![String::from("\\"), String::from("\"")]),
             ..CompletionOptions::default()
         }),
         definition_provider: Some(OneOf::Left(true)),
@@ -205,10 +207,11 @@ impl Server {
                 }
             }
             ("textDocument/didChange", Some(uri)) => {
-                let changes = note.params.get("contentChanges").and_then(Value::as_array);
-                let last = changes.and_then(|c| c.last()).and_then(|c| c.get("text")).and_then(Value::as_str);
-                if let Some(text) = last {
-                    self.open(uri, text, version);
+                let changes = note.params.get("contentChanges").cloned().unwrap_or_default();
+                let changes = serde_json::from_value::<Vec<TextDocumentContentChangeEvent>>(changes);
+                if let (Some(text), Ok(changes)) = (self.workspace.text(uri), changes) {
+                    let text = changed(&text.document.text, &changes);
+                    self.open(uri, &text, version);
                 }
             }
             ("textDocument/didClose", Some(uri)) => {
@@ -305,8 +308,7 @@ impl Server {
         match method.as_str() {
             "textDocument/hover" => {
                 let at: TextDocumentPositionParams = read(request)?;
-                let others = self.workspace.others(text);
-                value(analysis.and_then(|a| hover::hover(text, a, &others, at.position)))
+                value(analysis.and_then(|a| hover::hover(&self.workspace, text, a, at.position)))
             }
             "textDocument/inlayHint" => {
                 let at: InlayHintParams = read(request)?;
@@ -319,7 +321,7 @@ impl Server {
             "textDocument/completion" => {
                 let at: CompletionParams = read(request)?;
                 let position = at.text_document_position.position;
-                value(complete::complete(text, &self.workspace.others(text), self.snippets, position))
+                value(complete::complete(&self.workspace, text, self.snippets, position))
             }
             "textDocument/definition" => {
                 let at: GotoDefinitionParams = read(request)?;
@@ -360,6 +362,21 @@ impl Server {
             _ => Err((ErrorCode::MethodNotFound, format!("`{method}` is not known"))),
         }
     }
+}
+
+/// A text after some changes, each at places of the text that the one before it left.
+fn changed(text: &str, changes: &[TextDocumentContentChangeEvent]) -> String {
+    let mut text = text.to_string();
+    for change in changes {
+        match change.range {
+            Some(range) => {
+                let bytes = Lines::new(&text).bytes(&text, range);
+                text.replace_range(bytes, &change.text);
+            }
+            None => text.clone_from(&change.text),
+        }
+    }
+    text
 }
 
 fn read<T: DeserializeOwned>(request: Request) -> Result<T, (ErrorCode, String)> {

@@ -1,232 +1,8 @@
-//! `basis lsp`, as an editor drives it: messages on standard input, answers on standard output.
+//! `basis lsp`, as an editor drives it.
 
-#![allow(clippy::needless_pass_by_value)] // `json!` is written where it is used
-
-use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStdin, Stdio};
-use std::sync::mpsc::{Receiver, channel};
-use std::thread;
-use std::time::Duration;
-
+use crate::editor::{Editor, apply, position, slice};
 use crate::support::{Folder, QUARTIC};
-use serde_json::{Value, json};
-
-/// An editor with a language server.
-struct Editor {
-    server: Child,
-    input: ChildStdin,
-    messages: Receiver<Value>,
-    id: i64,
-    folder: Folder,
-}
-
-impl Editor {
-    /// An editor that shows a folder.
-    fn open(folder: Folder) -> Self {
-        let mut command = folder.command(&["lsp"]);
-        let mut server =
-            command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("the command starts");
-        let input = server.stdin.take().expect("it has an input");
-        let mut output = BufReader::new(server.stdout.take().expect("it has an output"));
-        let (sender, messages) = channel();
-        thread::spawn(move || {
-            loop {
-                let mut length = 0;
-                loop {
-                    let mut line = String::new();
-                    if output.read_line(&mut line).unwrap_or(0) == 0 {
-                        return;
-                    }
-                    if let Some(n) = line.strip_prefix("Content-Length: ") {
-                        length = n.trim().parse().expect("a length is a number");
-                    }
-                    if line.trim().is_empty() {
-                        break;
-                    }
-                }
-                let mut content = vec![0; length];
-                if output.read_exact(&mut content).is_err() {
-                    return;
-                }
-                let message = serde_json::from_slice(&content).expect("a message is JSON");
-                if sender.send(message).is_err() {
-                    return;
-                }
-            }
-        });
-        let mut editor = Self { server, input, messages, id: 0, folder };
-        let capabilities = json!({
-            "textDocument": {
-                "codeAction": { "resolveSupport": { "properties": ["edit"] } },
-                "completion": { "completionItem": { "snippetSupport": true } }
-            },
-            "workspace": { "inlayHint": { "refreshSupport": true } }
-        });
-        let root = editor.uri("");
-        let folders = json!([{ "uri": root, "name": "specs" }]);
-        let parameters = json!({ "capabilities": capabilities, "workspaceFolders": folders });
-        let answer = editor.ask("initialize", parameters);
-        assert!(answer["capabilities"]["hoverProvider"].as_bool().expect("it says what it can"));
-        editor.tell("initialized", json!({}));
-        editor
-    }
-
-    fn uri(&self, name: &str) -> String {
-        let path = self.folder.path().canonicalize().expect("the folder is there").join(name);
-        format!("file://{}", path.display())
-    }
-
-    fn send(&mut self, message: &Value) {
-        let text = message.to_string();
-        write!(self.input, "Content-Length: {}\r\n\r\n{text}", text.len()).expect("the server reads");
-        self.input.flush().expect("the server reads");
-    }
-
-    fn tell(&mut self, method: &str, params: Value) {
-        self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
-    }
-
-    fn next(&self) -> Value {
-        self.messages.recv_timeout(Duration::from_secs(60)).expect("the server answers")
-    }
-
-    /// The answer to a request, whole.
-    fn response(&mut self, method: &str, params: Value) -> Value {
-        self.id += 1;
-        let id = self.id;
-        self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
-        loop {
-            let message = self.next();
-            if message["id"] == id && message.get("method").is_none() {
-                return message;
-            }
-        }
-    }
-
-    /// The result of a request.
-    fn ask(&mut self, method: &str, params: Value) -> Value {
-        let response = self.response(method, params);
-        assert!(response.get("error").is_none(), "{method}: {response}");
-        response["result"].clone()
-    }
-
-    /// The result of a request about a place: where `mark` stands in a text, `after` bytes further.
-    fn ask_at(
-        &mut self,
-        method: &str,
-        name: &str,
-        text: &str,
-        mark: &str,
-        after: usize,
-        more: Value,
-    ) -> Value {
-        let mut params = json!({
-            "textDocument": { "uri": self.uri(name) },
-            "position": position(text, text.find(mark).expect("the mark is there") + after)
-        });
-        let more = more.as_object().cloned().unwrap_or_default();
-        params.as_object_mut().expect("it is an object").extend(more);
-        self.ask(method, params)
-    }
-
-    fn show(&mut self, name: &str, text: &str) {
-        let document = json!({ "uri": self.uri(name), "languageId": "basis", "version": 1, "text": text });
-        self.tell("textDocument/didOpen", json!({ "textDocument": document }));
-    }
-
-    fn edit(&mut self, name: &str, version: i64, text: &str) {
-        let document = json!({ "uri": self.uri(name), "version": version });
-        let changes = json!([{ "text": text }]);
-        self.tell("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes }));
-    }
-
-    /// The messages about the version of a text.
-    fn errors(&self, version: i64) -> Vec<Value> {
-        loop {
-            let message = self.next();
-            if message["method"] == "textDocument/publishDiagnostics"
-                && message["params"]["version"] == version
-            {
-                return message["params"]["diagnostics"].as_array().expect("they are a list").clone();
-            }
-        }
-    }
-
-    fn actions(&mut self, name: &str, text: &str, mark: &str) -> Vec<Value> {
-        let at = position(text, text.find(mark).expect("the mark is there"));
-        let params = json!({
-            "textDocument": { "uri": self.uri(name) },
-            "range": { "start": at, "end": at },
-            "context": { "diagnostics": [] }
-        });
-        self.ask("textDocument/codeAction", params).as_array().expect("they are a list").clone()
-    }
-
-    /// The text after the action with some title.
-    fn act(&mut self, name: &str, text: &str, mark: &str, title: &str) -> String {
-        let actions = self.actions(name, text, mark);
-        let action = actions.iter().find(|a| a["title"] == title).unwrap_or_else(|| panic!("{actions:?}"));
-        let action = if action.get("edit").is_some() {
-            action.clone()
-        } else {
-            self.ask("codeAction/resolve", action.clone())
-        };
-        match &action["edit"]["changes"][self.uri(name)] {
-            Value::Null => text.to_string(),
-            edits => apply(text, edits),
-        }
-    }
-
-    fn close(mut self) {
-        assert_eq!(self.ask("shutdown", Value::Null), Value::Null);
-        self.tell("exit", Value::Null);
-        assert!(self.server.wait().expect("it ends").success());
-    }
-}
-
-impl Drop for Editor {
-    fn drop(&mut self) {
-        let _ = self.server.kill();
-        let _ = self.server.wait();
-    }
-}
-
-/// Line and UTF-16 unit of a byte.
-fn position(text: &str, offset: usize) -> Value {
-    let line = text[..offset].matches('\n').count();
-    let start = text[..offset].rfind('\n').map_or(0, |at| at + 1);
-    json!({ "line": line, "character": text[start..offset].encode_utf16().count() })
-}
-
-fn offset(text: &str, position: &Value) -> usize {
-    let number = |name: &str| position[name].as_u64().expect("it is a number") as usize;
-    let start: usize = text.split_inclusive('\n').take(number("line")).map(str::len).sum();
-    let mut units = number("character");
-    for (at, c) in text[start..].char_indices() {
-        if units == 0 {
-            return start + at;
-        }
-        units -= c.len_utf16();
-    }
-    text.len()
-}
-
-/// The text at a range.
-fn slice<'t>(text: &'t str, range: &Value) -> &'t str {
-    &text[offset(text, &range["start"])..offset(text, &range["end"])]
-}
-
-/// The text after some edits.
-fn apply(text: &str, edits: &Value) -> String {
-    let mut edits = edits.as_array().expect("they are a list").clone();
-    edits.sort_by_key(|e| core::cmp::Reverse(offset(text, &e["range"]["start"])));
-    let mut result = text.to_string();
-    for edit in edits {
-        let range = offset(text, &edit["range"]["start"])..offset(text, &edit["range"]["end"]);
-        result.replace_range(range, edit["newText"].as_str().expect("it is a text"));
-    }
-    result
-}
+use serde_json::json;
 
 #[test]
 fn verdicts_follow_every_edit() {
@@ -429,6 +205,88 @@ fn words_are_suggested_where_they_fit() {
     assert!(!labels.contains(&"domain"));
     let letters = editor.ask_at("textDocument/completion", "f.basis", spec, "\\lam", 4, json!({}));
     assert_eq!(apply(spec, &json!([letters[0]["textEdit"]])), spec.replace("\\lam", "λ"));
+    editor.close();
+}
+
+#[test]
+fn names_of_specs_are_suggested_and_explained() {
+    let mut editor = Editor::open(Folder::with("base.basis", BASE));
+    let spec = "use \"b\";\nuse library \"quad\";\nuse library \"quadratic\";\nuse \"base.basis\";\n";
+    editor.show("f.basis", spec);
+    let mut labels = |mark: &str, after: usize| -> Vec<String> {
+        let all = editor.ask_at("textDocument/completion", "f.basis", spec, mark, after, json!({}));
+        let all = all.as_array().expect("a list").iter();
+        all.map(|s| s["label"].as_str().expect("a name").to_string()).collect()
+    };
+    assert_eq!(labels("\"b\"", 2), ["base.basis"], "the spec itself is left out");
+    let library = labels("\"quad\"", 5);
+    assert!(library.contains(&String::from("quadratic")) && !library.contains(&String::from("base.basis")));
+    let mut hover = |mark: &str| {
+        let hover = editor.ask_at("textDocument/hover", "f.basis", spec, mark, 1, json!({}));
+        hover["contents"]["value"].as_str().unwrap_or_default().to_string()
+    };
+    let quadratic = hover("\"quadratic\"");
+    assert!(
+        quadratic.starts_with("Quadratic Bézier curves") && quadratic.contains("family **QuadraticBezier**")
+    );
+    assert_eq!(hover("\"base.basis\""), "\n- family **Base**: The basis.");
+    assert_eq!(hover("\"quad\""), "", "there is no such spec");
+    editor.close();
+}
+
+#[test]
+fn parameters_show_their_declarations() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = "family F(n in 1..=3) {
+    domain 0 <= t <= 1;
+    shape 0 <= λ[i] <= i for i in 1..=n;
+    let h(x) = 1 - x;
+    b[j] = binomial(n, j)*t^j*h(t)^(n - j) for j in 0..=n if j >= 0;
+}
+family G { shape 0 < α < pi; domain 0 <= θ <= α; g[0] = sin(θ); }
+";
+    editor.show("f.basis", spec);
+    for (mark, declared) in [
+        ("n, j", "n in 1..=3"),
+        ("λ[i]", "shape 0 <= λ[i] <= i for i in 1..=n;"),
+        ("j)*t", "j in 0..=n"),
+        ("x;", "let h(x) = 1 - x;"),
+        ("α < pi", "shape 0 < α < pi;"),
+    ] {
+        let hover = editor.ask_at("textDocument/hover", "f.basis", spec, mark, 0, json!({}));
+        let value = hover["contents"]["value"].as_str().expect("a text");
+        assert!(value.ends_with(&format!("```basis\n{declared}\n```")), "{mark}: {value}");
+    }
+    editor.close();
+}
+
+#[test]
+fn a_change_says_where_it_is() {
+    let mut editor = Editor::open(Folder::new());
+    let spec = QUARTIC.replace("family", "// 𝔸λ\r\nfamily");
+    editor.show("q.basis", &spec);
+    assert!(editor.errors(1).is_empty());
+    // A wide character is two units. The second change is about the text after the first one.
+    let at = |line: u32, character: u32| json!({ "line": line, "character": character });
+    let first = position(&spec, spec.find("prove symmetric").expect("it is there"));
+    let (line, column) = (first["line"].as_u64().expect("a number") as u32, first["character"].as_u64());
+    let column = column.expect("a number") as u32;
+    let changes = json!([
+        { "range": { "start": at(0, 5), "end": at(0, 6) }, "text": "x\n// y" },
+        { "range": { "start": at(line + 1, column), "end": at(line + 1, column + 5) }, "text": "refute" }
+    ]);
+    let document = json!({ "uri": editor.uri("q.basis"), "version": 2 });
+    editor.tell("textDocument/didChange", json!({ "textDocument": document, "contentChanges": changes }));
+    let errors = editor.errors(2);
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert_eq!(errors[0]["range"]["start"], at(line + 1, column));
+    assert!(errors[0]["message"].as_str().expect("a text").contains("symmetric"));
+    let outline = editor
+        .ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": editor.uri("q.basis") } }));
+    assert_eq!(
+        outline[0]["range"]["start"]["line"],
+        json!(spec.lines().position(|l| l.starts_with("family")).expect("it is there") + 1)
+    );
     editor.close();
 }
 

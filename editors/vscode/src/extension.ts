@@ -46,14 +46,16 @@ function folder(document: vscode.TextDocument): string | undefined {
   return document.uri.scheme === "file" ? path.dirname(document.uri.fsPath) : undefined;
 }
 
-/** The family around the cursor, in its lowest order. */
+/** The family around the cursor, or before it, in its lowest order; above all families the first one. */
 function family(editor: vscode.TextEditor): string | undefined {
-  const before = editor.document.getText(new vscode.Range(new vscode.Position(0, 0), editor.document.lineAt(editor.selection.active.line).range.end));
-  const items = [...before.matchAll(/^\s*(family|theorem|join)\s+([\p{L}_][\p{L}\p{N}_]*)(\s*\(([^)]*)\))?/gmu)];
-  const last = items.filter((item) => item[1] === "family").at(-1);
-  if (!last) return undefined;
-  const lows = [...(last[4] ?? "").matchAll(/in\s+(-?\d+)/g)].map((low) => low[1]);
-  return lows.length > 0 ? `${last[2]}(${lows.join(",")})` : last[2];
+  const { document, selection } = editor;
+  const text = document.getText();
+  const before = document.getText(new vscode.Range(new vscode.Position(0, 0), document.lineAt(selection.active.line).range.end));
+  const families = (part: string) => [...part.matchAll(/^\s*family\s+([\p{L}_][\p{L}\p{N}_]*)(\s*\(([^)]*)\))?/gmu)];
+  const found = families(before).at(-1) ?? families(text)[0];
+  if (!found) return undefined;
+  const lows = [...(found[3] ?? "").matchAll(/in\s+(-?\d+)/g)].map((low) => low[1]);
+  return lows.length > 0 ? `${found[1]}(${lows.join(",")})` : found[1];
 }
 
 /** A panel with the page that `basis plot` writes, drawn again when the text rests. */

@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use super::document::{Document, SymbolKind};
 use super::lex::TokenKind;
-use super::vocabulary::{GREEK, WORDS, WordKind};
+use super::vocabulary::{GREEK, WORDS, Word, WordKind, word};
 
 /// Something that can be typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,17 +34,35 @@ pub enum SuggestionKind {
     Symbol(SymbolKind),
     /// A Greek letter.
     Letter,
+    /// The name of a spec between quotation marks.
+    Spec,
 }
 
-/// What can be typed at a position, `others` being the families of the specs that this one uses, with what their
-/// comments say.
-pub fn suggestions(document: &Document, offset: usize, others: &[(String, String)]) -> Vec<Suggestion> {
+/// What stands around a spec.
+#[derive(Clone, Debug, Default)]
+pub struct Around {
+    /// The families of the specs that it uses, with what their comments say.
+    pub families: Vec<(String, String)>,
+    /// The names of the specs of the library.
+    pub library: Vec<String>,
+    /// The paths of other spec files, as `use` would name them.
+    pub files: Vec<String>,
+}
+
+/// What can be typed at a position.
+pub fn suggestions(document: &Document, offset: usize, around: &Around) -> Vec<Suggestion> {
     let comment =
         document.tokens.iter().find(|t| t.range.start < offset && offset <= t.range.end && t.is_comment());
-    let quoted =
-        document.token(offset).is_some_and(|t| t.kind == TokenKind::Quoted && t.range.start < offset);
-    if comment.is_some() || quoted {
+    if comment.is_some() {
         return Vec::new();
+    }
+    let inside = |r: &Range<usize>| r.start < offset && offset <= r.end;
+    if let Some(token) = document.tokens.iter().find(|t| t.kind == TokenKind::Quoted && inside(&t.range)) {
+        let import = document.imports.iter().find(|i| i.place == token.range);
+        return import.map_or_else(Vec::new, |import| {
+            let names = if import.library { &around.library } else { &around.files };
+            specs(names, import.library, token.range.start + 1..offset)
+        });
     }
     let typed = typed(&document.text, offset);
     let mut all = Vec::new();
@@ -52,28 +70,8 @@ pub fn suggestions(document: &Document, offset: usize, others: &[(String, String
     if document.text[typed.clone()].starts_with('\\') {
         return all;
     }
-    let entry = document
-        .entry(offset)
-        .filter(|e| e.body.as_ref().is_some_and(|b| b.start <= offset && offset <= b.end));
-    let item = entry.and_then(|e| e.symbol).map(|s| document.symbols[s].kind);
-    let before = document.tokens.iter().rfind(|t| !t.is_comment() && t.range.end <= typed.start);
-    let last = before.map_or("", |t| t.text(&document.text));
-    let begins = matches!(last, "" | ";" | "{" | "}");
-    let block = entry.is_some_and(|e| {
-        let inside = |r: &Range<usize>| r.start <= offset && offset <= r.end;
-        e.children.iter().any(|c| c.body.as_ref().is_some_and(inside))
-    });
-    let family = item == Some(SymbolKind::Family);
-    let fits = |kind: WordKind| match kind {
-        WordKind::Item => item.is_none(),
-        WordKind::Statement => family && begins && !block,
-        WordKind::TheoremStatement => item.is_some() && !family && begins && !block,
-        WordKind::EitherStatement => item.is_some() && begins && !block,
-        WordKind::Property => family && matches!(last, "prove" | "refute" | "conjecture"),
-        WordKind::Connective => item.is_some() && (!begins || block) || item.is_none() && last == "use",
-        WordKind::Function => item.is_some() && (!begins || block),
-    };
-    for word in WORDS.iter().filter(|word| fits(word.kind)) {
+    let place = Place::new(document, offset, &typed);
+    for word in WORDS.iter().filter(|word| place.fits(word)) {
         // Brackets or a semicolon that stand already are not written again.
         let follows = document.text[offset..].trim_start_matches([' ', '\t']).starts_with(['(', ';', '{']);
         let rest = if follows { "" } else { word.rest };
@@ -90,19 +88,14 @@ pub fn suggestions(document: &Document, offset: usize, others: &[(String, String
             replaces: typed.clone(),
         });
     }
-    if item.is_none() {
-        return all;
-    }
     let mut seen: Vec<&str> = Vec::new();
     // Names of inner scopes hide those of outer ones.
     let mut visible: Vec<_> = document.visible(typed.start).filter(|s| s.place != typed).collect();
     visible.sort_by_key(|s| s.scope.end - s.scope.start);
     for symbol in visible {
-        let formula = !matches!(symbol.kind, SymbolKind::Theorem | SymbolKind::Join);
-        if begins && !block && symbol.kind != SymbolKind::Functions
-            || !formula
-            || seen.contains(&symbol.name.as_str())
-        {
+        let own = symbol.kind.is_item() && symbol.whole.start <= offset && offset <= symbol.whole.end;
+        let bounded = place.bounds() && place.has(&symbol.name);
+        if own || bounded || !place.names(symbol.kind) || seen.contains(&symbol.name.as_str()) {
             continue;
         }
         seen.push(&symbol.name);
@@ -117,8 +110,8 @@ pub fn suggestions(document: &Document, offset: usize, others: &[(String, String
             replaces: typed.clone(),
         });
     }
-    if !begins || block {
-        for (name, doc) in others.iter().filter(|(name, _)| document.item(name).is_none()) {
+    if place.names(SymbolKind::Family) {
+        for (name, doc) in around.families.iter().filter(|(name, _)| document.item(name).is_none()) {
             all.push(Suggestion {
                 label: name.clone(),
                 insert: name.clone(),
@@ -129,6 +122,150 @@ pub fn suggestions(document: &Document, offset: usize, others: &[(String, String
         }
     }
     all
+}
+
+/// Names of specs between quotation marks.
+fn specs(names: &[String], library: bool, replaces: Range<usize>) -> Vec<Suggestion> {
+    let meaning = if library { "a spec that comes with the toolchain" } else { "a spec of this folder" };
+    let suggestion = |name: &String| Suggestion {
+        label: name.clone(),
+        insert: name.clone(),
+        kind: SuggestionKind::Spec,
+        meaning: String::from(meaning),
+        replaces: replaces.clone(),
+    };
+    names.iter().map(suggestion).collect()
+}
+
+/// What stands before the word that is being typed.
+struct Place<'d> {
+    /// The kind of the item around it.
+    item: Option<SymbolKind>,
+    /// The words of the statement so far, a bracketed part as its opening bracket and what follows it.
+    before: Vec<&'d str>,
+    /// Whether a statement begins here.
+    begins: bool,
+    /// Whether a block of equations is around it.
+    block: bool,
+    /// Whether a number, a name or a closing bracket stands before it, which no other name can follow.
+    ended: bool,
+}
+
+impl<'d> Place<'d> {
+    fn new(document: &'d Document, offset: usize, typed: &Range<usize>) -> Self {
+        let entry = document
+            .entry(offset)
+            .filter(|e| e.body.as_ref().is_some_and(|b| b.start <= offset && offset <= b.end));
+        let item = entry.and_then(|e| e.symbol).map(|s| document.symbols[s].kind);
+        let block = entry.is_some_and(|e| {
+            let inside = |r: &Range<usize>| r.start <= offset && offset <= r.end;
+            e.children.iter().any(|c| c.body.as_ref().is_some_and(inside))
+        });
+        let code: Vec<_> =
+            document.tokens.iter().filter(|t| !t.is_comment() && t.range.end <= typed.start).collect();
+        let text = |k: usize| code[k].text(&document.text);
+        let mut first = code.len();
+        while first > 0 && !matches!(text(first - 1), ";" | "{" | "}") {
+            // A statement without its semicolon ends where the next line begins with a word of the language.
+            let opens = first < code.len()
+                && word(text(first)).is_some_and(|w| w.kind.begins_statement())
+                && document.text[code[first - 1].range.end..code[first].range.start].contains('\n');
+            if opens {
+                break;
+            }
+            first -= 1;
+        }
+        let before: Vec<&str> = (first..code.len()).map(text).collect();
+        let ended = code.last().filter(|_| !before.is_empty()).is_some_and(|t| match t.kind {
+            TokenKind::Number | TokenKind::Close => true,
+            TokenKind::Word => {
+                word(t.text(&document.text)).is_none_or(|w| w.kind == WordKind::Property || w.text == "pi")
+            }
+            _ => false,
+        });
+        let begins = before.is_empty();
+        Self { item, before, begins, block, ended }
+    }
+
+    fn last(&self) -> &str {
+        self.before.last().copied().unwrap_or_default()
+    }
+
+    fn has(&self, word: &str) -> bool {
+        self.before.contains(&word)
+    }
+
+    /// The word with which the statement begins.
+    fn keyword(&self) -> &str {
+        self.before.first().copied().unwrap_or_default()
+    }
+
+    fn claims(&self) -> bool {
+        matches!(self.keyword(), "prove" | "refute" | "conjecture")
+    }
+
+    /// Whether an expression can stand here.
+    fn is_formula(&self) -> bool {
+        let ranges = matches!(self.keyword(), "domain" | "shape" | "scalar" | "dimension" | "budget");
+        self.item.is_some()
+            && (!self.begins || self.block)
+            && !self.ended
+            && !ranges
+            && !matches!(self.last(), "let" | "for" | "raise" | "permute" | "curve" | "surface" | "patch")
+            && !matches!(self.last(), "except" | "at" | "with")
+    }
+
+    /// Whether a curve or surface of a theorem gets its family here.
+    fn is_patch(&self) -> bool {
+        matches!(self.keyword(), "curve" | "surface" | "patch")
+    }
+
+    fn fits(&self, word: &Word) -> bool {
+        let family = self.item == Some(SymbolKind::Family);
+        let (inside, starts) = (self.item.is_some(), self.begins && !self.block);
+        match (word.kind, word.text) {
+            (WordKind::Item, _) => !inside && self.begins,
+            (WordKind::Statement, _) => family && starts,
+            (WordKind::TheoremStatement, _) => inside && !family && starts,
+            (WordKind::EitherStatement, _) => inside && starts,
+            (WordKind::Property, _) => family && matches!(self.last(), "prove" | "refute" | "conjecture"),
+            (WordKind::Function, _) => self.is_formula() && !self.is_patch(),
+            (_, "library") => self.last() == "use",
+            (_, "at") => matches!(self.last(), "prove" | "refute" | "conjecture"),
+            (_, "except") => self.claims() && self.last() == "independent",
+            (_, "with") => self.has("continuity") && self.ended,
+            (_, "for" | "if") => inside && self.ended && !matches!(self.keyword(), "domain" | "use"),
+            (_, "in") => self.ended && (self.has("for") || !inside && self.last() != "use"),
+            (_, "simplex") => self.last() == "in",
+            (_, "triangle" | "tetrahedron") => family && matches!(self.last(), "domain" | ","),
+            (_, "parallel") => inside && !family && self.claims() && self.ended,
+            (_, "pi") => self.is_formula() && !self.is_patch() || self.bounds(),
+            _ => false,
+        }
+    }
+
+    /// Whether a bound of a range stands here.
+    fn bounds(&self) -> bool {
+        matches!(self.keyword(), "domain" | "shape") && !self.ended && self.last() != self.keyword()
+    }
+
+    /// Whether a name of this kind can stand here.
+    fn names(&self, kind: SymbolKind) -> bool {
+        let inside = self.item.is_some();
+        match kind {
+            SymbolKind::Theorem | SymbolKind::Join => false,
+            SymbolKind::Family => self.is_formula(),
+            _ if self.is_patch() => kind == SymbolKind::Scalar && self.has("(") && !self.ended,
+            SymbolKind::Functions if self.begins && !self.block => inside,
+            SymbolKind::Shape | SymbolKind::Order => {
+                self.is_formula()
+                    || inside && self.bounds()
+                    || inside && matches!(self.last(), "except" | "at" | "with")
+            }
+            SymbolKind::Domain | SymbolKind::Scalar => self.is_formula() || self.last() == "at",
+            _ => self.is_formula(),
+        }
+    }
 }
 
 /// The part of a word before a position, with a backslash before it.
@@ -171,7 +308,12 @@ mod tests {
     fn at(text: &str) -> Vec<Suggestion> {
         let offset = text.find('|').expect("a place is marked");
         let document = Document::new(text.replace('|', ""));
-        suggestions(&document, offset, &[(String::from("Quartic"), String::from("a family"))])
+        let around = Around {
+            families: vec![(String::from("Quartic"), String::from("a family"))],
+            library: vec![String::from("papers/quartic")],
+            files: vec![String::from("base.basis")],
+        };
+        suggestions(&document, offset, &around)
     }
 
     fn has(all: &[Suggestion], label: &str) -> bool {
@@ -189,7 +331,7 @@ mod tests {
         assert!(has(&at("|"), "family") && !has(&at("|"), "prove"));
         let all = at("family F { domain 0 <= t <= 1; b[0] = t; prove at t = 0 { | } }");
         assert!(has(&all, "b") && has(&all, "D") && !has(&all, "prove"));
-        assert!(at("// fam|").is_empty() && at("use \"fam|").is_empty());
+        assert!(at("// fam|").is_empty() && at("family F { x \"fam|").is_empty());
     }
 
     #[test]
@@ -200,6 +342,33 @@ mod tests {
         let all = at("family F { domain 0 <= t <= 1; shape 0 <= λ; b[0] = lambda1| }");
         let letter = all.iter().find(|s| s.kind == SuggestionKind::Letter).expect("λ1 is suggested");
         assert_eq!(letter.insert, "λ1");
+    }
+
+    #[test]
+    fn only_what_fits_is_suggested() {
+        let labels = |text: &str| at(text).into_iter().map(|s| s.label).collect::<Vec<_>>();
+        assert_eq!(labels("use library \"|\";"), ["papers/quartic"]);
+        assert_eq!(labels("use library \"pap|"), ["papers/quartic"]);
+        assert_eq!(labels("use \"|\"; family F {}"), ["base.basis"]);
+        assert_eq!(labels("use |"), ["library"]);
+        let family =
+            |rest: &str| labels(&format!("family F {{ domain 0 <= t <= 1; shape 0 < λ; b[0] = t; {rest} }}"));
+        assert_eq!(family("prove independent |"), ["except", "for", "if"]);
+        assert_eq!(family("prove independent except |"), ["λ"]);
+        assert_eq!(family("prove at |"), ["t", "λ"]);
+        assert_eq!(family("prove continuity(1) |"), ["with", "for", "if"]);
+        assert_eq!(family("prove b[i] <= 1 for i |"), ["for", "in", "if"]);
+        assert_eq!(family("domain |"), ["triangle", "tetrahedron"]);
+        assert_eq!(family("shape 0 <= μ <= |"), ["pi", "λ"]);
+        let formula = family("b[1] = |");
+        assert!(["sin", "pi", "t", "λ", "b", "Quartic"].iter().all(|l| formula.contains(&String::from(*l))));
+        assert!(
+            !["F", "library", "triangle", "at", "prove"].iter().any(|l| formula.contains(&String::from(*l)))
+        );
+        // A claim without its semicolon, before another one.
+        assert!(family("prove nonnegative\n prove |").contains(&String::from("symmetric")));
+        assert_eq!(labels("join J { curve P = |"), ["Quartic"]);
+        assert!(labels("join J { curve P = Quartic(0); prove P(0) |").contains(&String::from("parallel")));
     }
 
     #[test]

@@ -16,7 +16,7 @@ use crate::model::{Family, Library, Selected};
 use crate::plan::form::IntervalForm;
 use crate::source::{Files, Source};
 use crate::state::{Prover, Run, Verdict};
-use crate::subject::Subject;
+use crate::subject::{Item, Subject};
 
 /// One function of a family in all its forms.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,30 +87,29 @@ pub fn claims_that_hold(files: &dyn Files, source: &Source, name: &str) -> Vec<H
         return Vec::new();
     };
     let made: Vec<String> = entry.children.iter().map(|c| squeezed(document.slice(&c.whole))).collect();
-    let candidates: Vec<Vec<String>> = candidates(&family)
+    let mut candidates: Vec<Vec<String>> = candidates(&family)
         .into_iter()
         .filter(|c| !c.is_made(&made))
         .map(|c| c.statements(&made))
         .filter(|c| !c.is_empty())
         .collect();
-    // All candidates are written behind the other statements.
-    let mut longer = text[..body.end].to_string();
-    let mut places: Vec<Vec<Range<usize>>> = Vec::new();
-    for alternatives in &candidates {
-        let mut own = Vec::new();
-        for statement in alternatives {
-            longer.push('\n');
-            own.push(longer.len()..longer.len() + statement.len());
-            longer += statement;
-        }
-        places.push(own);
+    let write = |candidates: &[Vec<String>]| {
+        let (tried, places) = with_statements(source, text, body.end, candidates);
+        (families(&tried), places)
+    };
+    let (mut items, mut places) = write(&candidates);
+    let is_read = |items: &[Item], places: &[Range<usize>]| {
+        let mut claims = items.iter().flat_map(|item| &item.claims);
+        claims.any(|c| matches!(&c.place, Place::Text(_, at) if places.iter().any(|p| p.start <= at.start && at.end <= p.end)))
+    };
+    if places.iter().any(|own| !is_read(&items, own)) {
+        // A claim that has no meaning here, such as `symmetric` on spans that are not, is an error of the family.
+        candidates.retain(|candidate| {
+            let (items, places) = write(core::slice::from_ref(candidate));
+            is_read(&items, &places.concat())
+        });
+        (items, places) = write(&candidates);
     }
-    longer.push('\n');
-    longer += &text[body.end..];
-    let mut tried = Source::text(source.name.clone(), &longer);
-    tried.path.clone_from(&source.path);
-    tried.library.clone_from(&source.library);
-    let items = families(&tried);
     let run = &mut Run::default();
     let mut fails: Vec<Range<usize>> = Vec::new();
     let mut seen: Vec<Range<usize>> = Vec::new();
@@ -137,6 +136,32 @@ pub fn claims_that_hold(files: &dyn Files, source: &Source, name: &str) -> Vec<H
         }
     }
     all
+}
+
+/// A spec with more statements at a place, and where they stand.
+fn with_statements(
+    source: &Source,
+    text: &str,
+    end: usize,
+    candidates: &[Vec<String>],
+) -> (Source, Vec<Vec<Range<usize>>>) {
+    let mut longer = text[..end].to_string();
+    let mut places = Vec::new();
+    for alternatives in candidates {
+        let mut own = Vec::new();
+        for statement in alternatives {
+            longer.push('\n');
+            own.push(longer.len()..longer.len() + statement.len());
+            longer += statement;
+        }
+        places.push(own);
+    }
+    longer.push('\n');
+    longer += &text[end..];
+    let mut tried = Source::text(source.name.clone(), &longer);
+    tried.path.clone_from(&source.path);
+    tried.library.clone_from(&source.library);
+    (tried, places)
 }
 
 /// A statement without white space and comments.
@@ -194,6 +219,10 @@ fn candidates(family: &Family) -> Vec<Candidate> {
         Some(claim) if family.order.is_empty() => one(&claim),
         _ => one("independent"),
     });
+    if !family.pieces.is_empty() {
+        all.push(Candidate::Property((0..=3).rev().map(|k| format!("smooth({k})")).collect()));
+        return all;
+    }
     if family.interval().is_some() {
         all.push(Candidate::Property((1..=3).rev().map(|k| format!("continuity({k})")).collect()));
     }
@@ -369,6 +398,18 @@ mod tests {
         let text = "family S { domain 0 <= t <= 1; b[0] = (1 - t)^2/2; b[1] = 1/2 + t - t^2; b[2] = t^2/2; }";
         let found = statements(text, "S");
         assert!(found.contains(&String::from("prove continuity(1);")), "{found:?}");
+    }
+
+    #[test]
+    fn spans_join_as_often_as_they_do() {
+        let text = "family S { domain 0 <= x <= 1, 1 <= x <= 2; f[0] = x^2 | 1; f[1] = 1 - x^2 | 0; }";
+        assert_eq!(
+            statements(text, "S"),
+            ["prove partition_of_unity;", "prove nonnegative;", "prove independent;", "prove smooth(0);"]
+        );
+        let text = "family S { domain 0 <= x <= 1, 1 <= x <= 3; f[0] = x^2 | 2*x - 1; f[1] = x^3 | x^3; }";
+        let found = statements(text, "S");
+        assert!(found.contains(&String::from("prove smooth(1);")), "{found:?}");
     }
 
     #[test]

@@ -4,7 +4,10 @@
 //! LaTeX and is set as text.
 
 use super::lex::{Token, TokenKind, tokens};
+use super::prose::letter;
 use super::vocabulary::GREEK;
+
+pub use super::prose::escape;
 
 /// A formula, equation or list of equations in math mode, such as `\frac{1}{2}\lambda t^{2}` for `1/2*λ*t^2`; nothing
 /// where the text is not a formula.
@@ -61,80 +64,6 @@ pub fn name(text: &str) -> String {
             format!("{base}_{{{index}}}")
         }
     }
-}
-
-/// A letter in math mode.
-fn letter(c: char) -> String {
-    let Some((word, _)) = GREEK.iter().find(|(_, greek)| greek.starts_with(c)) else {
-        return match c {
-            'ϕ' => String::from("\\phi"),
-            'ϑ' => String::from("\\vartheta"),
-            'ϵ' => String::from("\\epsilon"),
-            'ℓ' => String::from("\\ell"),
-            c if c.is_ascii() => c.to_string(),
-            // What LaTeX without further packages does not have.
-            c => format!("\\mathrm{{u{:x}}}", c as u32),
-        };
-    };
-    if *word == "omicron" { String::from("o") } else { format!("\\{word} ").trim_end().to_string() }
-}
-
-/// A text outside of formulas.
-pub fn escape(text: &str) -> String {
-    let mut latex = String::new();
-    let (mut code, mut quoted) = (false, false);
-    for c in text.chars() {
-        match c {
-            '`' => {
-                latex += if code { "}" } else { "\\texttt{" };
-                code = !code;
-            }
-            '\\' => latex += "\\textbackslash{}",
-            '&' | '%' | '$' | '#' | '_' | '{' | '}' => {
-                latex.push('\\');
-                latex.push(c);
-            }
-            '^' => latex += "\\^{}",
-            '~' => latex += "\\~{}",
-            '"' => {
-                latex += if quoted { "''" } else { "``" };
-                quoted = !quoted;
-            }
-            '<' => latex += "$<$",
-            '>' => latex += "$>$",
-            '|' => latex += "$|$",
-            '≤' => latex += "$\\le$",
-            '≥' => latex += "$\\ge$",
-            '≠' => latex += "$\\ne$",
-            '−' => latex += "$-$",
-            '·' => latex += "$\\cdot$",
-            '√' => latex += "$\\surd$",
-            '∞' => latex += "$\\infty$",
-            '→' => latex += "$\\to$",
-            '′' => latex += "$'$",
-            '…' => latex += "\\dots{}",
-            '–' => latex += "--",
-            '—' => latex += "---",
-            '²' => latex += "$^2$",
-            '³' => latex += "$^3$",
-            '⁴' => latex += "$^4$",
-            '‘' => latex += "`",
-            '’' => latex += "'",
-            '“' => latex += "``",
-            '”' => latex += "''",
-            '\n' => latex.push('\n'),
-            c if c.is_ascii() && !c.is_control() => latex.push(c),
-            c if GREEK.iter().any(|(_, greek)| greek.starts_with(c)) => latex += &format!("${}$", letter(c)),
-            // Letters of Western languages are known to LaTeX as they are.
-            c if c.is_alphabetic() && (c as u32) < 0x180 => latex.push(c),
-            c if c.is_whitespace() => latex.push(' '),
-            c => latex += &format!("U+{:04X}", c as u32),
-        }
-    }
-    if code {
-        latex.push('}');
-    }
-    latex
 }
 
 /// How tightly the outermost operator of a formula binds.
@@ -576,6 +505,7 @@ mod tests {
         assert_eq!(math(&format!("{}1{}", "(".repeat(1000), ")".repeat(1000))), None);
         assert_eq!(math(&format!("{}1", "2^".repeat(1000))), None);
         assert_eq!(inline("50% of λ"), "50\\% of $\\lambda$");
+        assert_eq!(escape("S₁ᵢ¹⁰ × ″"), "S$_{1}$$_{i}$$^{1}$$^{0}$ $\\times$ $''$");
         assert_eq!(escape("`a_b` & \"c\" ≥ 0…"), "\\texttt{a\\_b} \\& ``c'' $\\ge$ 0\\dots{}");
     }
 }

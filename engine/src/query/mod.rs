@@ -12,10 +12,11 @@ mod facts;
 mod format;
 pub mod latex;
 mod lex;
+mod prose;
 mod vocabulary;
 
 pub use analysis::{Analysed, Analysis, Statement};
-pub use complete::{Suggestion, SuggestionKind, suggestions};
+pub use complete::{Around, Suggestion, SuggestionKind, suggestions};
 pub use document::{Document, Entry, Import, Occurrence, Role, Symbol, SymbolKind};
 pub use facts::{FunctionFacts, Holds, claims_that_hold, function_facts, independent_claim};
 pub use format::{FormatError, format};

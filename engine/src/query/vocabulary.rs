@@ -33,6 +33,13 @@ pub enum WordKind {
     Connective,
 }
 
+impl WordKind {
+    /// Whether statements begin with words of this kind.
+    pub(super) const fn begins_statement(self) -> bool {
+        matches!(self, Self::Statement | Self::TheoremStatement | Self::EitherStatement)
+    }
+}
+
 const fn entry(text: &'static str, kind: WordKind, rest: &'static str, meaning: &'static str) -> Word {
     Word { text, kind, rest, meaning }
 }

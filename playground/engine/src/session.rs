@@ -90,7 +90,15 @@ fn complete(question: &Value) -> Value {
     let document = Document::new(question["text"].as_str().unwrap_or_default());
     let places = Places::new(&document.text);
     let at = places.byte(question["at"].as_u64().unwrap_or(0) as u32);
-    let suggestions = query::suggestions(&document, at, &[]);
+    let mut families = Vec::new();
+    for import in document.imports.iter().filter(|i| i.library) {
+        let known = Document::new(basis_specs::text(&import.path).unwrap_or_default());
+        let own = known.symbols.iter().filter(|s| s.kind == query::SymbolKind::Family);
+        families.extend(own.map(|s| (s.name.clone(), s.doc.lines().next().unwrap_or_default().to_string())));
+    }
+    let library = basis_specs::SPECS.iter().map(|(name, _)| name.to_string()).collect();
+    let around = query::Around { families, library, files: Vec::new() };
+    let suggestions = query::suggestions(&document, at, &around);
     let one = |s: query::Suggestion| {
         json!({
             "label": s.label,

@@ -1,13 +1,16 @@
 //! What the editor shows about the word under the pointer.
 
-use basis_engine::query::{FunctionFacts, Symbol, SymbolKind, TokenKind, function_facts, latex, word};
+use basis_engine::query::{
+    Document, FunctionFacts, Import, Symbol, SymbolKind, TokenKind, function_facts, latex, word,
+};
 use basis_engine::{Family, Subject, explain};
+use core::ops::Range;
 use lsp_types::{Hover, HoverContents, MarkupContent, MarkupKind, Position};
 
 use super::marks::reasons;
 use crate::domain;
-use crate::lsp::files::Other;
-use crate::lsp::workspace::Text;
+use crate::lsp::files::{self, Other};
+use crate::lsp::workspace::{Text, Workspace};
 use basis_engine::query::Analysis;
 
 /// The most functions that are shown at once.
@@ -18,18 +21,25 @@ const MAX_FORMULA: usize = 600;
 
 /// What there is to say about the word at a position.
 pub(in crate::lsp) fn hover(
+    workspace: &Workspace,
     text: &Text,
     analysis: &Analysis,
-    others: &[Other],
     position: Position,
 ) -> Option<Hover> {
     let offset = text.offset(position);
+    let here = |i: &&Import| i.place.start <= offset && offset <= i.place.end;
+    if let Some(import) = text.document.imports.iter().find(here) {
+        let found = files::visible(&workspace.files, text.path.as_deref(), core::slice::from_ref(import));
+        // What every spec can name stands last.
+        let (first, _) = found.split_first().filter(|(_, rest)| !rest.is_empty())?;
+        return Some(shown(text, &import.place, of_spec(&first.document)));
+    }
     let (range, value) = match text.document.at(offset) {
         Some(name) => {
             let word = text.document.slice(&name.range);
             let value = match name.symbol.map(|s| &text.document.symbols[s]) {
                 Some(symbol) => of_symbol(text, analysis, symbol, offset),
-                None => of_other(others, word),
+                None => of_other(&workspace.others(text), word),
             };
             (name.range.clone(), value?)
         }
@@ -45,8 +55,29 @@ pub(in crate::lsp) fn hover(
             (token.range.clone(), value)
         }
     };
+    Some(shown(text, &range, value))
+}
+
+fn shown(text: &Text, range: &Range<usize>, value: String) -> Hover {
     let contents = HoverContents::Markup(MarkupContent { kind: MarkupKind::Markdown, value });
-    Some(Hover { contents, range: Some(text.span(&range)) })
+    Hover { contents, range: Some(text.span(range)) }
+}
+
+/// What the comment of a spec says, and what it declares.
+fn of_spec(document: &Document) -> String {
+    let doc = document.tokens.iter().map(|t| t.text(&document.text)).map_while(|t| t.strip_prefix("//!"));
+    let mut value = String::new();
+    for line in doc {
+        value += &format!("{}\n", line.trim_start());
+    }
+    for symbol in document.symbols.iter().filter(|s| s.kind.is_item()) {
+        let first = symbol.doc.lines().next().unwrap_or_default();
+        value += &format!("\n- {} **{}**", symbol.kind.noun(), symbol.name);
+        if !first.is_empty() {
+            value += &format!(": {first}");
+        }
+    }
+    value
 }
 
 fn of_symbol(text: &Text, analysis: &Analysis, symbol: &Symbol, offset: usize) -> Option<String> {
@@ -72,7 +103,35 @@ fn of_symbol(text: &Text, analysis: &Analysis, symbol: &Symbol, offset: usize) -
         }
         _ => String::new(),
     };
+    let facts = if facts.is_empty() { declaration(text, symbol) } else { facts };
     Some(format!("{head}{doc}{facts}"))
+}
+
+/// Where a parameter or variable is declared, as it is written: of an index what it runs over.
+fn declaration(text: &Text, symbol: &Symbol) -> String {
+    let document = &text.document;
+    let from = document.tokens.partition_point(|t| t.range.start < symbol.place.start);
+    let item = document.entry(symbol.place.start);
+    let statement = item.and_then(|e| e.statement(symbol.place.start)).map(|s| s.whole.clone());
+    let mut end = None;
+    let (mut k, mut runs) = (from, false);
+    while let Some(token) = document.tokens.get(k) {
+        let word = token.text(&document.text);
+        if runs && matches!(word, "," | ";" | "if" | "for" | "{") || matches!(word, ")" | "]" | "}" | ";") {
+            break;
+        }
+        runs |= word == "in";
+        k = token.partner.map_or(k, |partner| partner.max(k));
+        end = document.tokens.get(k).map(|t| t.range.end);
+        k += 1;
+    }
+    let index = matches!(symbol.kind, SymbolKind::Index | SymbolKind::Order);
+    let place = match (index && runs, end, statement) {
+        (true, Some(end), _) => symbol.place.start..end,
+        (_, _, Some(statement)) => statement,
+        _ => return String::new(),
+    };
+    format!("\n\n```basis\n{}\n```", cut(document.slice(&place)))
 }
 
 /// A family of another spec.
