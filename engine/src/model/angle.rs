@@ -172,18 +172,18 @@ impl Analytic {
                 Kind::Linear => {}
             }
         }
-        // Of degree 1, or 2 without real zeros, in y: irreducible unless its coefficients share a factor.
-        let proper = |(p, angle): (&Poly, &Angle)| {
-            content(p, angle.var, &mut Work::new(CONTENT)).is_some_and(|c| c.as_constant().is_some())
+        // Of degree 1, or 2 without real zeros, in y: irreducible but for what its coefficients share.
+        let primitive = |(p, angle): (Poly, &Angle)| {
+            let content = content(&p, angle.var, &mut Work::new(CONTENT))?;
+            p.div_exact(&content)
         };
         let count = |a: &Angle| match a.kind {
             Kind::Circular => 1,
             Kind::Hyperbolic => 2,
             Kind::Linear => 0,
         };
-        let owners = self.angles.iter().flat_map(|a| core::iter::repeat_n(a, count(a)));
-        let checked: Vec<bool> = all.iter().zip(owners).map(proper).listed();
-        all.into_iter().zip(checked).filter(|(_, fine)| *fine).map(|(p, _)| p).listed()
+        let owners = self.angles.iter().flat_map(|a| core::iter::repeat_n(a, count(a))).listed();
+        all.into_iter().zip(owners).filter_map(primitive).listed()
     }
 
     /// Whether a variable stands in sin, exp or the like.
