@@ -343,18 +343,20 @@ fn on_grid(p: &Poly, points: &[Vec<Rational>]) -> Vec<Rational> {
     let mut variables = p.variables();
     // Those that change least often first.
     variables.sort_by_key(|v| points.windows(2).filter(|pair| pair[0][v.0] != pair[1][v.0]).count());
-    fn put(p: &Poly, variables: &[Var], points: &[Vec<Rational>], all: &mut Vec<Rational>) {
-        let Some((first, rest)) = variables.split_first() else {
-            let value = p.as_constant().unwrap_or(Rational::ZERO);
-            return all.extend(core::iter::repeat_n(value, points.len()));
-        };
-        for chunk in points.chunk_by(|a, b| a[first.0] == b[first.0]) {
-            put(&p.at(*first, &chunk[0][first.0]), rest, chunk, all);
-        }
-    }
     let mut all = Vec::new();
-    put(p, &variables, points, &mut all);
+    put_in_order(p, &variables, points, &mut all);
     all
+}
+
+/// The values, with the variables put in one after the other.
+fn put_in_order(p: &Poly, variables: &[Var], points: &[Vec<Rational>], all: &mut Vec<Rational>) {
+    let Some((first, rest)) = variables.split_first() else {
+        let value = p.as_constant().unwrap_or(Rational::ZERO);
+        return all.extend(core::iter::repeat_n(value, points.len()));
+    };
+    for chunk in points.chunk_by(|a, b| a[first.0] == b[first.0]) {
+        put_in_order(&p.at(*first, &chunk[0][first.0]), rest, chunk, all);
+    }
 }
 
 /// The powers that all terms of a polynomial share of variables that are ≥ 0, and the even ones of others.
