@@ -20,7 +20,7 @@ fn rational(degree: usize) -> impl Strategy<Value = NurbsCurve<P3>> {
     curve_of(degree).prop_flat_map(|curve| {
         let count = curve.control_points().len();
         prop::collection::vec(0.4..2.5_f64, count).prop_map(move |weights| {
-            NurbsCurve::new(curve.knots().clone(), curve.control_points().to_vec(), weights).unwrap()
+            NurbsCurve::new(curve.knots().clone(), curve.control_points(), weights).unwrap()
         })
     })
 }

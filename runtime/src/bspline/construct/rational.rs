@@ -163,7 +163,12 @@ fn with_weight_one_at_ends<P: Point>(
     let c = if first == last {
         one
     } else {
-        P::Scalar::of((last / first).to_f64().powf(1.0 / degree.max(1) as f64))
+        let root = |ratio: P::Scalar| {
+            let parts = P::Scalar::from_usize(degree.max(1));
+            ((ratio - one).ln_1p() / parts).exp_m1() + one
+        };
+        // Of numbers above 1 the difference from 1 has all digits.
+        if last > first { root(last / first) } else { one / root(first / last) }
     };
     let moved: Vec<P::Scalar> =
         knots.as_slice().iter().map(|&t| if c == one { t } else { c * t / (one - t + c * t) }).collect();
