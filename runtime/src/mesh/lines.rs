@@ -102,7 +102,10 @@ fn count(bend: f64, share: f64) -> [u32; 2] {
         halves *= 2;
     }
     // What is not finite is found out later.
-    if parts > 1.0 && parts <= 2.0 * FEW { [parts.ceil() as u32, halves] } else { [1, halves] }
+    // A number that is not whole is rounded up.
+    let whole = parts as u32;
+    let up = whole + u32::from(parts > f64::from(whole));
+    if parts > 1.0 && parts <= 2.0 * FEW { [up, halves] } else { [1, halves] }
 }
 
 fn spans(knots: &[u32]) -> impl Iterator<Item = [u32; 2]> {
