@@ -102,10 +102,12 @@ fn count(bend: f64, share: f64) -> [u32; 2] {
         halves *= 2;
     }
     // What is not finite is found out later.
+    if !(parts > 1.0 && parts <= 2.0 * FEW) {
+        return [1, halves];
+    }
     // A number that is not whole is rounded up.
     let whole = parts as u32;
-    let up = whole + u32::from(parts > f64::from(whole));
-    if parts > 1.0 && parts <= 2.0 * FEW { [up, halves] } else { [1, halves] }
+    [whole + u32::from(parts > f64::from(whole)), halves]
 }
 
 fn spans(knots: &[u32]) -> impl Iterator<Item = [u32; 2]> {
