@@ -267,9 +267,9 @@ def arcs(r, own):
     count = r.randint(1, 3)
     own.knots = [Fraction(0)]
     for _ in range(count):
-        own.knots.append(own.knots[-1] + r.choice([1, 1, 2, Fraction(1, 2)]))
+        own.knots.append(own.knots[-1] + r.choice([1, 1, 2]))
     if r.random() < 0.4:
-        scale = max(1, sum(own.knots) // 3)
+        scale = r.choice([1, 1, 2])
         own.knots = [k / scale for k in own.knots]
         s, c = Call('exp', t), Call('exp', t * -1)
         parts = [s, c, t, formula(1)]
@@ -1081,7 +1081,7 @@ def vanishing(own, r):
 
 def refusal(own, messages, r):
     """Only a denominator that vanishes, or may, is a reason to refuse a family."""
-    if own.kind == 'arcs' and all('too much work' in m for m in messages):
+    if own.kind == 'arcs' and all(re.search('too much work|the highest degree', m) for m in messages):
         return None
     if own.kind == 'rational' and all(m == 'division by zero' for m in messages):
         values = [own.denominator.eval(own.sample(r)) for _ in range(9)]
