@@ -1,6 +1,7 @@
 //! Families as exact tables of functions over a domain and shape parameters.
 
 use core::ops::Range as Places;
+use std::borrow::Cow;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Simplex};
@@ -308,6 +309,25 @@ impl Family {
             }
         }
         pieces
+    }
+
+    /// The family where a claim fixes shape parameters: without these, and with their values in the angles that depend on
+    /// them, such as one that ends at α where α = π/2. `None` where an angle has no value there.
+    pub(crate) fn where_fixed(&self, fixed: &[(Var, Fraction)]) -> Option<Cow<'_, Self>> {
+        let is_fixed = |var: Var| fixed.iter().any(|(v, _)| *v == var);
+        if !self.shapes.iter().any(|p| is_fixed(p.var)) {
+            return Some(Cow::Borrowed(self));
+        }
+        let put = |f: &Fraction| fixed.iter().try_fold(f.clone(), |f, (var, x)| f.substitute(*var, x));
+        let mut family = self.clone();
+        let fixed_shape = |var: Var| self.shapes.iter().any(|p| p.var == var) && is_fixed(var);
+        family.analytic.angles.retain(|angle| !fixed_shape(angle.var));
+        for angle in &mut family.analytic.angles {
+            (angle.low, angle.width) = (put(&angle.low)?, put(&angle.width)?);
+            angle.limits = [put(&angle.limits[0])?, put(&angle.limits[1])?];
+        }
+        family.shapes.retain(|p| !is_fixed(p.var));
+        Some(Cow::Owned(family))
     }
 
     /// What is assumed of the shape parameters beside their ranges.

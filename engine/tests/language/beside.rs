@@ -176,3 +176,44 @@ fn quotients_with_the_variable_below() {
     assert_eq!(found.len(), 2);
     assert_eq!(found[0], "-3 + exp(1) at t = 1");
 }
+
+/// Where `at` fixes the end of the domain, the variable runs to that end, and not to that of another shape value.
+#[test]
+fn the_end_of_the_domain_is_fixed() {
+    let found = counterexamples(
+        "family Arc {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            b[0] = t - sin(t);
+            b[1] = sin(t);
+            prove at α = pi/2 { b[0] >= 0; t <= pi/2; }
+            prove at α = pi/2 { sin(t) >= 2*t/pi; }
+            refute at α = pi/2 { sin(t) >= t + 1; }
+            refute sin(t) >= 2*t/pi;
+        }
+        family WithAFactor {
+            shape 0 < α <= pi/2, 0 < c <= 2;
+            domain 0 <= t <= α;
+            b[0] = c*(t - sin(t))/(α - sin(α));
+            b[1] = 1;
+            prove at α = pi/2 { b[0] >= 0; b[0] <= c; }
+            prove at α = pi/2, c = 1 { b[0] <= 2*t/pi; }
+            refute at α = pi/2 { b[0] <= 1; }
+            refute at α = pi/2, c = 1 { b[0] <= 9/10; }
+            prove at c = 1 { b[0] <= t/α; }
+        }
+        family Sinh {
+            shape 0 < α;
+            domain 0 <= t <= α;
+            b[0] = sinh(t)/sinh(α);
+            b[1] = t;
+            prove at α = 1 { b[0] <= t; }
+            refute at α = 2 { b[0] >= t/2; }
+        }",
+    );
+    // 1 − π/2 − 1 at t = π/2; 2 − 1 and 1 − 9/10 at t = α.
+    assert_eq!(found[0], "-1/2*pi at tan(α/2) = 1, tan(t/2)/tan(α/2) = 1");
+    assert_eq!(found[2], "1 at tan(α/2) = 1, c = 2, tan(t/2)/tan(α/2) = 1");
+    assert_eq!(found[3], "1/10 at tan(α/2) = 1, c = 1, tan(t/2)/tan(α/2) = 1");
+    assert_eq!(found.len(), 5, "{found:?}");
+}

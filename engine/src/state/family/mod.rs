@@ -135,12 +135,13 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
         _ => Comparison::Equal,
     };
     let expressions = basis_prover::working(family.budget, &mut |work| expressions(family, kind, work))?;
+    let there = family.where_fixed(kind.fixed())?;
     let (mut all, mut sample) = (Vec::new(), None);
     for (number, part) in parts.iter().enumerate() {
         for (k, (of, value)) in expressions.iter().enumerate() {
             let comparison = comparison(k);
-            if beside::is_mixed(family, value, comparison)
-                && let Some(steps) = by_a_way(family, (of, value, comparison), part, &mut sample, saying)
+            if beside::is_mixed(&there, value, comparison)
+                && let Some(steps) = by_a_way(&there, (of, value, comparison), part, &mut sample, saying)
             {
                 for (stated, of) in steps {
                     let stated =
@@ -286,7 +287,8 @@ pub(in crate::state) fn at_point(
     }
     let mut all = said(family, claim, &mut Saying::Plainly)?.into_iter();
     let own = all.find(|s| s.stated.of == of && is_wider(family, &s.stated.statement))?;
-    beside::at_point(family, &own.stated.statement, &beside::rational_part(family, point))
+    let there = family.where_fixed(claim.kind.fixed())?;
+    beside::at_point(&there, &own.stated.statement, &beside::rational_part(family, point))
 }
 
 /// A point at which a comparison fails that contains π, exp(r), or an angle beside its sine.
@@ -297,11 +299,12 @@ fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Ve
         return None;
     }
     let all = said(family, claim, &mut Saying::Plainly)?;
+    let there = family.where_fixed(claim.kind.fixed())?;
     for s in all {
         let Statement::Sign { value, .. } = &s.stated.statement else { continue };
         let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
         let fits = if only_mixed {
-            beside::is_mixed(family, &value, Comparison::GreaterEqual)
+            beside::is_mixed(&there, &value, Comparison::GreaterEqual)
         } else {
             is_wider(family, &s.stated.statement)
         };
@@ -309,7 +312,7 @@ fn refuted_beside(family: &Family, claim: &Claim, only_mixed: bool) -> Option<Ve
             continue;
         }
         let found = basis_prover::working(family.budget, &mut |work| {
-            beside::refute(family, &value, &s.stated.statement, work)
+            beside::refute(&there, &value, &s.stated.statement, work)
         });
         if let Some((found, proof)) = found {
             let about = (s.of.clone(), &s.stated.statement);
@@ -385,7 +388,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
                     "the functions are dependent at values that the assumptions may rule out",
                 ));
             }
-            let found = beside::genuine(family, *found);
+            let there = family.where_fixed(claim.kind.fixed());
+            let found = beside::genuine(there.as_deref().unwrap_or(family), *found);
             let about = (of.clone(), found.refutation.statement());
             let witness = witness(family, &claim.kind, about, &found, piece);
             Verdict::Refuted(Box::new(if *of == label { witness } else { witness.about(&label) }))
@@ -478,7 +482,9 @@ fn witness(
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
     let mut witness = Witness::new(of, at, value, found.refutation.clone());
-    witness.shown = shown(family, found).or_else(|| beside::shown(family, found, &witness.value));
+    let there = family.where_fixed(kind.fixed());
+    let there = there.as_deref().unwrap_or(family);
+    witness.shown = shown(there, found).or_else(|| beside::shown(family, found, &witness.value));
     if matches!(kind, ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }
@@ -494,7 +500,7 @@ fn witness(
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,
     });
-    for (name, x) in beside::about(family, &beside::rational_part(family, &rational.listed())) {
+    for (name, x) in beside::about(there, &beside::rational_part(family, &rational.listed())) {
         if !witness.idle.contains(&name) {
             witness.notes.push(format!("{name} is about {x:.6} there"));
         }
