@@ -22,6 +22,8 @@ pub struct Budget {
 thread_local! {
     /// The units of all decisions so far. Nothing depends on it but the difference over a claim.
     static SPENT: Cell<u64> = const { Cell::new(0) };
+    /// What may be spent on this thread before `within` ends.
+    static CEILING: Cell<u64> = const { Cell::new(u64::MAX) };
 }
 
 /// The units that all decisions on this thread have taken so far: what one claim takes is the difference.
@@ -32,6 +34,18 @@ pub fn spent() -> u64 {
 /// Counts work of the kernel.
 pub(crate) fn charge(units: u64) {
     SPENT.set(SPENT.get().saturating_add(units));
+}
+
+/// Does work whose budgets together have these units, however many decisions it consists of.
+///
+/// A claim about spans, or one that takes enclosures of a sine, is decided in many parts, and each of them has a budget
+/// of its own.
+pub fn within<T>(units: u64, work: &mut dyn FnMut() -> T) -> T {
+    let outer = CEILING.get();
+    CEILING.set(outer.min(spent().saturating_add(units)));
+    let result = work();
+    CEILING.set(outer);
+    result
 }
 
 /// Does work that belongs to a decision, such as expanding what is to be decided, with `budget` times the usual work.
@@ -52,9 +66,10 @@ impl Default for Budget {
 }
 
 impl Budget {
-    /// The usual work times a factor.
+    /// The usual work times a factor, or what is left of the work within which it is done.
     pub fn scaled(factor: u32) -> Self {
-        let units = UNITS.saturating_mul(u64::from(factor));
+        let left = CEILING.get().saturating_sub(spent());
+        let units = UNITS.saturating_mul(u64::from(factor)).min(left);
         Self { work: Work::new(units), disabled: Vec::new(), units }
     }
 
