@@ -79,6 +79,11 @@ impl Diagnostics {
         self.all.is_empty() && self.unshown == 0
     }
 
+    /// How many errors were added.
+    pub const fn errors(&self) -> usize {
+        self.errors + self.unshown
+    }
+
     /// Whether a further error is only counted: the words about it need not be found.
     pub const fn is_full(&self) -> bool {
         self.errors >= MAX_ERRORS

@@ -96,3 +96,24 @@ fn one_error_for_one_mistake() {
         "{several} of {broken} mutants have more errors than mistakes, up to {worst}"
     );
 }
+
+/// A mistake in one claim about spans is said once, and the other claims are decided.
+#[test]
+fn claims_beside_a_mistaken_one() {
+    let text = "family F {
+        domain 0 <= x <= 1, 1 <= x <= 2;
+        f[0] = x | 2 - x;
+        prove nonnegative;
+        prove f[3] >= 0;
+        prove f[0] <= 1/(x - 3/2);
+        prove smooth(0);
+    }";
+    assert_eq!(
+        errors(text),
+        ["(5, 15) there is no function `f[3]`", "(6, 25) the denominator vanishes at x = 3/2"]
+    );
+    let library = Library::from_source(&Disk, &Prover, Source::text("spans.basis", text));
+    let items = library.items(Selected::EveryOrder);
+    let claims: Vec<&str> = items[0].claims.iter().map(|c| c.text.as_str()).collect();
+    assert_eq!(claims, ["nonnegative", "smooth(0)"]);
+}

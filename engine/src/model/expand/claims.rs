@@ -1,5 +1,6 @@
 //! From claims as they are written to exact differences.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use proc_macro2::Span;
@@ -21,12 +22,14 @@ use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// The claims of a family on one span, which has a number among those of all.
+///
+/// Statements that are mistaken are left out, and those that turn out to be are added to them: a mistake is reported once.
 pub(super) fn on_span<'a>(
     library: &'a Library<'a>,
-    unit: usize,
-    written: &'a syntax::Family,
+    (unit, written): (usize, &'a syntax::Family),
     family: &Family,
     spans: Option<(usize, &[Rc<Family>])>,
+    mistaken: &mut BTreeSet<usize>,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
     scope.span = spans.map(|(k, all)| (k, all.len()));
@@ -47,12 +50,17 @@ pub(super) fn on_span<'a>(
     for (number, statement) in written.statements.iter().enumerate() {
         match &statement.kind {
             StatementKind::Claim(_) if library.run().is_stopped() => {}
+            StatementKind::Claim(_) if mistaken.contains(&number) => {}
             StatementKind::Claim(claim) => {
                 scope.budget.refill();
                 let first = all.len();
+                let errors = scope.diagnostics.borrow().errors();
                 one(&mut scope, family, claim, (number, statement), &mut all);
                 if !scope.settle(&|shapes_only| family.parts(shapes_only), family.budget) {
                     all.truncate(first); // what they say has no meaning somewhere
+                }
+                if scope.diagnostics.borrow().errors() > errors {
+                    mistaken.insert(number);
                 }
                 for claim in &mut all[first..] {
                     claim.doc.clone_from(&statement.doc);

@@ -1,5 +1,6 @@
 //! A family on its whole domain, of one span or of several, and its claims.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::build;
@@ -125,12 +126,12 @@ fn claims_on_spans<'a>(
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut by_span = Vec::new();
     let mut obligations = family.obligations.clone();
+    let mut diagnostics = Diagnostics::default();
+    let mut mistaken = BTreeSet::new();
     for (k, piece) in family.pieces.iter().enumerate() {
         let spans = Some((k, &family.pieces[..]));
-        let (all, more, errors) = claims::on_span(library, unit, written, piece, spans);
-        if !errors.is_empty() {
-            return (Vec::new(), obligations, errors);
-        }
+        let (all, more, errors) = claims::on_span(library, (unit, written), piece, spans, &mut mistaken);
+        diagnostics.extend(errors.into_list());
         for obligation in more {
             if obligations.iter().all(|known| known.goal != obligation.goal) {
                 obligations.push(obligation);
@@ -138,9 +139,8 @@ fn claims_on_spans<'a>(
         }
         by_span.push(all);
     }
-    let mut diagnostics = Diagnostics::default();
     let mut result: Vec<Claim> = Vec::new();
-    for (number, statement) in written.statements.iter().enumerate() {
+    for (number, statement) in written.statements.iter().enumerate().filter(|(n, _)| !mistaken.contains(n)) {
         let StatementKind::Claim(claim) = &statement.kind else { continue };
         let of = |all: &Vec<Claim>| all.iter().filter(|c| c.statement.number.0 == number).cloned().listed();
         let parts: Vec<(usize, Vec<Claim>)> =
@@ -172,7 +172,7 @@ pub(crate) fn claims<'a>(
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     if family.pieces.is_empty() {
-        claims::on_span(library, unit, written, family, None)
+        claims::on_span(library, (unit, written), family, None, &mut BTreeSet::new())
     } else {
         claims_on_spans(library, unit, written, family)
     }
