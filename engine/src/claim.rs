@@ -7,8 +7,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
-use crate::model::Parameter;
 use crate::model::budget::{Run, TooLarge};
+use crate::model::{Family, Parameter};
 pub use crate::syntax::{Comparison, Expected};
 use crate::theorem::Form;
 
@@ -27,6 +27,8 @@ pub struct Claim {
     pub statement: Statement,
     /// What is claimed.
     pub kind: ClaimKind,
+    /// The family with the values that an `at` block gives to angles, where it had to be expanded anew with them.
+    pub about: Option<Rc<Family>>,
 }
 
 /// A statement of a family, a theorem or a join, or an equation in an `at` block, that makes claims: one for each value

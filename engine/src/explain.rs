@@ -14,22 +14,24 @@ pub use theorems::determined_points;
 
 use std::rc::Rc;
 
-use basis_kernel::{Chart, Relation, Statement, with};
+use basis_kernel::{Chart, Relation, Statement, Values, with};
 use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
 use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
 
 use crate::algebra::divisors::gcd::{gcd, split_monomial, square_free};
 use crate::algebra::fraction::Fraction;
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
+use crate::claim::{self, Claim, ClaimKind, Expected};
 use crate::generate::{factored, factored_on_box};
 use crate::model::{Family, Parameter};
 use crate::plan::form::IntervalForm;
 use crate::plan::patch_form::{PatchForm, factored_text};
+use crate::state::Verdict;
 use crate::{rounding, state};
 
 /// The work for the factors of denominators.
@@ -133,7 +135,13 @@ impl core::fmt::Display for NonnegativeRange {
 ///
 /// Where a denominator vanishes the range ends, too, and does not contain its end. When a function is negative
 /// somewhere on the declared ranges, the largest ranges that meet the declared one.
+///
+/// Where a function contains π, or a variable beside its sine, nothing is said of values beyond the declared ranges.
 pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
+    let dependent = family.analytic.dependent();
+    if family.functions.iter().any(|f| dependent.iter().any(|v| f.value.depends_on(*v))) {
+        return nonnegative_as_declared(family);
+    }
     let Signs { numerators: polys, denominators, region } = function_signs(family);
     let range = |shape: &Parameter| {
         let name = &shape.name;
@@ -190,6 +198,37 @@ pub fn nonnegative_ranges(family: &Family) -> Vec<NonnegativeRange> {
         NonnegativeRange { name: shape.name.clone(), ranges, remark }
     });
     all.collect()
+}
+
+/// For each shape parameter the declared range, if all functions are nonnegative on it.
+fn nonnegative_as_declared(family: &Family) -> Vec<NonnegativeRange> {
+    let (declared, remark) = match verdict(family, ClaimKind::Nonnegative) {
+        Verdict::Proved(_) => (true, "as declared; no other values were looked at"),
+        Verdict::Refuted(_) => (false, "a function is negative somewhere on the declared ranges"),
+        Verdict::Undecided(_) => (false, "undecided"),
+    };
+    let range = |shape: &Parameter| NonnegativeRange {
+        name: family.name_of(shape).to_owned(),
+        ranges: if declared { vec![family.declared(shape)] } else { Vec::new() },
+        remark: Some(String::from(remark)),
+    };
+    family.shapes.iter().map(range).collect()
+}
+
+/// What a claim about a family comes to that no statement makes.
+fn verdict(family: &Family, kind: ClaimKind) -> Verdict {
+    let nothing: Rc<str> = "".into();
+    let statement = claim::Statement { number: (0, 0), text: Rc::clone(&nothing), range: nothing };
+    let claim = Claim {
+        text: String::new(),
+        doc: Vec::new(),
+        expected: Expected::True,
+        place: family.place.clone(),
+        statement,
+        kind,
+        about: None,
+    };
+    state::of_family(family, &claim)
 }
 
 /// Whether a closed range has a point in a declared one.
@@ -317,6 +356,22 @@ pub fn exceptional_set(family: &Family) -> ExceptionalSet {
     let state::Table { rows, symmetries } = state::table(family);
     let table = basis_prover::rank::Table { rows: &rows, symmetries: &symmetries };
     let mut set = basis_prover::rank::exceptional_set(table, &family.shape_region(), family.budget);
+    let dependent = family.analytic.dependent();
+    if rows.iter().flatten().any(|p| dependent.iter().any(|v| p.depends_on(*v))) {
+        // Where an angle and its tangent have values that do not belong together nothing is said.
+        set.exceptions.retain(|e| !e.values.iter().any(|(var, _)| dependent.contains(var)));
+        let value = |(var, c): &(Var, Coordinate)| match c {
+            Coordinate::Rational(x) => Some((*var, x.clone())),
+            Coordinate::Algebraic(_) => None,
+        };
+        let except: Vec<Option<Values>> =
+            set.exceptions.iter().map(|e| e.values.iter().map(value).collect()).collect();
+        let except: Option<Vec<Values>> = except.into_iter().collect();
+        let all = except.map(|except| verdict(family, ClaimKind::Independent(except)));
+        set.open = (!matches!(all, Some(Verdict::Proved(_))))
+            .then(|| String::from("it is not proved that there are no others"));
+        return set;
+    }
     let mut except = Vec::new();
     let mut rational = !set.exceptions.iter().any(|e| e.values.is_empty());
     for exception in &set.exceptions {

@@ -219,11 +219,17 @@ pub(crate) fn at(statement: &Rc<Statement>, exact: &mut Exact, work: &mut Work) 
             exact.is_zero(&left, work)?;
         }
     }
-    // What plays no part has no place in the witness.
+    // What plays no part has no place in the witness, but for what the statement is made for one value of: from that of a
+    // tangent bounds for other variables come.
     let matters = |var: Var| match &**statement {
         Statement::Zero { value, domain } | Statement::Sign { value, domain, .. } => {
             let premises = domain.premises.iter().map(|(p, _)| p);
-            [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(var))
+            let single = domain.region.range(var).finite().is_some_and(|(low, high)| low == high);
+            single
+                || [&value.numerator, &value.denominator]
+                    .into_iter()
+                    .chain(premises)
+                    .any(|p| p.depends_on(var))
         }
         _ => true,
     };

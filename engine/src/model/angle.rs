@@ -20,6 +20,9 @@ use crate::algebra::work::Work;
 /// The work for a common factor of the coefficients of a small polynomial.
 const CONTENT: u64 = 100_000;
 
+/// Shape parameters that have a value, as multiples of π.
+pub(crate) type Given = Vec<(String, Rational)>;
+
 /// Which functions a variable stands in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -204,6 +207,12 @@ impl Analytic {
     /// The variables that stand for a definite number: π, exp(r).
     pub fn numbers(&self) -> Vec<Var> {
         self.pi.into_iter().chain(self.exponential.as_ref().map(|(var, _)| *var)).listed()
+    }
+
+    /// The variables that have one value for those of the others: π, exp(r), and angles beside their sines.
+    pub fn dependent(&self) -> Vec<Var> {
+        let angles = self.angles.iter().filter(|a| a.kind != Kind::Linear && a.itself != a.var);
+        self.numbers().into_iter().chain(angles.map(|a| a.itself)).listed()
     }
 
     /// π with an error below 10⁻⁴⁴.

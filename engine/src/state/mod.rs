@@ -36,7 +36,13 @@ use basis_kernel::Statement;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
+use crate::model::Family;
 use crate::subject::Subject;
+
+/// The family that a claim is about: its own, or that with the values which an `at` block gives to angles.
+fn about<'a>(family: &'a Family, claim: &'a Claim) -> &'a Family {
+    claim.about.as_deref().unwrap_or(family)
+}
 
 /// What a claim says, as statements of which all have to be true; `None` when the budget does not suffice to expand them.
 ///
@@ -45,7 +51,7 @@ use crate::subject::Subject;
 /// given.
 pub fn statements(subject: &Subject, claim: &Claim, ways: &[usize]) -> Option<Vec<Stated>> {
     match subject {
-        Subject::Family(family) => family::statements(family, claim, ways),
+        Subject::Family(family) => family::statements(about(family, claim), claim, ways),
         Subject::Theorem(theorem) => Some(theorem::statements(theorem, claim)),
     }
 }
@@ -62,10 +68,10 @@ pub fn instances(
 ) -> Result<Vec<Stated>, &'static str> {
     match subject {
         Subject::Family(family) if matches!(claim.kind, crate::claim::ClaimKind::TotallyPositive) => {
-            family::minors(family, given)
+            family::minors(about(family, claim), given)
         }
         Subject::Family(family) if given.is_empty() => {
-            let stated = family::refutable(family, claim);
+            let stated = family::refutable(about(family, claim), claim);
             stated.ok_or("the budget is spent on a common denominator")
         }
         Subject::Family(_) => Err("a family has no control points"),
@@ -82,15 +88,20 @@ pub fn at_point(
     point: &[(Var, Rational)],
 ) -> Option<[Statement; 2]> {
     match subject {
-        Subject::Family(family) => family::at_point(family, claim, of, point),
+        Subject::Family(family) => family::at_point(about(family, claim), claim, of, point),
         Subject::Theorem(_) => None,
     }
+}
+
+/// Decides a claim about a family.
+pub(crate) fn of_family(family: &Family, claim: &Claim) -> Verdict {
+    family::decide(about(family, claim), claim)
 }
 
 /// Decides a claim.
 pub fn decide(subject: &Subject, claim: &Claim) -> Verdict {
     match subject {
-        Subject::Family(family) => family::decide(family, claim),
+        Subject::Family(family) => of_family(family, claim),
         Subject::Theorem(theorem) => theorem::decide(theorem, claim),
     }
 }

@@ -339,7 +339,7 @@ impl Elaboration<'_> {
             let place = all.scope.library.place_to(all.scope.source, statement.span, statement.last);
             let (doc, expected) = (statement.doc.clone(), written.expected);
             let by = Statement { number: (number, 0), text: written.text.clone(), range: "".into() };
-            claims.push(Claim { text, doc, expected, place, statement: by, kind });
+            claims.push(Claim { text, doc, expected, place, statement: by, kind, about: None });
             Some(())
         })
     }

@@ -217,3 +217,67 @@ fn the_end_of_the_domain_is_fixed() {
     assert_eq!(found[3], "1/10 at tan(α/2) = 1, c = 1, tan(t/2)/tan(α/2) = 1");
     assert_eq!(found.len(), 5, "{found:?}");
 }
+
+/// The family is expanded in tan(α/4), which is irrational at α = π/2: there it is expanded anew.
+#[test]
+fn tangents_that_are_irrational() {
+    let found = counterexamples(
+        "family CBezier {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            b[0] = b[3](α - t);
+            b[1] = 1 - b[0] - b[2] - b[3];
+            b[2] = (1 - cos(t))/(1 - cos(α)) - b[3];
+            b[3] = (t - sin(t))/(α - sin(α));
+            prove at α = pi/2 { b[3] <= t^3; b[0] >= 0; }
+            refute at α = pi/2 { b[3] <= 8*t^3/pi^3; }
+            refute at α = pi/2 { b[2] >= 1/2; }
+            prove at α = pi/2 { b[3](t) = b[0](pi/2 - t); b[3](t) = b[0](α - t); }
+            prove at α = pi/2, t = α { D(b[3]) = 1/(pi/2 - 1); }
+            refute at t = pi/2, α = pi/2 { D(b[3]) = 1; }
+            prove at t = α { D(b[3]) = (1 - cos(α))/(α - sin(α)); }
+        }
+        family UpToHalfATurn {
+            shape 0 < α <= pi;
+            domain 0 <= t <= α;
+            b[0] = t - sin(t);
+            b[1] = cos(t);
+            prove at α = pi/2 { b[1] >= 0; }
+            refute at α = pi { b[1] >= 0; }
+            prove at α = pi, t = α { b[0] = pi; b[1] = -1; }
+        }
+        family Spans {
+            shape 0 < h < pi;
+            domain 0 <= t <= h, h <= t <= 2*h;
+            f[0] = t - sin(t) | h - sin(h) + (t - h)*(1 - cos(h));
+            prove smooth(1);
+            prove at h = pi/2 { f[0] >= 0; f[0] <= t; }
+            refute at h = pi/2 { f[0] <= 2; }
+            prove at h = pi/2, t = h { f[0] = pi/2 - 1; }
+        }",
+    );
+    // cos at the end of the domain; t - 1 - 2 at t = π.
+    assert_eq!(found[3], "-1 at tan(α/4) = 1, tan(t/4)/tan(α/4) = 1");
+    assert_eq!(found[4], "-3 + pi at tan((t - pi/2)/2) = 1");
+    assert_eq!(found.len(), 5, "{found:?}");
+}
+
+/// Values of shape parameters that lie outside of their ranges are no values, nor are those of which nothing is known.
+#[test]
+fn values_of_angles_that_are_refused() {
+    let errors = |claim: &str| {
+        let spec = format!(
+            "family F {{ shape 0 < α < pi; domain 0 <= t <= α; b[0] = t - sin(t); b[1] = 1; prove {claim} }}"
+        );
+        check(Source::text("refused.basis", &spec))
+            .diagnostics
+            .into_iter()
+            .map(|d| d.message)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(errors("at α = 3*pi/2 { b[0] >= 0; }").len(), 1);
+    assert_eq!(errors("at α = -pi/2 { b[0] >= 0; }").len(), 1);
+    assert_eq!(errors("at α = pi/7 { b[0] >= 0; }"), ["sin and cos of the angle pi/7 are irrational"]);
+    assert_eq!(errors("at α = pi/2, t = pi { b[0] >= 0; }").len(), 1);
+    assert_eq!(errors("at α = pi/2, t = α { b[0] = pi/2 - 1; }"), Vec::<String>::new());
+}

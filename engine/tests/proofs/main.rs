@@ -1,5 +1,6 @@
 //! Proofs and refutations, written, read, changed, and checked again: by the kernel and by a second checker.
 
+mod explained;
 mod independence_on_triangles;
 mod mutation;
 mod oracle;

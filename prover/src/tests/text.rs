@@ -2,7 +2,7 @@
 
 use basis_test_support::Names;
 
-use crate::algebra::poly::{Poly, Var};
+use crate::algebra::poly::Poly;
 use crate::algebra::range::Region;
 
 /// The names of the variables 0, 1, …
@@ -20,6 +20,6 @@ pub(super) fn region(text: &str) -> Region {
 
 /// The variable of a name.
 #[cfg(feature = "ranges")]
-pub(super) fn var(name: &str) -> Var {
+pub(super) fn var(name: &str) -> crate::algebra::poly::Var {
     Names(&NAMES).var(name)
 }

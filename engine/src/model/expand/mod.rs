@@ -1,12 +1,14 @@
 //! From a family as it is written to the family itself: its domain (`domain`, with angles `angles`, with several spans
 //! `spans`), its shape parameters (`shapes`), its functions (`functions`, by loops and by recursion, `function` a single
-//! one), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed (`claims`).
+//! one), all of them in any order (`names`), whether their indices leave a gap (`indices`), and what is claimed
+//! (`claims`), at values that are fixed (`fixed`) or everywhere.
 //! `build` puts one span together, `whole` all of them.
 
 pub(crate) mod angles;
 mod build;
 mod claims;
 mod domain;
+mod fixed;
 mod function;
 mod functions;
 mod indices;

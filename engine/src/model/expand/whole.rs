@@ -4,10 +4,12 @@ use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use super::build;
-use super::claims;
+use super::claims::{self, Wanted};
+use super::fixed;
 use super::spans::{self, ends};
 use crate::claim::{Claim, ClaimKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::model::angle::Given;
 use crate::model::obligation::Obligation;
 use crate::model::{Family, Library};
 use crate::source::SourceId;
@@ -22,9 +24,20 @@ pub(crate) fn family<'a>(
     written: &'a syntax::Family,
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
+    with_values(library, (unit, source), written, order, &Given::new())
+}
+
+/// Expands a family of one order with values of shape parameters.
+fn with_values<'a>(
+    library: &'a Library<'a>,
+    (unit, source): (usize, SourceId),
+    written: &'a syntax::Family,
+    order: &[i64],
+    given: &Given,
+) -> (Option<Family>, Diagnostics) {
     match spans::spans(written) {
-        Some(decls) => on_spans(library, (unit, source), written, order, decls),
-        None => build::piece(library, (unit, source), written, order, None),
+        Some(decls) => on_spans(library, (unit, source), written, order, (decls, given)),
+        None => build::piece(library, (unit, source), written, order, None, given),
     }
 }
 
@@ -37,7 +50,7 @@ fn on_spans<'a>(
     (unit, source): (usize, SourceId),
     written: &'a syntax::Family,
     order: &[i64],
-    decls: &[RangeDecl],
+    (decls, given): (&[RangeDecl], &Given),
 ) -> (Option<Family>, Diagnostics) {
     let mut diagnostics = Diagnostics::default();
     let wrong = |span, message: String, help: &str| {
@@ -91,7 +104,8 @@ fn on_spans<'a>(
     }
     let mut pieces: Vec<Rc<Family>> = Vec::new();
     for k in 0..decls.len() {
-        let (piece, errors) = build::piece(library, (unit, source), written, order, Some((k, decls.len())));
+        let span = Some((k, decls.len()));
+        let (piece, errors) = build::piece(library, (unit, source), written, order, span, given);
         let Some(piece) = piece.filter(|_| errors.is_empty()) else { return (None, errors) };
         pieces.push(Rc::new(piece));
     }
@@ -123,14 +137,14 @@ fn claims_on_spans<'a>(
     unit: usize,
     written: &'a syntax::Family,
     family: &Family,
+    wanted: &mut Wanted<'_>,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut by_span = Vec::new();
     let mut obligations = family.obligations.clone();
     let mut diagnostics = Diagnostics::default();
-    let mut mistaken = BTreeSet::new();
     for (k, piece) in family.pieces.iter().enumerate() {
         let spans = Some((k, &family.pieces[..]));
-        let (all, more, errors) = claims::on_span(library, (unit, written), piece, spans, &mut mistaken);
+        let (all, more, errors) = claims::on_span(library, (unit, written), piece, spans, wanted);
         diagnostics.extend(errors.into_list());
         for obligation in more {
             if obligations.iter().all(|known| known.goal != obligation.goal) {
@@ -140,7 +154,9 @@ fn claims_on_spans<'a>(
         by_span.push(all);
     }
     let mut result: Vec<Claim> = Vec::new();
-    for (number, statement) in written.statements.iter().enumerate().filter(|(n, _)| !mistaken.contains(n)) {
+    for (number, statement) in
+        written.statements.iter().enumerate().filter(|(n, _)| wanted.numbers.contains(n))
+    {
         let StatementKind::Claim(claim) = &statement.kind else { continue };
         let of = |all: &Vec<Claim>| all.iter().filter(|c| c.statement.number.0 == number).cloned().listed();
         let parts: Vec<(usize, Vec<Claim>)> =
@@ -164,6 +180,60 @@ fn claims_on_spans<'a>(
     (result, obligations, diagnostics)
 }
 
+/// The claims that some statements make of a family that is expanded.
+fn claims_of<'a>(
+    library: &'a Library<'a>,
+    unit: usize,
+    written: &'a syntax::Family,
+    family: &Family,
+    wanted: &mut Wanted<'_>,
+) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
+    if family.pieces.is_empty() {
+        claims::on_span(library, (unit, written), family, None, wanted)
+    } else {
+        claims_on_spans(library, unit, written, family, wanted)
+    }
+}
+
+/// A family with values of shape parameters, and the numbers of the statements that are about it.
+struct Apart {
+    given: Given,
+    family: Option<Rc<Family>>,
+    numbers: BTreeSet<usize>,
+}
+
+/// The statements about values of shape parameters with which the family has to be expanded anew.
+fn apart<'a>(
+    library: &'a Library<'a>,
+    unit: usize,
+    written: &'a syntax::Family,
+    family: &Family,
+) -> Vec<Apart> {
+    let mut all: Vec<Apart> = Vec::new();
+    for (number, statement) in written.statements.iter().enumerate() {
+        let StatementKind::Claim(syntax::Claim { kind: syntax::ClaimKind::At(bindings, _), .. }) =
+            &statement.kind
+        else {
+            continue;
+        };
+        let given = fixed::without_tangents(library, unit, written, family, bindings);
+        if given.is_empty() {
+            continue;
+        }
+        if !all.iter().any(|a| a.given == given) {
+            let order = family.order.iter().map(|(_, value)| *value).listed();
+            let at = (unit, family.source);
+            let (there, errors) = with_values(library, at, written, &order, &given);
+            let family = there.filter(|_| errors.is_empty()).map(Rc::new);
+            all.push(Apart { given: given.clone(), family, numbers: BTreeSet::new() });
+        }
+        if let Some(same) = all.iter_mut().find(|a| a.given == given) {
+            same.numbers.insert(number);
+        }
+    }
+    all
+}
+
 /// The claims of a family that is expanded; claims with errors are left out and reported.
 pub(crate) fn claims<'a>(
     library: &'a Library<'a>,
@@ -171,9 +241,25 @@ pub(crate) fn claims<'a>(
     written: &'a syntax::Family,
     family: &Family,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
-    if family.pieces.is_empty() {
-        claims::on_span(library, (unit, written), family, None, &mut BTreeSet::new())
-    } else {
-        claims_on_spans(library, unit, written, family)
+    let mut numbers: BTreeSet<usize> = (0..written.statements.len()).collect();
+    let apart = apart(library, unit, written, family);
+    for of in apart.iter().filter(|of| of.family.is_some()) {
+        numbers.retain(|number| !of.numbers.contains(number));
     }
+    let mut wanted = Wanted { numbers, given: &Given::new() };
+    let (mut all, mut obligations, mut diagnostics) = claims_of(library, unit, written, family, &mut wanted);
+    for Apart { given, family, numbers } in apart {
+        let Some(family) = family else { continue };
+        let mut wanted = Wanted { numbers, given: &given };
+        let (own, more, errors) = claims_of(library, unit, written, &family, &mut wanted);
+        all.extend(own.into_iter().map(|claim| Claim { about: Some(Rc::clone(&family)), ..claim }));
+        for obligation in more {
+            if obligations.iter().all(|known| known.goal != obligation.goal) {
+                obligations.push(obligation);
+            }
+        }
+        diagnostics.extend(errors.into_list());
+    }
+    all.sort_by_key(|claim| claim.statement.number);
+    (all, obligations, diagnostics)
 }

@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use proc_macro2::Span;
 
-use super::angle::Analytic;
+use super::angle::{Analytic, Given};
 use super::budget::{Budget, SPLIT, TooLarge};
 use super::formula::Value;
 use super::obligation::Obligation;
@@ -104,6 +104,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) constants: Vec<(String, i64)>,
     /// Shape parameters that an assumed equation determines, with their values.
     pub(crate) determined: Vec<(String, Fraction)>,
+    /// Shape parameters that have a value, as multiples of π.
+    pub(crate) given: Given,
     /// Where something is assumed that holds for no shape values.
     pub(crate) impossible: Option<Span>,
     /// The number of those that are the index parameters of the family.
@@ -456,6 +458,7 @@ impl Scope<'_> {
             subject: Subject::Family,
             constants: Vec::new(),
             determined: Vec::new(),
+            given: Given::new(),
             impossible: None,
             order: 0,
             lets: SortedMap::new(),

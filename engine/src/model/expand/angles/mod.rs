@@ -10,6 +10,7 @@ mod tangent;
 use proc_macro2::Span;
 
 use super::domain::{self, Domain, variable};
+pub(super) use numbers::pi_bounds;
 pub(super) use survey::occur;
 
 use super::shapes::Shapes;
@@ -77,6 +78,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     }
     scope.analytic.pi = Some(Var(scope.names.len()));
     scope.names.push(String::from(PI[0]));
+    given(scope);
     let mut fine = true;
     let mut limits = Vec::new();
     for (decl, _) in shapes.iter().chain(&domain) {
@@ -171,6 +173,21 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     Some((Shapes { parameters, constraints }, own.unwrap_or((domain, Vec::new()))))
 }
 
+/// Whether a range is that of one parameter, with this name.
+pub(super) fn is_alone(decl: &syntax::ShapeDecl, name: &str) -> bool {
+    let mut names = decl.names();
+    names.retain(|name| !PI.contains(name));
+    names == [name]
+}
+
+/// Gives the shape parameters their values that have one.
+pub(super) fn given(scope: &mut Scope<'_>) {
+    for (name, turns) in scope.given.clone() {
+        let pi = scope.analytic.pi.map_or_else(Fraction::zero, Fraction::var);
+        scope.determined.push((name, &Fraction::constant(turns) * &pi));
+    }
+}
+
 /// Two parameters of a chain that follow one another: the places of the lower and of the upper one, whether they may be
 /// equal, and the condition as it is written.
 type Order = (usize, usize, bool, String);
@@ -184,6 +201,9 @@ fn chains<'a>(scope: &Scope<'_>, written: &'a syntax::Family) -> Option<(Vec<Doc
     for statement in &written.statements {
         let StatementKind::Shape(decls) = &statement.kind else { continue };
         for decl in decls {
+            if scope.given.iter().any(|(name, _)| is_alone(decl, name)) {
+                continue;
+            }
             let is_name = |e: &Expr| matches!(e.kind, ExprKind::Name(_));
             let indexed = |e: &&Expr| matches!(&e.kind, ExprKind::Index(base, _) if matches!(&base.kind, ExprKind::Name(_)));
             if let Some(part) = decl.parts.iter().find(indexed) {

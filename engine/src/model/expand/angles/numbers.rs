@@ -42,7 +42,7 @@ pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
 }
 
 /// Numbers below and above π, from π = 16 arctan(1/5) − 4 arctan(1/239).
-pub(super) fn pi_bounds() -> (Rational, Rational) {
+pub(in crate::model::expand) fn pi_bounds() -> (Rational, Rational) {
     // The partial sums of an alternating series lie on both sides of its value.
     let arctan = |n: i64, terms: u32| {
         let x = Rational::new(1, n);

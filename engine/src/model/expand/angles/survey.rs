@@ -176,6 +176,8 @@ pub(super) fn survey<'a>(
     probe.domain = (shapes..names.len()).map(Var).listed();
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
+    probe.given.clone_from(&scope.given);
+    super::given(&mut probe);
     probe.recorded = Some(Vec::new());
     let (mut places, mut beside) = (Vec::new(), Vec::new());
     // The angles are the same on all spans, so that their tangents can be compared.

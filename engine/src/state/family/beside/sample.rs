@@ -453,6 +453,13 @@ pub(in crate::state::family) fn at_point(
             return None;
         }
     }
+    // An angle itself is what its tangent says, which need not occur.
+    for (var, x) in point.iter().filter(|(var, _)| domain.region.ranges.iter().all(|(v, _)| v != var)) {
+        if !family.region().range(*var).contains(x) {
+            return None;
+        }
+        ranges.push((*var, Range::closed(x.clone(), x.clone())));
+    }
     for (var, (low, high)) in found.between {
         if value.depends_on(var) && ranges.iter().all(|(v, _)| *v != var) {
             ranges.push((var, Range::closed(low, high)));

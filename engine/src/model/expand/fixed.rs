@@ -1,0 +1,326 @@
+//! The values that `at` blocks fix: of variables, of angles, and of barycentric coordinates.
+//!
+//! A family with angles is expanded in tangents of parts of them, which may be irrational where the angle itself has a simple
+//! value: with tan(α/4), at α = π/2. What is claimed there is about the family with π/2 in place of α, expanded anew.
+
+use proc_macro2::Span;
+
+use super::angles::{is_alone, pi_bounds};
+use super::names;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::model::angle::{Angle, Given, Kind};
+use crate::model::formula::phase::Linear;
+use crate::model::formula::print::Printer;
+use crate::model::scope::{Inside, Scope};
+use crate::model::{Barycentric, Family, Library, chart, label};
+use crate::syntax::{self, Binding, StatementKind};
+use basis_prover::collections::list::Listed;
+
+/// The angles among the shape parameters that a block fixes to values inside of their ranges at which their tangents are
+/// irrational; the family has to be expanded with these values.
+pub(super) fn without_tangents<'a>(
+    library: &'a Library<'a>,
+    unit: usize,
+    written: &'a syntax::Family,
+    family: &Family,
+    bindings: &'a [Binding],
+) -> Given {
+    let is_angle = |binding: &&Binding| {
+        let angles = &family.analytic.angles;
+        let named = |angle: &&Angle| angle.kind == Kind::Circular && angle.name == binding.name.text;
+        binding.indices.is_empty()
+            && angles.iter().find(named).is_some_and(|angle| family.shapes.iter().any(|p| p.var == angle.var))
+    };
+    let mut angles = bindings.iter().filter(is_angle).peekable();
+    if angles.peek().is_none() {
+        return Given::new();
+    }
+    let mut scope = Scope::of_family(library, unit, family);
+    names::plan(&mut scope, written);
+    let mut given = Given::new();
+    for binding in angles {
+        let value = names::attempt(&mut scope, &mut |scope| scope.scalar(&binding.value));
+        let angle = family.analytic.angles.iter().find(|angle| angle.name == binding.name.text);
+        let (Some(value), Some(angle)) = (value, angle) else { continue };
+        let Some(turns) = multiple_of_pi(&value, &scope) else { continue };
+        if scope.angle_at(angle, &value, binding.value.span).is_err()
+            && lies_inside(&turns, written, angle, &scope)
+        {
+            given.push((angle.name.clone(), turns));
+        }
+    }
+    given
+}
+
+/// How many times π a number is.
+fn multiple_of_pi(value: &Fraction, scope: &Scope<'_>) -> Option<Rational> {
+    let linear = Linear::of(value, scope.analytic.pi)?;
+    (linear.parts.is_empty() && linear.number.is_zero()).then_some(linear.pi)
+}
+
+/// Whether a multiple of π lies in the range of a shape parameter that has a range of its own.
+fn lies_inside(turns: &Rational, written: &syntax::Family, angle: &Angle, scope: &Scope<'_>) -> bool {
+    let declared = written.statements.iter().find_map(|statement| match &statement.kind {
+        StatementKind::Shape(decls) => decls.iter().find(|decl| is_alone(decl, &angle.name)),
+        _ => None,
+    });
+    let Some(decl) = declared else { return false };
+    let limits = angle.limits.iter().zip(&angle.ends).zip([1, -1]);
+    // The first part is the lower end, if there is one, and the last part the upper one.
+    let included = [decl.included.first(), decl.included.last()];
+    limits.zip(included).all(|(((limit, text), side), included)| {
+        if text.is_empty() {
+            return true;
+        }
+        let Some(limit) = Linear::of(limit, scope.analytic.pi).filter(|limit| limit.parts.is_empty()) else {
+            return false;
+        };
+        let side = Rational::from(side);
+        let (rise, beyond) = (&(turns - &limit.pi) * &side, &limit.number * &side);
+        let (low, high) = pi_bounds();
+        let distances = [&(&rise * &low) - &beyond, &(&rise * &high) - &beyond];
+        let inside = |d: &Rational| d.is_positive() || d.is_zero() && included == Some(&true);
+        distances.iter().all(inside)
+    })
+}
+
+/// The name that gets a value, indices as numbers.
+pub(super) fn bound_name(scope: &mut Scope<'_>, binding: &Binding) -> Option<String> {
+    if binding.indices.is_empty() {
+        return Some(binding.name.text.clone());
+    }
+    let mut index = Vec::new();
+    for i in &binding.indices {
+        index.push(scope.whole(i, "the index of a shape parameter")?);
+    }
+    Some(label(&binding.name.text, &index))
+}
+
+/// Reports values that what is assumed rules out.
+pub(super) fn assumed_away(scope: &Scope<'_>, family: &Family, span: Span, message: &str) {
+    let texts = chart::texts(&family.constraints);
+    let error = scope.error(span, message).note(format!("assumed is {}", texts.join(", ")));
+    scope
+        .report(error.help("claims are about the shape values that are declared and assumed; choose others"));
+}
+
+/// The values that an `at` block fixes.
+pub(super) fn fixed(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    bindings: &[Binding],
+) -> Option<Vec<(Var, Fraction)>> {
+    let mut fixed: Vec<(Var, Fraction)> = Vec::new();
+    let pending = scope.pending.len();
+    let mut all: Vec<(&Binding, String)> = Vec::new();
+    for binding in bindings {
+        let name = bound_name(scope, binding)?;
+        if scope.given.iter().any(|(given, _)| *given == name) {
+            continue; // the family is expanded with this value
+        }
+        if binding.indices.is_empty() && scope.variable(&name).is_none() && scope.is_list_of_shapes(&name) {
+            // A name without an index stands for all of its parameters.
+            let own = scope.shapes_of(&name).into_iter().filter(|(_, value)| value.as_var().is_some());
+            all.extend(own.map(|(index, _)| (binding, label(&name, &index))));
+        } else {
+            all.push((binding, name));
+        }
+    }
+    // At α = 1, t = α the point is where the shape value says.
+    let is_point = |name: &str| scope.variable(name).is_some_and(|var| scope.is_domain_variable(var));
+    let (points, mut all): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, name)| is_point(name));
+    all.extend(points);
+    for (binding, name) in &all {
+        let Some(var) = scope.variable(name) else {
+            let determined = scope.determined.iter().any(|(n, _)| n == name);
+            if determined {
+                let error =
+                    scope.error(binding.name.span, format!("`{name}` is determined by an assumption"));
+                scope.report(error.help("fix the parameters on which it depends"));
+            } else if scope.taken(name).is_some() {
+                let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
+                scope.report(
+                    error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
+                );
+            } else {
+                scope.unknown(name, binding.name.span);
+            }
+            return None;
+        };
+        if fixed.iter().any(|(v, _)| *v == var) {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is given twice")));
+            return None;
+        }
+        let mut value = scope.scalar(&binding.value)?;
+        if scope.is_domain_variable(var) {
+            value = put(scope, value, &fixed, binding.value.span)?;
+        }
+        if let Some(angle) = family.analytic.angle(var).cloned() {
+            fixed_angle(scope, family, &angle, (value, binding), &mut fixed)?;
+            continue;
+        }
+        let Some(parameter) = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == var)
+        else {
+            scope.report(scope.error(binding.name.span, format!("`{name}` is a number")));
+            return None;
+        };
+        let inside = Inside {
+            value: value.clone(),
+            name: name.clone(),
+            range: parameter.range.clone(),
+            family: None,
+            assumable: false,
+        };
+        let place = scope.place(binding.value.span);
+        if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range) {
+            return None;
+        }
+        match value.as_constant() {
+            Some(c) if !parameter.range.contains(&c) => {
+                scope.report(inside.outside(&c, place));
+                return None;
+            }
+            Some(_) => {}
+            None if scope.simplex_of(var).is_some() => {
+                let error =
+                    scope.error(binding.value.span, format!("`{name}` is fixed to something that varies"));
+                scope.report(
+                    error.help("on a simplex an `at` block fixes coordinates to numbers, such as `w = 0`"),
+                );
+                return None;
+            }
+            None => scope.must_stay_inside(inside, place),
+        }
+        fixed.push((var, value));
+    }
+    let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
+    let simplices = scope.simplices.clone();
+    let fixed = simplices.iter().try_fold(fixed, |fixed, own| independent(scope, own, fixed, span))?;
+    for (k, (var, value)) in fixed.iter().enumerate() {
+        if let Some((user, _)) = fixed.iter().find(|(_, value)| value.depends_on(*var)) {
+            let name = scope.names[var.0].clone();
+            let span = all.get(k).map_or(span, |(b, _)| b.name.span);
+            let error = scope.error(span, format!("`{name}` is fixed and used as a value at the same time"));
+            // at α = β, β = γ: the value of β is known.
+            let end = value.display(&scope.names);
+            let (user, own) = (&scope.names[user.0], user == var);
+            scope.report(error.help(if own {
+                String::from("write a value in which it does not occur")
+            } else {
+                format!("write `{user} = …` with the value of `{name}`, which is {end}")
+            }));
+            return None;
+        }
+    }
+    if !family.constraints.is_empty() && family.pieces(&fixed, &[], true).is_empty() {
+        scope.pending.truncate(pending);
+        assumed_away(scope, family, span, "the block fixes values that violate what is assumed");
+        return None;
+    }
+    Some(fixed)
+}
+
+/// A value with those of the shape parameters that are fixed.
+fn put(scope: &Scope<'_>, value: Fraction, fixed: &[(Var, Fraction)], span: Span) -> Option<Fraction> {
+    fixed.iter().try_fold(value, |value, (var, x)| scope.put_one(&value, *var, x, span))
+}
+
+/// Fixes an angle: what takes its place, and the variable itself.
+fn fixed_angle(
+    scope: &mut Scope<'_>,
+    family: &Family,
+    angle: &Angle,
+    (value, binding): (Fraction, &Binding),
+    fixed: &mut Vec<(Var, Fraction)>,
+) -> Option<()> {
+    let span = binding.value.span;
+    let mut y = match scope.angle_at(angle, &value, span) {
+        Ok(y) => y?,
+        // Half a turn from the middle of one span lies in another, or in none, which is said where all are known.
+        Err(_) if scope.span.is_some() && Linear::of(&value, scope.analytic.pi).is_some() => return None,
+        Err((message, help)) => {
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+    };
+    let parameter = family.shapes.iter().chain(family.domain_variables()).find(|p| p.var == angle.var)?;
+    let declared = family.declared(parameter);
+    if scope.is_domain_variable(angle.var) {
+        y = put(scope, y, fixed, span)?;
+        if scope.lies_elsewhere(&y, &parameter.range) {
+            return None;
+        }
+    }
+    match y.as_constant() {
+        Some(c) if !parameter.range.contains(&c) => {
+            let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
+            let message = format!("{} = {shown} is outside of the declared range `{declared}`", angle.name);
+            let help = "claims are about the declared ranges; widen the range, or choose a value inside";
+            scope.report(scope.error(span, message).help(help));
+            return None;
+        }
+        Some(_) => {}
+        None => {
+            let (name, range) = (parameter.name.clone(), parameter.range.clone());
+            let inside = Inside { value: y.clone(), name, range, family: None, assumable: false };
+            let place = scope.place(span);
+            scope.must_stay_inside(inside, place);
+        }
+    }
+    fixed.push((angle.var, y));
+    fixed.push((angle.itself, value));
+    Some(())
+}
+
+/// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.
+fn independent(
+    scope: &Scope<'_>,
+    simplex: &Barycentric,
+    mut fixed: Vec<(Var, Fraction)>,
+    span: Span,
+) -> Option<Vec<(Var, Fraction)>> {
+    let (own, dependent) = (&scope.domain[simplex.places.clone()], simplex.last.var);
+    let given = fixed.iter().filter(|(v, _)| own.contains(v) || *v == dependent);
+    // What the given coordinates leave for the others.
+    let left = given.filter_map(|(_, f)| f.as_constant()).fold(Rational::ONE, |left, c| &left - &c);
+    let last = fixed.iter().position(|(v, _)| *v == dependent).map(|k| fixed.remove(k).1);
+    let coordinate = |fixed: &[(Var, Fraction)], var: Var| {
+        fixed.iter().find(|(v, _)| *v == var).map_or_else(|| Fraction::var(var), |(_, f)| f.clone())
+    };
+    let one = Fraction::constant(Rational::ONE);
+    if let Some(last) = last {
+        match own.iter().rev().find(|v| fixed.iter().all(|(f, _)| f != *v)) {
+            Some(free) => {
+                let others = own.iter().filter(|v| *v != free);
+                let value = others.fold(&one - &last, |rest, v| &rest - &coordinate(&fixed, *v));
+                fixed.push((*free, value));
+            }
+            None => {
+                let sum = own.iter().fold(last, |sum, v| &sum + &coordinate(&fixed, *v));
+                if sum != one {
+                    let error = scope.error(
+                        span,
+                        format!("the barycentric coordinates sum to {}, not to 1", sum.display(&scope.names)),
+                    );
+                    scope.report(error.help("choose coordinates that sum to 1"));
+                    return None;
+                }
+            }
+        }
+    }
+    if left.is_negative() {
+        let error =
+            scope.error(span, "the point lies outside of the simplex: its coordinates sum to more than 1");
+        scope.report(error.help("claims are about the domain; choose a point inside"));
+        return None;
+    }
+    // At a corner nothing is left for the other coordinates.
+    if left.is_zero() {
+        fixed.retain(|(var, f)| !own.contains(var) || own.iter().all(|v| !f.depends_on(*v)));
+        let free: Vec<Var> = own.iter().copied().filter(|v| fixed.iter().all(|(f, _)| f != v)).listed();
+        fixed.extend(free.into_iter().map(|v| (v, Fraction::zero())));
+    }
+    Some(fixed)
+}
