@@ -28,7 +28,7 @@ use crate::algebra::real::simplest::simplest_between;
 use crate::algebra::work::Work;
 use crate::claim::{self, Claim, ClaimKind, Expected};
 use crate::generate::{factored, factored_on_box};
-use crate::model::{Family, Parameter};
+use crate::model::{Family, Function, Parameter};
 use crate::plan::form::IntervalForm;
 use crate::plan::patch_form::{PatchForm, factored_text};
 use crate::state::Verdict;
@@ -89,16 +89,16 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let Some(texts) = family.end_texts() else { return lines };
     let ends = [(low, false), (high, true)].into_iter().zip(texts);
     for ((_, upper), end_text) in ends.filter(|((end, _), _)| inside(end)) {
+        // A denominator vanishes nowhere on the domain.
+        let derivatives = |f: &Function| {
+            let all = family.derivatives_at_end(&f.value, order, upper, &mut Work::unlimited());
+            all.unwrap_or_default()
+        };
+        let by_function: Vec<Vec<Fraction>> = family.functions.iter().map(derivatives).collect();
         for order in 0..=order {
-            let weights: Vec<Fraction> = family
-                .functions
-                .iter()
-                .map(|f| {
-                    // A denominator vanishes nowhere on the domain.
-                    let all = family.derivatives_at_end(&f.value, order, upper, &mut Work::unlimited());
-                    all.and_then(|mut all| all.pop()).unwrap_or_else(Fraction::zero)
-                })
-                .collect();
+            let weight =
+                |all: &Vec<Fraction>| all.get(order as usize).cloned().unwrap_or_else(Fraction::zero);
+            let weights: Vec<Fraction> = by_function.iter().map(weight).collect();
             let name = match order {
                 0..=3 => format!("C{}({end_text})", "'".repeat(order as usize)),
                 _ => format!("C^({order})({end_text})"),

@@ -3,7 +3,7 @@
 use basis_engine::algebra::range::Range;
 use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Claimed, Compared, Comparison, Formulas, Term};
-use basis_engine::{Claim, ClaimKind, Coordinate, Family, Verdict, Witness, state};
+use basis_engine::{Claim, ClaimKind, Coordinate, Evidence, Family, Verdict, Witness, state};
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::{Chart, Proof, Statement};
 
@@ -13,6 +13,25 @@ use super::frame::Frame;
 
 /// Why there is no theorem for a claim.
 pub(super) type Missing = &'static str;
+
+/// A theorem for each comparison of a claim that is proved, with its own identifier if there are several.
+pub(super) fn each_proved(
+    name: &str,
+    claimed: &Claimed,
+    evidence: &Evidence,
+    theorem: &mut dyn FnMut(&str, &Compared, &Proof) -> Result<String, Missing>,
+) -> Result<Vec<String>, Missing> {
+    if evidence.steps().len() != claimed.all.len() {
+        return Err("formulas that cannot be told apart");
+    }
+    let many = claimed.all.len() > 1;
+    let each = claimed.all.iter().zip(evidence.steps()).enumerate();
+    each.map(|(k, (compared, (_, proof)))| {
+        let name = if many { format!("{name}_{k}") } else { name.to_string() };
+        theorem(&name, compared, proof)
+    })
+    .collect()
+}
 
 /// A family with everything that its theorems mention.
 pub(super) struct Subject<'a> {
@@ -42,16 +61,9 @@ impl Subject<'_> {
                     let (_, proof) = evidence.steps().first().ok_or("a claim without a proof")?;
                     return self.independent(name, except, proof);
                 }
-                if evidence.steps().len() != claimed.all.len() {
-                    return Err("formulas that cannot be told apart");
-                }
-                let many = claimed.all.len() > 1;
-                let each = claimed.all.iter().zip(evidence.steps()).enumerate();
-                each.map(|(k, (compared, (_, proof)))| {
-                    let name = if many { format!("{name}_{k}") } else { name.to_string() };
-                    self.proved(&name, claimed, compared, proof)
+                each_proved(name, claimed, evidence, &mut |name, compared, proof| {
+                    self.proved(name, claimed, compared, proof)
                 })
-                .collect()
             }
             Verdict::Refuted(witness) => Ok(vec![self.refuted(name, claim, claimed, witness)?]),
         }

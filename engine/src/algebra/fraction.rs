@@ -61,7 +61,11 @@ impl Fraction {
             // The greatest common divisor divides both.
             (numer.div_exact(&common)?, denom.div_exact(&common)?)
         };
-        let denom = apart.iter().fold(denom, |denom, factor| &denom * factor);
+        Self::normalized(&numer, &apart.iter().fold(denom, |denom, factor| &denom * factor))
+    }
+
+    /// The quotient of two polynomials without a common divisor.
+    fn normalized(numer: &Poly, denom: &Poly) -> Option<Self> {
         let whole = denom.normalized();
         // `denom` is a number times `whole`.
         let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
@@ -213,15 +217,11 @@ impl Fraction {
             change = &change + &further;
         }
         let rest = Self::reduced(numer, content, work)?;
-        work.spend_product(&denom, &rest.denom)?;
-        let denom = &denom * &rest.denom;
-        let whole = denom.normalized();
-        // `denom` is a number times `whole`.
-        let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
-        if rest.numer.is_zero() {
-            return Some(Self::zero());
+        if rest.is_zero() {
+            return Some(rest);
         }
-        Some(Self { numer: rest.numer.scale(&factor), denom: whole })
+        work.spend_product(&denom, &rest.denom)?;
+        Self::normalized(&rest.numer, &(&denom * &rest.denom))
     }
 
     /// The function with another put in place of a variable; `None` when that makes the denominator zero.

@@ -9,7 +9,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{ClaimKind, Joint};
 use crate::model::angle::Kind;
-use crate::model::{Factor, Family, Parameter};
+use crate::model::{Factor, Family, Function, Parameter};
 use crate::plural::abbreviated;
 use crate::state::verdict::Witness;
 
@@ -257,10 +257,13 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
     let mut differences = Vec::new();
     let len = family.functions.len();
     let [low_text, high_text] = family.end_texts()?;
-    let at = |k: usize, order: u32, upper: bool| {
+    // By function and order.
+    let at = |upper: bool| -> Option<Vec<Vec<Fraction>>> {
         let work = &mut Work::unlimited();
-        family.derivatives_at_end(&family.functions[k].value, order, upper, work)?.pop()
+        let of = |f: &Function| family.derivatives_at_end(&f.value, joint.order, upper, work);
+        family.functions.iter().map(of).collect()
     };
+    let (at_low, at_high) = (at(false)?, at(true)?);
     let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
         match order {
@@ -285,7 +288,8 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
         Some(f)
     };
     let next_at = |k: usize, order: u32| {
-        at(k, order, false).and_then(|f| if joint.next.is_empty() { Some(f) } else { next(f) })
+        let f = at_low[k].get(order as usize)?.clone();
+        if joint.next.is_empty() { Some(f) } else { next(f) }
     };
     for order in 0..=joint.order {
         for k in 0..=len {
@@ -297,7 +301,7 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
                 parts.push(name(before, order, &low_text));
             }
             if k < len {
-                difference = &difference - &at(k, order, true)?;
+                difference = &difference - at_high[k].get(order as usize)?;
                 parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
