@@ -43,7 +43,7 @@ class Range {
     return bit;
   }
 
-  /** A number of so many bits from the highest down, each with the probability of what came before it. */
+  /** A number with `bits` bits from the highest down, each with the probability of what came before it. */
   tree(probabilities: Uint16Array, base: number, bits: number): number {
     let m = 1;
     for (let i = 0; i < bits; i++) m = (m << 1) | this.bit(probabilities, base + m);
@@ -62,7 +62,7 @@ class Range {
     return value;
   }
 
-  /** A number of so many bits of equal probabilities. */
+  /** A number with `bits` bits of equal probabilities. */
   direct(bits: number): number {
     let value = 0;
     for (let i = 0; i < bits; i++) {

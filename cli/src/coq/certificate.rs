@@ -49,7 +49,7 @@ pub(super) fn by_cuts(proof: &Proof, variables: &[(Var, Range)]) -> Result<(Stri
 /// How often a side is halved where the proof has no counterpart.
 const MAX_CUTS: u32 = 3;
 
-/// A side that is halved, and its halves, so many times.
+/// A side that is halved, and its halves in turn, `depth` times.
 fn halved(var: Var, depth: u32) -> Cuts {
     match depth {
         0 => Cuts::None,

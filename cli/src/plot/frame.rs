@@ -68,7 +68,7 @@ pub(super) fn rounded(x: f64) -> f64 {
     (x * 100.0).round() / 100.0
 }
 
-/// Round numbers that divide a range into about so many parts.
+/// Round numbers that divide a range into about this number of parts.
 pub(super) fn ticks(low: f64, high: f64, parts: f64) -> Vec<f64> {
     let raw = (high - low) / parts;
     if !raw.is_finite() || raw <= 0.0 {

@@ -163,7 +163,7 @@ fn marks(scene: &Scene, frame: &Frame, top: f64) -> (Group, f64) {
     (group, y)
 }
 
-/// A text in lines of at most so many characters.
+/// A text in lines of limited length, in characters.
 pub(super) fn wrapped(text: &str, most: usize) -> Vec<String> {
     let mut lines: Vec<String> = vec![String::new()];
     for word in text.split(' ') {

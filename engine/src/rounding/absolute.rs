@@ -29,7 +29,7 @@ pub(super) struct Absolute {
     choices: Vec<Shares>,
 }
 
-/// For up to so many points the signs are chosen: the work grows with 2ⁿ⁻¹.
+/// The highest number n of points for which all choices of signs are tried: the work grows with 2ⁿ⁻¹.
 const MOST_SIGNED: usize = 7;
 
 impl Absolute {

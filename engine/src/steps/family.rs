@@ -210,8 +210,8 @@ impl<'a> FamilySteps<'a> {
         builder.finish(&outputs)
     }
 
-    /// The point of a curve and its derivatives in t, so many in all, from what binding gave: `Curve::eval` for one,
-    /// `Curve::eval_with_derivs` for more. `None` on simplices and boxes.
+    /// The point of a curve and its derivatives in t, `count` values in all, from what binding gave: `Curve::eval` for
+    /// one, `Curve::eval_with_derivs` for more. `None` on simplices and boxes.
     pub fn curve(&self, count: usize) -> Option<Steps> {
         if let Form::Quotient(quotients, span) = &self.form {
             return Some(quotients.curve(*span, count));

@@ -282,7 +282,7 @@ impl<'a> Quotients<'a> {
         builder.finish(&outputs)
     }
 
-    /// The point of a curve and its derivatives, so many in all, from what binding gave.
+    /// The point of a curve and its derivatives, `count` values in all, from what binding gave.
     pub(super) fn curve(&self, span: usize, count: usize) -> Steps {
         let terms = self.spans[0].form.numerators.degree as usize + 1;
         let first = span * terms;

@@ -108,7 +108,7 @@ impl Builder {
         coefficients[0]
     }
 
-    /// `EndpointForm::eval_with_derivs`: the point and its derivatives in x, so many in all; of one it is `eval`.
+    /// `EndpointForm::eval_with_derivs`: the point and its derivatives in x, `count` values in all; for one it is `eval`.
     pub(super) fn endpoint(
         &mut self,
         ends: [usize; 2],
@@ -168,7 +168,7 @@ impl Builder {
         self.add_scaled(chord, sum, product)
     }
 
-    /// `BernsteinForm::eval_with_derivs`: the point and its derivatives in x, so many in all; of one it is `eval`.
+    /// `BernsteinForm::eval_with_derivs`: the point and its derivatives in x, `count` values in all; for one it is `eval`.
     pub(super) fn bernstein_form(&mut self, points: &[usize], x: usize, count: usize) -> Vec<usize> {
         let one = self.one();
         let s = self.sub(one, x);
@@ -428,6 +428,6 @@ impl Builder {
 pub(super) enum NetFactor {
     /// An interval with these ends.
     Interval([usize; 2]),
-    /// A simplex with so many corners.
+    /// A simplex with this number of corners.
     Simplex(usize),
 }

@@ -25,7 +25,7 @@ thread_local! {
     static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Room for a question of so many bytes.
+/// Room for a question with this number of bytes.
 #[cfg(target_family = "wasm")] // elsewhere `free` is the name of another function
 #[allow(unsafe_code)] // SAFETY: no other symbol of the page has the name; there is no unsafe block here
 #[unsafe(no_mangle)]

@@ -6,14 +6,10 @@ use core::cmp::Ordering;
 
 use super::MeshError;
 use super::flat::{self, Flatness, P3, Part};
-use super::lines::{Lines, lines};
+use super::lines::{Lines, WIDTH, lines};
 use super::patch::Patch;
 use crate::vector::{cross, distance, dot, length};
 use crate::{Edge, Scalar, SurfacePiece};
-
-/// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised. Single precision
-/// holds it, and 3, 5, 7 and 9 equal spans begin at whole numbers.
-pub(super) const WIDTH: u32 = (1 << 14) * 9 * 5 * 7;
 
 /// The highest number of rectangles of one surface.
 const MOST: usize = 1 << 21;

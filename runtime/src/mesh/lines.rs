@@ -1,13 +1,16 @@
 //! Where a parameter is cut: at knots first, then into equal parts, then into halves.
 //!
-//! Beyond a knot a surface may bend otherwise, or have a crease. Between knots a smooth surface needs so many equal
-//! parts; halves alone would round that number up to a power of two, in both directions, and make up to four times too
-//! many rectangles. All rectangles are cut at the same places, so that neighbours meet.
+//! Beyond a knot a surface may bend otherwise, or have a crease. Between knots a smooth surface needs a certain
+//! number of equal parts; halves alone would round it up to a power of two in both directions, and make up to four times
+//! too many rectangles. All rectangles are cut at the same places, so that neighbours meet.
 
 use alloc::vec::Vec;
 
-use super::cells::WIDTH;
 use super::flat::{P3, distance_to_segment};
+
+/// The width of the parameter square: parameters are whole numbers, so that equal ones are recognised. Single precision
+/// holds it, and 3, 5, 7 and 9 equal spans begin at whole numbers.
+pub(super) const WIDTH: u32 = (1 << 14) * 9 * 5 * 7;
 
 /// The number of equal parts of a span over which the bend is sampled.
 const PARTS: usize = 8;
@@ -92,8 +95,8 @@ fn all([parts, halves]: [u32; 2]) -> f64 {
     f64::from(parts) * f64::from(halves)
 }
 
-/// Parts and halves of them for a span that bends so much, if each part may be so far from its chord: the bend of a
-/// part falls with the square of their number.
+/// The number of equal parts of a span with this bend, and of halves of each, so that no part is further from its chord
+/// than its share of the tolerance: the bend of a part falls with the square of the number of parts.
 fn count(bend: f64, share: f64) -> [u32; 2] {
     let mut parts = crate::Scalar::sqrt(bend / share);
     let mut halves = 1;

@@ -3,7 +3,8 @@
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
-use super::cells::{Cells, Node, WIDTH, on_edge};
+use super::cells::{Cells, Node, on_edge};
+use super::lines::WIDTH;
 use super::patch::Patch;
 use super::weld::{Seams, Side};
 use crate::vector::{cross, distance, dot, length};

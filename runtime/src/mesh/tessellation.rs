@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 
 use super::cells::{Cells, Leaf, Limits, Node, Sheet, is_crowded, on_edge, unit};
 use super::facets::{Cut, triangles};
+use super::lines::WIDTH;
 use super::meet::meet;
 use super::orient::orient;
 use super::patch::Patch;
@@ -288,9 +289,9 @@ impl<S: Scalar> Builder<S> {
     fn join_corners(&self, classes: &mut Classes<S>, surfaces: usize, tolerance: S) {
         let mut corners: Vec<usize> = (0..surfaces)
             .flat_map(|surface| {
-                [Edge::VStart, Edge::VEnd].into_iter().flat_map(move |edge| {
-                    [0, super::cells::WIDTH].map(move |along| (surface, on_edge(edge, along)))
-                })
+                [Edge::VStart, Edge::VEnd]
+                    .into_iter()
+                    .flat_map(move |edge| [0, WIDTH].map(move |along| (surface, on_edge(edge, along))))
             })
             .filter_map(|key| self.index.get(&key).map(|&v| v as usize))
             .collect();

@@ -2,8 +2,8 @@
 
 use alloc::vec::Vec;
 
-use super::cells::on_edge;
-use super::cells::{WIDTH, unit};
+use super::cells::{on_edge, unit};
+use super::lines::WIDTH;
 use super::patch::Patch;
 use crate::vector::distance;
 use crate::{Edge, Scalar};

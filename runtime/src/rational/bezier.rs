@@ -209,7 +209,7 @@ fn is_positive(piece: &CurvePiece) -> bool {
     piece.weights().is_none_or(|weights| weights.iter().all(|&w| w > 0.0))
 }
 
-/// The piece, or its halves and their halves, until all weights are positive; after so many halvings what is left.
+/// The piece, or its halves and their halves, until all weights are positive, or nothing is left of `halvings`.
 fn halved(piece: CurvePiece, halvings: u32, pieces: &mut Vec<CurvePiece>) {
     // What is not finite does not become better.
     if is_positive(&piece) || halvings == 0 || !piece.is_finite() {

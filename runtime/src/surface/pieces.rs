@@ -32,7 +32,7 @@ impl SurfacePiece {
     /// function of `u`, and there are `rows` of them.
     ///
     /// # Errors
-    /// [`CurveError::Length`] if the points cannot be divided into so many equal rows.
+    /// [`CurveError::Length`] if the number of points is no multiple of the number of rows.
     #[inline]
     pub fn polynomial<P: Point>(
         domain: [[P::Scalar; 2]; 2],
@@ -47,7 +47,7 @@ impl SurfacePiece {
     /// The rational patch over a rectangle with these Bézier control points and weights, row by row.
     ///
     /// # Errors
-    /// [`CurveError::Length`] if the points cannot be divided into so many equal rows, or there is not one weight for
+    /// [`CurveError::Length`] if the number of points is no multiple of the number of rows, or there is not one weight for
     /// each of them, [`CurveError::Weight`] if a weight is not positive and finite.
     #[inline]
     pub fn rational<P: Point>(

@@ -151,7 +151,7 @@ fn what_cannot_be_a_rule_is_an_error() {
         Quadrature::on_interval([0.0, 1.0], 1024).unwrap_err().to_string(),
         "a rule of degree 1024 has too many points: the highest degree on this cell is 1023"
     );
-    // A box of so many dimensions that one point in each direction is all that fits.
+    // In 30 dimensions one point in each direction is all that fits.
     assert_eq!(Quadrature::on_box([[0.0; 30], [1.0; 30]], 1).unwrap().len(), 1);
     assert!(matches!(
         Quadrature::on_box([[0.0; 30], [1.0; 30]], 2),
