@@ -12,6 +12,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
+use basis_prover::algebra::number::square_root;
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// What is assumed of the parameters: a polynomial has a sign.
@@ -151,13 +152,39 @@ pub fn pieces(vars: &[(Var, Range)], constraints: &[(Poly, Relation)]) -> Vec<Pi
     all.pieces
 }
 
+/// Linear conditions in place of one of the second degree in one variable alone that says a range with rational ends, such
+/// as `3*x - 2 - x^2 >= 0`, or a single value, or none; any other condition as it is.
+fn as_bounds((p, relation): (Poly, Relation)) -> Vec<(Poly, Relation)> {
+    let bounds = || {
+        let [var] = p.variables()[..] else { return None };
+        let coefficients = p.coefficients_in(var);
+        let [c, b, a] = &coefficients.iter().map(Poly::as_constant).collect::<Option<Vec<_>>>()?[..] else {
+            return None;
+        };
+        if !a.is_negative() {
+            return None;
+        }
+        let discriminant = &(b * b) - &(&Rational::from(4) * &(a * c));
+        if discriminant.is_negative() {
+            return Some(vec![(Poly::constant(Rational::from(-1)), relation)]);
+        }
+        let root = square_root(&discriminant)?;
+        let scale = (&Rational::from(2) * a).recip()?;
+        let x = Poly::var(var);
+        let end = |root: &Rational| Poly::constant(&(root - b) * &scale);
+        // The slope 2·a·x + b is √D at the lower end.
+        Some(vec![(&x - &end(&root), relation), (&end(&-&root) - &x, relation)])
+    };
+    bounds().unwrap_or_else(|| vec![(p, relation)])
+}
+
 impl Elimination<'_> {
     /// Eliminates the first `count` variables, the last of them first; `done` is what is known of those after them.
     fn eliminate(&mut self, count: usize, constraints: Vec<(Poly, Relation)>, mut done: Piece) {
         self.choices += 1 + constraints.len() / 8;
         self.too_many |= self.choices > MAX_CHOICES;
         let mut open = Vec::new();
-        for (p, relation) in constraints {
+        for (p, relation) in constraints.into_iter().flat_map(as_bounds) {
             match p.as_constant() {
                 Some(c) if !relation.holds(&c) => return,
                 Some(_) => {}

@@ -812,3 +812,51 @@ fn derivatives_of_rational_functions_with_two_weights() {
     );
     assert_eq!(found, ["=", "-8 at w = 1, v = 1, t = 0", "=", "="]);
 }
+
+/// Values that an `at` block fixes apply to what is assumed: it leaves a range or a value of other parameters, and gives
+/// those that it determines.
+#[test]
+fn values_that_assumptions_leave() {
+    let found = verdicts(
+        "family Disk {
+            shape a, c;
+            assume a^2 + c^2 <= 1;
+            domain 0 <= t <= 1;
+            b[0] = 1 + a*t + c*(1 - t);
+            prove at a = 1 { c = 0; b[0] = 1 + t; }
+            prove at a = 3/5 { b[0] >= 1/5; }
+            refute at a = 3/5 { c < 4/5; }
+        }
+        family Lens {
+            shape x;
+            assume 3*x - 2 - x^2 > 0;
+            domain 0 <= t <= 1;
+            b[0] = x*t;
+            prove x > 1;
+            prove b[0] < 2;
+            refute b[0] <= 3/2;
+        }
+        family MitchellNetravali {
+            shape 0 <= B <= 1, 0 <= C <= 1;
+            assume B + 2*C = 1;
+            domain 1 <= x <= 2;
+            f[0] = ((-B - 6*C)*x^3 + (6*B + 30*C)*x^2 + (-12*B - 48*C)*x + 8*B + 24*C)/6;
+            prove at B = 1/3, C = 1/3 { f[0] >= -1/27; }
+            refute at C = 1/3, B = 1/3 { f[0] >= -1/30; }
+            prove at C = 0 { f[0] >= 0; }
+            prove at x = 1, C = 1/2 { f[0] = 0; }
+        }
+        family SpansOfTwoLengths {
+            shape 0 < d;
+            domain 0 <= x <= 1, 1 <= x <= 1 + d, 1 + d <= x <= 2 + d;
+            f[0] = x | 1 | 2 + d - x;
+            prove symmetric;
+        }",
+    );
+    let refuted: Vec<&String> = found.iter().filter(|verdict| *verdict != "=").collect();
+    assert_eq!(
+        refuted,
+        ["0 at a = 3/5, c = 4/5, t = 1/2", "1/6 at x = 5/3, t = 1", "-1/720 at B = 1/3, x = 3/2"]
+    );
+    assert_eq!(found.len(), 12);
+}

@@ -18,7 +18,7 @@ use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
 use crate::model::scope::{Inside, Scope};
 use crate::model::{Family, Library, Parameter};
-use crate::syntax::{self, Binding, Comparison, Expr, Relation, StatementKind};
+use crate::syntax::{self, Binding, Comparison, Expr, Loops, Relation, StatementKind};
 use basis_prover::collections::list::Mapped;
 
 /// Statements of a family whose claims are asked for.
@@ -142,8 +142,7 @@ fn one(
             });
             // A condition may well hold for other orders.
             if fine && !any && scope.constants.is_empty() {
-                let error = scope.error(span, "the condition does not hold: nothing is claimed");
-                scope.report(error.help("leave the condition out, or the claim"));
+                nothing_claimed(scope, &claim.loops, span);
             }
         }
     }
@@ -474,12 +473,18 @@ fn relation(
         }
     });
     if fine && !any && scope.constants.is_empty() {
-        scope.report(
-            scope
-                .error(relation.span, "the loop is empty: nothing is claimed")
-                .help("write the smaller bound first"),
-        );
+        nothing_claimed(scope, &relation.loops, relation.span);
     }
+}
+
+/// Reports a loop without rounds, or a condition that holds in none.
+fn nothing_claimed(scope: &Scope<'_>, loops: &Loops, span: Span) {
+    let (message, help) = if loops.condition.is_some() {
+        ("the condition does not hold: nothing is claimed", "leave the condition out, or the claim")
+    } else {
+        ("the loop is empty: nothing is claimed", "write the smaller bound first")
+    };
+    scope.report(scope.error(span, message).help(help));
 }
 
 /// The signs of a relation, each with the side behind it.

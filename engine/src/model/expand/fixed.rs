@@ -14,7 +14,7 @@ use crate::model::angle::{Angle, Given, Kind};
 use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Inside, Scope};
-use crate::model::{Barycentric, Family, Library, chart, label};
+use crate::model::{Barycentric, Family, Library, Parameter, chart, label};
 use crate::syntax::{self, Binding, StatementKind};
 use basis_prover::collections::list::Listed;
 
@@ -130,16 +130,29 @@ pub(super) fn fixed(
     }
     // At α = 1, t = α the point is where the shape value says.
     let is_point = |name: &str| scope.variable(name).is_some_and(|var| scope.is_domain_variable(var));
-    let (points, mut all): (Vec<_>, Vec<_>) = all.into_iter().partition(|(_, name)| is_point(name));
-    all.extend(points);
+    let is_determined = |name: &str| scope.determined.iter().any(|(n, _)| n == name);
+    all.sort_by_key(|(_, name)| (is_point(name), is_determined(name)));
     for (binding, name) in &all {
-        let Some(var) = scope.variable(name) else {
-            let determined = scope.determined.iter().any(|(n, _)| n == name);
-            if determined {
-                let error =
-                    scope.error(binding.name.span, format!("`{name}` is determined by an assumption"));
+        let by_assumption = scope.determined.iter().find(|(n, _)| n == name).map(|(_, value)| value.clone());
+        if let Some(own) = by_assumption {
+            let own = put(scope, own, &fixed, binding.value.span)?;
+            let value = scope.scalar(&binding.value)?;
+            let difference = scope.fits(scope.budget.sub(&own, &value), binding.value.span)?;
+            if difference.is_zero() {
+                continue;
+            }
+            let solved = family.shapes.iter().find_map(|p| Some((p, zero(&difference, p.var)?)));
+            let Some((parameter, value)) = solved else {
+                let message = format!("`{name}` is {} here, as assumed", own.display(&scope.names));
+                let error = scope.error(binding.value.span, message);
                 scope.report(error.help("fix the parameters on which it depends"));
-            } else if scope.taken(name).is_some() {
+                return None;
+            };
+            fix(scope, parameter, &parameter.name, (value, binding), &mut fixed)?;
+            continue;
+        }
+        let Some(var) = scope.variable(name) else {
+            if scope.taken(name).is_some() {
                 let error = scope.error(binding.name.span, format!("`{name}` is not a variable"));
                 scope.report(
                     error.help(format!("an `at` block fixes one of {}", crate::plural::list(&scope.names))),
@@ -166,34 +179,7 @@ pub(super) fn fixed(
             scope.report(scope.error(binding.name.span, format!("`{name}` is a number")));
             return None;
         };
-        let inside = Inside {
-            value: value.clone(),
-            name: name.clone(),
-            range: parameter.range.clone(),
-            family: None,
-            assumable: false,
-        };
-        let place = scope.place(binding.value.span);
-        if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range) {
-            return None;
-        }
-        match value.as_constant() {
-            Some(c) if !parameter.range.contains(&c) => {
-                scope.report(inside.outside(&c, place));
-                return None;
-            }
-            Some(_) => {}
-            None if scope.simplex_of(var).is_some() => {
-                let error =
-                    scope.error(binding.value.span, format!("`{name}` is fixed to something that varies"));
-                scope.report(
-                    error.help("on a simplex an `at` block fixes coordinates to numbers, such as `w = 0`"),
-                );
-                return None;
-            }
-            None => scope.must_stay_inside(inside, place),
-        }
-        fixed.push((var, value));
+        fix(scope, parameter, name, (value, binding), &mut fixed)?;
     }
     let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
     let simplices = scope.simplices.clone();
@@ -220,6 +206,53 @@ pub(super) fn fixed(
         return None;
     }
     Some(fixed)
+}
+
+/// Fixes a parameter that is no angle to a value in its range.
+fn fix(
+    scope: &mut Scope<'_>,
+    parameter: &Parameter,
+    name: &str,
+    (value, binding): (Fraction, &Binding),
+    fixed: &mut Vec<(Var, Fraction)>,
+) -> Option<()> {
+    let inside = Inside {
+        value: value.clone(),
+        name: name.to_owned(),
+        range: parameter.range.clone(),
+        family: None,
+        assumable: false,
+    };
+    let (var, place) = (parameter.var, scope.place(binding.value.span));
+    if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range) {
+        return None;
+    }
+    match value.as_constant() {
+        Some(c) if !parameter.range.contains(&c) => {
+            scope.report(inside.outside(&c, place));
+            return None;
+        }
+        Some(_) => {}
+        None if scope.simplex_of(var).is_some() => {
+            let error =
+                scope.error(binding.value.span, format!("`{name}` is fixed to something that varies"));
+            scope.report(
+                error.help("on a simplex an `at` block fixes coordinates to numbers, such as `w = 0`"),
+            );
+            return None;
+        }
+        None => scope.must_stay_inside(inside, place),
+    }
+    fixed.push((var, value));
+    Some(())
+}
+
+/// Where a function that is linear in a variable, with a number as its slope, is zero.
+fn zero(f: &Fraction, var: Var) -> Option<Fraction> {
+    let p = f.as_poly().filter(|p| p.degree(var) == 1)?;
+    let [rest, slope] = &p.coefficients_in(var)[..] else { return None };
+    let scale = -slope.as_constant()?.recip()?;
+    Some(Fraction::from(rest.scale(&scale)))
 }
 
 /// A value with those of the shape parameters that are fixed.

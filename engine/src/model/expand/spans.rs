@@ -38,7 +38,8 @@ pub(super) fn are_symmetric(pieces: &[Rc<Family>]) -> bool {
     let turned = |(a, b): &(Fraction, Fraction)| (&sum - b, &sum - a);
     let angle = |piece: &Rc<Family>| {
         let (var, ..) = piece.interval()?;
-        piece.analytic.angle(var).map(|angle| (angle.kind, angle.rate.clone(), angle.turns))
+        let angle = piece.analytic.angle(var).filter(|angle| angle.kind != Kind::Linear)?;
+        Some((angle.kind, angle.rate.clone(), angle.turns))
     };
     let spans = all.iter().zip(pieces);
     spans
