@@ -4,7 +4,8 @@ use core::ops::Range;
 
 use super::document::{Document, SymbolKind};
 use super::lex::TokenKind;
-use super::vocabulary::{GREEK, WORDS, Word, WordKind, word};
+use super::vocabulary::{WORDS, Word, WordKind, word};
+use crate::syntax::GREEK;
 
 /// Something that can be typed.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@
 
 use super::lex::{Token, TokenKind, tokens};
 use super::prose::letter;
-use super::vocabulary::GREEK;
+use crate::syntax::GREEK;
 
 pub use super::prose::escape;
 

@@ -15,13 +15,14 @@ mod lex;
 mod prose;
 mod vocabulary;
 
+pub use crate::syntax::GREEK;
 pub use analysis::{Analysed, Analysis, Statement};
 pub use complete::{Around, Suggestion, SuggestionKind, suggestions};
 pub use document::{Document, Entry, Import, Occurrence, Role, Symbol, SymbolKind};
 pub use facts::{FunctionFacts, Holds, claims_that_hold, function_facts, independent_claim};
 pub use format::{FormatError, format};
 pub use lex::{Token, TokenKind, tokens};
-pub use vocabulary::{GREEK, WORDS, Word, WordKind, is_name, word};
+pub use vocabulary::{WORDS, Word, WordKind, is_name, word};
 
 /// The spec whose families every spec can name: `Bernstein(n)` and `TriangularBernstein(n)`.
 pub const PRELUDE: &str = include_str!("../prelude.basis");

@@ -1,6 +1,6 @@
 //! Texts outside of formulas, and letters, as LaTeX.
 
-use super::vocabulary::GREEK;
+use crate::syntax::GREEK;
 
 /// A letter in math mode.
 pub(super) fn letter(c: char) -> String {

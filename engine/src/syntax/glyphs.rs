@@ -5,6 +5,7 @@
 use std::borrow::Cow;
 
 use super::error::{SyntaxError, SyntaxPlace};
+use super::latex::{self, Pasted};
 use crate::plural::count;
 
 /// Brackets nested deeper than this are refused, before they can exhaust the stack.
@@ -34,6 +35,27 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
     let mut seen: Vec<(char, usize, usize)> = Vec::new();
     let mut rest = Scanner { text, at: 0, unterminated: false, backslashes: Vec::new() };
     while let Some((at, c)) = rest.next_code_char(&mut errors) {
+        if let Some(Pasted { len, plain, message, help }) = latex::pasted(&text[at..]) {
+            let same = |error: usize| errors[error].help.as_ref() == Some(&help);
+            match seen.iter_mut().find(|(known, error, _)| *known == c && same(*error)) {
+                Some((.., others)) => *others += 1,
+                None => {
+                    seen.push((c, errors.len(), 0));
+                    errors.push(new(text, at, message, &help));
+                }
+            }
+            // What is longer than it was has no room.
+            match plain.filter(|plain| plain.len() <= len) {
+                Some(plain) => repaired.replace(at, len, &plain),
+                None => {
+                    gaps.push(at);
+                    repaired.replace(at, len, "");
+                }
+            }
+            rest.at = at + len;
+            previous = c;
+            continue;
+        }
         match c {
             '(' | '[' | '{' => {
                 open.push((c, at));
@@ -257,7 +279,7 @@ fn ends_with_function(before: &str) -> bool {
 /// that stand for it while the rest of the text is read (no longer than the character in bytes).
 fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     // Nearly all characters are these; the check runs unoptimised on every build.
-    if c.is_ascii() && !matches!(c, '\'' | '\\' | '`' | '\0') {
+    if c.is_ascii() && !matches!(c, '\'' | '`' | '\0') {
         return None;
     }
     let digit = |set: &str| set.chars().position(|d| d == c);
@@ -270,6 +292,13 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
         return Some((message, help, format!("^{d}")));
     }
     if let Some(d) = digit(SUBSCRIPTS) {
+        // What begins a statement is a function.
+        let name = before.trim_end_matches(|c: char| c.is_alphanumeric() || c == '_');
+        if name.len() < before.len() && name.trim_end().ends_with([';', '{', '}']) {
+            let message = format!("the subscript `{c}` is not allowed in a spec");
+            let help = format!("write an index in square brackets, `{}[{d}]`", &before[name.len()..]);
+            return Some((message, help, format!("[{d}]")));
+        }
         let base = before.chars().next_back().filter(|c| c.is_alphanumeric()).unwrap_or('λ');
         let message = format!("the subscript `{c}` is not allowed in a spec");
         let help =
@@ -309,7 +338,7 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
         '∞' => ("leave the end of the range out: `0 < λ` has no upper end", "1"),
         '“' | '”' | '„' | '«' | '»' => ("write the straight quotation mark `\"`", ""),
         '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ("write an ordinary space", ""),
-        '\\' | '`' | '\0' => ("remove it", ""),
+        '`' | '\0' => ("remove it", ""),
         _ if c.is_alphanumeric() || c.is_whitespace() || is_name_part(c) => return None,
         _ => ("names are letters and digits; operators are `+ - * / ^`", ""),
     };

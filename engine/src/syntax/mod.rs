@@ -6,6 +6,7 @@ mod claims;
 mod error;
 mod expr;
 mod glyphs;
+mod latex;
 mod parse;
 mod ranges;
 mod statements;
@@ -13,6 +14,7 @@ mod theorems;
 mod words;
 
 pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
+pub use latex::GREEK;
 pub use parse::{parse_text, parse_tokens};
 #[cfg(feature = "joins")]
 pub(crate) use theorems::ASSUME_HELP;

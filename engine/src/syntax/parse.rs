@@ -65,7 +65,10 @@ pub fn parse_text(text: &str) -> (Spec, SyntaxErrors) {
             // What follows from a gap in the same statement is not another error.
             let follows = |e: &SyntaxError| match &e.place {
                 SyntaxPlace::Bytes(range) => readable.gaps.iter().any(|gap| {
-                    text.get(*gap..range.start).is_some_and(|between| !between.contains([';', '{', '}']))
+                    readable
+                        .text
+                        .get(*gap..range.start)
+                        .is_some_and(|between| !between.contains([';', '{', '}']))
                 }),
                 SyntaxPlace::Token(_) => false,
             };

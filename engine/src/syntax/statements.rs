@@ -129,6 +129,12 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
             take_word(input)?;
             StatementKind::Let(definition(input)?)
         }
+        word @ ("prove" | "refute" | "conjecture") if input.peek2(Token![;]) => {
+            let help = format!("write what is claimed, such as `{word} nonnegative;`");
+            let keyword = input.span();
+            take_word(input)?;
+            return Err(error(keyword, "nothing is claimed", help));
+        }
         "prove" | "refute" | "conjecture" => {
             let claim = claim(input)?;
             StatementKind::Claim(claim)
@@ -219,6 +225,9 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
     let help = match kind {
         Some(StatementKind::Claim(_)) if at_word(input, "except") => {
             "`except` belongs to `independent`; for other claims narrow the range of the parameter"
+        }
+        Some(StatementKind::Claim(_)) if input.peek(Token![||]) || input.peek(Token![&&]) => {
+            "write two claims: `&&` and `||` stand between conditions, behind `if`"
         }
         _ => "a statement ends with `;`",
     };

@@ -446,7 +446,9 @@ fn relation(
     let mut sides = core::iter::once(&relation.left).chain(signs(relation).map(|(_, side)| side));
     if !sides.any(|side| scope.mentions_variable(side)) {
         let error = scope.error(relation.span, "the claim names no function and no variable");
-        scope.report(error.help("claim something about the functions, such as `b[0] + b[1] = 1 - b[2]`"));
+        scope.report(error.help(
+            "claim something about the functions, such as `b[0] + b[1] = 1 - b[2]`, or `partition_of_unity`",
+        ));
         return;
     }
     let mut any = false;

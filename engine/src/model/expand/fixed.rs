@@ -145,7 +145,9 @@ pub(super) fn fixed(
             let Some((parameter, value)) = solved else {
                 let message = format!("`{name}` is {} here, as assumed", own.display(&scope.names));
                 let error = scope.error(binding.value.span, message);
-                scope.report(error.help("fix the parameters on which it depends"));
+                scope.report(
+                    error.help("leave it out, or choose other values of the parameters on which it depends"),
+                );
                 return None;
             };
             fix(scope, parameter, &parameter.name, (value, binding), &mut fixed)?;
@@ -197,6 +199,7 @@ pub(super) fn fixed(
             } else {
                 format!("write `{user} = …` with the value of `{name}`, which is {end}")
             }));
+            scope.pending.truncate(pending); // that the values stay in their ranges
             return None;
         }
     }

@@ -75,7 +75,8 @@ impl Scope<'_> {
             steps.push((self.only_domain_variable(span)?, 1));
         }
         if let Some((_, order)) = steps.iter().find(|(_, order)| *order < 0) {
-            self.report(self.error(span, format!("the order {order} of a derivative is negative")));
+            let error = self.error(span, format!("the order {order} of a derivative is negative"));
+            self.report(error.help("orders are whole numbers, such as `D(b[0], 2)`"));
             return None;
         }
         let value = self.value(f)?;

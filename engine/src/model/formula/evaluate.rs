@@ -750,8 +750,7 @@ impl Scope<'_> {
                 constant(-(-x).floor())
             }
             ("min" | "max", [x, y]) => {
-                let what = format!("an argument of `{name}`");
-                let (x, y) = (self.number(x, &what)?, self.number(y, &what)?);
+                let (x, y) = (self.compared_number(x, name)?, self.compared_number(y, name)?);
                 constant(if name == "min" { x.min(y) } else { x.max(y) })
             }
             _ => {

@@ -4,6 +4,7 @@ use proc_macro2::Span;
 
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
+use crate::diagnostic::Diagnostic;
 use crate::model::scope::Scope;
 use crate::model::words::BUILTINS;
 use crate::syntax::{Expr, ExprKind, IndexRange, Limit};
@@ -11,16 +12,28 @@ use crate::syntax::{Expr, ExprKind, IndexRange, Limit};
 impl Scope<'_> {
     /// The number that an expression is; reports anything else.
     pub(crate) fn number(&mut self, expr: &Expr, what: &str) -> Option<Rational> {
-        match self.scalar(expr)?.as_constant() {
-            Some(value) => Some(value),
-            None => {
-                self.report(
-                    self.error(expr.span, format!("{what} must be a number"))
-                        .label("this contains a variable"),
-                );
-                None
-            }
+        let value = self.scalar(expr)?.as_constant();
+        if value.is_none() {
+            self.report(self.no_number(expr, what));
         }
+        value
+    }
+
+    /// The error about something that has to be a number.
+    fn no_number(&self, expr: &Expr, what: &str) -> Diagnostic {
+        self.error(expr.span, format!("{what} must be a number")).label("this contains a variable")
+    }
+
+    /// The number that an argument of `min` or `max` is.
+    pub(crate) fn compared_number(&mut self, expr: &Expr, function: &str) -> Option<Rational> {
+        let value = self.scalar(expr)?.as_constant();
+        if value.is_none() {
+            let error = self.no_number(expr, &format!("an argument of `{function}`"));
+            self.report(error.help(
+                "on parts of the domain a function is given in spans, `domain 0 <= t <= 1/2, 1/2 <= t <= 1; b[0] = 1 - t | t;`",
+            ));
+        }
+        value
     }
 
     /// The whole number that an expression is; reports anything else.
@@ -29,7 +42,8 @@ impl Scope<'_> {
         match value.to_i64() {
             Some(n) => Some(n),
             None => {
-                self.report(self.error(expr.span, format!("{what} must be a whole number, but is {value}")));
+                let message = format!("{what} must be a whole number, but is {value}");
+                self.report(self.error(expr.span, message).help("write a whole number, such as 2"));
                 None
             }
         }

@@ -264,6 +264,7 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
         family.functions.iter().map(of).collect()
     };
     let (at_low, at_high) = (at(false)?, at(true)?);
+    let last_at = |k: usize, order: u32| at_high.get(k)?.get(order as usize);
     let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
         match order {
@@ -301,7 +302,7 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
                 parts.push(name(before, order, &low_text));
             }
             if k < len {
-                difference = &difference - at_high[k].get(order as usize)?;
+                difference = &difference - last_at(k, order)?;
                 parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
