@@ -23,9 +23,11 @@ mod series;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
+use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
+use crate::model::angle::Angle;
 use crate::plan::form::{IntervalForm, RationalForm};
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
@@ -110,6 +112,18 @@ const NO_CODE: &str =
 
 /// Why no type is generated for a family of any size; `None` where one is.
 fn no_type(family: &Family) -> Option<Diagnostic> {
+    // The tangent of such a parameter is measured from the lower end of its range.
+    let measured = |angle: &&Angle| !angle.low.is_zero() || angle.width.as_constant() != Some(Rational::ONE);
+    let angles = &family.analytic.angles;
+    let shape = |angle: &&Angle| family.shapes.iter().any(|p| p.var == angle.var);
+    if let Some(angle) = angles.iter().filter(shape).find(measured) {
+        let message = format!(
+            "no code is generated yet for parameters in `exp`, `sinh` or `cosh` whose ranges end in numbers, `{}`",
+            angle.declared
+        );
+        let help = format!("leave the end out, or let it be 0: `shape 0 < {};`", angle.name);
+        return Some(Diagnostic::error(family.place.clone(), message).help(help));
+    }
     let message = if family.pieces.iter().any(|piece| series::is_mixed(piece)) {
         "no code is generated yet for families on several spans with the domain variable beside its sine or exponential"
     } else if is_rational(family) && family.interval().is_none() {

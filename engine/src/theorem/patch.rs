@@ -323,6 +323,7 @@ impl Elaboration<'_> {
                 range: parameter.range.clone(),
                 family: Some(factor.family.title()),
                 assumable: true,
+                written: None,
             };
             let place = self.scope.place(expr.span);
             self.scope.must_stay_inside(inside, place);

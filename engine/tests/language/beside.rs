@@ -281,3 +281,51 @@ fn values_of_angles_that_are_refused() {
     assert_eq!(errors("at α = pi/2, t = pi { b[0] >= 0; }").len(), 1);
     assert_eq!(errors("at α = pi/2, t = α { b[0] = pi/2 - 1; }"), Vec::<String>::new());
 }
+
+/// Between numbers the tangent of a parameter is measured from the lower one: powers of e are the ends.
+#[test]
+fn ranges_of_exponents_end_at_numbers() {
+    let found = counterexamples(
+        "family Catenary {
+            shape 1 <= α <= 2;
+            domain 0 <= t <= 1;
+            b[0] = cosh(α)*t;
+            b[1] = 1;
+            prove 3*t/2 <= b[0] <= 38*t/10;
+            refute b[0] <= 37*t/10;
+            prove at α = 1 { b[0] = (exp(1) + exp(-1))/2*t; }
+            prove D(b[0], α) = sinh(α)*t;
+        }
+        family Tension {
+            shape 0 < α <= 3;
+            domain 0 <= t <= α;
+            b[0] = sinh(α - t)/sinh(α);
+            b[1] = sinh(t)/sinh(α);
+            prove nonnegative;
+            prove symmetric;
+            prove independent;
+            prove at α = 2, t = α { b[1] = 1; }
+            prove at α = 3, t = 3 { b[0] = 0; }
+        }
+        family Growth {
+            shape α <= 1;
+            domain 0 <= t <= 1;
+            b[0] = exp(α)*t;
+            b[1] = exp(-α)*(1 - t);
+            prove b[0] <= 3*t;
+            prove b[1] >= 367/1000*(1 - t);
+            refute b[0] <= 2718/1000;
+        }
+        family Beside {
+            shape 0 < α <= 2;
+            domain 0 <= t <= α;
+            b[0] = sinh(t) - t;
+            b[1] = 1;
+            prove b[0] <= 163/100;
+        }",
+    );
+    // cosh 2 = 3.7622; e; sinh 2 - 2 = 1.62686.
+    assert!(found[0].ends_with("at α = 2, t = 1"), "{found:?}");
+    assert_eq!(found[1], "-1359/500 + exp(1) at α = 1, t = 1");
+    assert_eq!(found.len(), 2, "{found:?}");
+}

@@ -324,8 +324,14 @@ fn neighbour(
             scope.report(error.help("shape values of the next segment are made of those of this one"));
             return None;
         }
-        let inside =
-            Inside { value: value.clone(), name, range: shape.range.clone(), family: None, assumable: false };
+        let inside = Inside {
+            value: value.clone(),
+            name,
+            range: shape.range.clone(),
+            family: None,
+            assumable: false,
+            written: None,
+        };
         let place = scope.place(binding.value.span);
         match value.as_constant() {
             Some(c) if !shape.range.contains(&c) => {

@@ -225,6 +225,7 @@ fn fix(
         range: parameter.range.clone(),
         family: None,
         assumable: false,
+        written: None,
     };
     let (var, place) = (parameter.var, scope.place(binding.value.span));
     if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range) {
@@ -289,25 +290,40 @@ fn fixed_angle(
             return None;
         }
     }
-    match y.as_constant() {
-        Some(c) if !parameter.range.contains(&c) => {
-            let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
-            let message = format!("{} = {shown} is outside of the declared range `{declared}`", angle.name);
-            let help = "claims are about the declared ranges; widen the range, or choose a value inside";
-            scope.report(scope.error(span, message).help(help));
-            return None;
-        }
-        Some(_) => {}
-        None => {
-            let (name, range) = (parameter.name.clone(), parameter.range.clone());
-            let inside = Inside { value: y.clone(), name, range, family: None, assumable: false };
-            let place = scope.place(span);
-            scope.must_stay_inside(inside, place);
-        }
+    let outside = match y.as_constant() {
+        Some(c) => !parameter.range.contains(&c),
+        None => is_beyond(&value, angle),
+    };
+    let shown = Printer { constants: &scope.constants, component: None }.print(&binding.value);
+    let written = format!("{} = {shown}", angle.name);
+    if outside {
+        let message = format!("{written} is outside of the declared range `{declared}`");
+        let help = "claims are about the declared ranges; widen the range, or choose a value inside";
+        scope.report(scope.error(span, message).help(help));
+        return None;
+    }
+    if y.as_constant().is_none() {
+        let inside = Inside {
+            value: y.clone(),
+            name: parameter.name.clone(),
+            range: parameter.range.clone(),
+            family: None,
+            assumable: false,
+            written: Some((written, declared)),
+        };
+        let place = scope.place(span);
+        scope.must_stay_inside(inside, place);
     }
     fixed.push((angle.var, y));
     fixed.push((angle.itself, value));
     Some(())
+}
+
+/// Whether a number lies beyond the ends of a range that are numbers.
+fn is_beyond(value: &Fraction, angle: &Angle) -> bool {
+    let Some(value) = value.as_constant() else { return false };
+    let end = |side: usize| angle.limits[side].as_constant().filter(|_| !angle.ends[side].is_empty());
+    end(0).is_some_and(|low| value < low) || end(1).is_some_and(|high| value > high)
 }
 
 /// On a simplex: the last barycentric coordinate fixes another one, and all of them sum to 1.

@@ -186,6 +186,7 @@ impl Scope<'_> {
                 range: parameter.range.clone(),
                 family: Some(family.title()),
                 assumable: false,
+                written: None,
             };
             let place = self.place(shape.span);
             if let Some(c) = value.as_constant() {

@@ -261,7 +261,10 @@ impl Scope<'_> {
         }
         let shown = value.display(&self.names);
         let name = without_brackets(name);
-        let declared = range.display(name).to_string();
+        let (given, declared) = inside
+            .written
+            .clone()
+            .unwrap_or_else(|| (format!("{name} = {shown}"), range.display(name).to_string()));
         for (end, above) in [(&range.low, false), (&range.high, true)] {
             let (bound, relation) = match end {
                 End::Infinite => continue,
@@ -286,7 +289,7 @@ impl Scope<'_> {
                     return Some(
                         Diagnostic::error(
                             place,
-                            format!("{name} = {shown} leaves the declared range `{declared}`{of}"),
+                            format!("{given} leaves the declared range `{declared}`{of}"),
                         )
                         .label(format!("at {}", self.own(&sign, &point)))
                         .help(inside.help(&shown, end, above)),
@@ -296,9 +299,7 @@ impl Scope<'_> {
                     return Some(
                         Diagnostic::error(
                             place,
-                            format!(
-                                "it is undecided whether {name} = {shown} stays in the range `{declared}`{of}"
-                            ),
+                            format!("it is undecided whether {given} stays in the range `{declared}`{of}"),
                         )
                         .note(left)
                         .help("raise the budget, such as `budget 10;`, or narrow the ranges"),

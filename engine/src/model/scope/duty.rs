@@ -49,6 +49,8 @@ pub(crate) struct Inside {
     pub(crate) family: Option<String>,
     /// Whether `assume` can narrow the ranges, as in theorems.
     pub(crate) assumable: bool,
+    /// Of an angle what is written, such as `t = pi/2`, and its range.
+    pub(crate) written: Option<(String, String)>,
 }
 
 impl Inside {

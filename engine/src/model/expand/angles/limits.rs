@@ -187,6 +187,11 @@ pub(super) fn ordered(scope: &Scope<'_>, ends: &[&Bound], known: &[Parameter]) -
     // Parameters with a range above 0.
     let positive = |var: Var| {
         let angle = scope.analytic.angles.iter().find(|a| a.itself == var);
+        // Between numbers its tangent is measured from the lower one.
+        let low = angle.and_then(|a| a.limits[0].as_constant()).filter(|low| !low.is_zero());
+        if let Some(low) = low {
+            return low.is_positive();
+        }
         let range = known.iter().find(|p| angle.is_some_and(|a| a.var == p.var)).map(|p| &p.range);
         range.is_some_and(|r| match &r.low {
             End::Included(low) => low.is_positive(),

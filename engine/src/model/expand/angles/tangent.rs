@@ -297,17 +297,15 @@ pub(super) fn angle(
             },
         };
         Range { low: end(0), high: end(1) }
-    } else if !at.is_domain {
-        wrong(
-            scope,
-            format!("the end of the range of `{name}` has an irrational tangent"),
-            "a parameter in `exp`, `sinh` or `cosh` has 0 or no end: `shape 0 < α;`",
-        );
-        return None;
     } else {
         // x = low + width·y
         let mut values = Vec::new();
-        for l in &ends {
+        for (limit, beyond) in limits.iter().zip([-1, 1]) {
+            // Only a hyperbolic parameter has no end: its tangent goes to ±1.
+            let Some(l) = limit else {
+                values.push(Fraction::constant(Rational::from(beyond)));
+                continue;
+            };
             let mut sum = Fraction::constant(l.value.number.clone());
             for (var, factor, _) in &l.value.parts {
                 sum = &sum + &(&Fraction::constant(factor.clone()) * &Fraction::var(*var));
@@ -323,7 +321,7 @@ pub(super) fn angle(
                 }
             }
         }
-        if !ordered(scope, &ends, known) {
+        if at.is_domain && !ordered(scope, &ends, known) {
             wrong(
                 scope,
                 format!("the ends of the domain of `{name}` could not be proved to be in order"),
@@ -334,14 +332,28 @@ pub(super) fn angle(
         new.low = values.first()?.clone();
         new.width = values.last()? - &new.low;
         // In brackets, as powers of it may be written.
-        let (x, low, high) = (new.tangent_name(), of_end(&new, ends[0]), of_end(&new, ends[1]));
+        let of_end = |side: usize, beyond: &str| {
+            limits[side].as_ref().map_or_else(|| String::from(beyond), |l| of_end(&new, l))
+        };
+        let (x, low, high) = (new.tangent_name(), of_end(0, "(-1)"), of_end(1, "1"));
         scope.names[at.slot.0] = if new.low.is_zero() {
             format!("({x}/{high})")
         } else {
             format!("(({x} - {low})/({high} - {low}))")
         };
-        let end = |l: &Bound, x: Rational| if l.included { End::Included(x) } else { End::Excluded(x) };
-        Range { low: end(ends[0], Rational::ZERO), high: end(ends[1], Rational::ONE) }
+        let end = |side: usize, y: Rational| {
+            let included = limits[side].as_ref().is_some_and(|l| l.included);
+            if included { End::Included(y) } else { End::Excluded(y) }
+        };
+        let order = |l: &Limits| {
+            let [Some(low), Some(high)] = l else { return false };
+            at.is_domain || low.value.number <= high.value.number
+        };
+        if ends.len() == 2 && !order(limits) {
+            wrong(scope, format!("the range of `{name}` is empty"), "write the smaller end first");
+            return None;
+        }
+        Range { low: end(0, Rational::ZERO), high: end(1, Rational::ONE) }
     };
     if range.is_empty() || at.is_domain && range.finite().is_none_or(|(a, b)| a >= b) {
         wrong(scope, format!("the range of `{name}` is empty"), "write the smaller end first");
