@@ -88,14 +88,16 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     for k in shape_count..names.len() {
         let Some(own) = all[k].clone() else { continue };
         // Of all spans, so that values at a knot are in one tangent, and powers of one exponential.
-        let mut spans = Vec::new();
+        let own_span = domain[k - shape_count].0;
+        let mut other_spans = Vec::new();
         for statement in &written.statements {
             let StatementKind::Domain(decls) = &statement.kind else { continue };
-            for decl in decls.iter().filter(|decl| decl.name.text == names[k]) {
-                spans.push(self::limits(scope, decl)?);
+            let is_other = |decl: &&RangeDecl| decl.name.text == names[k] && !core::ptr::eq(*decl, own_span);
+            for decl in decls.iter().filter(is_other) {
+                other_spans.push(self::limits(scope, decl)?);
             }
         }
-        for end in spans.iter().flatten().flatten() {
+        for end in limits[k].iter().chain(other_spans.iter().flatten()).flatten() {
             if own.kind == Kind::Hyperbolic && !end.value.number.is_zero() {
                 uses.numbers.push(&end.value.number.abs() * &own.unit);
             }
