@@ -4,6 +4,7 @@
 mod edges;
 mod limits;
 mod numbers;
+mod rate;
 mod survey;
 mod tangent;
 
