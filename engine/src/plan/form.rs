@@ -5,7 +5,7 @@ use basis_prover::collections::list::{Listed, Mapped};
 use basis_kernel::{Certificate, Domain, Proof, Quotient, Relation, Statement};
 use std::rc::Rc;
 
-use crate::algebra::divisors::gcd::checked_gcd;
+use crate::algebra::divisors::gcd::square_free;
 use crate::algebra::number::binomial;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Region;
@@ -273,34 +273,15 @@ fn has_one_sign(coefficients: &[Poly], region: &Region) -> bool {
     coefficients.iter().all(fine) || coefficients.iter().all(|c| fine(&-c))
 }
 
-/// The work for the common divisors of one function.
+/// The work for the square-free factors of one function.
 const SQUARE: u64 = 2_000_000;
 
-/// h and g with p = h²·g, the coefficients of h being whole numbers without a common divisor, by the multiplicities of the factors (D. Yun, "On square-free decomposition algorithms", SYMSAC
-/// 1976); `None` where h would be 1.
+/// h and g with p = h²·g, where h takes from each square-free factor of p with `var` half of its exponent, rounded down,
+/// and has whole coefficients without a common divisor; `None` where it would be 1.
 fn square_factor(p: &Poly, var: Var) -> Option<(Poly, Poly)> {
-    let work = &mut Work::new(SQUARE);
-    let slope = p.derivative(var);
-    let common = checked_gcd(p, &slope, work)?;
-    if common.degree(var) == 0 {
-        return None;
-    }
-    let (mut b, mut c) = (p.div_exact(&common)?, slope.div_exact(&common)?);
-    let mut square = Poly::one();
-    let mut multiplicity = 1;
-    while b.degree(var) > 0 {
-        let d = &c - &b.derivative(var);
-        let factor = if d.is_zero() { b.clone() } else { checked_gcd(&b, &d, work)? };
-        if factor.degree(var) > 0 {
-            square = &square * &factor.pow(multiplicity / 2);
-        }
-        if d.is_zero() {
-            break;
-        }
-        (b, c) = (b.div_exact(&factor)?, d.div_exact(&factor)?);
-        multiplicity += 1;
-    }
-    square = square.scale(&square.numeric_content().recip()?);
+    let factors = square_free(p, &mut Work::new(SQUARE))?;
+    let with_var = factors.iter().filter(|(factor, _)| factor.degree(var) > 0);
+    let square = with_var.fold(Poly::one(), |h, (factor, exponent)| &h * &factor.pow(exponent / 2));
     let rest = p.div_exact(&(&square * &square))?;
     (square.degree(var) > 0).then_some((square, rest))
 }
