@@ -62,6 +62,11 @@ impl Fraction {
             (numer.div_exact(&common)?, denom.div_exact(&common)?)
         };
         let denom = apart.iter().fold(denom, |denom, factor| &denom * factor);
+        Self::in_lowest_terms(&numer, &denom)
+    }
+
+    /// The quotient of two polynomials without a common factor, the divisor not zero.
+    fn in_lowest_terms(numer: &Poly, denom: &Poly) -> Option<Self> {
         let whole = denom.normalized();
         // `denom` is a number times `whole`.
         let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
@@ -212,16 +217,12 @@ impl Fraction {
             denom = &denom * &radical;
             change = &change + &further;
         }
-        let rest = Self::reduced(numer, content, work)?;
-        work.spend_product(&denom, &rest.denom)?;
-        let denom = &denom * &rest.denom;
-        let whole = denom.normalized();
-        // `denom` is a number times `whole`.
-        let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;
-        if rest.numer.is_zero() {
+        if numer.is_zero() {
             return Some(Self::zero());
         }
-        Some(Self { numer: rest.numer.scale(&factor), denom: whole })
+        let rest = Self::reduced(numer, content, work)?;
+        work.spend_product(&denom, &rest.denom)?;
+        Self::in_lowest_terms(&rest.numer, &(&denom * &rest.denom))
     }
 
     /// The function with another put in place of a variable; `None` when that makes the denominator zero.
