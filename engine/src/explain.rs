@@ -15,6 +15,7 @@ pub use theorems::determined_points;
 use std::rc::Rc;
 
 use basis_kernel::{Chart, Relation, Statement, with};
+use basis_prover::collections::list::Mapped;
 use basis_prover::range::{LargestRange, Part, largest_range, nonnegative_parts};
 use basis_prover::rank::{Exceptional, ExceptionalSet};
 use basis_prover::{Budget, Coordinate, decide, pull_back, typical};
@@ -87,16 +88,13 @@ pub fn end_derivatives(family: &Family, order: u32) -> Vec<(String, String)> {
     let Some(texts) = family.end_texts() else { return lines };
     let ends = [(low, false), (high, true)].into_iter().zip(texts);
     for ((_, upper), end_text) in ends.filter(|((end, _), _)| inside(end)) {
+        let derivatives = family
+            .functions
+            .mapped(|f| family.derivatives_at_end(&f.value, order, upper, &mut Work::unlimited()));
         for order in 0..=order {
-            let weights: Vec<Fraction> = family
-                .functions
-                .iter()
-                .map(|f| {
-                    // A denominator vanishes nowhere on the domain.
-                    let all = family.derivatives_at_end(&f.value, order, upper, &mut Work::unlimited());
-                    all.and_then(|mut all| all.pop()).unwrap_or_else(Fraction::zero)
-                })
-                .collect();
+            // A denominator vanishes nowhere on the domain.
+            let weights: Vec<Fraction> = derivatives
+                .mapped(|all| all.as_ref().map_or_else(Fraction::zero, |all| all[order as usize].clone()));
             let name = match order {
                 0..=3 => format!("C{}({end_text})", "'".repeat(order as usize)),
                 _ => format!("C^({order})({end_text})"),

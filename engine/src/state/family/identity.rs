@@ -257,10 +257,15 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
     let mut differences = Vec::new();
     let len = family.functions.len();
     let [low_text, high_text] = family.end_texts()?;
-    let at = |k: usize, order: u32, upper: bool| {
-        let work = &mut Work::unlimited();
-        family.derivatives_at_end(&family.functions[k].value, order, upper, work)?.pop()
-    };
+    // A denominator vanishes nowhere on the domain, so that there are values at its ends.
+    let mut derivatives: [Vec<Vec<Fraction>>; 2] = Default::default();
+    for (upper, of_end) in [false, true].into_iter().zip(&mut derivatives) {
+        for function in &family.functions {
+            let work = &mut Work::unlimited();
+            of_end.push(family.derivatives_at_end(&function.value, joint.order, upper, work)?);
+        }
+    }
+    let [at_low, at_high] = &derivatives;
     let name = |k: usize, order: u32, end: &str| {
         let b = family.function_label(k);
         match order {
@@ -284,20 +289,18 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
         }
         Some(f)
     };
-    let next_at = |k: usize, order: u32| {
-        at(k, order, false).and_then(|f| if joint.next.is_empty() { Some(f) } else { next(f) })
-    };
     for order in 0..=joint.order {
+        let of_order = |all: &[Fraction]| all[order as usize].clone();
         for k in 0..=len {
             let mut difference = Fraction::zero();
             let mut parts = Vec::new();
-            // A denominator vanishes nowhere on the domain, so that there is a value at its ends.
             if let Some(before) = k.checked_sub(1) {
-                difference = next_at(before, order)?;
+                let own = of_order(&at_low[before]);
+                difference = if joint.next.is_empty() { own } else { next(own)? };
                 parts.push(name(before, order, &low_text));
             }
             if k < len {
-                difference = &difference - &at(k, order, true)?;
+                difference = &difference - &of_order(&at_high[k]);
                 parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };
