@@ -1,9 +1,9 @@
 //! The rate of an angle: the number v of x = tan(v·s), chosen so that the tangent is finite on the range, and rational at
 //! its ends.
 
+use super::declared::Declared;
 use super::edges::{Edge, edge};
 use super::limits::{Bound, Tangent, psi, stays_finite};
-use super::tangent::Declared;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::multiple_of_pi;
