@@ -1,7 +1,7 @@
 //! What papers write beyond single formulas: names with arguments, lists, chains, factors of families; each with true
 //! claims and with false ones beside them, whose values were computed by other means.
 
-use crate::support::recheck;
+use crate::rechecked::rechecked;
 use basis_engine::{Source, Verdict, check};
 
 /// The verdicts of a spec without other errors than false claims, `=` for proved, else the value of the counterexample
@@ -11,18 +11,12 @@ fn verdicts(spec: &str) -> Vec<String> {
     let errors: Vec<&str> =
         report.diagnostics.iter().map(|d| d.message.as_str()).filter(|m| !m.contains("the claim")).collect();
     assert!(errors.is_empty(), "{errors:?}");
-    let mut all = Vec::new();
-    for item in &report.items {
-        for (claim, verdict) in &item.claims {
-            assert_eq!(recheck(&item.subject, claim, verdict), Ok(()), "{}", claim.text);
-            all.push(match verdict {
-                Verdict::Proved(_) => String::from("="),
-                Verdict::Refuted(witness) => format!("{} at {}", witness.value, witness.point()),
-                Verdict::Undecided(left) => format!("undecided: {left}"),
-            });
-        }
-    }
-    all
+    let text = |verdict: &Verdict| match verdict {
+        Verdict::Proved(_) => String::from("="),
+        Verdict::Refuted(witness) => format!("{} at {}", witness.value, witness.point()),
+        Verdict::Undecided(left) => format!("undecided: {left}"),
+    };
+    rechecked(&report).into_iter().map(text).collect()
 }
 
 #[test]
@@ -725,39 +719,43 @@ fn angles_that_end_at_a_third_of_a_turn() {
     assert!(found.iter().all(|verdict| !verdict.starts_with("undecided")), "{found:?}");
 }
 
+/// The body of a family whose one function is the quadratic trigonometric B-spline on equidistant knots.
+const QUADRATIC_TRIGONOMETRIC_B_SPLINE: &str = "
+            shape 0 < h < 2*pi/3;
+            domain 0 <= x <= h, h <= x <= 2*h, 2*h <= x <= 3*h;
+            let c = sin(h/2)*sin(h);
+            let p(x) = sin(x/2)^2/c;
+            let q(x) = (sin(x/2)*sin((2*h - x)/2) + sin((3*h - x)/2)*sin((x - h)/2))/c;
+            N[0] = p(x) | q(x) | p(3*h - x);";
+
 /// Values at a knot are compared in one tangent, and in powers of one exponential, whatever the ends of the other spans are.
 #[test]
 fn spans_of_different_lengths() {
-    let found = verdicts(
-        "family Angles {
+    let found = verdicts(&format!(
+        "family Angles {{
             shape 0 < h < pi/3;
             domain 0 <= x <= 2*h, 2*h <= x <= 3*h;
             b[0] = sin(x) | sin(x);
             b[1] = sin(x) | sin(x)*cos(x - 2*h);
             prove smooth(1);
             refute smooth(2);
-        }
-        family Exponentials {
+        }}
+        family Exponentials {{
             domain 0 <= t <= 2, 2 <= t <= 3, 3 <= t <= 7/2;
             b[0] = exp(t) | exp(t) | exp(t);
             b[1] = t*exp(-t) | t*exp(-t) | t*exp(-t);
             b[2] = 1 | exp(t - 2) | exp(1)*(t - 2);
             prove smooth(0);
             refute smooth(1);
-        }
-        family QuadraticTrigonometricBSpline {
-            shape 0 < h < 2*pi/3;
-            domain 0 <= x <= h, h <= x <= 2*h, 2*h <= x <= 3*h;
-            let c = sin(h/2)*sin(h);
-            let p(x) = sin(x/2)^2/c;
-            let q(x) = (sin(x/2)*sin((2*h - x)/2) + sin((3*h - x)/2)*sin((x - h)/2))/c;
-            N[0] = p(x) | q(x) | p(3*h - x);
+        }}
+        family QuadraticTrigonometricBSpline {{
+            {QUADRATIC_TRIGONOMETRIC_B_SPLINE}
             prove smooth(1);
             refute smooth(2);
             prove nonnegative;
-            prove at x = h { N[0] = sin(h/2)/sin(h); }
-        }",
-    );
+            prove at x = h {{ N[0] = sin(h/2)/sin(h); }}
+        }}"
+    ));
     let [a, b, c, d, e, f, g, h] = &found[..] else { panic!("{found:?}") };
     assert_eq!([a, c, e, g, h], ["="; 5], "{found:?}");
     // Of sin(x) cos(x - 2h) the second derivative is less by sin(2h); h = 2 arctan(7/24) there.
@@ -769,35 +767,30 @@ fn spans_of_different_lengths() {
 /// Each span takes the place of another one, in whose angle it is written.
 #[test]
 fn spans_with_angles_are_reversed() {
-    let found = verdicts(
-        "family QuadraticTrigonometricBSpline {
-            shape 0 < h < 2*pi/3;
-            domain 0 <= x <= h, h <= x <= 2*h, 2*h <= x <= 3*h;
-            let c = sin(h/2)*sin(h);
-            let p(x) = sin(x/2)^2/c;
-            let q(x) = (sin(x/2)*sin((2*h - x)/2) + sin((3*h - x)/2)*sin((x - h)/2))/c;
-            N[0] = p(x) | q(x) | p(3*h - x);
+    let found = verdicts(&format!(
+        "family QuadraticTrigonometricBSpline {{
+            {QUADRATIC_TRIGONOMETRIC_B_SPLINE}
             prove symmetric;
-        }
-        family Exponentials {
+        }}
+        family Exponentials {{
             shape 0 < c;
             domain 0 <= t <= c, c <= t <= 3*c, 3*c <= t <= 4*c;
             b[0] = t*exp(t) | exp(c)*t*(4*c - t)/(3*c) | (4*c - t)*exp(4*c - t);
             b[1] = b[0] | b[0] | b[0];
             prove symmetric;
-        }
-        family Quarters {
+        }}
+        family Quarters {{
             domain -pi/2 <= t <= 0, 0 <= t <= pi/2;
             b[0] = cos(t) | cos(t)^2;
             b[1] = cos(t)^2 | cos(t);
             prove symmetric;
-        }
-        family Odd {
+        }}
+        family Odd {{
             domain -pi/2 <= t <= 0, 0 <= t <= pi/2;
             b[0] = sin(t) | sin(t);
             refute symmetric;
-        }",
-    );
+        }}"
+    ));
     assert_eq!(found[..3], ["="; 3]);
     // 2 sin t.
     assert_eq!(found[3..], ["-8/5 at tan(t/2) = -1/2"]);
