@@ -3,7 +3,7 @@
 use basis_engine::algebra::range::Range;
 use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Claimed, Compared, Comparison, Formulas, Term};
-use basis_engine::{Claim, ClaimKind, Coordinate, Family, Verdict, Witness, state};
+use basis_engine::{Claim, ClaimKind, Coordinate, Evidence, Family, Verdict, Witness, state};
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::{Chart, Proof, Statement};
 
@@ -26,6 +26,28 @@ pub(super) struct Subject<'a> {
     pub(super) obligations: &'a [&'a Proof],
 }
 
+/// One theorem for each comparison of a claim, by its own proof; of several, the identifiers are numbered.
+pub(super) fn each_proved(
+    name: &str,
+    claimed: &Claimed,
+    evidence: &Evidence,
+    proved: &dyn Fn(&str, &Compared, &Proof) -> Result<String, Missing>,
+) -> Result<Vec<String>, Missing> {
+    if evidence.steps().len() != claimed.all.len() {
+        return Err("formulas that cannot be told apart");
+    }
+    let is_one_of_several = claimed.all.len() > 1;
+    let each = claimed.all.iter().zip(evidence.steps()).enumerate();
+    each.map(|(k, (compared, (_, proof)))| {
+        if is_one_of_several {
+            proved(&format!("{name}_{k}"), compared, proof)
+        } else {
+            proved(name, compared, proof)
+        }
+    })
+    .collect()
+}
+
 impl Subject<'_> {
     /// The theorems that a claim makes, with the identifiers that begin with `name`.
     pub(super) fn theorems(
@@ -42,16 +64,9 @@ impl Subject<'_> {
                     let (_, proof) = evidence.steps().first().ok_or("a claim without a proof")?;
                     return self.independent(name, except, proof);
                 }
-                if evidence.steps().len() != claimed.all.len() {
-                    return Err("formulas that cannot be told apart");
-                }
-                let many = claimed.all.len() > 1;
-                let each = claimed.all.iter().zip(evidence.steps()).enumerate();
-                each.map(|(k, (compared, (_, proof)))| {
-                    let name = if many { format!("{name}_{k}") } else { name.to_string() };
-                    self.proved(&name, claimed, compared, proof)
+                each_proved(name, claimed, evidence, &|name, compared, proof| {
+                    self.proved(name, claimed, compared, proof)
                 })
-                .collect()
             }
             Verdict::Refuted(witness) => Ok(vec![self.refuted(name, claim, claimed, witness)?]),
         }

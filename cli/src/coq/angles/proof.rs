@@ -11,7 +11,7 @@ use basis_kernel::{Chart, Proof, Statement};
 use super::super::certificate;
 use super::super::formula::{Writer, number};
 use super::super::frame::{between, range_data};
-use super::super::theorem::Missing;
+use super::super::theorem::{Missing, each_proved};
 use super::{Angular, OTHER, PI, any};
 
 impl Angular<'_> {
@@ -26,16 +26,9 @@ impl Angular<'_> {
         if claimed.all.is_empty() {
             return Err("independence of functions of an angle");
         }
-        if evidence.steps().len() != claimed.all.len() {
-            return Err("formulas that cannot be told apart");
-        }
-        let many = claimed.all.len() > 1;
-        let each = claimed.all.iter().zip(evidence.steps()).enumerate();
-        each.map(|(k, (compared, (_, proof)))| {
-            let name = if many { format!("{name}_{k}") } else { name.to_string() };
-            self.proved(&name, claimed, compared, proof)
+        each_proved(name, claimed, evidence, &|name, compared, proof| {
+            self.proved(name, claimed, compared, proof)
         })
-        .collect()
     }
 
     /// A comparison that holds everywhere.
