@@ -1,10 +1,19 @@
 //! Puts nodes together to a plan.
 
-use super::scalars::Variable;
 use super::{Input, Let, Node, Plan, Ref};
-use crate::algebra::poly::Poly;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::model::Family;
+
+/// A variable of expressions in scalars.
+pub(super) struct Variable {
+    pub(super) var: Var,
+    pub(super) range: Range,
+    pub(super) value: Ref,
+    /// 1 minus the value, where that is known without a difference.
+    pub(super) complement: Option<Ref>,
+}
 
 /// A plan that is being made. Coordinates come first, then their powers, then expressions in shape values.
 #[derive(Default)]

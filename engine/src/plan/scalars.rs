@@ -1,21 +1,13 @@
 //! Expressions in shape values and other scalars: each distinct one is computed once.
 
-use super::{Builder, Input, Let, Node, Ref};
+use super::build::{Builder, Variable};
+use super::{Input, Let, Node, Ref};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
 use crate::model::{Family, Parameter};
-
-/// A variable of the expressions.
-pub(super) struct Variable {
-    var: Var,
-    range: Range,
-    value: Ref,
-    /// 1 minus the value, where that is known without a difference.
-    complement: Option<Ref>,
-}
 
 /// A sum or product without its sign.
 struct Piece {

@@ -29,6 +29,11 @@ impl Bound {
     pub(super) fn is_no_number(&self) -> bool {
         !self.value.pi.is_zero() || !self.value.parts.is_empty()
     }
+
+    /// The end of another range at a number, which belongs to that range if this one belongs to its own.
+    pub(super) fn of(&self, x: Rational) -> End {
+        if self.included { End::Included(x) } else { End::Excluded(x) }
+    }
 }
 
 /// x at a number, by ψ/π or by the number.

@@ -1,9 +1,11 @@
 //! Shape parameters and domain variables of a family in which sin, cos, exp or π occur: which of them are angles, and in
 //! which tangents they are expanded.
 
+mod declared;
 mod edges;
 mod limits;
 mod numbers;
+mod rate;
 mod survey;
 mod tangent;
 

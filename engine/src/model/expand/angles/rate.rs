@@ -1,0 +1,199 @@
+//! The rate of an angle: the number v of x = tan(v·s), chosen so that the tangent is finite on the range, and rational at
+//! its ends.
+
+use super::declared::Declared;
+use super::edges::{Edge, edge};
+use super::limits::{Bound, Tangent, psi, stays_finite};
+use crate::algebra::poly::Var;
+use crate::algebra::rational::Rational;
+use crate::model::angle::multiple_of_pi;
+use crate::model::scope::Scope;
+use basis_prover::collections::list::{Listed, Mapped};
+
+/// x = tan(rate·(s − shift)), and what takes the place of ends whose tangents are irrational.
+pub(super) struct Rate {
+    pub(super) rate: Rational,
+    pub(super) shift: Rational,
+    pub(super) edges: [Option<Edge>; 2],
+}
+
+impl Rate {
+    fn without_edges(rate: Rational, shift: Rational) -> Self {
+        Self { rate, shift, edges: [None, None] }
+    }
+}
+
+/// Half of the unit, and parts of that.
+fn candidates(unit: &Rational) -> Vec<Rational> {
+    (1..=8).map(|m| unit * &Rational::new(1, 2 * m)).listed()
+}
+
+impl Declared<'_> {
+    /// The rate of an angle; `None`, with an error, if there is none.
+    pub(super) fn rate(&self, scope: &Scope<'_>) -> Option<Rate> {
+        if self.is_parametric() {
+            return Some(Rate::without_edges(self.rate_of_parameters(scope)?, Rational::ZERO));
+        }
+        self.has_proper_ends(scope)?;
+        if let Some(found) = self.rate_with_rational_ends().or_else(|| self.rate_with_edges()) {
+            return Some(found);
+        }
+        let texts: Vec<&str> = self.ends.mapped(|l| l.text.as_str());
+        let (name, ends) = (self.name(), texts.join(" and "));
+        let message =
+            format!("the functions of `{name}` have irrational values at the ends {ends} of its range");
+        let help = if self.at.is_domain {
+            "choose ends at which half of the smallest angle is a multiple of pi/4; a shape parameter may also be the end of the domain, `shape 0 < α <= pi/2; domain 0 <= t <= α;`"
+        } else {
+            "let the range begin at 0, or choose ends at which half of the smallest angle is a multiple of pi/4"
+        };
+        self.wrong(scope, message, help)
+    }
+
+    /// `None`, with an error, where an end of an angle is no multiple of π that it can have.
+    fn has_proper_ends(&self, scope: &Scope<'_>) -> Option<()> {
+        if !self.is_circular() || self.of.turns {
+            return Some(());
+        }
+        let is_domain = self.at.is_domain;
+        let is_proper = |l: &&Bound| {
+            l.value.number.is_zero()
+                && l.value.pi.abs() <= Rational::ONE
+                && (!is_domain || (&l.value.pi + &l.value.pi).is_integer())
+        };
+        let Some(end) = self.ends.iter().find(|l| !is_proper(l)) else { return Some(()) };
+        let (what, help) = if is_domain {
+            (
+                "pi/2 between -pi and pi",
+                "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter: `shape 0 < α < pi; domain 0 <= θ <= α;`",
+            )
+        } else {
+            ("pi", "ends of an angle are 0 and rational multiples of `pi` up to `pi`: `shape 0 < α < pi;`")
+        };
+        let message =
+            format!("the end {} of the angle `{}` is not a multiple of {what}", end.text, self.name());
+        self.wrong(scope, message, help)
+    }
+
+    /// The largest rate with which the tangent is finite, and rational at the ends.
+    fn rate_with_rational_ends(&self) -> Option<Rate> {
+        let (of, is_domain, circular) = (self.of, self.at.is_domain, self.is_circular());
+        let half = Rational::new(1, 2);
+        let shifts =
+            if circular && is_domain { shifts(&of.unit, of.turns, &self.ends) } else { vec![Rational::ZERO] };
+        for rate in candidates(&of.unit) {
+            for shift in &shifts {
+                let is_finite = |l: &&Bound| {
+                    let psi = psi(&rate, of.turns, shift, l).abs();
+                    psi < half || psi == half && !l.included && !is_domain && !of.beside
+                };
+                let is_irrational = |l: &&Bound| {
+                    matches!(Tangent::of(of.kind, &rate, of.turns, shift, &l.value), Tangent::Irrational)
+                };
+                if !circular || self.ends.iter().all(is_finite) && !self.ends.iter().any(is_irrational) {
+                    return Some(Rate::without_edges(rate, shift.clone()));
+                }
+            }
+        }
+        None
+    }
+
+    /// The largest rate of a shape parameter with which the tangent is finite, with edges at irrational ends.
+    fn rate_with_edges(&self) -> Option<Rate> {
+        if !self.is_circular() || self.at.is_domain || self.of.turns {
+            return None;
+        }
+        candidates(&self.of.unit).into_iter().find_map(|rate| {
+            let edges = irrational_ends(self.at.slot, &rate, &self.ends)?;
+            Some(Rate { rate, shift: Rational::ZERO, edges })
+        })
+    }
+
+    /// The rate of a domain variable between shape parameters, whose rates have been found: a multiple of theirs.
+    fn rate_of_parameters(&self, scope: &Scope<'_>) -> Option<Rational> {
+        let (of, name) = (self.of, self.name());
+        let mut rates: Vec<(Rational, Rational)> = Vec::new();
+        for (var, factor, _) in self.ends.iter().flat_map(|l| &l.value.parts) {
+            let shape = self.all.get(var.0.checked_sub(self.count)?)?;
+            shape.as_ref()?;
+            let angle = scope.analytic.angles.iter().find(|a| a.itself == *var)?;
+            rates.push((angle.rate.clone(), factor.abs()));
+        }
+        // The least common multiple of those that the ends ask for.
+        let mut least: Option<Rational> = None;
+        for (rate, factor) in &rates {
+            let wanted = rate.checked_div(factor)?;
+            least = Some(match &least {
+                Some(known) => (known * &wanted).checked_div(&known.gcd(&wanted))?,
+                None => wanted,
+            });
+        }
+        let least = least?;
+        let is_multiple = |rate: &Rational| {
+            let multiple = |(own, factor): &(Rational, Rational)| (rate * factor).checked_div(own);
+            !of.turns && rates.iter().all(|known| multiple(known).is_some_and(|n| n.is_integer()))
+        };
+        let is_finite =
+            |rate: &Rational, l: &Bound| !self.is_circular() || stays_finite(scope, rate, l, self.known);
+        // Where the variable is used with larger factors than the parameter, its rate is larger, too, if its tangent is
+        // finite then.
+        let half = Rational::new(1, 2);
+        let own = (&of.unit * &half).checked_div(&least)?;
+        let rate = match own.to_i64() {
+            Some(n) if n > 1 && !of.beside => {
+                let rate = &least * &own;
+                let finite = self.ends.iter().all(|l| is_finite(&rate, l));
+                if is_multiple(&rate) && finite { rate } else { least }
+            }
+            _ => least,
+        };
+        if !is_multiple(&rate) {
+            let message = format!("the ends of the domain of `{name}` are not multiples of one angle");
+            let help = "write `domain 0 <= t <= α;` or `domain -α <= t <= α;`";
+            return self.wrong(scope, message, help);
+        }
+        // Beyond a quarter turn the tangent is another one.
+        if let Some(end) = self.ends.iter().find(|l| !is_finite(&rate, l)) {
+            let reach = multiple_of_pi(&half.checked_div(&rate)?);
+            let message = format!("the end {} of the angle `{name}` can be {reach} or more", end.text);
+            let help =
+                "make one shape parameter the whole angle, `domain 0 <= t <= α;`, or narrow the ranges";
+            return self.wrong(scope, message, help);
+        }
+        Some(rate)
+    }
+}
+
+/// Angles in the domain from which others can be measured: sin and cos of all multiples of them are 0, 1 or −1. First 0.
+fn shifts(unit: &Rational, turns: bool, ends: &[&Bound]) -> Vec<Rational> {
+    const MOST: i64 = 32;
+    let mut all = vec![Rational::ZERO];
+    let value = |l: &Bound| if turns { l.value.number.clone() } else { l.value.pi.clone() };
+    let ([low, high], Some(step)) = (ends, (unit + unit).recip()) else { return all };
+    let first = value(low).checked_div(&step).map_or(Rational::ZERO, |n| -(-n).floor());
+    for k in 0..MOST {
+        let shift = &(&first + &Rational::from(k)) * &step;
+        if shift <= value(high) && !shift.is_zero() {
+            all.push(shift);
+        }
+    }
+    all
+}
+
+/// What takes the place of ends whose tangents are irrational; `None` where a tangent is infinite, or the conditions are
+/// not.
+fn irrational_ends(var: Var, rate: &Rational, ends: &[&Bound]) -> Option<[Option<Edge>; 2]> {
+    let [low, high] = ends else { return None };
+    let psi = [low, high].map(|l| psi(rate, false, &Rational::ZERO, l));
+    let is_finite = |psi: &Rational| psi.abs() < Rational::new(1, 2);
+    let mut edges = [None, None];
+    for side in 0..2 {
+        if !is_finite(&psi[side]) || !is_finite(&psi[1 - side]) {
+            return None;
+        }
+        if !(&psi[side] * &Rational::from(4)).is_integer() {
+            edges[side] = Some(edge(var, &psi[side], &psi[1 - side])?);
+        }
+    }
+    Some(edges)
+}
