@@ -7,6 +7,7 @@ pub(crate) mod angles;
 mod build;
 mod claims;
 mod domain;
+mod fixed;
 mod function;
 mod functions;
 mod indices;
