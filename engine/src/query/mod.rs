@@ -13,6 +13,7 @@ mod format;
 pub mod latex;
 mod lex;
 mod prose;
+mod reader;
 mod vocabulary;
 
 pub use crate::syntax::GREEK;

@@ -5,14 +5,13 @@ use proc_macro2::Span;
 use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::number::binomial;
-use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
 use crate::model::budget::TooLarge;
 use crate::model::label;
-use crate::model::scope::{Duty, Needed, Pending, Planned, Scope, Stage};
+use crate::model::scope::{Duty, Needed, Pending, Scope, Stage};
 use crate::model::words::{BUILTINS, PI, is_transcendental};
-use crate::plural::{count, here};
+use crate::plural::count;
 use crate::syntax::{Expr, ExprKind, Loops, Role, Sign};
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -138,8 +137,8 @@ impl Scope<'_> {
         }
         if let (Some(planned), None) = (self.planned.named(name), self.variable(name)) {
             if let Some(first) = planned.parameters.first() {
-                let error =
-                    self.error(span, format!("`{name}` needs {}", count_arguments(planned.parameters.len())));
+                let error = self
+                    .error(span, format!("`{name}` needs {}", count(planned.parameters.len(), "argument")));
                 self.report(error.help(format!("write `{name}({})`", first.text)));
             } else if self.waits_for.is_none() {
                 self.waits_for = Some((Needed::Name(name.to_string()), span));
@@ -438,265 +437,7 @@ impl Scope<'_> {
         None
     }
 
-    /// The value of a call; of the functions of another family perhaps one only.
-    fn call(&mut self, callee: &Expr, arguments: &[Expr], only: Option<&[i64]>, span: Span) -> Option<Value> {
-        match &callee.kind {
-            ExprKind::Name(name) if self.is_called(name) => self.call_name(name, arguments, span),
-            ExprKind::Name(name) if name == "D" => self.derivative(arguments, span),
-            ExprKind::Name(name) if name == "integral" => self.integral(arguments, span),
-            ExprKind::Name(name) if BUILTINS.contains(&name.as_str()) => self.builtin(name, arguments, span),
-            ExprKind::Name(name) if is_transcendental(name) => {
-                let [argument] = arguments else {
-                    let error =
-                        self.error(span, format!("`{name}` has one argument, {}", here(arguments.len())));
-                    self.report(error.help(format!("write `{name}(t)`")));
-                    return None;
-                };
-                Some(Value::Scalar(self.transcendental(name, argument, span)?))
-            }
-            ExprKind::Name(name) if *name != self.function_name && self.taken(name).is_some() => {
-                let is_list = |value: Option<&Option<Value>>| matches!(value, Some(Some(Value::List(_))));
-                if let (Some(_), None) = (self.planned.named(name), self.lets.named(name)) {
-                    self.waits_for = Some((Needed::Name(name.clone()), callee.span));
-                    return None;
-                }
-                let error = if is_list(self.lets.named(name)) {
-                    let error = self.error(callee.span, format!("`{name}` is a list, not a function"));
-                    error.help(format!("write `{name}[0]` for its first entry"))
-                } else {
-                    let error = self.error(callee.span, format!("`{name}` is not a function"));
-                    error.help(format!("write `{name}*(…)` for a product"))
-                };
-                self.report(error);
-                None
-            }
-            ExprKind::Name(name) if *name != self.function_name => {
-                if !self.library.knows(self.unit, name) {
-                    self.unknown_function(name, callee.span);
-                    return None;
-                }
-                if self.library.order_count(self.unit, name) == 0 {
-                    self.family(name, &[], arguments, None, only, span)
-                } else {
-                    self.family(name, arguments, &[], None, only, span)
-                }
-            }
-            // Family(order)(shape values)
-            ExprKind::Call(inner, orders)
-                if matches!(&inner.kind, ExprKind::Name(name)
-                    if self.library.order_count(self.unit, name) > 0 && self.taken(name).is_none()) =>
-            {
-                let ExprKind::Name(name) = &inner.kind else { return None };
-                self.family(name, orders, arguments, None, only, span)
-            }
-            ExprKind::Name(_) | ExprKind::Index(..) | ExprKind::Call(..) => {
-                if let Some(factor) = self.factor(callee) {
-                    return self.factor_at(factor, arguments, span);
-                }
-                let value = self.value(callee)?;
-                self.apply(value, arguments, span)
-            }
-            _ => {
-                let error = self.error(callee.span, "this is not a function");
-                self.report(error.help("write `*` between the factors of a product"));
-                None
-            }
-        }
-    }
-
-    /// Whether a name stands for an expression with arguments.
-    fn is_called(&self, name: &str) -> bool {
-        self.arguments.iter().all(|(n, _)| n != name)
-            && self.variable(name).is_none()
-            && self.planned.named(name).is_some_and(|planned| !planned.parameters.is_empty())
-    }
-
-    /// h(x): the expression that `let h(x) = …` gives, with a value in place of each argument.
-    fn call_name(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
-        let Planned { parameters, value, .. } = *self.planned.named(name)?;
-        if parameters.len() != arguments.len() {
-            let names: Vec<&str> = parameters.mapped(|p| p.text.as_str());
-            let message =
-                format!("`{name}` takes {}, {}", count_arguments(parameters.len()), here(arguments.len()));
-            let error = self.error(span, message);
-            self.report(error.help(format!("write `{name}({})`", names.join(", "))));
-            return None;
-        }
-        if self.calls.iter().any(|active| active == name) {
-            let error = self.error(span, format!("`{name}` is defined by itself"));
-            self.report(
-                error.help("a formula may use functions and names, in any order, that do not need it"),
-            );
-            return None;
-        }
-        let mut own = Vec::new();
-        for (parameter, argument) in parameters.iter().zip(arguments) {
-            own.push((parameter.text.clone(), self.value(argument)?));
-        }
-        if !self.library.enter() {
-            let error = self.error(span, "names with arguments use one another through too many levels");
-            self.report(error.help("write a part of the formula out"));
-            return None;
-        }
-        // What is around the call has no meaning in the formula of the name.
-        let around = self.constants.split_off(self.order.min(self.constants.len()));
-        let outer = core::mem::replace(&mut self.arguments, own);
-        self.calls.push(name.to_string());
-        let result = self.value(value);
-        self.calls.pop();
-        self.arguments = outer;
-        self.constants.extend(around);
-        self.library.leave();
-        result
-    }
-
-    /// A value that is kept, counted.
-    fn copy(&self, value: &Value, span: Span) -> Option<Value> {
-        match value {
-            Value::Scalar(f) => self.fits(self.budget.copy(f), span)?,
-            Value::List(list) => {
-                for (_, f) in list {
-                    self.fits(self.budget.copy(f), span)?;
-                }
-            }
-        }
-        Some(value.clone())
-    }
-
-    /// f(x): the function with an argument in place of the domain variable.
-    fn apply(&mut self, value: Value, arguments: &[Expr], span: Span) -> Option<Value> {
-        let factors = self.factors();
-        let all = factors.iter().map(Vec::len).sum();
-        if arguments.len() != all {
-            let expected = count(all, "argument");
-            let error = self.error(span, format!("the functions take {expected}, {}", here(arguments.len())));
-            let variables: Vec<&str> = factors.iter().flatten().map(|v| self.names[v.0].as_str()).listed();
-            self.report(
-                error.help(format!("write one for each coordinate: `(…)({})`", variables.join(", "))),
-            );
-            return None;
-        }
-        let mut by = Vec::new();
-        for argument in arguments {
-            by.push(self.scalar(argument)?);
-        }
-        let by = self.independent_of(&factors.mapped(Vec::len), &by, span)?;
-        match value {
-            Value::Scalar(f) => Some(Value::Scalar(self.at_arguments(&f, &by, span)?)),
-            Value::List(list) => {
-                let mut result = Vec::new();
-                for (index, f) in list {
-                    result.push((index, self.at_arguments(&f, &by, span)?));
-                }
-                Some(Value::List(result))
-            }
-        }
-    }
-
-    /// The arguments in place of the independent variables of a domain whose factors have these numbers of variables.
-    /// Those in place of the coordinates of a simplex sum to 1.
-    pub(crate) fn independent_of(
-        &self,
-        factors: &[usize],
-        arguments: &[Fraction],
-        span: Span,
-    ) -> Option<Vec<Fraction>> {
-        let mut independent = Vec::new();
-        let mut rest = arguments;
-        for count in factors {
-            let (own, others) = rest.split_at(*count);
-            rest = others;
-            if *count > 1 {
-                self.check_corners(own, span)?;
-            }
-            independent.extend_from_slice(&own[..(*count - 1).max(1)]);
-        }
-        Some(independent)
-    }
-
-    /// Barycentric coordinates sum to 1.
-    fn check_corners(&self, coordinates: &[Fraction], span: Span) -> Option<()> {
-        let sum = coordinates.iter().fold(Fraction::zero(), |sum, f| &sum + f);
-        if sum == Fraction::constant(Rational::ONE) {
-            return Some(());
-        }
-        let shown = sum.display(&self.names);
-        let error = self.error(span, format!("the barycentric coordinates sum to {shown}, not to 1"));
-        self.report(error.help("choose coordinates that sum to 1"));
-        None
-    }
-
-    /// The function with arguments in place of the domain variables; they may leave the domain, but not come upon a
-    /// zero of its denominator.
-    fn at_arguments(&mut self, f: &Fraction, by: &[Fraction], span: Span) -> Option<Fraction> {
-        if self.span.is_some() {
-            let error = self.error(span, "a function on several spans has no argument");
-            self.report(error.help("claim what holds at a point: `at x = 2 { … }`"));
-            return None;
-        }
-        let (mut vars, mut values) = (Vec::new(), Vec::new());
-        for (var, value) in self.domain.iter().zip(by) {
-            let Some(angle) = self.analytic.angle(*var) else {
-                vars.push(*var);
-                values.push(value.clone());
-                continue;
-            };
-            if f.depends_on(angle.var) {
-                let y = match self.angle_at(angle, value, span) {
-                    Ok(y) => y?,
-                    Err((message, help)) => {
-                        self.report(self.error(span, message).help(help));
-                        return None;
-                    }
-                };
-                vars.push(angle.var);
-                values.push(y);
-            }
-            vars.push(angle.itself);
-            values.push(value.clone());
-        }
-        let value = self.put(f, &vars, &values, span)?;
-        if self.domain.iter().any(|v| f.denom().depends_on(*v)) {
-            self.must_be_defined(&value, span);
-        }
-        Some(value)
-    }
-
-    /// A function with others put in place of variables, all at once.
-    pub(crate) fn put(&self, f: &Fraction, vars: &[Var], by: &[Fraction], span: Span) -> Option<Fraction> {
-        let mut result = f.clone();
-        let later = |k: usize| vars.iter().skip(k + 1).any(|var| by[k].depends_on(*var));
-        if !(0..by.len()).any(later) {
-            for (var, value) in vars.iter().zip(by) {
-                result = self.put_one(&result, *var, value, span)?;
-            }
-            return Some(result);
-        }
-        // By way of variables that occur nowhere, so that no argument is substituted twice.
-        let aside = self.names.len(); // no variable has these numbers
-        for (k, var) in vars.iter().enumerate() {
-            let moved = self.budget.substitute(&result, *var, &Fraction::var(Var(aside + k)));
-            result = self.fits(moved, span)??;
-        }
-        for (k, value) in by.iter().enumerate() {
-            result = self.put_one(&result, Var(aside + k), value, span)?;
-        }
-        Some(result)
-    }
-
-    pub(crate) fn put_one(&self, f: &Fraction, var: Var, by: &Fraction, span: Span) -> Option<Fraction> {
-        if !f.depends_on(var) {
-            return Some(f.clone());
-        }
-        let put = self.fits(self.budget.substitute(f, var, by), span)?;
-        // An error about the denominator of a function says more.
-        if put.is_none() && self.stage != Stage::Broken {
-            self.report(self.error(span, "a denominator becomes zero here"));
-        }
-        put
-    }
-
-    fn builtin(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
+    pub(super) fn builtin(&mut self, name: &str, arguments: &[Expr], span: Span) -> Option<Value> {
         let constant = |value: Rational| Some(Value::Scalar(Fraction::constant(value)));
         match (name, arguments) {
             ("sum" | "product", [one]) => {
@@ -768,11 +509,6 @@ impl Scope<'_> {
             }
         }
     }
-}
-
-/// `1 argument`, `2 arguments`.
-fn count_arguments(number: usize) -> String {
-    count(number, "argument")
 }
 
 fn map(value: Value, with: impl Fn(&Fraction) -> Fraction) -> Value {

@@ -1,8 +1,9 @@
 //! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, integrals,
-//! calls of other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to
+//! names with arguments, calls of other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to
 //! mean something; `print` writes them into messages.
 
 mod antiderivative;
+mod arguments;
 mod calls;
 mod derivatives;
 mod evaluate;
