@@ -157,18 +157,23 @@ impl<'a, S: Scalar> Sheet<'a, S> {
     }
 
     fn whole(&self) -> Open {
-        Open { cell: Cell::WHOLE, parts: flat::whole(&self.pieces) }
+        self.open(Cell::WHOLE)
     }
 
-    /// The parts of the surface over a rectangle that was cut out before.
+    /// The parts of the surface over a rectangle.
     fn open(&self, cell: Cell) -> Open {
-        let mut parts = flat::whole(&self.pieces);
+        let ranges = [0, 1].map(|axis| {
+            let start = |at: u32| if at > 0 { self.parameter(axis, at) } else { f64::NEG_INFINITY };
+            let end = |at: u32| if at < WIDTH { self.parameter(axis, at) } else { f64::INFINITY };
+            [start(cell.from[axis]), end(cell.to[axis])]
+        });
+        let mut parts = flat::whole(&self.pieces, ranges);
         for axis in [0, 1] {
             if cell.from[axis] > 0 {
-                [_, parts] = flat::cut(&self.pieces, parts, axis, self.parameter(axis, cell.from[axis]));
+                [_, parts] = flat::cut(&self.pieces, parts, axis, ranges[axis][0]);
             }
             if cell.to[axis] < WIDTH {
-                [parts, _] = flat::cut(&self.pieces, parts, axis, self.parameter(axis, cell.to[axis]));
+                [parts, _] = flat::cut(&self.pieces, parts, axis, ranges[axis][1]);
             }
         }
         Open { cell, parts }
