@@ -97,3 +97,9 @@ families! {
         core::iter::once(basis.domain()[0]).chain(ends).collect()
     }, nodes_beyond_polynomials(B::DEGREE);
 }
+
+/// The ends of the domain of functions.
+pub(super) fn ends_of_domain(functions: &dyn Functions) -> [f64; 2] {
+    let breakpoints = functions.breakpoints();
+    [breakpoints[0], breakpoints[breakpoints.len() - 1]]
+}

@@ -2,10 +2,10 @@
 
 use alloc::vec::Vec;
 
-use super::functions::{Functions, Polynomial};
+use super::functions::{Functions, Polynomial, ends_of_domain};
 use super::knots::{self, Over};
 use super::linear::{Data, End, Problem, Space};
-use super::{check_tolerance, ends_of_domain, in_unit, scalar_knots};
+use super::{check_tolerance, in_unit, scalar_knots};
 use crate::bspline::{BSplineSurface, FitError, KnotVector, Net, Spacing, parameters_of_rows};
 use crate::{Array, Basis, Point, Scalar, TensorSurface};
 

@@ -1,68 +1,30 @@
 //! Points to curves of all kinds, and grids of points to surfaces: one builder for each.
 
+mod fitted;
 mod functions;
 mod grid;
 mod knots;
 mod linear;
 mod orthogonal;
+mod polygon;
 
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-use functions::{Functions, Polynomial, Rational, Spanned};
+pub use fitted::{FitEnd, Fitted};
+use functions::{Functions, Polynomial, Rational, Spanned, ends_of_domain};
 pub use grid::{FittedSurface, GridCorners, GridFit};
 use knots::Over;
 use linear::{Data, End, Problem, Space};
 use orthogonal::{Search, State};
+use polygon::{corners, spaced};
 
 use crate::bspline::{BSplineCurve, FitError, KnotVector, Spacing};
-#[cfg(feature = "serde")]
-use crate::serialize::{Read, Written};
 use crate::vector::direction;
 use crate::{
-    Array, Basis, Curve, CurveScalar, ParametricCurve, Path, PathSegment, Point, RationalBasis,
-    RationalCurve, Scalar, ShapeError, SpannedBasis, SpannedCurve,
+    Array, Basis, Curve, ParametricCurve, Path, PathSegment, Point, RationalBasis, RationalCurve, Scalar,
+    ShapeError, SpannedBasis, SpannedCurve,
 };
-
-/// What is asked of an end of a fitted curve.
-#[derive(Clone, Copy, Debug, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(bound(serialize = "P: Written", deserialize = "P: Read<'de>")))]
-#[non_exhaustive]
-pub enum FitEnd<P: Point> {
-    /// Nothing: it is where the other points want it.
-    #[default]
-    Free,
-    /// It is the first point, at the other end the last.
-    Interpolated,
-    /// It is that point, and the curve runs in this direction there, whatever its length; at both ends the direction in which
-    /// the parameter grows.
-    Tangent(P),
-}
-
-/// A curve near points, and how near.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "C: serde::Serialize, CurveScalar<C>: serde::Serialize",
-        deserialize = "C: serde::Deserialize<'de>, CurveScalar<C>: serde::Deserialize<'de>"
-    ))
-)]
-#[non_exhaustive]
-pub struct Fitted<C: ParametricCurve> {
-    /// The curve.
-    pub curve: C,
-    /// The parameter of each point.
-    pub parameters: Vec<CurveScalar<C>>,
-    /// The largest distance of a point from the point of the curve at its parameter; no point is farther from the curve.
-    pub largest: CurveScalar<C>,
-    /// The root of the mean square of these distances.
-    pub root_mean_square: CurveScalar<C>,
-    /// How often parameters and shape values were improved, in the last search.
-    pub rounds: usize,
-}
 
 /// Points to which a curve is fitted, and how.
 ///
@@ -582,38 +544,6 @@ impl<P: Point> Found<P> {
     }
 }
 
-/// The first and the last point, and those at which the polygon turns by more than an angle; of points that coincide the last.
-fn corners(data: &Data, angle: f64) -> Vec<usize> {
-    let last = data.len() - 1;
-    let mut corners = alloc::vec![0];
-    let mut before: Option<Vec<f64>> = None;
-    for i in 0..last {
-        let step = linear::minus(data.point(i + 1), data.point(i));
-        let length = Scalar::sqrt(linear::dot(&step, &step));
-        if length <= 0.0 {
-            continue;
-        }
-        let heading: Vec<f64> = step.iter().map(|x| x / length).collect();
-        if let Some(before) = before {
-            let apart = linear::minus(&heading, &before);
-            let together = linear::minus(&heading, &before.iter().map(|x| -x).collect::<Vec<_>>());
-            let sides = [apart, together].map(|side| Scalar::sqrt(linear::dot(&side, &side)));
-            if 2.0 * Scalar::atan2(sides[0], sides[1]) > angle {
-                corners.push(i);
-            }
-        }
-        before = Some(heading);
-    }
-    corners.push(last);
-    corners
-}
-
-/// The ends of the domain of functions.
-fn ends_of_domain(functions: &dyn Functions) -> [f64; 2] {
-    let breakpoints = functions.breakpoints();
-    [breakpoints[0], breakpoints[breakpoints.len() - 1]]
-}
-
 fn check_tolerance<S: Scalar>(tolerance: S) -> Result<(), FitError> {
     if tolerance > S::ZERO && tolerance.is_finite() {
         Ok(())
@@ -636,23 +566,4 @@ fn in_unit(error: FitError, unit: f64) -> FitError {
 fn scalar_knots<S: Scalar>(knots: &KnotVector<f64>) -> Result<KnotVector<S>, FitError> {
     let all: Vec<S> = knots.as_slice().iter().map(|&t| S::of(t)).collect();
     Ok(KnotVector::new(knots.degree(), all)?)
-}
-
-/// Parameters from 0 to 1 by the distances of neighbours, which may coincide.
-fn spaced(data: &Data, spacing: Spacing) -> Result<Vec<f64>, FitError> {
-    let (mut sum, mut sums) = (0.0, alloc::vec![0.0]);
-    for i in 1..data.len() {
-        let step = linear::minus(data.point(i), data.point(i - 1));
-        let distance = Scalar::sqrt(linear::dot(&step, &step));
-        sum += match spacing {
-            Spacing::Uniform => 1.0,
-            Spacing::Chord => distance,
-            Spacing::Centripetal => Scalar::sqrt(distance),
-        };
-        sums.push(sum);
-    }
-    if sum <= 0.0 {
-        return Err(FitError::NotIncreasing { index: 1 });
-    }
-    Ok(sums.into_iter().map(|partial| partial / sum).collect())
 }

@@ -9,8 +9,7 @@ use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use super::ends_of_domain;
-use super::functions::Functions;
+use super::functions::{Functions, ends_of_domain};
 use super::linear::{Data, HEAVY, Problem, Row, Space, dot, minus, sum};
 use crate::Scalar;
 use crate::bspline::{Banded, FitError};

@@ -65,6 +65,17 @@ impl Cell {
         [before, after]
     }
 
+    /// Whether one of these points, sorted as `[u, v]` and as `[v, u]`, lies within a side.
+    fn has_on_sides(self, points: &[Vec<Node>; 2]) -> bool {
+        [0, 1].into_iter().any(|axis| {
+            let (from, to) = (self.from[1 - axis], self.to[1 - axis]);
+            [self.from[axis], self.to[axis]].into_iter().any(|line| {
+                let next = points[axis].partition_point(|&point| point <= [line, from]);
+                points[axis].get(next).is_some_and(|&point| point < [line, to])
+            })
+        })
+    }
+
     /// Whether a side lies on an edge of the parameter square.
     fn is_outer(self) -> bool {
         self.from.contains(&0) || self.to.contains(&WIDTH)
@@ -142,18 +153,23 @@ impl<'a, S: Scalar> Sheet<'a, S> {
     }
 
     fn whole(&self) -> Open {
-        Open { cell: Cell::WHOLE, parts: flat::whole(&self.pieces) }
+        self.open(Cell::WHOLE)
     }
 
-    /// The parts of the surface over a rectangle that was cut out before.
+    /// The parts of the surface over a rectangle.
     fn open(&self, cell: Cell) -> Open {
-        let mut parts = flat::whole(&self.pieces);
+        let ranges = [0, 1].map(|axis| {
+            let start = |at: u32| if at > 0 { self.parameter(axis, at) } else { f64::NEG_INFINITY };
+            let end = |at: u32| if at < WIDTH { self.parameter(axis, at) } else { f64::INFINITY };
+            [start(cell.from[axis]), end(cell.to[axis])]
+        });
+        let mut parts = flat::whole(&self.pieces, ranges);
         for axis in [0, 1] {
             if cell.from[axis] > 0 {
-                [_, parts] = flat::cut(&self.pieces, parts, axis, self.parameter(axis, cell.from[axis]));
+                [_, parts] = flat::cut(&self.pieces, parts, axis, ranges[axis][0]);
             }
             if cell.to[axis] < WIDTH {
-                [parts, _] = flat::cut(&self.pieces, parts, axis, self.parameter(axis, cell.to[axis]));
+                [parts, _] = flat::cut(&self.pieces, parts, axis, ranges[axis][1]);
             }
         }
         Open { cell, parts }
@@ -339,6 +355,10 @@ pub(super) struct Cells {
     on_u: BTreeMap<u32, BTreeSet<u32>>,
     /// For each line `v = const` the `u` of the corners on it.
     on_v: BTreeMap<u32, BTreeSet<u32>>,
+    /// The number of rectangles, the first ones, that [`Cells::refine`] has looked at.
+    seen: usize,
+    /// The corners that have been added since then, as `[u, v]` and as `[v, u]`.
+    fresh: [Vec<Node>; 2],
 }
 
 impl Cells {
@@ -380,9 +400,16 @@ impl Cells {
     /// were any.
     pub(super) fn refine<S: Scalar>(&mut self, sheet: &Sheet<'_, S>) -> Result<bool, MeshError> {
         let leaves = core::mem::take(&mut self.leaves);
+        let mut fresh = core::mem::take(&mut self.fresh);
+        fresh.iter_mut().for_each(|nodes| nodes.sort_unstable());
         let mut open = Vec::new();
         let mut judged = 0;
-        for leaf in leaves {
+        for (index, leaf) in leaves.into_iter().enumerate() {
+            // Seams give corners to edges at any time.
+            if index < self.seen && !leaf.cell.is_outer() && !leaf.cell.has_on_sides(&fresh) {
+                self.leaves.push(leaf);
+                continue;
+            }
             let nodes = self.around(leaf.cell);
             let is_kept = nodes.len() == leaf.corners || {
                 let allowed = sheet.allowed(leaf.cell);
@@ -410,6 +437,7 @@ impl Cells {
             open.extend(sheet.cut(whole, axis));
         }
         let changed = !open.is_empty();
+        self.seen = self.leaves.len();
         self.cut(sheet, open, &mut judged)?;
         Ok(changed)
     }
@@ -419,8 +447,12 @@ impl Cells {
         self.leaves.push(leaf);
         for u in [cell.from[0], cell.to[0]] {
             for v in [cell.from[1], cell.to[1]] {
-                self.on_u.entry(u).or_default().insert(v);
-                self.on_v.entry(v).or_default().insert(u);
+                if self.on_u.entry(u).or_default().insert(v) {
+                    self.fresh[0].push([u, v]);
+                }
+                if self.on_v.entry(v).or_default().insert(u) {
+                    self.fresh[1].push([v, u]);
+                }
             }
         }
     }

@@ -15,13 +15,13 @@ pub(super) enum Cut {
 
 /// Cuts the polygon of the corners around a rectangle into triangles, counter-clockwise in the parameters.
 ///
-/// Four corners are cut along the diagonal that `shorter` prefers. With one corner more, on a side, all triangles meet
-/// there; with several, or if asked for, in the middle of the rectangle.
+/// Four corners are cut along the diagonal of the first one if `is_first_shorter`, or else along the other one. With
+/// one corner more, on a side, all triangles meet there; with several, or if asked for, in the middle of the rectangle.
 pub(super) fn triangles(
     cell: Cell,
     nodes: &[Node],
     cut: Cut,
-    shorter: impl FnOnce([Node; 2], [Node; 2]) -> bool,
+    is_first_shorter: impl FnOnce() -> bool,
     mut emit: impl FnMut([Node; 3]),
 ) {
     let fan = |apex: usize, emit: &mut dyn FnMut([Node; 3])| {
@@ -32,7 +32,7 @@ pub(super) fn triangles(
     };
     match (nodes.len(), cut) {
         (4, Cut::Shortest) => {
-            let apex = usize::from(!shorter([nodes[0], nodes[2]], [nodes[1], nodes[3]]));
+            let apex = usize::from(!is_first_shorter());
             fan(apex, &mut emit);
         }
         (5, Cut::Shortest) => {

@@ -41,15 +41,21 @@ impl Part {
     }
 }
 
-/// All of a surface.
-pub(super) fn whole(pieces: &[SurfacePiece]) -> Vec<Part> {
+/// The pieces of a surface that overlap ranges of both parameters, not cut yet.
+pub(super) fn whole(pieces: &[SurfacePiece], ranges: [[f64; 2]; 2]) -> Vec<Part> {
+    let is_outside = |piece: &SurfacePiece| {
+        [0, 1].into_iter().any(|axis| {
+            let ([lo, hi], [from, to]) = (piece.domain[axis], ranges[axis]);
+            lo >= to || hi <= from
+        })
+    };
     let part = |(index, piece): (usize, &SurfacePiece)| Part {
         piece: index,
         span: piece.domain,
         place: [[0.0, 1.0]; 2],
         net: piece.net.clone(),
     };
-    pieces.iter().enumerate().map(part).collect()
+    pieces.iter().enumerate().filter(|(_, piece)| !is_outside(piece)).map(part).collect()
 }
 
 /// The parts below and above a parameter.
@@ -67,7 +73,7 @@ pub(super) fn cut(pieces: &[SurfacePiece], parts: Vec<Part>, axis: usize, t: f64
             let middle = from + (to - from) * at;
             let halves = [(0.0, at, [lo, t], [from, middle]), (at, 1.0, [t, hi], [middle, to])];
             let [low, high] = halves.map(|(from, to, span, place)| {
-                let mut half = Part { net: part.net.restricted(axis, from, to), ..part.clone() };
+                let mut half = Part { net: part.net.restricted(axis, from, to), ..part };
                 half.span[axis] = span;
                 half.place[axis] = place;
                 half
@@ -190,10 +196,12 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
         for j in 0..=n {
             for i in 0..=m {
                 let p = part.point(i, j);
-                farthest = larger(farthest, distance_to_triangles(p, corners));
                 let is_on = [j == 0, j == n, i == 0, i == m];
+                let mut is_inside = true;
                 for side in 0..4 {
                     if on_side[side] && is_on[side] {
+                        // The side belongs to the triangles, so that these are no farther away.
+                        is_inside = false;
                         let [from, to] = sides[side];
                         let away = distance_to_segment(p, from, to);
                         farthest = larger(farthest, away);
@@ -205,6 +213,9 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
                             farthest = f64::INFINITY;
                         }
                     }
+                }
+                if is_inside {
+                    farthest = larger(farthest, distance_to_triangles(p, corners));
                 }
             }
         }

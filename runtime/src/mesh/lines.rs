@@ -1,8 +1,8 @@
 //! Where a parameter is cut: at knots first, then into equal parts, then into halves.
 //!
-//! Beyond a knot a surface may bend otherwise, or have a crease. Between knots a smooth surface needs a certain
-//! number of equal parts; halves alone would round it up to a power of two in both directions, and make up to four times
-//! too many rectangles. All rectangles are cut at the same places, so that neighbours meet.
+//! At a knot the curvature of a surface may jump, or there may be a crease. Between knots the tolerance asks for some
+//! number of equal parts; halves alone would round that number up to a power of two, in both directions, and make up to
+//! four times too many rectangles. All rectangles are cut at the same places, so that neighbours meet.
 
 use alloc::vec::Vec;
 
@@ -95,8 +95,8 @@ fn all([parts, halves]: [u32; 2]) -> f64 {
     f64::from(parts) * f64::from(halves)
 }
 
-/// The number of equal parts of a span with this bend, and of halves of each, so that no part is further from its chord
-/// than its share of the tolerance: the bend of a part falls with the square of the number of parts.
+/// Parts and halves of them for a span that is as far from its chord as `bend`, if no part may be farther from its own
+/// than `share`. The distance falls with the square of the number of parts.
 fn count(bend: f64, share: f64) -> [u32; 2] {
     let mut parts = crate::Scalar::sqrt(bend / share);
     let mut halves = 1;

@@ -1,6 +1,5 @@
 //! Which surfaces have to be turned over so that all triangles turn the same way.
 
-use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use super::Mesh;
@@ -42,19 +41,25 @@ pub(super) fn orient<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Orientation {
 /// For each surface those with which it shares edges of triangles, and whether both go through them in the same
 /// direction.
 fn neighbours<S: Scalar>(count: usize, mesh: &Mesh<S>) -> Vec<Vec<(usize, bool)>> {
-    let mut first_use: BTreeMap<[u32; 2], (usize, bool)> = BTreeMap::new();
     let mut neighbours: Vec<Vec<(usize, bool)>> = alloc::vec![Vec::new(); count];
+    if count < 2 {
+        return neighbours;
+    }
+    // The sides of the triangles, by their ends, so that those along each other are next to each other.
+    let mut sides: Vec<([u32; 2], usize, bool)> = Vec::with_capacity(3 * mesh.triangles.len());
     for &triangle in &mesh.triangles {
         let surface = mesh.vertices[triangle[0] as usize].surface as usize;
         let Some([a, b, c]) = mesh.corners(triangle) else { continue };
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            let here = (surface, from < to);
-            let there = *first_use.entry([from.min(to), from.max(to)]).or_insert(here);
-            if there.0 != surface {
-                let same = there.1 == here.1;
-                neighbours[surface].push((there.0, same));
-                neighbours[there.0].push((surface, same));
-            }
+        let all = [[a, b], [b, c], [c, a]];
+        sides.extend(all.map(|[from, to]| ([from.min(to), from.max(to)], surface, from < to)));
+    }
+    sides.sort_unstable();
+    for along in sides.chunk_by(|a, b| a.0 == b.0) {
+        let (_, first, forward) = along[0];
+        for &(_, surface, direction) in along.iter().filter(|side| side.1 != first) {
+            let same = forward == direction;
+            neighbours[surface].push((first, same));
+            neighbours[first].push((surface, same));
         }
     }
     neighbours

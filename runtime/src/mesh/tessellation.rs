@@ -249,17 +249,15 @@ impl<S: Scalar> Builder<S> {
         let mut finite = true;
         for &Leaf { cell, .. } in &cells.leaves {
             let nodes = cells.around(cell);
-            let shorter = |a: [Node; 2], b: [Node; 2]| {
-                let [a, b] = [a, b].map(|ends| {
-                    let [p, q] = ends.map(|node| patch.point(node.map(unit)));
-                    distance(p, q)
-                });
-                a <= b
-            };
-            let points: Vec<[S; 3]> = nodes.iter().map(|node| patch.point(node.map(unit))).collect();
-            let cut = if is_crowded(&points, reach) { Cut::Middle } else { Cut::Shortest };
+            let known: Vec<u32> = nodes.iter().map(|&node| self.vertex(surface, patch, node)).collect();
+            let corners: Vec<[S; 3]> = known.iter().map(|&vertex| self.points[vertex as usize]).collect();
+            let cut = if is_crowded(&corners, reach) { Cut::Middle } else { Cut::Shortest };
+            let shorter = || distance(corners[0], corners[2]) <= distance(corners[1], corners[3]);
             triangles(cell, &nodes, cut, shorter, |triangle| {
-                let triangle = triangle.map(|node| self.vertex(surface, patch, node));
+                let triangle = triangle.map(|node| match nodes.iter().position(|&other| other == node) {
+                    Some(k) => known[k],
+                    None => self.vertex(surface, patch, node),
+                });
                 finite &= triangle.iter().all(|&v| self.points[v as usize].iter().all(|c| c.is_finite()));
                 self.triangles.push(triangle);
             });
@@ -325,23 +323,16 @@ impl<S: Scalar> Builder<S> {
         }
         let mut mesh = Mesh { positions, vertices, triangles: Vec::with_capacity(self.triangles.len()) };
         let mut lost = Vec::new();
-        let mut kept = BTreeSet::new();
         for triangle in self.triangles {
             let Some([a, b, c]) = mesh.corners(triangle) else { continue };
             if a != b && b != c && c != a {
                 mesh.triangles.push(triangle);
-                kept.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
             } else {
                 lost.push((triangle[0], [a.min(b).min(c), a.max(b).max(c)]));
             }
         }
-        let used: BTreeSet<u32> = kept.iter().flatten().copied().collect();
-        // What has become an edge must be one of a triangle, what has become a point must be a corner.
-        for (vertex, [a, b]) in lost {
-            let stands = if a == b { used.contains(&a) } else { kept.contains(&[a, b]) };
-            if !stands {
-                return Err(mesh.vertices[vertex as usize].surface as usize);
-            }
+        if let Some(surface) = missing(&mesh, &lost) {
+            return Err(surface);
         }
         // A surface that is a curve has triangles without area; beside the squares of their sides that is rounding.
         let mut areas: BTreeMap<u32, [S; 2]> = BTreeMap::new();
@@ -358,6 +349,22 @@ impl<S: Scalar> Builder<S> {
             None => Ok(mesh),
         }
     }
+}
+
+/// The surface of the first lost triangle for which nothing stands: each is given by a vertex and by both ends of the
+/// edge that it has become, or twice the point.
+fn missing<S: Scalar>(mesh: &Mesh<S>, lost: &[(u32, [u32; 2])]) -> Option<usize> {
+    if lost.is_empty() {
+        return None;
+    }
+    let sides = mesh.triangles.iter().filter_map(|&triangle| mesh.corners(triangle));
+    let sides = sides.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let kept: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    let used: BTreeSet<u32> = kept.iter().flatten().copied().collect();
+    // What has become an edge must be one of a triangle, what has become a point must be a corner.
+    let stands = |[a, b]: [u32; 2]| if a == b { used.contains(&a) } else { kept.contains(&[a, b]) };
+    let (vertex, _) = lost.iter().find(|(_, ends)| !stands(*ends))?;
+    Some(mesh.vertices[*vertex as usize].surface as usize)
 }
 
 /// Turns surfaces over so that neighbours agree and closed parts face outwards.

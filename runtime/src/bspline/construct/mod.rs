@@ -165,32 +165,33 @@ impl<P: Point3> BSplineSurface<P> {
     /// with the fourth power of their number.
     ///
     /// # Errors
-    /// [`ConstructionError::Curve`] if the path is a point or there are more than 2¹⁶ frames, [`ConstructionError::Fit`] for fewer than two frames, or if
-    /// neighbouring sections coincide.
+    /// [`ConstructionError::Curve`] if the path is a point or there are more than 2¹⁶ frames, [`ConstructionError::Fit`]
+    /// for fewer than two frames, or if neighbouring sections coincide.
     pub fn swept(
         profile: &BSplineCurve<P>,
         path: &(impl ParametricCurve<Point = P> + ?Sized),
         count: usize,
         normal: Option<P>,
     ) -> Result<Self, ConstructionError> {
-        let frames = frames(path, count, normal)?;
-        let sections: Vec<BSplineCurve<P>> =
-            frames.iter().map(|frame| profile.map(|p| placed(frame, p))).collect();
-        // The frames lie at equal distances of the parameter.
-        Self::lofted(&sections, 3.min(count.saturating_sub(1)), Spacing::Uniform)
+        sweep(path, count, normal, |frame| profile.map(|p| placed(frame, p)), Self::lofted)
     }
 }
 
-/// The frames of a sweep.
-fn frames<P: Point3>(
+/// The surface that `loft` puts through the sections in the frames of a path.
+fn sweep<P: Point3, C, T>(
     path: &(impl ParametricCurve<Point = P> + ?Sized),
     count: usize,
     normal: Option<P>,
-) -> Result<Vec<Frame<P>>, ConstructionError> {
+    section: impl Fn(&Frame<P>) -> C,
+    loft: impl FnOnce(&[C], usize, Spacing) -> Result<T, ConstructionError>,
+) -> Result<T, ConstructionError> {
     if count > MOST_SECTIONS {
         return Err(crate::CurveError::TooManyPoints { needed: count as f64 }.into());
     }
-    Ok(path.rotation_minimizing_frames(count, normal)?)
+    let frames = path.rotation_minimizing_frames(count, normal)?;
+    let sections: Vec<C> = frames.iter().map(section).collect();
+    // The frames lie at equal distances of the parameter.
+    loft(&sections, 3.min(count.saturating_sub(1)), Spacing::Uniform)
 }
 
 /// The point with these coordinates in a frame.

@@ -7,7 +7,7 @@ use super::super::{
     BSplineCurve, BSplineSurface, Homogeneous, KnotVector, Net, NurbsCurve, NurbsSurface, Spacing,
     SplineError,
 };
-use super::{ConstructionError, compatible, frames, grid, placed};
+use super::{ConstructionError, compatible, grid, placed, sweep};
 use crate::{ParametricCurve, Point, Point3, Scalar};
 
 /// How often the boundary curves of a Coons surface are refined until all weights are positive.
@@ -133,10 +133,7 @@ impl<P: Point3> NurbsSurface<P> {
         count: usize,
         normal: Option<P>,
     ) -> Result<Self, ConstructionError> {
-        let frames = frames(path, count, normal)?;
-        let sections: Vec<NurbsCurve<P>> =
-            frames.iter().map(|frame| profile.map(|p| placed(frame, p))).collect();
-        Self::lofted(&sections, 3.min(count.saturating_sub(1)), Spacing::Uniform)
+        sweep(path, count, normal, |frame| profile.map(|p| placed(frame, p)), Self::lofted)
     }
 }
 

@@ -53,7 +53,7 @@ fn growth() {
     }
 }
 
-/// Quarters of a circle around (x, 0) in the plane of x and z, the first of which begins `start` right angles from the x-axis.
+/// Quarters of a circle around (x, 0) in the plane of x and z; the first one begins at the angle of `start` right angles.
 fn arcs(x: f64, start: i32, quarters: i32) -> NurbsCurve<[f64; 3]> {
     let half = 0.5_f64.sqrt();
     let corner = |k: i32| {
