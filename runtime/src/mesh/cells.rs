@@ -401,7 +401,9 @@ impl Cells {
     pub(super) fn refine<S: Scalar>(&mut self, sheet: &Sheet<'_, S>) -> Result<bool, MeshError> {
         let leaves = core::mem::take(&mut self.leaves);
         let mut fresh = core::mem::take(&mut self.fresh);
-        fresh.iter_mut().for_each(|nodes| nodes.sort_unstable());
+        for nodes in &mut fresh {
+            nodes.sort_unstable();
+        }
         let mut open = Vec::new();
         let mut judged = 0;
         for (index, leaf) in leaves.into_iter().enumerate() {
