@@ -299,8 +299,8 @@ pub(super) fn continuity(family: &Family, joint: &Joint) -> Option<Vec<(String, 
                 difference = if joint.next.is_empty() { own } else { next(own)? };
                 parts.push(name(before, order, &low_text));
             }
-            if k < len {
-                difference = &difference - &of_order(&at_high[k]);
+            if let Some(values) = at_high.get(k) {
+                difference = &difference - &of_order(values);
                 parts.push(name(k, order, &high_text));
             }
             let of = if k == 0 { format!("-{}", parts.concat()) } else { parts.join(" - ") };

@@ -10,16 +10,16 @@ use crate::model::angle::multiple_of_pi;
 use crate::model::scope::Scope;
 use basis_prover::collections::list::{Listed, Mapped};
 
-/// x = tan(rate·(s − shift)), and what takes the place of ends whose tangents are irrational.
+/// x = tan(value·(s − shift)), and what takes the place of ends whose tangents are irrational.
 pub(super) struct Rate {
-    pub(super) rate: Rational,
+    pub(super) value: Rational,
     pub(super) shift: Rational,
     pub(super) edges: [Option<Edge>; 2],
 }
 
 impl Rate {
-    fn without_edges(rate: Rational, shift: Rational) -> Self {
-        Self { rate, shift, edges: [None, None] }
+    fn without_edges(value: Rational, shift: Rational) -> Self {
+        Self { value, shift, edges: [None, None] }
     }
 }
 
@@ -105,7 +105,7 @@ impl Declared<'_> {
         }
         candidates(&self.of.unit).into_iter().find_map(|rate| {
             let edges = irrational_ends(self.at.slot, &rate, &self.ends)?;
-            Some(Rate { rate, shift: Rational::ZERO, edges })
+            Some(Rate { value: rate, shift: Rational::ZERO, edges })
         })
     }
 

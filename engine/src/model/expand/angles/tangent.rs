@@ -92,7 +92,7 @@ pub(super) fn angle(
     let ends: Vec<&Bound> = limits.iter().flatten().listed();
     let declared = Declared { decl, at, of, limits, ends, all, count, known };
     declared.has_its_ends(scope)?;
-    let Rate { rate, shift, edges } = declared.rate(scope)?;
+    let Rate { value: rate, shift, edges } = declared.rate(scope)?;
     let mut new = declared.angle(scope, rate, shift);
     scope.names[at.slot.0] = new.tangent_name();
     let exact = !declared.is_parametric()
