@@ -1,6 +1,6 @@
 //! From expressions to exact functions: `evaluate` for all kinds of expressions, with a file each for derivatives, integrals,
-//! names with arguments, calls of other families, loops, and expressions that must be numbers; `settle` decides what has to hold for them to
-//! mean something; `print` writes them into messages.
+//! names with arguments, calls of other families, loops, and expressions that must be numbers; `settle` decides what has
+//! to hold for them to mean something; `print` writes them into messages.
 
 mod antiderivative;
 mod arguments;
