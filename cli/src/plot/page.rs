@@ -45,7 +45,7 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
     let failure = |f: &super::failures::Failure| {
         let at: Vec<Option<f64>> = f.at.iter().map(|x| x.as_ref().map(number)).collect();
         let shapes: Vec<f64> = f.shapes.iter().map(number).collect();
-        json!({ "text": f.text, "shapes": shapes, "at": at, "function": f.function })
+        json!({ "text": f.text, "shapes": shapes, "piece": f.piece, "at": at, "function": f.function })
     };
     Ok(json!({
         "title": family.title(),

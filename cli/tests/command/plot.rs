@@ -220,6 +220,30 @@ family Mixed { domain 0 <= t <= 1; b[0] = t - sin(pi*t/2)*2/pi; b[1] = 1 - t; }"
     assert!((b - a) / unit > 0.3 && (b - a) / unit < 0.42, "{a} {b}");
 }
 
+/// Where a domain ends at shape parameters, the variable of the formulas runs from 0 to 1 on each span.
+#[test]
+fn counterexamples_between_knots_that_are_parameters_are_marked() {
+    let spec = "family Roof {
+    shape 1 <= h <= 2, 1 <= k <= 3;
+    domain 0 <= x <= h, h <= x <= h + k;
+    f[0] = 1 - x/(4*h) | (x - h)/k - 1/4;
+    prove f[0] <= 2/3;
+    prove nonnegative;
+}";
+    let folder = Folder::with("r.basis", spec);
+    let data = page_data(&drawn(&folder, &["r.basis"], "r.html"));
+    let failures = data["failures"].as_array().expect("a list");
+    assert_eq!(failures.len(), 2);
+    // Above 2/3 are all y of the first span and y > 11/12 of the second, below 0 y < 1/4 of the second: at the
+    // knot as well, which is on both.
+    let y: Vec<f64> = failures.iter().map(|f| f["at"][0].as_f64().expect("it has a place")).collect();
+    assert!(failures[0]["piece"] == 0 || y[0] > 11.0 / 12.0, "{failures:?}");
+    assert!(failures[1]["piece"] == 1 && (0.0..0.25).contains(&y[1]), "{failures:?}");
+    let svg = drawn(&folder, &["r.basis", "--shape", "h=1,k=1"], "r.svg");
+    let marked = failures.iter().filter(|f| f["shapes"] == json!([1.0, 1.0])).count();
+    assert_eq!(count(&svg, "class=\"counterexample\""), marked);
+}
+
 /// A function has a formula for each span.
 #[test]
 fn spans_are_drawn_one_after_another() {
