@@ -1,16 +1,22 @@
 //! Points at which claims fail.
 
+use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::rational::{self, Rational};
 use basis_engine::model::Parameter;
 use basis_engine::state::as_declared;
 use basis_engine::{Checked, Family, Verdict, Witness};
+
+use super::samples::pieces;
+use super::values::Functions;
 
 /// A claim that is not as declared, with the point at which it fails.
 #[derive(Clone, Debug)]
 pub(super) struct Failure {
     /// The shape values there, by variable.
     pub(super) shapes: Vec<Rational>,
-    /// The domain variables there; nothing for those on which it does not depend.
+    /// The span of the domain on which it fails, counted from zero.
+    pub(super) piece: usize,
+    /// The domain variables of that span there; nothing for those on which it does not depend.
     pub(super) at: Vec<Option<Rational>>,
     /// The function that it is about, if it is one.
     pub(super) function: Option<usize>,
@@ -30,9 +36,51 @@ pub(super) fn failures(family: &Family, checked: &Checked) -> Vec<Failure> {
         let Some(shapes) = family.shapes.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
         let function = (0..family.functions.len()).find(|k| family.function_label(*k) == witness.of);
         let text = format!("{}: {}", claim.text, witness.notes.join("; ").replace('`', ""));
-        all.push(Failure { shapes, at: family.domain.iter().map(value).collect(), function, text });
+        let (piece, at) = place(family, witness, &shapes, function);
+        all.push(Failure { shapes, piece, at, function, text });
     }
     all
+}
+
+/// The span on which the claim fails, with the place there. A knot is on two spans; of these it is the one on which the
+/// function has the value of the counterexample, or the first if no function is named.
+fn place(
+    family: &Family,
+    witness: &Witness,
+    shapes: &[Rational],
+    function: Option<usize>,
+) -> (usize, Vec<Option<Rational>>) {
+    let on = |piece: &Family| -> Vec<Option<Rational>> {
+        piece.domain.iter().map(|p| domain_value(piece, p, witness, shapes)).collect()
+    };
+    let places: Vec<_> = pieces(family).into_iter().map(|piece| (piece, on(piece))).collect();
+    let inside = |(piece, at): &(&Family, Vec<Option<Rational>>)| {
+        piece.domain.iter().zip(at).all(|(p, x)| x.as_ref().is_none_or(|x| p.range.contains(x)))
+    };
+    let distance = |(piece, at): &(&Family, Vec<Option<Rational>>)| {
+        let at: Option<Vec<Rational>> = at.iter().cloned().collect();
+        let value = function.zip(at).and_then(|(k, at)| Functions::new(piece, shapes).value(k, &at));
+        value.map_or(0.0, |value| (value - witness.value.to_f64()).abs())
+    };
+    let there = places.iter().enumerate().filter(|(_, place)| inside(place));
+    let nearest = there.min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)));
+    let found = nearest.map_or(0, |(k, _)| k);
+    (found, places.into_iter().nth(found).map(|(_, at)| at).unwrap_or_default())
+}
+
+/// The value of a domain variable. A counterexample has x = low + width·y where the variable y runs from 0 to 1, as between
+/// ends that are shape parameters; nothing where these ends are no rational numbers.
+fn domain_value(family: &Family, p: &Parameter, witness: &Witness, shapes: &[Rational]) -> Option<Rational> {
+    let Some(angle) = family.analytic.angle(p.var) else { return coordinate(witness, &p.name) };
+    let x = coordinate(witness, &angle.tangent_name())?;
+    let known = |f: &Fraction| {
+        let all = family.shapes.iter().zip(shapes);
+        let put = |f: Fraction, (shape, x): (&Parameter, &Rational)| {
+            f.substitute(shape.var, &Fraction::constant(x.clone()))
+        };
+        all.into_iter().try_fold(f.clone(), put)?.as_constant()
+    };
+    (&x - &known(&angle.low)?).checked_div(&known(&angle.width)?)
 }
 
 /// A rational coordinate of a counterexample.

@@ -138,9 +138,8 @@ fn marks(scene: &Scene, frame: &Frame, top: f64) -> (Group, f64) {
     for (k, mark) in scene.marks.iter().enumerate() {
         let number = (k + 1).to_string();
         if let Some(Some(t)) = mark.failure.at.first() {
-            let inside = |piece: &&Family| piece.domain.first().is_some_and(|p| p.range.contains(t));
-            let piece = pieces(&scene.family).into_iter().find(inside).unwrap_or(&scene.family);
-            let functions = Functions::new(piece, &scene.settings[mark.setting]);
+            let piece = pieces(&scene.family).into_iter().nth(mark.failure.piece).unwrap_or(&scene.family);
+            let functions = Functions::new(piece, &scene.settings[mark.setting].values);
             let value = mark.failure.function.and_then(|f| functions.value(f, core::slice::from_ref(t)));
             let t = functions.axis(t);
             let [x, at] = frame.at(t, value.unwrap_or(frame.y[1]));
@@ -151,8 +150,9 @@ fn marks(scene: &Scene, frame: &Frame, top: f64) -> (Group, f64) {
             }
             let ring = Circle::new().set("cx", x).set("cy", at).set("r", 5.5).set("class", "counterexample");
             group = group.add(ring.set("fill", "none").set("stroke", BAD).set("stroke-width", 2));
-            group =
-                group.add(text(&number, x + 9.0, at - 7.0, 13.0, "start", BAD).set("font-weight", "bold"));
+            // Above the frame are the ranges.
+            let beside = if value.is_none() { at + 17.0 } else { at - 7.0 };
+            group = group.add(text(&number, x + 9.0, beside, 13.0, "start", BAD).set("font-weight", "bold"));
         }
         for (line, part) in wrapped(&pretty(&mark.failure.text), 92).iter().enumerate() {
             let head = if line == 0 { format!("{number}  ✗ ") } else { String::from("      ") };

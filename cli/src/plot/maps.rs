@@ -34,7 +34,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
         return Err(error(message).help("draw a lower order"));
     }
     let Some(setting) = scene.settings.first() else { return Err(error("there are no shape values")) };
-    let functions = Functions::new(family, setting);
+    let functions = Functions::new(family, &setting.values);
     let (parts, size) = match count {
         0..=6 => (48, 190.0),
         7..=15 => (36, 150.0),

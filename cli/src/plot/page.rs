@@ -9,6 +9,7 @@ use basis_engine::{Diagnostic, Family};
 use serde_json::{Value, json};
 
 use super::Scene;
+use super::samples::pieces;
 use crate::domain;
 use crate::eval::inside_of as inside;
 use crate::output::error;
@@ -26,14 +27,8 @@ pub(super) fn page(scene: &Scene) -> Result<String, Diagnostic> {
 
 fn data(scene: &Scene) -> Result<Value, Diagnostic> {
     let family = &scene.family;
-    if !family.pieces.is_empty() {
-        let message =
-            format!("the page does not draw functions on several spans, as those of `{}`", family.title());
-        return Err(error(message).help("write an `.svg` or a `.png`"));
-    }
-    let ranges: Option<Vec<[f64; 2]>> =
-        family.domain.iter().map(|p| p.range.finite().map(|(a, b)| [a.to_f64(), b.to_f64()])).collect();
-    let Some(ranges) = ranges else { return Err(error("the domain has no ends")) };
+    let pieces: Option<Vec<Value>> = pieces(family).into_iter().map(piece).collect();
+    let Some(pieces) = pieces else { return Err(error("the domain has no ends")) };
     let kind = match (family.domain.len(), family.is_simplex()) {
         (1, _) => "interval",
         (_, true) => "triangle",
@@ -46,20 +41,34 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
         let excluded = [!p.range.low.is_included(), !p.range.high.is_included()];
         json!({ "name": p.name, "low": low, "high": high, "excluded": excluded, "value": value.to_f64() })
     };
-    let function = |k: usize| {
-        let value = &family.functions[k].value;
-        json!({
-            "label": family.function_label(k),
-            "numer": terms(family, value.numer()),
-            "denom": terms(family, value.denom())
-        })
-    };
     let number = |x: &Rational| x.to_f64();
     let failure = |f: &super::failures::Failure| {
         let at: Vec<Option<f64>> = f.at.iter().map(|x| x.as_ref().map(number)).collect();
         let shapes: Vec<f64> = f.shapes.iter().map(number).collect();
-        json!({ "text": f.text, "shapes": shapes, "at": at, "function": f.function })
+        json!({ "text": f.text, "shapes": shapes, "piece": f.piece, "at": at, "function": f.function })
     };
+    Ok(json!({
+        "title": family.title(),
+        "doc": family.doc.first(),
+        "domain": domain::describe(family),
+        "kind": kind,
+        "variables": family.domain_variables().map(|p| p.name.clone()).collect::<Vec<_>>(),
+        "shapes": family.shapes.iter().enumerate().map(shape).collect::<Vec<_>>(),
+        "functions": (0..family.functions.len()).map(|k| family.function_label(k)).collect::<Vec<_>>(),
+        "pieces": pieces,
+        "points": scene.points,
+        "failures": scene.failures.iter().map(failure).collect::<Vec<_>>()
+    }))
+}
+
+/// The functions on one span of the domain, or on the whole of it, with the variables of their formulas; nothing where
+/// the span has no ends.
+fn piece(family: &Family) -> Option<Value> {
+    let ranges: Vec<[f64; 2]> = family
+        .domain
+        .iter()
+        .map(|p| p.range.finite().map(|(a, b)| [a.to_f64(), b.to_f64()]))
+        .collect::<Option<_>>()?;
     let fraction =
         |f: &Fraction| json!({ "numer": terms(family, f.numer()), "denom": terms(family, f.denom()) });
     let angle = |a: &Angle| {
@@ -78,7 +87,8 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
     let analytic = &family.analytic;
     let mut numbers: Vec<(usize, f64)> = analytic.pi.iter().map(|pi| (pi.0, core::f64::consts::PI)).collect();
     numbers.extend(analytic.exponential.iter().map(|(var, r)| (var.0, r.to_f64().exp())));
-    Ok(json!({
+    Some(json!({
+        "ranges": ranges,
         "width": variables(family),
         "angles": analytic.angles.iter().map(angle).collect::<Vec<_>>(),
         "numbers": numbers,
@@ -86,16 +96,7 @@ fn data(scene: &Scene) -> Result<Value, Diagnostic> {
             family.shapes.iter().map(|p| p.var.0).collect::<Vec<_>>(),
             family.domain.iter().map(|p| p.var.0).collect::<Vec<_>>()
         ],
-        "title": family.title(),
-        "doc": family.doc.first(),
-        "domain": domain::describe(family),
-        "kind": kind,
-        "ranges": ranges,
-        "variables": family.domain_variables().map(|p| p.name.clone()).collect::<Vec<_>>(),
-        "shapes": family.shapes.iter().enumerate().map(shape).collect::<Vec<_>>(),
-        "functions": (0..family.functions.len()).map(function).collect::<Vec<_>>(),
-        "points": scene.points,
-        "failures": scene.failures.iter().map(failure).collect::<Vec<_>>()
+        "functions": family.functions.iter().map(|f| fraction(&f.value)).collect::<Vec<_>>()
     }))
 }
 

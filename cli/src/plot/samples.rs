@@ -3,6 +3,7 @@
 use basis_engine::{Diagnostic, Family};
 
 use super::Scene;
+use super::settings::Setting;
 use super::values::{Functions, between};
 use crate::output::error;
 
@@ -23,14 +24,14 @@ pub(super) fn pieces(family: &Family) -> Vec<&Family> {
 
 /// The values of all functions at every setting.
 pub(super) fn sampled(scene: &Scene) -> Result<Vec<Sampled>, Diagnostic> {
-    let sample = |setting| {
+    let sample = |setting: &Setting| {
         let mut all = Sampled { at: Vec::new(), values: Vec::new() };
         for piece in pieces(&scene.family) {
             let range = piece.domain.first().and_then(|p| p.range.finite());
             let Some((low, high)) = range else {
                 return Err(error("the domain is not an interval with two ends"));
             };
-            let functions = Functions::new(piece, setting);
+            let functions = Functions::new(piece, &setting.values);
             // Between two spans the pen is lifted: functions may jump.
             if let Some(last) = all.at.last().copied() {
                 all.at.push(last);

@@ -6,8 +6,6 @@ use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::angle::{Angle, Kind};
 
-use super::settings::Setting;
-
 /// The functions at some shape values.
 pub(super) struct Functions {
     formulas: Vec<Fraction>,
@@ -27,10 +25,10 @@ struct Angles {
 
 impl Functions {
     /// The functions of a family; one whose denominator vanishes is left out of all pictures.
-    pub(super) fn new(family: &Family, setting: &Setting) -> Self {
+    pub(super) fn new(family: &Family, shapes: &[Rational]) -> Self {
         let at = |f: &Fraction| {
             let mut value = f.clone();
-            for (shape, x) in family.shapes.iter().zip(&setting.values) {
+            for (shape, x) in family.shapes.iter().zip(shapes) {
                 value = value
                     .substitute(shape.var, &Fraction::constant(x.clone()))
                     .unwrap_or_else(Fraction::zero);
@@ -38,7 +36,7 @@ impl Functions {
             value
         };
         let width = family.names.len();
-        let angles = (!family.analytic.is_empty()).then(|| Angles::new(family, setting));
+        let angles = (!family.analytic.is_empty()).then(|| Angles::new(family, shapes));
         Self {
             formulas: family.functions.iter().map(|f| at(&f.value)).collect(),
             width,
@@ -76,7 +74,7 @@ impl Functions {
 }
 
 impl Angles {
-    fn new(family: &Family, setting: &Setting) -> Self {
+    fn new(family: &Family, shapes: &[Rational]) -> Self {
         let analytic = &family.analytic;
         let mut all = Self { base: vec![0.0; family.names.len()], domain: None };
         let put = |base: &mut Vec<f64>, var: Var, value: f64| {
@@ -85,7 +83,7 @@ impl Angles {
             }
             base[var.0] = value;
         };
-        for (shape, value) in family.shapes.iter().zip(&setting.values) {
+        for (shape, value) in family.shapes.iter().zip(shapes) {
             put(&mut all.base, shape.var, value.to_f64());
         }
         if let Some(pi) = analytic.pi {

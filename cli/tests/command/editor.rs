@@ -71,6 +71,13 @@ impl Editor {
         editor
     }
 
+    /// An editor that shows a folder, with one file open.
+    pub(crate) fn showing(folder: Folder, name: &str, text: &str) -> Self {
+        let mut editor = Self::open(folder);
+        editor.show(name, text);
+        editor
+    }
+
     pub(crate) fn uri(&self, name: &str) -> String {
         let path = self.folder.path().canonicalize().expect("the folder is there").join(name);
         format!("file://{}", path.display())
@@ -127,6 +134,12 @@ impl Editor {
         let more = more.as_object().cloned().unwrap_or_default();
         params.as_object_mut().expect("it is an object").extend(more);
         self.ask(method, params)
+    }
+
+    /// What a pointer shows where `mark` stands in a text, `after` bytes further; empty if nothing.
+    pub(crate) fn hover(&mut self, name: &str, text: &str, mark: &str, after: usize) -> String {
+        let hover = self.ask_at("textDocument/hover", name, text, mark, after, json!({}));
+        hover["contents"]["value"].as_str().unwrap_or_default().to_string()
     }
 
     pub(crate) fn show(&mut self, name: &str, text: &str) {

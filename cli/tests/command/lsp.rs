@@ -6,9 +6,8 @@ use serde_json::json;
 
 #[test]
 fn verdicts_follow_every_edit() {
-    let mut editor = Editor::open(Folder::new());
     let spec = QUARTIC.replace("    prove symmetric", "    prove nonnegative;\n    prove symmetric");
-    editor.show("q.basis", &spec);
+    let mut editor = Editor::showing(Folder::new(), "q.basis", &spec);
     assert!(editor.errors(1).is_empty());
     let wider = spec.replace("-3 <= λ", "-4 <= λ");
     // The newest of several versions is the one that counts.
@@ -31,7 +30,6 @@ fn verdicts_follow_every_edit() {
 
 #[test]
 fn every_claim_has_a_mark() {
-    let mut editor = Editor::open(Folder::new());
     let spec = "family F(n in 1..=3) {
     domain 0 <= t <= 1;
     b[0] = 1 - t;
@@ -41,7 +39,7 @@ fn every_claim_has_a_mark() {
     prove at t = 1 { b[1] = 1; D(b[1]) = n; }
 }
 ";
-    editor.show("f.basis", spec);
+    let mut editor = Editor::showing(Folder::new(), "f.basis", spec);
     let whole = json!({ "start": position(spec, 0), "end": position(spec, spec.len()) });
     let params = json!({ "textDocument": { "uri": editor.uri("f.basis") }, "range": whole });
     let hints = editor.ask("textDocument/inlayHint", params);
@@ -60,20 +58,15 @@ fn every_claim_has_a_mark() {
             ("✓ n = 1  ✗ n = 2, 3", 6),
         ]
     );
-    let hover = editor.ask_at("textDocument/hover", "f.basis", spec, "partition", 2, json!({}));
-    let text = hover["contents"]["value"].as_str().expect("it is a text");
+    let text = editor.hover("f.basis", spec, "partition", 2);
     assert!(text.contains("the functions sum to 1") && text.contains("**proved**"), "{text}");
     editor.close();
 }
 
 #[test]
 fn a_pointer_shows_formulas_and_ranges() {
-    let mut editor = Editor::open(Folder::new());
-    editor.show("q.basis", QUARTIC);
-    let mut hover = |mark: &str| {
-        let hover = editor.ask_at("textDocument/hover", "q.basis", QUARTIC, mark, 0, json!({}));
-        hover["contents"]["value"].as_str().unwrap_or_default().to_string()
-    };
+    let mut editor = Editor::showing(Folder::new(), "q.basis", QUARTIC);
+    let mut hover = |mark: &str| editor.hover("q.basis", QUARTIC, mark, 0);
     let function = hover("b[1]");
     for part in [
         "b[1] = (3 + λ - λ*t)*t*(1 - t)^2",
@@ -125,8 +118,7 @@ family Base(n in 1..=4) {
 fn names_lead_to_other_files() {
     let folder =
         Folder::with("base.basis", BASE).and("user.basis", USER).and("other.basis", "family Base {}\n");
-    let mut editor = Editor::open(folder);
-    editor.show("user.basis", USER);
+    let mut editor = Editor::showing(folder, "user.basis", USER);
     let base = editor.uri("base.basis");
     let found = editor.ask_at("textDocument/definition", "user.basis", USER, "Base(2)[", 1, json!({}));
     assert_eq!(found[0]["uri"], base);
@@ -166,8 +158,7 @@ fn names_lead_to_other_files() {
 
 #[test]
 fn a_new_name_is_refused_where_it_means_something_else() {
-    let mut editor = Editor::open(Folder::with("base.basis", BASE));
-    editor.show("user.basis", USER);
+    let mut editor = Editor::showing(Folder::with("base.basis", BASE), "user.basis", USER);
     let edit =
         editor.ask_at("textDocument/rename", "user.basis", USER, "λ <= 1", 0, json!({ "newName": "α" }));
     let renamed = apply(USER, &edit["changes"][editor.uri("user.basis")]);
@@ -192,10 +183,9 @@ fn a_new_name_is_refused_where_it_means_something_else() {
 
 #[test]
 fn words_are_suggested_where_they_fit() {
-    let mut editor = Editor::open(Folder::with("base.basis", BASE));
     let spec =
         "use \"base.basis\";\nfamily F {\n    domain 0 <= t <= 1;\n    b[0] = \\lam;\n    prove n\n}\n";
-    editor.show("f.basis", spec);
+    let mut editor = Editor::showing(Folder::with("base.basis", BASE), "f.basis", spec);
     let claims = editor.ask_at("textDocument/completion", "f.basis", spec, "prove n", 7, json!({}));
     let labels: Vec<&str> =
         claims.as_array().expect("a list").iter().filter_map(|c| c["label"].as_str()).collect();
@@ -210,9 +200,8 @@ fn words_are_suggested_where_they_fit() {
 
 #[test]
 fn names_of_specs_are_suggested_and_explained() {
-    let mut editor = Editor::open(Folder::with("base.basis", BASE));
     let spec = "use \"b\";\nuse library \"quad\";\nuse library \"quadratic\";\nuse \"base.basis\";\n";
-    editor.show("f.basis", spec);
+    let mut editor = Editor::showing(Folder::with("base.basis", BASE), "f.basis", spec);
     let mut labels = |mark: &str, after: usize| -> Vec<String> {
         let all = editor.ask_at("textDocument/completion", "f.basis", spec, mark, after, json!({}));
         let all = all.as_array().expect("a list").iter();
@@ -221,10 +210,7 @@ fn names_of_specs_are_suggested_and_explained() {
     assert_eq!(labels("\"b\"", 2), ["base.basis"], "the spec itself is left out");
     let library = labels("\"quad\"", 5);
     assert!(library.contains(&String::from("quadratic")) && !library.contains(&String::from("base.basis")));
-    let mut hover = |mark: &str| {
-        let hover = editor.ask_at("textDocument/hover", "f.basis", spec, mark, 1, json!({}));
-        hover["contents"]["value"].as_str().unwrap_or_default().to_string()
-    };
+    let mut hover = |mark: &str| editor.hover("f.basis", spec, mark, 1);
     let quadratic = hover("\"quadratic\"");
     assert!(
         quadratic.starts_with("Quadratic Bézier curves") && quadratic.contains("family **QuadraticBezier**")
@@ -236,7 +222,6 @@ fn names_of_specs_are_suggested_and_explained() {
 
 #[test]
 fn parameters_show_their_declarations() {
-    let mut editor = Editor::open(Folder::new());
     let spec = "family F(n in 1..=3) {
     domain 0 <= t <= 1;
     shape 0 <= λ[i] <= i for i in 1..=n;
@@ -245,7 +230,7 @@ fn parameters_show_their_declarations() {
 }
 family G { shape 0 < α < pi; domain 0 <= θ <= α; g[0] = sin(θ); }
 ";
-    editor.show("f.basis", spec);
+    let mut editor = Editor::showing(Folder::new(), "f.basis", spec);
     for (mark, declared) in [
         ("n, j", "n in 1..=3"),
         ("λ[i]", "shape 0 <= λ[i] <= i for i in 1..=n;"),
@@ -253,8 +238,7 @@ family G { shape 0 < α < pi; domain 0 <= θ <= α; g[0] = sin(θ); }
         ("x;", "let h(x) = 1 - x;"),
         ("α < pi", "shape 0 < α < pi;"),
     ] {
-        let hover = editor.ask_at("textDocument/hover", "f.basis", spec, mark, 0, json!({}));
-        let value = hover["contents"]["value"].as_str().expect("a text");
+        let value = editor.hover("f.basis", spec, mark, 0);
         assert!(value.ends_with(&format!("```basis\n{declared}\n```")), "{mark}: {value}");
     }
     editor.close();
@@ -262,9 +246,8 @@ family G { shape 0 < α < pi; domain 0 <= θ <= α; g[0] = sin(θ); }
 
 #[test]
 fn a_change_says_where_it_is() {
-    let mut editor = Editor::open(Folder::new());
     let spec = QUARTIC.replace("family", "// 𝔸λ\r\nfamily");
-    editor.show("q.basis", &spec);
+    let mut editor = Editor::showing(Folder::new(), "q.basis", &spec);
     assert!(editor.errors(1).is_empty());
     // A wide character is two units. The second change is about the text after the first one.
     let at = |line: u32, character: u32| json!({ "line": line, "character": character });
@@ -292,9 +275,8 @@ fn a_change_says_where_it_is() {
 
 #[test]
 fn a_text_has_an_outline_folds_colours_and_a_layout() {
-    let mut editor = Editor::open(Folder::new());
     let messy = QUARTIC.replace("    prove symmetric", "  prove   symmetric ");
-    editor.show("q.basis", &messy);
+    let mut editor = Editor::showing(Folder::new(), "q.basis", &messy);
     let params = json!({ "textDocument": { "uri": editor.uri("q.basis") } });
     let outline = editor.ask("textDocument/documentSymbol", params.clone());
     assert_eq!(outline[0]["name"], "QuarticBernstein");
@@ -313,12 +295,11 @@ fn a_text_has_an_outline_folds_colours_and_a_layout() {
 
 #[test]
 fn actions_correct_claims() {
-    let mut editor = Editor::open(Folder::new());
     let spec = QUARTIC
         .replace("-3 <= λ", "-4 <= λ")
         .replace("    prove symmetric", "    prove nonnegative;\n    prove independent;\n    prove symmetric")
         .replace("refute b[0] = b[1]", "prove b[0] = b[1]");
-    editor.show("q.basis", &spec);
+    let mut editor = Editor::showing(Folder::new(), "q.basis", &spec);
     assert_eq!(editor.errors(1).len(), 3);
     let narrow = editor.act("q.basis", &spec, "prove nonneg", "Narrow the range to `-3 <= λ <= 1`");
     let except = editor.act("q.basis", &narrow, "prove indep", "Write `independent except λ = -3`");
@@ -341,7 +322,6 @@ fn actions_correct_claims() {
 
 #[test]
 fn the_claims_that_hold_are_inserted() {
-    let mut editor = Editor::open(Folder::new());
     let spec = "family F {
     domain 0 <= t <= 1;
     shape 0 <= λ <= 2;
@@ -352,7 +332,7 @@ fn the_claims_that_hold_are_inserted() {
 
 family G { domain 0 <= t <= 1; g[0] = 1; }
 ";
-    editor.show("f.basis", spec);
+    let mut editor = Editor::showing(Folder::new(), "f.basis", spec);
     let longer = editor.act("f.basis", spec, "shape", "Insert the claims that hold of F");
     editor.edit("f.basis", 2, &longer);
     assert!(editor.errors(2).is_empty(), "{longer}");
@@ -369,8 +349,7 @@ family G { domain 0 <= t <= 1; g[0] = 1; }
 
 #[test]
 fn whatever_is_typed_has_an_answer() {
-    let mut editor = Editor::open(Folder::new());
-    editor.show("q.basis", "");
+    let mut editor = Editor::showing(Folder::new(), "q.basis", "");
     let cuts: Vec<usize> = QUARTIC.char_indices().map(|(at, _)| at).step_by(23).collect();
     for (k, cut) in cuts.iter().enumerate() {
         let text = &QUARTIC[..*cut];

@@ -3,6 +3,7 @@
 use std::fs;
 
 use crate::support::{BERNSTEIN, Folder, QUARTIC};
+use serde_json::{Value, json};
 
 /// The picture that a call writes.
 fn drawn(folder: &Folder, arguments: &[&str], file: &str) -> String {
@@ -102,6 +103,12 @@ fn a_counterexample_is_marked() {
     assert_eq!(count(&svg, "counterexample"), 0);
 }
 
+/// What a page draws.
+fn page_data(html: &str) -> Value {
+    let data = html.split("const data = ").nth(1).and_then(|rest| rest.split(";\n").next());
+    serde_json::from_str(data.expect("it has data")).expect("it is JSON")
+}
+
 #[test]
 fn a_page_is_one_file_with_sliders() {
     let folder = Folder::with("q.basis", &format!("/// A </script> & more.\n{QUARTIC}"));
@@ -111,12 +118,10 @@ fn a_page_is_one_file_with_sliders() {
         !html.contains("http://") || count(&html, "http://") == count(&html, "http://www.w3.org/2000/svg")
     );
     assert!(!html.contains("https://") && !html.contains("src="));
-    let data =
-        html.split("const data = ").nth(1).and_then(|rest| rest.split(";\n").next()).expect("it has data");
-    let data: serde_json::Value = serde_json::from_str(data).expect("it is JSON");
+    let data = page_data(&html);
     assert_eq!(data["shapes"][0]["name"], "λ");
     assert_eq!(data["functions"].as_array().expect("a list").len(), 4);
-    assert_eq!(data["points"][1], serde_json::json!([1.0, 2.0]));
+    assert_eq!(data["points"][1], json!([1.0, 2.0]));
 }
 
 #[test]
@@ -215,7 +220,31 @@ family Mixed { domain 0 <= t <= 1; b[0] = t - sin(pi*t/2)*2/pi; b[1] = 1 - t; }"
     assert!((b - a) / unit > 0.3 && (b - a) / unit < 0.42, "{a} {b}");
 }
 
-/// A function has a formula for each span, and a page has none of them.
+/// Where a domain ends at shape parameters, the variable of the formulas runs from 0 to 1 on each span.
+#[test]
+fn counterexamples_between_knots_that_are_parameters_are_marked() {
+    let spec = "family Roof {
+    shape 1 <= h <= 2, 1 <= k <= 3;
+    domain 0 <= x <= h, h <= x <= h + k;
+    f[0] = 1 - x/(4*h) | (x - h)/k - 1/4;
+    prove f[0] <= 2/3;
+    prove nonnegative;
+}";
+    let folder = Folder::with("r.basis", spec);
+    let data = page_data(&drawn(&folder, &["r.basis"], "r.html"));
+    let failures = data["failures"].as_array().expect("a list");
+    assert_eq!(failures.len(), 2);
+    // Above 2/3 are all y of the first span and y > 11/12 of the second, below 0 y < 1/4 of the second: at the
+    // knot as well, which is on both.
+    let y: Vec<f64> = failures.iter().map(|f| f["at"][0].as_f64().expect("it has a place")).collect();
+    assert!(failures[0]["piece"] == 0 || y[0] > 11.0 / 12.0, "{failures:?}");
+    assert!(failures[1]["piece"] == 1 && (0.0..0.25).contains(&y[1]), "{failures:?}");
+    let svg = drawn(&folder, &["r.basis", "--shape", "h=1,k=1"], "r.svg");
+    let marked = failures.iter().filter(|f| f["shapes"] == json!([1.0, 1.0])).count();
+    assert_eq!(count(&svg, "class=\"counterexample\""), marked);
+}
+
+/// A function has a formula for each span.
 #[test]
 fn spans_are_drawn_one_after_another() {
     let spec = "family S {
@@ -229,7 +258,12 @@ fn spans_are_drawn_one_after_another() {
         svg.split("<title>f[0]</title>").next().and_then(|s| s.rsplit("<path").next()).expect("a line");
     assert_eq!(path.matches('M').count(), 3, "the pen is lifted twice");
     assert!(svg.contains("0 ≤ x ≤ 1, 1 ≤ x ≤ 3, 3 ≤ x ≤ 4"), "{svg}");
-    let run = folder.run(&["plot", "s.basis", "-o", "s.html"]);
-    assert_eq!(run.code, 2);
-    assert!(run.stderr.contains("several spans"), "{}", run.stderr);
+    let data = page_data(&drawn(&folder, &["s.basis"], "s.html"));
+    let ranges: Vec<_> = data["pieces"].as_array().expect("a list").iter().map(|p| &p["ranges"][0]).collect();
+    assert_eq!(ranges, [&json!([0.0, 1.0]), &json!([1.0, 3.0]), &json!([3.0, 4.0])]);
+    // (−x² + 4x − 2)/4 on the second span.
+    let second = data["pieces"][1]["functions"][0]["numer"].as_array().expect("a list");
+    let mut coefficients: Vec<f64> = second.iter().map(|term| term[0].as_f64().expect("a number")).collect();
+    coefficients.sort_by(f64::total_cmp);
+    assert_eq!(coefficients, [-0.5, -0.25, 1.0]);
 }
