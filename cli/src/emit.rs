@@ -31,12 +31,14 @@ pub(crate) fn run(arguments: &EmitArguments) -> Status {
         Err(error) => return refuse(&Sources::default(), &[error], Status::Unusable),
     };
     let sources = library.sources();
-    let errors: Vec<Diagnostic> =
-        library.diagnostics().into_iter().filter(|d| d.severity == Severity::Error).collect();
+    let selected = selected(&library, &arguments.names);
+    // Those of a family are found when it is expanded.
+    let errors =
+        library.diagnostics().into_iter().filter(|d| d.severity == Severity::Error).collect::<Vec<_>>();
     if !errors.is_empty() {
         return refuse(sources, &errors, Status::Wrong);
     }
-    let items = match selected(&library, &arguments.names) {
+    let items = match selected {
         Ok(items) => items,
         Err(errors) => return refuse(sources, &errors, Status::Unusable),
     };

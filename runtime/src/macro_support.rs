@@ -94,11 +94,11 @@ pub fn combine<P: Point, const N: usize>(points: &[P; N], weights: [P::Scalar; N
     combination(points.iter().copied().zip(weights))
 }
 
-/// `Σ_j binomial(m, j) coefficients[j] s^(m-j) x^j`, `m = M - 1`.
+/// `Σ_j binomial(m, j) coefficients[j] s^(m-j) x^j`, `m = M - 1`, of numbers or of lists of numbers.
 ///
 /// With `s`, `x` and all coefficients nonnegative no step of the evaluation is negative.
 #[inline]
-pub fn bernstein<S: Scalar, const M: usize>(coefficients: [S; M], s: S, x: S) -> S {
+pub fn bernstein<P: Point, const M: usize>(coefficients: [P; M], s: P::Scalar, x: P::Scalar) -> P {
     nested(&coefficients, &const { binomials::<M>() }, s, x)
 }
 

@@ -74,6 +74,11 @@ fn what_cannot_be_written_is_an_error() {
         .and("bern.basis", BERNSTEIN)
         .and("false.basis", QUARTIC.replace("refute b[0]", "prove b[0]"))
         .and("broken.basis", "family F { domain 0 <= t <= 1; b[0] = t +; }")
+        .and("unknown.basis", "family F { domain 0 <= t <= 1; b[0] = 1 - t; b[1] = u; }")
+        .and(
+            "endless.basis",
+            "family F { shape 0 < α; domain 0 <= t <= α; b[0] = (sinh(t) - t)/(sinh(α) - α); }",
+        )
         .and("rational.basis", rational)
         .and("huge.basis", "family Huge { domain 0 <= t <= 1; b[0] = 10^50*t; b[1] = 1 - t; }")
         .and("theorem.basis", theorem);
@@ -86,6 +91,8 @@ fn what_cannot_be_written_is_an_error() {
         (vec!["bern.basis"], 2, "every family in it has index parameters"),
         (vec!["false.basis"], 1, "the claim `b[0] = b[1]` is false"),
         (vec!["broken.basis"], 1, "broken.basis:1"),
+        (vec!["endless.basis", "--to", "c"], 1, "end the range of `α`: `shape 0 < α <= 8;`"),
+        (vec!["unknown.basis"], 1, "the name `u` is not declared"),
         (
             vec!["rational.basis"],
             1,

@@ -65,7 +65,7 @@ impl Fraction {
     }
 
     /// The quotient of two polynomials without a common divisor.
-    fn normalized(numer: &Poly, denom: &Poly) -> Option<Self> {
+    pub(crate) fn normalized(numer: &Poly, denom: &Poly) -> Option<Self> {
         let whole = denom.normalized();
         // `denom` is a number times `whole`.
         let factor = denom.div_exact(&whole)?.as_constant()?.recip()?;

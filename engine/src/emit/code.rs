@@ -111,11 +111,16 @@ pub struct Shape<'a> {
 }
 
 impl<'a> FamilyCode<'a> {
-    /// A family in a language.
+    /// A family in a language: as its documentation has it, and as it is evaluated.
     ///
     /// # Errors
     /// Why no code is generated for it.
-    pub fn new(family: &'a Family, wanted: &Wanted, language: &dyn Language) -> Result<Self, Diagnostic> {
+    pub fn new(
+        told: &Family,
+        family: &'a Family,
+        wanted: &Wanted,
+        language: &dyn Language,
+    ) -> Result<Self, Diagnostic> {
         if let Some(error) = generate::no_code(family) {
             return Err(error);
         }
@@ -125,7 +130,7 @@ impl<'a> FamilyCode<'a> {
         let known: &[Option<Error>] = if rounding.iter().all(Option::is_none) { &[] } else { &rounding };
         let (Some(steps), Some(mut documentation)) = (
             FamilySteps::new(family),
-            generate::documentation(family, known, &wanted.checked.claims, DECIDED),
+            generate::documentation(told, family, known, &wanted.checked.claims, DECIDED),
         ) else {
             return Err(generate::too_large(family));
         };

@@ -131,7 +131,8 @@ pub fn emit(language: &dyn Language, job: &Job<'_>) -> Result<String, Vec<Diagno
     let mut names = Names::default();
     for wanted in job.items {
         let code = match &wanted.checked.subject {
-            Subject::Family(family) => FamilyCode::new(family, wanted, language).and_then(|code| {
+            Subject::Family(family) => generate::evaluated(family).and_then(|evaluated| {
+                let code = FamilyCode::new(family, &evaluated, wanted, language)?;
                 names.insert(&code.name, &wanted.checked.subject)?;
                 Ok((code.documentation.clone(), language.family(&code)?))
             }),

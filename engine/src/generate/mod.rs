@@ -20,15 +20,17 @@ mod rounding;
 mod rust;
 mod series;
 
+use std::borrow::Cow;
+
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
-use crate::algebra::rational::Rational;
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
 use crate::model::Family;
 use crate::model::angle::Angle;
 use crate::plan::form::{IntervalForm, RationalForm};
+use crate::plan::tangents::in_tangents;
 use crate::state::Verdict;
 use crate::subject::{Item, Subject};
 pub use code::names::ascii;
@@ -80,22 +82,11 @@ pub(crate) fn is_evaluated(family: &Family) -> bool {
 /// Why a family of any size is generated in no language but Rust; `None` where it is.
 #[cfg(any(test, feature = "tools"))]
 pub(crate) fn no_code(family: &Family) -> Option<Diagnostic> {
-    let error = no_type(family);
-    if error.is_some() {
-        return error;
+    if !family.is_product() {
+        return no_type(family);
     }
-    let (families, instead) = if series::is_mixed(family) {
-        ("with the domain variable beside its sine or exponential", ", or leave such functions out")
-    } else if family.is_product() {
-        ("on a product of a simplex and something else", "")
-    } else {
-        return None;
-    };
-    let error = Diagnostic::error(
-        family.place.clone(),
-        format!("only Rust code is generated yet for families {families}"),
-    );
-    Some(error.help(format!("use `basis!` or `--to rust`{instead}")))
+    let message = "only Rust code is generated yet for families on a product of a simplex and something else";
+    Some(Diagnostic::error(family.place.clone(), message).help("use `basis!` or `--to rust`"))
 }
 
 /// Whether the functions are evaluated as quotients, or span by span.
@@ -112,29 +103,48 @@ const NO_CODE: &str =
 
 /// Why no type is generated for a family of any size; `None` where one is.
 fn no_type(family: &Family) -> Option<Diagnostic> {
-    // The tangent of such a parameter is measured from the lower end of its range.
-    let measured = |angle: &&Angle| !angle.low.is_zero() || angle.width.as_constant() != Some(Rational::ONE);
-    let angles = &family.analytic.angles;
-    let shape = |angle: &&Angle| family.shapes.iter().any(|p| p.var == angle.var);
-    if let Some(angle) = angles.iter().filter(shape).find(measured) {
-        let message = format!(
-            "no code is generated yet for parameters in `exp`, `sinh` or `cosh` whose ranges end in numbers, `{}`",
-            angle.declared
-        );
-        let help = format!("leave the end out, or let it be 0: `shape 0 < {};`", angle.name);
-        return Some(Diagnostic::error(family.place.clone(), message).help(help));
+    if series::is_mixed(family) {
+        return None;
     }
-    let message = if family.pieces.iter().any(|piece| series::is_mixed(piece)) {
-        "no code is generated yet for families on several spans with the domain variable beside its sine or exponential"
-    } else if is_rational(family) && family.interval().is_none() {
+    let message = if is_rational(family) && family.interval().is_none() {
         "no code is generated yet for families with denominators, angles or exponentials in several domain variables"
     } else if family.leaves_an_end_out() && family.interval().is_none() {
         "no code is generated for families on a domain of several variables without its ends yet"
     } else {
         return None;
     };
-    let error = Diagnostic::error(family.place.clone(), message);
-    Some(error.help(NO_CODE))
+    Some(Diagnostic::error(family.place.clone(), message).help(NO_CODE))
+}
+
+/// The family as it is evaluated: in polynomials where the domain variable stands beside its sine, and in the tangents of its
+/// shape parameters.
+///
+/// # Errors
+/// Why no code is generated for it.
+pub fn evaluated(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
+    if let Some(error) = no_type(family) {
+        return Err(error);
+    }
+    let error = |message: &str| Diagnostic::error(family.place.clone(), message).help(NO_CODE);
+    if series::is_mixed(family) {
+        return series::in_polynomials(family).map(Cow::Owned).ok_or_else(|| {
+            let endless = |angle: &&Angle| angle.ends.iter().any(String::is_empty);
+            if let Some(angle) = family.analytic.angles.iter().find(endless) {
+                let message = "no code is generated for families with the domain variable beside its exponential and a shape \
+                               parameter without a largest value";
+                let name = &angle.name;
+                let error = Diagnostic::error(family.place.clone(), message);
+                return error.help(format!("end the range of `{name}`: `shape 0 < {name} <= 8;`"));
+            }
+            error(
+                "no code is generated yet for families with the domain variable beside its sine or exponential and sines of it in \
+                 a denominator, or an end of the domain that is not a multiple of one shape parameter with a range up to about 10",
+            )
+        });
+    }
+    in_tangents(family).ok_or_else(|| {
+        error("no code is generated for parameters in `exp`, `sinh` or `cosh` with ranges that end in these numbers")
+    })
 }
 
 /// The error for a family with too many coefficients.
@@ -166,22 +176,24 @@ pub(crate) fn beyond_floats(family: &Family, steps: &crate::steps::FamilySteps<'
 }
 
 /// What the documentation of a generated type says: the formulas, the ranges, the claims with their verdicts; Markdown,
-/// one string a line. `errors` are the bounds of the rounding errors of all functions, or nothing; `decided` says when the
-/// claims were decided. `None` when the family is too large.
+/// one string a line. `told` is the family as its spec has it, `family` as it is evaluated; `errors` are the bounds of the
+/// rounding errors of all functions, or nothing; `decided` says when the claims were decided. `None` when the family is too
+/// large.
 #[cfg(any(test, feature = "tools"))]
 pub fn documentation(
+    told: &Family,
     family: &Family,
     errors: &[Option<crate::rounding::Error>],
     verdicts: &[(Claim, Verdict)],
     decided: &str,
 ) -> Option<Vec<String>> {
     let formulas = match (rational_forms(family), IntervalForm::new(family)) {
-        (Some(forms), _) => rational::formulas(family, &forms),
+        (Some(forms), _) => rational::formulas(told, family, &forms),
         (_, Some(form)) => interval::formulas(family, &form),
         _ => patch::formulas(&crate::plan::patch::PatchPlans::new(family)?),
     };
     let bounds = rounding::lines(errors, family);
-    Some(code::docs::family(family, &formulas, &bounds, verdicts, decided))
+    Some(code::docs::family(told, &formulas, &bounds, verdicts, decided))
 }
 
 /// The quotients of a family that is evaluated by them, one for each span.
@@ -206,19 +218,11 @@ pub(crate) fn definition(
     name: Ident,
     options: &Options,
 ) -> Result<TokenStream, Vec<Diagnostic>> {
-    if let Some(error) = no_type(family) {
-        return Err(vec![error]);
-    }
     let fields = names::fields(family)?;
     let Options { runtime, decided, .. } = options;
-    let replaced = if series::is_mixed(family) { series::in_polynomials(family) } else { None };
-    if replaced.is_none() && series::is_mixed(family) {
-        let message = "no code is generated yet for families with the domain variable beside its sine or exponential and \
-                       parameters at the ends or in denominators";
-        return Err(vec![Diagnostic::error(family.place.clone(), message).help(NO_CODE)]);
-    }
     let told = family;
-    let family = replaced.as_ref().unwrap_or(family);
+    let evaluated = evaluated(family).map_err(|error| vec![error])?;
+    let family = &*evaluated;
     let shell = Shell { family, name, fields, runtime, decided };
     let code = match (rational_forms(family), IntervalForm::new(family)) {
         (Some(forms), _) => rational::emit(&shell, told, &forms, verdicts),

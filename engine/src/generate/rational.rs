@@ -41,18 +41,28 @@ pub(super) fn emit(
             #basis
         }
     };
-    let mut formulas = formulas(told, forms);
-    if told.pieces.len() != family.pieces.len() {
-        let count = forms.len();
-        formulas.push(String::new());
-        formulas.push(format!("evaluated as polynomials on {count} spans, as near to these as floats are"));
-    }
+    let formulas = formulas(told, family, forms);
     let docs = docs::family(told, &formulas, &[], verdicts, shell.decided);
     shell.definition(&docs, &emitter.methods(), &traits)
 }
 
-/// The functions, as products over the common denominator where they are quotients of polynomials, for reading.
-pub(super) fn formulas(family: &Family, forms: &[RationalForm]) -> Vec<String> {
+/// The functions of the family that is `told` of, as products over the common denominator where they are quotients of
+/// polynomials, for reading; nothing where sines and exponentials are read best as they are written. Then what is evaluated in
+/// their place.
+pub(super) fn formulas(told: &Family, family: &Family, forms: &[RationalForm]) -> Vec<String> {
+    let mut formulas = exact_formulas(told, forms);
+    if told.pieces.len() != family.pieces.len() {
+        let on = if forms.len() > 1 { format!(" on {} spans", forms.len()) } else { String::new() };
+        formulas.extend((!formulas.is_empty()).then(String::new));
+        formulas.push(format!("evaluated as polynomials{on}, as near to these as floats are"));
+    }
+    formulas
+}
+
+fn exact_formulas(family: &Family, forms: &[RationalForm]) -> Vec<String> {
+    if !family.analytic.is_empty() && !family.written.is_empty() {
+        return Vec::new();
+    }
     let labels = (0..family.functions.len()).map(|k| (k, family.function_label(k)));
     if !family.pieces.is_empty() {
         let text = |k: usize, piece: &Family| piece.functions[k].value.display(&piece.names);
@@ -233,7 +243,19 @@ impl Emitter<'_> {
 
 impl OnSpan<'_> {
     fn values(&self) -> TokenStream {
-        let Self { form, family, .. } = self;
+        let Self { form, family, runtime, shell } = self;
+        if form.is_tabulated {
+            let chart = self.chart();
+            let table = if shell.family.pieces.len() > 1 {
+                quote_spanned!(site()=> #runtime::SpannedBasis::numerators_on(self, span))
+            } else {
+                quote_spanned!(site()=> #runtime::RationalBasis::numerators(self))
+            };
+            return quote_spanned! {site()=>
+                let [s, x] = { #chart }.coordinates(t);
+                #runtime::__private::bernstein(#table, s, x)
+            };
+        }
         let Body { lets, outputs } = self.body(&rational::values(family, form));
         let coordinates = (!family.analytic.is_empty()).then(|| {
             let chart = self.chart();

@@ -21,7 +21,7 @@ use crate::model::bernstein::{affine, to_bernstein};
 pub const MAX_ENDPOINT_DEGREE: u32 = 4;
 
 /// A common factor of more bits than this is no help to readers or floats.
-const MAX_CONTENT: u64 = 60;
+pub(super) const MAX_CONTENT: u64 = 60;
 
 /// All functions of a family on an interval, rewritten for evaluation in x = (t − low)/(high − low), s = 1 − x.
 #[derive(Clone, Debug)]
@@ -102,7 +102,13 @@ pub struct RationalForm {
     pub denominator: FunctionForm,
     /// Whether the coordinates s and x add up to 1: they do not where they are made of sines.
     pub is_affine: bool,
+    /// Whether values are computed from the table of Bernstein coefficients of the numerators, as points of curves are: where these
+    /// are long polynomials in the shape values, which are better computed in one place. Otherwise from factored forms.
+    pub is_tabulated: bool,
 }
+
+/// With more terms in all, the Bernstein coefficients of polynomial functions are computed in one place.
+const MAX_TERMS: usize = 300;
 
 impl RationalForm {
     /// The forms of a family on several spans, of one degree.
@@ -131,8 +137,10 @@ impl RationalForm {
             family.functions.mapped(|f| form(f.value.numer(), f.value.denom()))
         };
         let functions = functions.into_iter().collect::<Option<Vec<_>>>()?;
+        let terms: usize = functions.iter().flat_map(|f| &f.bernstein).map(Poly::len).sum();
+        let is_tabulated = is_affine && family.over.is_one() && terms > MAX_TERMS;
         let numerators = IntervalForm { var, low: low.clone(), high: high.clone(), degree, functions };
-        Some(Self { numerators, denominator: form(&family.over, &one)?, is_affine })
+        Some(Self { numerators, denominator: form(&family.over, &one)?, is_affine, is_tabulated })
     }
 }
 
@@ -142,6 +150,7 @@ impl FunctionForm {
     fn new(family: &Family, numer: &Poly, denom: &Poly, degree: u32, homogeneous: bool) -> Option<Self> {
         let (var, low, high) = family.interval()?;
         let terms = degree as usize + 1;
+        let (numer, denom) = &in_reach(numer, denom);
         let mut monomial = numer.coefficients_in(var);
         monomial.resize(terms, Poly::zero());
         // t = low + (high − low) x
@@ -226,6 +235,15 @@ impl Factored {
     /// h expanded in t, for reading; nothing if it is 1.
     pub fn square_monomial(&self, form: &IntervalForm) -> Option<Poly> {
         (!self.square.is_empty()).then(|| expanded(&self.square, form))
+    }
+}
+
+/// A quotient whose denominator has numbers beyond the range of floats with its lowest coefficient made 1.
+fn in_reach(numer: &Poly, denom: &Poly) -> (Poly, Poly) {
+    let lowest = denom.terms().map(|(m, c)| (m.total_degree(), c)).min_by_key(|(degree, _)| *degree);
+    match lowest.and_then(|(_, c)| c.recip()).filter(|_| denom.max_bits() > MAX_CONTENT) {
+        Some(factor) => (numer.scale(&factor), denom.scale(&factor)),
+        None => (numer.clone(), denom.clone()),
     }
 }
 

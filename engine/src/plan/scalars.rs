@@ -1,6 +1,7 @@
 //! Expressions in shape values and other scalars: each distinct one is computed once.
 
 use super::build::{Builder, Variable};
+use super::form::MAX_CONTENT;
 use super::{Input, Let, Node, Ref};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -32,6 +33,11 @@ impl Builder {
         let anywhere = || Range { low: End::Infinite, high: End::Infinite };
         for (j, angle) in family.analytic.angles.iter().enumerate() {
             let Some(k) = self.variables.iter().position(|v| v.var == angle.var) else { continue };
+            if angle.kind == Kind::Linear {
+                let itself = self.variables[k].value;
+                self.add(angle.itself, anywhere(), itself);
+                continue;
+            }
             let tangent = self.input(Input::Shape(family.shapes.len() + j));
             // Not every function needs it.
             self.units.push(Let { names: vec![format!("_tangent{j}")], value: tangent });
@@ -95,10 +101,18 @@ impl Builder {
         Some(value)
     }
 
-    /// A quotient of polynomials, in lowest terms.
+    /// A quotient of polynomials, in lowest terms unless the denominator is long.
     pub(super) fn quotient(&mut self, poly: &Poly, denom: &Poly) -> Ref {
+        /// More terms have no common divisor worth its search.
+        const MOST: usize = 8;
         if denom.is_one() || poly.is_zero() {
             return self.scalar(poly);
+        }
+        if denom.len() > MOST
+            && let Some(reciprocal) = self.reciprocal(denom)
+        {
+            let numer = self.scalar(poly);
+            return self.push(Node::Product(numer, reciprocal));
         }
         // One entry of a row may have a simpler denominator than the row.
         let Some(value) = Fraction::new(poly.clone(), denom.clone()) else { return self.scalar(poly) };
@@ -118,6 +132,7 @@ impl Builder {
     fn factored(&mut self, poly: &Poly) -> Ref {
         // With whole numbers for coefficients a difference such as 7 - λ is exact near its zero; 7/10 - λ/10 is not.
         let content = if poly.len() > 1 { poly.numeric_content() } else { Rational::ONE };
+        let content = if content.bits() > MAX_CONTENT { Rational::ONE } else { content };
         let mut rest = content.recip().map_or_else(|| poly.clone(), |factor| poly.scale(&factor));
         let mut factors: Vec<Ref> = Vec::new();
         for k in 0..self.variables.len() {

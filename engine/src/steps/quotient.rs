@@ -43,6 +43,8 @@ struct Span<'a> {
     kind: Kind,
     /// Of a kind with angles.
     turn: Option<Turn>,
+    /// The Bernstein coefficients of the numerators, one row for each, where these are computed in one place.
+    table: Option<Vec<Vec<Scalar>>>,
 }
 
 /// A number that is known, or an input.
@@ -140,7 +142,8 @@ impl Deriving {
         let low_and_high = [format!("low{number}"), format!("high{number}")];
         let Some(angle) = analytic.angle(form.numerators.var) else {
             let ends = [&form.numerators.low, &form.numerators.high].map(|end| Scalar::Known(end.clone()));
-            return Span { family, form, tangents, ends, kind: Kind::Linear, turn: None };
+            let table = self.table(family, &form, &tangents, number);
+            return Span { family, form, tangents, ends, kind: Kind::Linear, turn: None, table };
         };
         let known = angle.limits.each_ref().map(|end| analytic.number(end));
         let computed = self.builder.inline(&lower(&rational::ends(family, angle)), &|_| None);
@@ -152,7 +155,34 @@ impl Deriving {
         let steps = [ends[0].0, ends[1].0];
         let ends = [ends[0].1.clone(), ends[1].1.clone()];
         let turn = (angle.kind != Kind::Linear).then(|| self.turn(angle, steps, number));
-        Span { family, form, tangents, ends, kind: angle.kind, turn }
+        let table = self.table(family, &form, &tangents, number);
+        Span { family, form, tangents, ends, kind: angle.kind, turn, table }
+    }
+
+    /// The table of a span whose values are computed from it.
+    fn table(
+        &mut self,
+        family: &Family,
+        form: &RationalForm,
+        tangents: &[usize],
+        number: &str,
+    ) -> Option<Vec<Vec<Scalar>>> {
+        if !form.is_tabulated {
+            return None;
+        }
+        let shapes = self.shapes;
+        let outputs = &self.outputs;
+        let at = |input: Input| match input {
+            Input::Shape(k) if k >= shapes => outputs.get(tangents[k - shapes].checked_sub(shapes)?).copied(),
+            _ => None,
+        };
+        let entries = self.builder.inline(&lower(&rational::numerators(family, form)), &at);
+        let mut rows = Vec::new();
+        for (j, row) in entries.chunks(form.numerators.len().max(1)).enumerate() {
+            let row = row.iter().enumerate();
+            rows.push(row.map(|(k, entry)| self.keep(*entry, &format!("c{number}_{j}_{k}"))).listed());
+        }
+        Some(rows)
     }
 
     /// As `Chart::circular` and `Chart::hyperbolic`.
@@ -238,6 +268,15 @@ impl<'a> Quotients<'a> {
         let span = &self.spans[span];
         let mut builder = Builder::default();
         let pair = (!span.family.analytic.is_empty()).then(|| span.coordinates(&mut builder));
+        if span.table.is_some()
+            && let Some([s, x]) = pair
+        {
+            let rows = span.rows(&mut builder);
+            let column = |k: usize| rows.iter().map(|row| row[k]).listed();
+            let outputs =
+                (0..span.form.numerators.len()).map(|k| builder.bernstein(&column(k), s, x)).listed();
+            return builder.finish(&outputs);
+        }
         let outputs = span.inline(&mut builder, &rational::values(span.family, &span.form), pair);
         builder.finish(&outputs)
     }
@@ -335,6 +374,9 @@ impl Span<'_> {
 
     /// The Bernstein coefficients of the numerators, one row for each.
     fn rows(&self, builder: &mut Builder) -> Vec<Vec<usize>> {
+        if let Some(table) = &self.table {
+            return table.iter().map(|row| row.iter().map(|c| builder.scalar(c)).listed()).listed();
+        }
         let entries = self.inline(builder, &rational::numerators(self.family, &self.form), None);
         entries.chunks(self.form.numerators.len().max(1)).map(<[usize]>::to_vec).collect()
     }
@@ -349,24 +391,28 @@ impl Span<'_> {
     fn coordinates(&self, builder: &mut Builder) -> [usize; 2] {
         let t = builder.input(Input::Coordinate(0));
         let ends = self.ends.each_ref().map(|end| builder.scalar(end));
-        let Some(turn) = &self.turn else { return builder.unit(ends, t) };
-        let rate = builder.constant(turn.rate.clone());
-        // t − low and high − t: the ends in parts, the first of which a float has exactly.
-        let distances = [0, 1].map(|k| {
-            let parts = match &self.ends[k] {
-                Scalar::Known(end) => {
-                    let (first, rest) = split(end, 20);
-                    let (second, third) = split(&rest, 24);
-                    [first, second, third].map(|part| builder.constant(part)).to_vec()
-                }
-                Scalar::Input(input) => vec![builder.input(*input)],
+        // Whether a float of any kind has the end exactly.
+        let is_exact = |end: &Scalar| match end {
+            Scalar::Known(end) => split(end, 20).1.is_zero(),
+            Scalar::Input(_) => true,
+        };
+        let Some(turn) = &self.turn else {
+            if self.ends.iter().all(is_exact) {
+                return builder.unit(ends, t);
+            }
+            let width = match &self.ends {
+                [Scalar::Known(low), Scalar::Known(high)] => builder.constant(high - low),
+                _ => builder.sub(ends[1], ends[0]),
             };
-            let difference = if k == 0 { builder.sub(t, parts[0]) } else { builder.sub(parts[0], t) };
-            parts[1..].iter().fold(difference, |sum, part| {
-                if k == 0 { builder.sub(sum, *part) } else { builder.add(sum, *part) }
-            })
-        });
-        let [after, before] = distances.map(|distance| builder.mul(rate, distance));
+            let [after, before] = self.distances(builder, t);
+            return [(before, 1), (after, 0)].map(|(distance, zero)| {
+                let coordinate = builder.div(distance, width);
+                // An end is what its float stands for.
+                builder.unless(t, ends[zero], coordinate)
+            });
+        };
+        let rate = builder.constant(turn.rate.clone());
+        let [after, before] = self.distances(builder, t).map(|distance| builder.mul(rate, distance));
         let [s, x] = [(before, after, 0), (after, before, 1)].map(|(argument, other, k)| {
             let factor = builder.scalar(&turn.factors[k]);
             let sine = if self.kind == Kind::Circular {
@@ -379,10 +425,27 @@ impl Span<'_> {
                 falls.map_or(risen, |falls| builder.mul(risen, falls))
             };
             let coordinate = builder.mul(sine, factor);
-            // An end is what its float stands for.
             builder.unless(t, ends[1 - k], coordinate)
         });
         [s, x]
+    }
+
+    /// t − low and high − t: ends that are numbers in parts, the first of which a float has exactly.
+    fn distances(&self, builder: &mut Builder, t: usize) -> [usize; 2] {
+        [0, 1].map(|k| {
+            let parts = match &self.ends[k] {
+                Scalar::Known(end) => {
+                    let (first, rest) = split(end, 20);
+                    let (second, third) = split(&rest, 24);
+                    [first, second, third].map(|part| builder.constant(part)).to_vec()
+                }
+                Scalar::Input(input) => vec![builder.input(*input)],
+            };
+            let difference = if k == 0 { builder.sub(t, parts[0]) } else { builder.sub(parts[0], t) };
+            parts[1..].iter().fold(difference, |sum, part| {
+                if k == 0 { builder.sub(sum, *part) } else { builder.add(sum, *part) }
+            })
+        })
     }
 
     /// `[1 − x, x]` for the place x of the parameter, from its coordinates.

@@ -5,6 +5,7 @@
 
 pub mod truth;
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::rc::Rc;
@@ -16,7 +17,7 @@ use basis_engine::rounding::Error;
 use basis_engine::state::{point_error, value_errors};
 use basis_engine::steps::{EndSteps, FamilySteps, JoinSteps, Number, Step, Steps};
 use basis_engine::theorem::theorems;
-use basis_engine::{Disk, Family, Library, Prover, Source, Subject, decide, source};
+use basis_engine::{Disk, Family, Library, Prover, Source, Subject, decide, generate, source};
 
 /// The families of these tests only.
 pub const OWN: &str = include_str!("../specs/curves.basis");
@@ -27,7 +28,7 @@ pub const DIMENSION: usize = 2;
 /// A family with shape values.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The family.
+    /// The family, as it is evaluated.
     pub family: Rc<Family>,
     /// Its name in the file.
     pub name: &'static str,
@@ -125,6 +126,11 @@ fn all_cases() -> Vec<Case> {
         own("Falling", &[]),
         own("Tense", &[1.5]),
         own("Waves", &[]),
+        own("Cycloidal", &[2.25]),
+        case(None, "Cycloidal", &[], "Narrow", &[0.015_625]),
+        own("Beside", &[0.5]),
+        own("Bounded", &[2.5]),
+        own("Tension", &[0.75]),
         of("trigonometric/han", "QuadraticTrigonometric", &[], &[0.5]),
     ]
 }
@@ -141,6 +147,11 @@ fn case(file: Option<&str>, name: &str, order: &[i64], as_name: &'static str, sh
     let wrong: Vec<String> = basis_engine::contradictions(&checked).into_iter().map(|d| d.message).collect();
     assert!(wrong.is_empty(), "{name}: {wrong:?}");
     let Subject::Family(family) = checked.subject.clone() else { panic!("{name} is no family") };
+    let family = match generate::evaluated(&family) {
+        Ok(Cow::Owned(evaluated)) => Rc::new(evaluated),
+        Ok(Cow::Borrowed(_)) => family,
+        Err(error) => panic!("{name}: {}", error.message),
+    };
     assert_eq!(family.shapes.len(), shapes.len(), "{name}");
     let wanted = Wanted { checked, name: Some(String::from(as_name)) };
     Case { family, name: as_name, shapes: shapes.to_vec(), wanted }
@@ -162,7 +173,11 @@ impl Case {
     /// # Panics
     /// When there is no code for it.
     pub fn code(&self, language: &dyn Language) -> FamilyCode<'_> {
-        FamilyCode::new(&self.family, &self.wanted, language).unwrap_or_else(|e| panic!("{}", e.message))
+        let Subject::Family(told) = &self.wanted.checked.subject else {
+            panic!("{} is no family", self.name)
+        };
+        FamilyCode::new(told, &self.family, &self.wanted, language)
+            .unwrap_or_else(|e| panic!("{}", e.message))
     }
 
     /// What can be evaluated.
@@ -398,8 +413,11 @@ impl Case {
             };
             if let Some(OnSpan { functions, point, derivatives, formulas }) = on_spans.get(span) {
                 let truths = formulas.at(&exact_shapes, &place);
+                // Differences of Bernstein coefficients times the degree, divided by the length of the span.
+                let grows = |order: usize| formulas.growth(&exact_shapes).pow(order as u32);
                 for (order, (steps, truths)) in functions.iter().zip(&truths).enumerate() {
-                    let largest = truths.iter().fold(Rational::ONE, |sum, value| &sum + &value.abs());
+                    let least = if order == 0 { Rational::ONE } else { grows(order) };
+                    let largest = truths.iter().fold(least, |sum, value| &sum + &value.abs());
                     for (k, (float, truth)) in number(steps, 0).into_iter().zip(truths).enumerate() {
                         let tolerance = match value_bounds.get(k).cloned().flatten().filter(|_| order == 0) {
                             Some(Error::Relative(bound)) => &bound * &truth.abs(),
@@ -419,7 +437,8 @@ impl Case {
                     let sum = |terms: &[Rational], of: fn(&Rational) -> Rational| {
                         terms.iter().fold(Rational::ZERO, |sum, term| &sum + &of(term))
                     };
-                    let size = &sum(&terms, Rational::abs) + &fraction(largest(axis));
+                    let least = if order == 0 { Rational::ONE } else { grows(order) };
+                    let size = &sum(&terms, Rational::abs) + &(&least * &fraction(largest(axis)));
                     let tolerance = match &point_bound {
                         Some(bound) if order == 0 => bound.epsilons() * &fraction(largest(axis)),
                         _ => &measured() * &size,

@@ -38,6 +38,25 @@ impl<'a> Formulas<'a> {
         Self { family, orders: [values, first, second] }
     }
 
+    /// By how much a derivative may be larger than the function: by the degree of polynomials, divided by the length of the span; 1 at
+    /// least.
+    ///
+    /// # Panics
+    /// When the ends of the span have no value.
+    pub fn growth(&self, shapes: &[Rational]) -> Rational {
+        let domain = &self.family.domain[0];
+        let known = variables(self.family, shapes, &At::End(0));
+        let length = match self.family.analytic.angle(domain.var) {
+            Some(angle) => {
+                let [low, high] = angle.limits.each_ref().map(|limit| put(limit, &known));
+                &high - &low
+            }
+            None => domain.range.finite().map(|(low, high)| high - low).expect("an interval"),
+        };
+        let degree = Rational::from(i64::from(self.family.degree(domain.var)));
+        degree.checked_div(&length).expect("not empty").max(Rational::ONE)
+    }
+
     /// The values, first and second derivatives of all functions.
     ///
     /// # Panics

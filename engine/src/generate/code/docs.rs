@@ -25,7 +25,7 @@ pub(in crate::generate) fn family(
     lines.extend(["", "# Functions", "", "```text"].map(String::from));
     if !family.written.is_empty() {
         lines.extend(family.written.iter().cloned());
-        lines.push(String::new());
+        lines.extend((!formulas.is_empty()).then(String::new));
     }
     lines.extend(formulas.iter().cloned());
     lines.push(String::from("```"));

@@ -146,8 +146,8 @@ fn budget(scope: &mut Scope<'_>, written: &syntax::Family) -> u32 {
     budget
 }
 
-/// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its own, or the spec
-/// is no text.
+/// The lines of the statements that define functions outside of `base`; none where each of them has a statement of its own and can be read
+/// from its expanded form, without angles and exponentials, or where the spec is no text.
 fn lines_of_functions(scope: &Scope<'_>, written: &syntax::Family, functions: usize) -> Vec<String> {
     /// More lines explain nothing.
     const MOST: usize = 40;
@@ -155,7 +155,7 @@ fn lines_of_functions(scope: &Scope<'_>, written: &syntax::Family, functions: us
         |s: &&syntax::Statement| matches!(s.kind, StatementKind::Function(_) | StatementKind::Raise(_));
     let statements = written.statements.iter().filter(defines).listed();
     let mut lines = Vec::new();
-    if statements.len() == functions {
+    if statements.len() == functions && scope.analytic.is_empty() {
         return lines;
     }
     let text = scope.library.sources().get(scope.source).text.as_deref().unwrap_or_default();

@@ -1,5 +1,4 @@
-//! Polynomials in place of functions in which the domain variable stands beside its sine or exponential, such as t − sin t:
-//! span by span from their power series, at both ends of the domain, at 0 and at knots between.
+//! Polynomials in place of functions on a domain that ends at numbers, such as t − sin t on 0 ≤ t ≤ π/2: span by span from their power series, at both ends of the domain, at 0 and at knots between.
 //!
 //! Next to an end, and to 0, the first coefficients that are not zero are those of the function, so that a value keeps its digits where the
 //! function vanishes; which ones are zero is decided exactly. A series is cut off where its coefficients on the span have fallen
@@ -38,19 +37,12 @@ const TERMS: i64 = 70;
 /// A power series with coefficients that are polynomials in the shape parameters.
 type Series = Vec<Poly>;
 
-/// Whether the domain variable stands beside its sine or exponential in a function.
-pub(super) fn is_mixed(family: &Family) -> bool {
-    let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
-    family.functions.iter().any(of)
-}
-
-/// A family on several spans whose functions are polynomials as near as floats can tell to those of a family in which the
-/// variable stands beside its sine or exponential; `None` where the ends of the domain are parameters, or a shape parameter
-/// stands below a fraction line, or the functions have no power series of that kind.
-pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
+/// The family on a span as families on several spans whose functions are polynomials; `None` where the ends of the span are parameters, or a
+/// shape parameter stands below a fraction line, or the functions have no power series of that kind.
+pub(super) fn in_polynomials(family: &Family) -> Option<Vec<Rc<Family>>> {
     let (var, ..) = family.interval()?;
     let angle = family.analytic.angle(var).filter(|a| a.kind != Kind::Linear)?;
-    if family.analytic.angles.len() > 1 || !family.pieces.is_empty() {
+    if family.analytic.angles.len() > 1 {
         return None;
     }
     let numbers = Numbers::new(&family.analytic)?;
@@ -144,8 +136,7 @@ struct Local(Vec<Vec<Vec<Rational>>>);
 
 impl Source<'_> {
     /// The family on a number of spans, or on as many on both sides of 0.
-    fn on_spans(&self, ends: &[Rational; 2], count: i64) -> Option<Family> {
-        let family = self.family;
+    fn on_spans(&self, ends: &[Rational; 2], count: i64) -> Option<Vec<Rc<Family>>> {
         let limit =
             |side: usize| Place { at: self.angle.limits[side].clone(), exact: Some(Exact::End(side)) };
         let zero = || Place { at: Fraction::zero(), exact: Some(Exact::Zero) };
@@ -174,15 +165,7 @@ impl Source<'_> {
             from_above.extend((1..=count).map(|k| k == count));
         }
         let pieces = places.windows(2).zip(from_above);
-        let pieces = pieces
-            .map(|(ends, above)| Some(Rc::new(self.piece(ends, above)?)))
-            .collect::<Option<Vec<_>>>()?;
-        let first = (*pieces[0]).clone();
-        let mut domain = family.domain.clone();
-        domain[0].range = first.domain[0].range.clone();
-        let functions = first.functions.clone();
-        let (analytic, over) = (first.analytic.clone(), Poly::one());
-        Some(Family { domain, analytic, functions, over, pieces, ..family.clone() })
+        pieces.map(|(ends, above)| Some(Rc::new(self.piece(ends, above)?))).collect()
     }
 
     /// The functions on a span, by their series at its lower or its upper end.
@@ -231,6 +214,9 @@ impl Source<'_> {
             Range { low: end(&declared.low, Rational::ZERO, 0), high: end(&declared.high, Rational::ONE, 1) };
         let angle = Angle {
             kind: Kind::Linear,
+            rate: Rational::ONE,
+            turns: false,
+            shift: Rational::ZERO,
             low: ends[0].clone(),
             width: &ends[1] - &ends[0],
             limits: ends,

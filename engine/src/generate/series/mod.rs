@@ -1,0 +1,34 @@
+//! Polynomials in place of functions in which the domain variable stands beside its sine or exponential, such as t − sin t.
+
+mod parameter;
+mod points;
+
+use std::rc::Rc;
+
+use crate::algebra::poly::Poly;
+use crate::model::{Family, Function};
+
+/// Whether the domain variable stands beside its sine or exponential in a function.
+pub(super) fn is_mixed(family: &Family) -> bool {
+    let of = |f: &Function| family.domain.iter().any(|p| family.analytic.mixes(&f.value, p.var));
+    family.functions.iter().any(of) || family.pieces.iter().any(|piece| is_mixed(piece))
+}
+
+/// A family whose functions are polynomials on each of its spans, as near as floats can tell to those of a family in which
+/// the variable stands beside its sine or exponential; `None` where no way to these is known.
+pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
+    let on_span = |span: &Family| {
+        points::in_polynomials(span).or_else(|| Some(vec![Rc::new(parameter::in_polynomials(span)?)]))
+    };
+    let pieces = if family.pieces.is_empty() {
+        on_span(family)?
+    } else {
+        let all = family.pieces.iter().map(|piece| on_span(piece)).collect::<Option<Vec<_>>>()?;
+        all.concat()
+    };
+    let first = (*pieces[0]).clone();
+    let mut domain = family.domain.clone();
+    domain[0].range = first.domain[0].range.clone();
+    let (functions, analytic) = (first.functions, first.analytic);
+    Some(Family { domain, analytic, functions, over: Poly::one(), pieces, ..family.clone() })
+}

@@ -1,0 +1,438 @@
+//! Polynomials in place of functions on a domain that ends at a shape parameter α, beside sines or exponentials of t and of α, such
+//! as (t − sin t)/(α − sin α) on 0 ≤ t ≤ α.
+//!
+//! Where t = α·ℓ(y) with ℓ of degree 1 and 0 ≤ y ≤ 1, the numerator and the denominator are power series in α,
+//!
+//! Σ αⁿ pₙ(ℓ(y)), each pₙ a polynomial of degree ≤ n.
+//!
+//! Their coefficients are exact. The power of α that numerator and denominator share is divided out, so that a value keeps its digits
+//! where α is small, and each pₙ vanishes at an end of the domain where the function does, to the same order. A series is
+//! cut off where its terms have fallen below 2⁻⁵⁸ of the first one for the largest α, and are falling further. Then its highest terms are
+//! replaced by lower ones, in α and in y, as long as Chebyshev polynomials show that this changes no more than that. That
+//! the rest is as small is seen from the coefficients and not proved.
+
+use std::rc::Rc;
+
+use basis_prover::collections::list::Listed;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Poly;
+use crate::algebra::range::{End, Range};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::model::angle::{Angle, Kind};
+use crate::model::bernstein::to_bernstein;
+use crate::model::{Family, Function};
+
+/// The total degrees in t and α at which the series may end, tried one after the other.
+const LAST: [usize; 4] = [32, 48, 64, 80];
+
+/// The highest degree of the polynomials.
+const MAX_DEGREE: usize = 64;
+
+/// The last terms of a series, which tell how the rest falls.
+const TAIL: usize = 4;
+
+/// The work for writing one function in tangents of t and α.
+const WORK: u64 = 20_000_000;
+
+/// The family on a span whose functions are polynomials as near as floats can tell; `None` where the domain does not end at
+/// multiples of one shape parameter with a bounded range, or a sine of t stands below a fraction line.
+pub(super) fn in_polynomials(family: &Family) -> Option<Family> {
+    let source = Source::new(family)?;
+    let quotients = family.functions.iter().map(|f| source.quotient(&f.value)).collect::<Option<Vec<_>>>()?;
+    LAST.into_iter().find_map(|last| source.of_degree(&quotients, last))
+}
+
+struct Source<'f> {
+    family: &'f Family,
+    /// t
+    angle: &'f Angle,
+    /// α
+    end: &'f Angle,
+    /// t = α·(low + (high − low)·y)
+    slopes: [Rational; 2],
+    /// No |α| is larger.
+    largest: Rational,
+    /// Whether α can be negative.
+    is_signed: bool,
+}
+
+/// A function as a quotient of sums of sinⁱψ·cosᵏ⁻ⁱψ·tʲ·sinᵖφ·cosᵐ⁻ᵖφ·α^q, φ being to α what ψ is to t.
+struct Sums {
+    /// In tan ψ and tan φ: a numerator, and a denominator without t.
+    above: Poly,
+    below: Poly,
+    /// k
+    power: u32,
+    /// m
+    end_power: u32,
+}
+
+/// The coefficients pₙ of a power series in α.
+type Series = Vec<Poly>;
+
+/// The bits that coefficients of floats have, and some more.
+const BITS: u32 = 58;
+
+impl<'f> Source<'f> {
+    fn new(family: &'f Family) -> Option<Self> {
+        let (var, ..) = family.interval()?;
+        let analytic = &family.analytic;
+        let plain = |a: &Angle| a.kind != Kind::Linear && !a.turns && a.shift.is_zero();
+        let angle = analytic.angle(var).filter(|a| plain(a))?;
+        let is_end = |a: &&Angle| a.var != var && angle.limits.iter().any(|limit| limit.depends_on(a.itself));
+        let end = analytic.angles.iter().find(is_end).filter(|a| plain(a))?;
+        // c·α, as c
+        let slope = |limit: &Fraction| {
+            limit.checked_div(&Fraction::var(end.itself)).and_then(|slope| slope.as_constant())
+        };
+        let slopes = [slope(&angle.limits[0])?, slope(&angle.limits[1])?];
+        let limit = |side: usize| analytic.number(&end.limits[side]).filter(|_| !end.ends[side].is_empty());
+        let (low, high) = (limit(0)?, limit(1)?);
+        // A number with few digits.
+        let unit = Rational::from(64);
+        let largest = &(&(&low.abs().max(high.abs()) * &unit).floor() + &Rational::ONE) * &unit.recip()?;
+        Some(Self { family, angle, end, slopes, largest, is_signed: low.is_negative() })
+    }
+
+    /// A function in terms of the tangents themselves, wherever they are measured from.
+    fn quotient(&self, f: &Fraction) -> Option<Sums> {
+        let work = &mut Work::new(WORK);
+        let mut f = f.clone();
+        // What y is for t contains the tangent of α, which is replaced last.
+        for angle in [self.angle, self.end] {
+            let y = (&Fraction::var(angle.var) - &angle.low).checked_div(&angle.width)?;
+            f = f.substitute_within(angle.var, &y, work).ok()??;
+        }
+        let x = Poly::var(self.angle.var);
+        let (mut above, mut below) = (f.numer().clone(), f.denom().clone());
+        let mut take_out = |factor: &Poly| {
+            let mut count = 0;
+            while let Some(rest) = below.div_exact(factor) {
+                below = rest;
+                count += 1;
+            }
+            count
+        };
+        let power = if self.angle.kind == Kind::Circular {
+            2 * take_out(&(&Poly::one() + &(&x * &x)))
+        } else {
+            let (sum, difference) = (&Poly::one() + &x, &Poly::one() - &x);
+            let [a, b] = [take_out(&sum), take_out(&difference)];
+            above = &above * &if a < b { sum.pow(b - a) } else { difference.pow(a - b) };
+            2 * a.max(b)
+        };
+        let entire = above.degree(self.angle.var) <= power
+            && !below.depends_on(self.angle.var)
+            && !below.depends_on(self.angle.itself);
+        let end_power = above.degree(self.end.var).max(below.degree(self.end.var));
+        entire.then_some(Sums { above, below, power, end_power })
+    }
+
+    /// The family with series up to a total degree; `None` if they do not fall fast enough.
+    fn of_degree(&self, quotients: &[Sums], last: usize) -> Option<Family> {
+        let family = self.family;
+        let [low, high] = &self.slopes;
+        let place = &Poly::constant(low.clone()) + &Poly::var(self.angle.var).scale(&(high - low));
+        let mut functions = Vec::new();
+        let mut waves = Vec::new();
+        for (f, sums) in family.functions.iter().zip(quotients) {
+            if sums.above.is_zero() {
+                functions.push(f.clone());
+                continue;
+            }
+            let above = self.series(&sums.above, [sums.power, sums.end_power], last, &mut waves);
+            let below = self.series(&sums.below, [0, sums.end_power], last, &mut waves);
+            let first = |series: &Series| series.iter().position(|p| !p.is_zero());
+            let common = first(&above)?.min(first(&below)?);
+            let polynomial = |series: Series| {
+                let terms = self.cut(&series[common..])?;
+                // The lowest power of α stays the lowest.
+                let from = first(&series)?;
+                let lowest = Poly::var(self.end.itself).pow((from - common) as u32);
+                let series = &series[from..common + terms];
+                let series = series.iter().map(|p| p.substitute(self.angle.itself, &place)).listed();
+                let (ends, mut series) = self.without_ends(series);
+                let missing = self.missing(&series);
+                self.round(&mut series, &missing);
+                self.shorten(&mut series, missing.clone());
+                self.lower_degree(&mut series, missing.clone());
+                self.round(&mut series, &missing);
+                let end = Poly::var(self.end.itself);
+                let sum = series.iter().rev().fold(Poly::zero(), |sum, p| &(&sum * &end) + p);
+                Some(&(&sum * &lowest) * &ends)
+            };
+            let value = Fraction::normalized(&polynomial(above)?, &polynomial(below)?)?;
+            functions.push(Function { value, ..f.clone() });
+        }
+        let mut domain = family.domain.clone();
+        let declared = &domain[0].range;
+        let end = |own: &End, x| if own.is_included() { End::Included(x) } else { End::Excluded(x) };
+        domain[0].range =
+            Range { low: end(&declared.low, Rational::ZERO), high: end(&declared.high, Rational::ONE) };
+        let mut analytic = family.analytic.clone();
+        for angle in &mut analytic.angles {
+            if angle.var != self.angle.var && angle.var != self.end.var {
+                continue;
+            }
+            (angle.kind, angle.rate) = (Kind::Linear, Rational::ONE);
+            if angle.var == self.angle.var {
+                (angle.low, angle.width) = (angle.limits[0].clone(), &angle.limits[1] - &angle.limits[0]);
+                angle.mirror = Vec::new();
+            } else {
+                (angle.low, angle.width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
+            }
+        }
+        Some(Family { domain, functions, analytic, over: Poly::one(), ..family.clone() })
+    }
+
+    /// The power series of a numerator or denominator in sums of products of so many sines and cosines of t and of α; each
+    /// coefficient is a polynomial in t.
+    fn series(&self, p: &Poly, powers: [u32; 2], last: usize, known: &mut Vec<Rc<Waves>>) -> Series {
+        let [of_angle, of_end] = [(self.angle, powers[0]), (self.end, powers[1])]
+            .map(|(angle, power)| Waves::known(angle, power, last, known));
+        let own = [self.angle.var, self.angle.itself, self.end.var, self.end.itself];
+        // By the powers of the sine of t, and of t.
+        let mut groups: Vec<([u32; 2], Series)> = Vec::new();
+        for (m, c) in p.terms() {
+            let [i, j, above, q] = own.map(|var| u32::from(m.exponent(var)));
+            let rest = own.iter().fold(m.clone(), |m, var| m.with_exponent(*var, 0));
+            let at = groups.iter().position(|(key, _)| *key == [i, j]).unwrap_or_else(|| {
+                groups.push(([i, j], vec![Poly::zero(); last + 1]));
+                groups.len() - 1
+            });
+            let wave = of_end.of(above).iter().enumerate().filter(|(_, c)| !c.is_zero());
+            for (n, factor) in wave {
+                if let Some(sum) = groups[at].1.get_mut(n + q as usize) {
+                    *sum = &*sum + &Poly::term(rest.clone(), c * factor);
+                }
+            }
+        }
+        let mut series = vec![Poly::zero(); last + 1];
+        for ([i, j], coefficients) in groups {
+            for (k, factor) in of_angle.of(i).iter().enumerate().filter(|(_, c)| !c.is_zero()) {
+                let from = k + j as usize;
+                if from > last {
+                    break;
+                }
+                let term = Poly::var(self.angle.itself).pow(from as u32).scale(factor);
+                for (sum, c) in series[from..].iter_mut().zip(&coefficients) {
+                    if !c.is_zero() {
+                        *sum = &*sum + &(c * &term);
+                    }
+                }
+            }
+        }
+        series
+    }
+
+    /// The number of terms that are kept.
+    fn cut(&self, series: &[Poly]) -> Option<usize> {
+        let reach = self.slopes[0].abs().max(self.slopes[1].abs());
+        let mut power = Rational::ONE;
+        let mut sizes = Vec::new();
+        for p in series {
+            let terms =
+                p.terms().map(|(m, c)| &c.abs() * &reach.pow(u32::from(m.exponent(self.angle.itself))));
+            sizes.push(&terms.fold(Rational::ZERO, |sum, x| &sum + &x) * &power);
+            power = &power * &self.largest;
+        }
+        let tiny = negligible(sizes.iter().find(|x| !x.is_zero())?);
+        let faint = &tiny * &Rational::new(1, 1 << 10);
+        if sizes.len() <= TAIL || sizes[sizes.len() - TAIL..].iter().any(|x| *x > faint) {
+            return None;
+        }
+        let terms = sizes.iter().rposition(|x| *x > tiny)? + 1;
+        (terms <= MAX_DEGREE + 1).then_some(terms)
+    }
+
+    /// A series in y as yⁱ(1 − y)ʲ and what is left.
+    fn without_ends(&self, mut series: Series) -> (Poly, Series) {
+        let y = Poly::var(self.angle.var);
+        let mut ends = Poly::one();
+        for factor in [&y, &(&Poly::one() - &y)] {
+            while series.iter().any(|p| !p.is_zero())
+                && let Some(rest) = series.iter().map(|p| p.div_exact(factor)).collect::<Option<Series>>()
+            {
+                series = rest;
+                ends = &ends * factor;
+            }
+        }
+        (ends, series)
+    }
+
+    /// The largest absolute value of a polynomial in y on 0 ≤ y ≤ 1, at most: that of its Bernstein coefficients.
+    fn size(&self, p: &Poly) -> Rational {
+        let own = p.coefficients_in(self.angle.var);
+        let degree = own.len().saturating_sub(1) as u32;
+        let sum = |p: &Poly| p.terms().fold(Rational::ZERO, |sum, (_, c)| &sum + &c.abs());
+        to_bernstein(&own, degree).iter().map(sum).max().unwrap_or(Rational::ZERO)
+    }
+
+    /// What may be missing of a series.
+    fn missing(&self, series: &[Poly]) -> Rational {
+        let first = series.iter().find(|p| !p.is_zero());
+        first.map_or(Rational::ZERO, |p| negligible(&self.size(p)))
+    }
+
+    /// Replaces the last terms of a series by terms with lower powers of α, as long as no more than `left` is missing then.
+    fn shorten(&self, series: &mut Series, mut left: Rational) {
+        let missing = left.clone();
+        let stride = (0..series.len()).filter(|n| !series[*n].is_zero()).fold(0, gcd);
+        if stride == 0 || self.is_signed && stride % 2 == 1 {
+            return;
+        }
+        // In w = (α/largest)^stride, which goes from 0 to 1.
+        let unit = self.largest.pow(stride as u32);
+        while let Some(last) = series.len().checked_sub(1).filter(|last| *last > 0) {
+            let p = series[last].clone();
+            if !p.is_zero() {
+                let (lower, error) = chebyshev(last / stride);
+                let mut scale = unit.pow((last / stride) as u32);
+                left -= &(&(&self.size(&p) * &scale) * &error);
+                if left.is_negative() {
+                    return;
+                }
+                for (i, c) in lower.iter().enumerate() {
+                    series[i * stride] = &series[i * stride] + &p.scale(&(c * &scale));
+                    scale = scale.checked_div(&unit).unwrap_or(Rational::ZERO);
+                }
+            }
+            series.pop();
+            self.round(series, &missing);
+        }
+    }
+
+    /// Replaces the highest powers of y by lower ones, as long as no more than `left` is missing then.
+    fn lower_degree(&self, series: &mut Series, mut left: Rational) {
+        let missing = left.clone();
+        let mut table = series.iter().map(|p| p.coefficients_in(self.angle.var)).listed();
+        let mut degree = table.iter().map(Vec::len).max().unwrap_or(0).saturating_sub(1);
+        while degree > 0 {
+            let mut leading =
+                table.iter().map(|c| c.get(degree).cloned().unwrap_or_else(Poly::zero)).listed();
+            self.round(&mut leading, &missing);
+            let sizes = leading.iter().map(|p| self.size(p));
+            let size = sizes.rev().fold(Rational::ZERO, |sum, x| &(&sum * &self.largest) + &x);
+            let (lower, error) = chebyshev(degree);
+            left -= &(&size * &error);
+            if left.is_negative() {
+                break;
+            }
+            for (own, p) in table.iter_mut().zip(&leading) {
+                own.resize(degree, Poly::zero());
+                for (c, factor) in own.iter_mut().zip(&lower) {
+                    *c = &*c + &p.scale(factor);
+                }
+            }
+            degree -= 1;
+        }
+        let y = Poly::var(self.angle.var);
+        *series =
+            table.iter().map(|own| own.iter().rev().fold(Poly::zero(), |sum, c| &(&sum * &y) + c)).listed();
+    }
+
+    /// Makes the coefficients multiples of powers of 2, far below what may be missing, so that their numbers stay short.
+    fn round(&self, series: &mut [Poly], missing: &Rational) {
+        let two = Rational::from(2);
+        let mut room = missing * &Rational::new(1, 1 << 12);
+        let mut grain = Rational::ONE;
+        for p in series.iter_mut().filter(|_| !missing.is_zero()) {
+            while &room * &grain < Rational::ONE {
+                grain = &grain * &two;
+            }
+            let unit = grain.recip().unwrap_or(Rational::ONE);
+            let terms = p.terms().map(|(m, c)| (m.clone(), &(c * &grain).floor() * &unit));
+            *p = Poly::from_terms(terms.listed());
+            room = room.checked_div(&self.largest).unwrap_or(room);
+        }
+    }
+}
+
+/// What may be missing of a number in place of floats.
+fn negligible(x: &Rational) -> Rational {
+    x * &Rational::from(2).pow(BITS).recip().unwrap_or(Rational::ONE)
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+/// The polynomial of degree below n that is nearest to xⁿ for 0 ≤ x ≤ 1, and its error: xⁿ − T*(x)/2²ⁿ⁻¹, where T* is the Chebyshev polynomial
+/// of degree n ≥ 1 of that interval.
+fn chebyshev(n: usize) -> (Vec<Rational>, Rational) {
+    let mut last = vec![Rational::ONE];
+    let mut this = vec![-Rational::ONE, Rational::from(2)];
+    for _ in 1..n {
+        // T*ₖ₊₁ = (4x − 2)·T*ₖ − T*ₖ₋₁
+        let mut next = vec![Rational::ZERO; this.len() + 1];
+        for (k, c) in this.iter().enumerate() {
+            next[k + 1] += &(c * &Rational::from(4));
+            next[k] -= &(c * &Rational::from(2));
+        }
+        for (next, c) in next.iter_mut().zip(&last) {
+            *next -= c;
+        }
+        (last, this) = (this, next);
+    }
+    let error = this.pop().and_then(|leading| leading.recip()).unwrap_or(Rational::ONE);
+    (this.iter().map(|c| -&(c * &error)).listed(), error)
+}
+
+/// The power series of sinⁱ(v·s)·cosⁿ⁻ⁱ(v·s) in s, or of sinh and cosh, for all i.
+struct Waves {
+    of: (Kind, Rational, u32),
+    all: Vec<Vec<Rational>>,
+}
+
+impl Waves {
+    /// Those of an angle, computed once.
+    fn known(angle: &Angle, n: u32, last: usize, known: &mut Vec<Rc<Self>>) -> Rc<Self> {
+        let of = (angle.kind, angle.rate.clone(), n);
+        if let Some(waves) = known.iter().find(|waves| waves.of == of) {
+            return Rc::clone(waves);
+        }
+        let waves = Rc::new(Self::new(angle, n, last));
+        known.push(Rc::clone(&waves));
+        waves
+    }
+
+    fn new(angle: &Angle, n: u32, last: usize) -> Self {
+        let sign = if angle.kind == Kind::Circular { -Rational::ONE } else { Rational::ONE };
+        let mut term = Rational::ONE;
+        let mut parts = [vec![Rational::ZERO; last + 1], vec![Rational::ZERO; last + 1]];
+        for k in 0..=last {
+            // sin and cos have signs +, +, −, −.
+            let signed = if k / 2 % 2 == 1 { &term * &sign } else { term.clone() };
+            parts[1 - k % 2][k] = signed;
+            term = &term * &(&angle.rate * &Rational::new(1, k as i64 + 1));
+        }
+        let [sine, cosine] = &parts;
+        let mut one = vec![Rational::ZERO; last + 1];
+        one[0] = Rational::ONE;
+        let powers = |base: &[Rational]| {
+            let mut all = vec![one.clone()];
+            for k in 0..n as usize {
+                all.push(product(&all[k], base));
+            }
+            all
+        };
+        let (sines, cosines) = (powers(sine), powers(cosine));
+        let all = sines.iter().zip(cosines.iter().rev()).map(|(a, b)| product(a, b)).listed();
+        Self { of: (angle.kind, angle.rate.clone(), n), all }
+    }
+
+    fn of(&self, i: u32) -> &[Rational] {
+        &self.all[i as usize]
+    }
+}
+
+fn product(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    let coefficient = |k: usize| {
+        (0..=k).fold(Rational::ZERO, |sum, i| {
+            if a[i].is_zero() || b[k - i].is_zero() { sum } else { &sum + &(&a[i] * &b[k - i]) }
+        })
+    };
+    (0..a.len()).map(coefficient).listed()
+}

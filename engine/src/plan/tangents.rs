@@ -1,0 +1,79 @@
+//! Shape parameters in exp, sinh or cosh whose ranges end in numbers, in terms of their own tangents.
+//!
+//! Claims about such a parameter α are decided in y = (tanh(v·α) − low)/width, which goes from 0 to 1 on its range. Evaluators
+//! compute tanh(v·α), and 1 − tanh(v·α) without a difference, so that these are what formulas should be in.
+
+use std::borrow::Cow;
+use std::rc::Rc;
+
+use basis_prover::collections::list::Listed;
+
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::{End, Range};
+use crate::algebra::rational::Rational;
+use crate::algebra::work::Work;
+use crate::model::angle::{Angle, Kind};
+use crate::model::{Family, Function};
+
+/// The work for one family.
+const WORK: u64 = 50_000_000;
+
+/// The family with the tangents of its shape parameters as variables wherever they were measured from the low end of a
+/// range; `None` where the work is spent, or a parameter in sin or cos is measured so.
+pub fn in_tangents(family: &Family) -> Option<Cow<'_, Family>> {
+    let work = &mut Work::new(WORK);
+    let mut result = Cow::Borrowed(family);
+    for p in &family.shapes {
+        let Some(angle) = family.analytic.angle(p.var).filter(|a| is_measured(a)) else { continue };
+        if angle.kind != Kind::Hyperbolic {
+            return None;
+        }
+        let y = (&Fraction::var(p.var) - &angle.low).checked_div(&angle.width)?;
+        result = Cow::Owned(replaced(&result, p.var, &y, work)?);
+    }
+    Some(result)
+}
+
+/// Whether the variable is not the tangent itself.
+fn is_measured(angle: &Angle) -> bool {
+    !angle.low.is_zero() || angle.width.as_constant() != Some(Rational::ONE)
+}
+
+/// The family with the tangent x for y, where y is `value` in terms of x; both are called `var`.
+fn replaced(family: &Family, var: Var, value: &Fraction, work: &mut Work) -> Option<Family> {
+    let mut put = |f: &Fraction| f.substitute_within(var, value, work).ok()?;
+    let mut over = put(&Fraction::from(family.over.clone()))?.numer().clone();
+    let mut functions = Vec::new();
+    for f in &family.functions {
+        functions.push(Function { value: put(&f.value)?, ..f.clone() });
+    }
+    let mut analytic = family.analytic.clone();
+    let mut is_from_zero = false;
+    for angle in &mut analytic.angles {
+        if angle.var == var {
+            is_from_zero = angle.low.is_zero();
+            (angle.low, angle.width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
+        } else {
+            (angle.low, angle.width) = (put(&angle.low)?, put(&angle.width)?);
+        }
+    }
+    if family.is_rational() {
+        // Factors that contain shape parameters only may stand below the fraction line now.
+        for f in &functions {
+            let rest = Fraction::new(f.value.denom().clone(), over.clone())?;
+            over = &over * rest.numer();
+        }
+    } else {
+        over = Poly::one();
+    }
+    let mut shapes = family.shapes.clone();
+    for p in shapes.iter_mut().filter(|p| p.var == var) {
+        let end = |own: &End, x| if own.is_included() { End::Included(x) } else { End::Excluded(x) };
+        let low = if is_from_zero { Rational::ZERO } else { -Rational::ONE };
+        p.range = Range { low: end(&p.range.low, low), high: end(&p.range.high, Rational::ONE) };
+    }
+    let pieces = family.pieces.iter().map(|piece| Some(Rc::new(replaced(piece, var, value, work)?)));
+    let pieces = pieces.collect::<Option<Vec<_>>>()?.into_iter().listed();
+    Some(Family { shapes, analytic, functions, over, pieces, ..family.clone() })
+}
