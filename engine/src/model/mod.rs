@@ -17,6 +17,7 @@ pub(crate) mod formula;
 mod library;
 pub mod obligation;
 pub(crate) mod scope;
+pub(crate) mod tangents;
 pub(crate) mod tuples;
 mod unused;
 pub(crate) mod words;

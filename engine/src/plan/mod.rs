@@ -12,7 +12,6 @@
 //! | `patch` | values and tables of families on simplices and boxes |
 //! | `ends` | control points next to an end of a curve, from its derivatives there |
 //! | `join` | the control points that a join of a spec determines |
-//! | `tangents` | the family in the variables in which it is evaluated |
 //! | `scalars`, `powers` | what these are built of: expressions in shape values, powers of coordinates |
 //!
 //! The exact formulas that are planned are in [`form`] for families on an interval and in [`patch_form`] for those on
@@ -29,7 +28,6 @@ pub mod patch_form;
 mod powers;
 pub mod rational;
 mod scalars;
-pub mod tangents;
 
 use crate::algebra::rational::Rational;
 use build::Builder;

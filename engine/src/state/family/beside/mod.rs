@@ -3,6 +3,7 @@
 //! There are several ways to statements that are enough for such a sign, and need not be true if it is as claimed; a
 //! certificate holds the number of the one that was successful. All of them lead to polynomials in tangents:
 //!
+//! - for shape parameters in exponentials whose ranges end in numbers, what is enough without these ends;
 //! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves;
 //! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end.
 //!
@@ -23,9 +24,10 @@ use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::Comparison;
-use crate::model::Family;
 use crate::model::angle::{Angle, Kind};
 use crate::model::enclosure::{Anchor, From, without};
+use crate::model::tangents::wider;
+use crate::model::{Family, Function};
 use ladder::Ladder;
 use sample::Values;
 
@@ -76,13 +78,15 @@ fn named(before: &str, of: &str) -> String {
 /// Ways to what is enough: by derivatives or not, and the level of the bounds.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
+    Wider,
     Ladder(u32),
     Halves(u32),
     Whole(u32),
     Cells(u32),
 }
 
-const WAYS: [Way; 7] = [
+const WAYS: [Way; 8] = [
+    Way::Wider,
     Way::Ladder(5),
     Way::Halves(5),
     Way::Whole(3),
@@ -91,6 +95,10 @@ const WAYS: [Way; 7] = [
     Way::Whole(8),
     Way::Cells(9),
 ];
+
+/// The positions of two of them.
+pub(super) const WIDER: usize = 0;
+pub(super) const LADDER: usize = 1;
 
 /// How many ways there are.
 pub(super) const COUNT: usize = WAYS.len();
@@ -112,7 +120,7 @@ pub(super) fn steps(
     of: &str,
     value: &Fraction,
     comparison: Comparison,
-    (way, sample): (usize, &Sample<'_>),
+    (way, sample): (usize, Option<&Sample<'_>>),
     work: &mut Work,
 ) -> Option<Vec<Step>> {
     let (value, of) = match comparison {
@@ -132,6 +140,10 @@ pub(super) fn steps(
     };
     let whole = Step::new(of.clone(), value.clone(), relation);
     let way = WAYS.get(way)?;
+    if *way == Way::Wider {
+        return in_wider_ranges(family, &whole, work);
+    }
+    let sample = sample?;
     let (found, level) = match (way, own) {
         (Way::Ladder(level), Some(angle)) => {
             let mut ladder = Ladder { family, angle, range, sample, found: Vec::new(), zero: None };
@@ -152,11 +164,26 @@ pub(super) fn steps(
         }
         (Way::Cells(level), Some(angle)) => (cells(angle, range, sample, &whole)?, *level),
         (Way::Ladder(level) | Way::Whole(level), _) => (vec![whole], *level),
-        (Way::Cells(_) | Way::Halves(_), None) => return None,
+        (Way::Wider, _) | (Way::Cells(_) | Way::Halves(_), None) => return None,
     };
     let mut all = Vec::new();
     for step in found {
         all.extend(bounded(family, step, level, sample, work)?);
+    }
+    Some(all)
+}
+
+/// What is enough by the ladder of derivatives where the shape parameters in exponentials have no largest values.
+fn in_wider_ranges(family: &Family, whole: &Step, work: &mut Work) -> Option<Vec<Step>> {
+    let function = Function { index: Vec::new(), value: whole.value.clone() };
+    let alone = Family { functions: vec![function], pieces: Vec::new(), over: Poly::one(), ..family.clone() };
+    let wide = wider(&alone)?;
+    let value = wide.functions.first()?.value.clone();
+    let sample = Sample::new(&wide, work)?;
+    let mut all = steps(&wide, &whole.of, &value, whole.comparison, (LADDER, Some(&sample)), work)?;
+    for step in &mut all {
+        let own = wide.shapes.iter().filter(|p| step.ranges.iter().all(|(v, _)| *v != p.var)).listed();
+        step.ranges.extend(own.into_iter().map(|p| (p.var, p.range.clone())));
     }
     Some(all)
 }

@@ -165,6 +165,13 @@ fn rounded(x: &Rational, up: bool) -> Rational {
 }
 
 fn product(a: &Interval, b: &Interval) -> Interval {
+    // The ends of the product where one factor has one sign are known from the signs of the ends of the other.
+    let (of, with) = if b.0.is_negative() { (b, a) } else { (a, b) };
+    if !with.0.is_negative() {
+        let low = if of.0.is_negative() { &with.1 } else { &with.0 };
+        let high = if of.1.is_negative() { &with.0 } else { &with.1 };
+        return (&of.0 * low, &of.1 * high);
+    }
     let all = [&a.0 * &b.0, &a.0 * &b.1, &a.1 * &b.0, &a.1 * &b.1];
     let least = all.iter().min().cloned().unwrap_or(Rational::ZERO);
     let most = all.into_iter().max().unwrap_or(Rational::ZERO);
@@ -174,16 +181,23 @@ fn product(a: &Interval, b: &Interval) -> Interval {
 /// Numbers between which a polynomial lies at a point.
 fn of_poly(p: &Poly, point: &Values, wide: &[(Var, Interval)]) -> Option<Interval> {
     let p = point.iter().fold(p.clone(), |p, (var, x)| p.at(*var, x));
-    let variables = p.variables();
+    // The powers of each variable, from the first on.
+    let mut powers: Vec<(Var, Vec<Interval>)> = Vec::new();
+    for var in p.variables() {
+        let interval = &wide.iter().find(|(v, _)| *v == var)?.1;
+        let mut all = vec![interval.clone()];
+        for k in 1..p.degree(var) as usize {
+            all.push(product(&all[k - 1], interval));
+        }
+        powers.push((var, all));
+    }
     let mut sum = (Rational::ZERO, Rational::ZERO);
     for (m, c) in p.terms() {
-        let mut term = (c.clone(), c.clone());
-        for var in &variables {
-            let interval = &wide.iter().find(|(v, _)| v == var)?.1;
-            for _ in 0..m.exponent(*var) {
-                term = product(&term, interval);
-            }
-        }
+        let factors = powers
+            .iter()
+            .filter_map(|(var, all)| usize::from(m.exponent(*var)).checked_sub(1).and_then(|k| all.get(k)));
+        let one = (Rational::ONE, Rational::ONE);
+        let term = product(&(c.clone(), c.clone()), &factors.fold(one, |term, power| product(&term, power)));
         sum = (&sum.0 + &term.0, &sum.1 + &term.1);
     }
     Some(sum)

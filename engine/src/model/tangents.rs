@@ -1,27 +1,28 @@
 //! Shape parameters in exp, sinh or cosh whose ranges end in numbers, in terms of their own tangents.
 //!
 //! Claims about such a parameter α are decided in y = (tanh(v·α) − low)/width, which goes from 0 to 1 on its range. Evaluators
-//! compute tanh(v·α), and 1 − tanh(v·α) without a difference, so that these are what formulas should be in.
+//! compute tanh(v·α), and 1 − tanh(v·α) without a difference, so that these are what formulas should be in. Proofs are shorter
+//! in it as well: exp(r), of which the end of the range is made, does not occur then.
 
 use std::borrow::Cow;
 use std::rc::Rc;
 
 use basis_prover::collections::list::Listed;
 
+use super::angle::{Angle, Kind};
+use super::{Family, Function};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
-use crate::model::angle::{Angle, Kind};
-use crate::model::{Family, Function};
 
 /// The work for one family.
 const WORK: u64 = 50_000_000;
 
 /// The family with the tangents of its shape parameters as variables wherever they were measured from the low end of a
 /// range; `None` where the work is spent, or a parameter in sin or cos is measured so.
-pub fn in_tangents(family: &Family) -> Option<Cow<'_, Family>> {
+pub(crate) fn in_tangents(family: &Family) -> Option<Cow<'_, Family>> {
     let work = &mut Work::new(WORK);
     let mut result = Cow::Borrowed(family);
     for p in &family.shapes {
@@ -33,6 +34,35 @@ pub fn in_tangents(family: &Family) -> Option<Cow<'_, Family>> {
         result = Cow::Owned(replaced(&result, p.var, &y, work)?);
     }
     Some(result)
+}
+
+/// The family with the tangents of these shape parameters as variables and without an end of their ranges but 0: what holds for
+/// all of these values holds for those in the declared ranges. `None` where there is no such parameter, or the ranges are not all
+/// that is assumed.
+pub(crate) fn wider(family: &Family) -> Option<Family> {
+    let measured =
+        family.shapes.iter().filter_map(|p| family.analytic.angle(p.var)).filter(|a| is_measured(a)).listed();
+    if measured.is_empty() || !family.constraints.is_empty() {
+        return None;
+    }
+    let mut wide = in_tangents(family)?.into_owned();
+    for angle in measured {
+        let own = wide.analytic.angles.iter_mut().find(|a| a.var == angle.var)?;
+        let range = &mut wide.shapes.iter_mut().find(|p| p.var == angle.var)?.range;
+        for (k, end) in [&mut range.low, &mut range.high].into_iter().enumerate() {
+            if !angle.limits[k].is_zero() {
+                *end = End::Excluded(end.value()?.clone());
+                own.ends[k].clear();
+                own.limits[k] = Fraction::zero();
+            }
+        }
+    }
+    Some(wide)
+}
+
+/// Whether a family has such a parameter.
+pub(crate) fn has_ends(family: &Family) -> bool {
+    family.shapes.iter().filter_map(|p| family.analytic.angle(p.var)).any(is_measured)
 }
 
 /// Whether the variable is not the tangent itself.
