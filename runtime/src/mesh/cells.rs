@@ -5,9 +5,12 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::MeshError;
+use super::facets::{Cut, triangles};
 use super::flat::{self, Flatness, P3, Part};
-use super::lines::{Lines, WIDTH, lines};
+use super::graph::{self, Corner};
+use super::lines::{Lines, WIDTH};
 use super::patch::Patch;
+use super::steps::lines;
 use crate::vector::{cross, distance, dot, length};
 use crate::{Edge, Scalar, SurfacePiece};
 
@@ -46,12 +49,15 @@ impl Cell {
 
     /// The direction in which to cut: across what bends more, or across the wider side if neither says much; `None` of
     /// a rectangle that is as small as parameters allow.
-    fn direction(self, flatness: &Flatness) -> Option<usize> {
+    fn direction(self, flatness: &Flatness, lines: &[Lines; 2]) -> Option<usize> {
         let [h, k] = [0, 1].map(|c| self.to[c] - self.from[c]);
         if h <= 1 && k <= 1 {
             return None;
         }
-        let [u, v] = flatness.bends;
+        let crosses = [0, 1].map(|c| lines[c].cross(self.from[c], self.to[c]));
+        // A cut beside all lines would give corners to neighbours.
+        let weight = |axis: usize| if crosses[axis] && !crosses[1 - axis] { 4.0 } else { 1.0 };
+        let [u, v] = [0, 1].map(|axis| flatness.bends[axis] * weight(axis));
         let twisted = u.max(v) < 0.25 * flatness.distance && flatness.distance.is_finite();
         let across_u = if twisted || u == v { h >= k } else { u > v };
         Some(usize::from(h <= 1 || !across_u && k > 1))
@@ -231,42 +237,40 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         [angle(0, 1).max(angle(3, 2)), angle(0, 3).max(angle(1, 2))]
     }
 
-    /// The bound for a rectangle with one corner of a neighbour on a side, at which all triangles meet.
-    ///
-    /// With a point `f` of the opposite side the triangles are those of two quadrilaterals, one on each side of the line
-    /// from that corner to `f`, and the bound holds for each of them. As `f` is not on the surface, the point of the
-    /// surface that belongs to it may not be farther from it than that either.
+    /// The bound for a rectangle with corners of neighbours on its sides.
     fn fan(&self, cell: Cell, nodes: &[Node]) -> Option<f64> {
         let points: Vec<P3> = nodes.iter().map(|&node| self.point(node)).collect();
-        if nodes.len() != 5 || is_crowded(&points, 2.0 * self.limits.weld) {
+        if is_crowded(&points, 2.0 * self.limits.weld) {
             return None;
         }
-        let corners = cell.corners();
-        let node = *nodes.iter().find(|node| !corners.contains(node))?;
-        let axis = usize::from(node[1] > cell.from[1] && node[1] < cell.to[1]);
-        let is_low = node[1 - axis] == cell.from[1 - axis];
-        let mut opposite = node;
-        opposite[1 - axis] = if is_low { cell.to[1 - axis] } else { cell.from[1 - axis] };
-        let ([a, b, c, d], apex, opposite) =
-            (corners.map(|node| self.point(node)), self.point(node), self.point(opposite));
-        let [from, to] = match (axis, is_low) {
-            (0, true) => [d, c],
-            (0, false) => [a, b],
-            (_, true) => [b, c],
-            (_, false) => [a, d],
-        };
-        let foot = flat::foot(opposite, from, to);
-        let [low, high] = if is_low { [apex, foot] } else { [foot, apex] };
-        let quadrilaterals = if axis == 0 {
-            [[a, low, high, d], [low, b, c, high]]
-        } else {
-            [[a, b, high, low], [low, high, c, d]]
-        };
-        let parts = flat::cut(&self.pieces, self.open(cell).parts, axis, self.parameter(axis, node[axis]));
-        let bounds = parts.iter().zip(quadrilaterals).map(|(parts, corners)| {
-            flat::measure(parts, corners, self.allowed(cell), self.limits.weld).distance
-        });
-        Some(bounds.fold(flat::distance(opposite, foot), f64::max))
+        let of_cell = cell.corners();
+        let mut parts = self.open(cell).parts;
+        let mut corners = Vec::with_capacity(nodes.len());
+        for (&node, &point) in nodes.iter().zip(&points) {
+            let is_corner = of_cell.contains(&node);
+            let at = [0, 1].map(|axis| self.parameter(axis, node[axis]));
+            if !is_corner {
+                let axis = usize::from(node[0] == cell.from[0] || node[0] == cell.to[0]);
+                let [mut before, after] = flat::cut(&self.pieces, parts, axis, at[axis]);
+                before.extend(after);
+                parts = before;
+            }
+            corners.push(Corner { point, at, is_corner });
+        }
+        let mut all = Vec::with_capacity(nodes.len());
+        triangles(
+            cell,
+            nodes,
+            Cut::Shortest,
+            || true,
+            |triangle| {
+                all.push(triangle.map(|node| match nodes.iter().position(|&other| other == node) {
+                    Some(k) => points[k],
+                    None => self.point(node),
+                }));
+            },
+        );
+        graph::bound(&parts, &corners, &all, self.limits.weld)
     }
 
     fn too_fine(&self) -> MeshError {
@@ -290,7 +294,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         heap.push(Estimate::new(self, self.whole()));
         for _ in 0..CUTS {
             let Some(worst) = heap.pop().filter(|worst| worst.needed > 1.0) else { break };
-            let Some(axis) = worst.open.cell.direction(&worst.flatness) else {
+            let Some(axis) = worst.open.cell.direction(&worst.flatness, &self.lines) else {
                 return Err(self.stuck(&worst.flatness));
             };
             heap.extend(self.cut(worst.open, axis).map(|half| Estimate::new(self, half)));
@@ -385,7 +389,8 @@ impl Cells {
             if flatness.distance <= sheet.allowed(next.cell) {
                 self.add(Leaf { cell: next.cell, distance: flatness.distance, corners: 4 });
             } else {
-                let axis = next.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?;
+                let axis =
+                    next.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck(&flatness))?;
                 let [before, after] = sheet.cut(next, axis);
                 open.extend([after, before]);
             }
@@ -433,7 +438,7 @@ impl Cells {
                 Ordering::Less => 1,
                 Ordering::Equal => {
                     let flatness = sheet.flatness(&whole);
-                    leaf.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?
+                    leaf.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck(&flatness))?
                 }
             };
             open.extend(sheet.cut(whole, axis));

@@ -33,6 +33,25 @@ pub(super) struct Part {
 }
 
 impl Part {
+    /// The range of a parameter of the surface.
+    pub(super) fn span(&self, axis: usize) -> [f64; 2] {
+        self.span[axis]
+    }
+
+    /// All control points.
+    pub(super) fn points(&self) -> impl Iterator<Item = P3> {
+        let [m, n] = self.net.degrees();
+        (0..=n).flat_map(move |j| (0..=m).map(move |i| self.point(i, j)))
+    }
+
+    /// The control points along a parameter at the lower or upper end of the other one.
+    pub(super) fn side(&self, axis: usize, is_end: bool) -> impl Iterator<Item = P3> {
+        let degrees = self.net.degrees();
+        let across = if is_end { degrees[1 - axis] } else { 0 };
+        (0..=degrees[axis])
+            .map(move |k| if axis == 0 { self.point(k, across) } else { self.point(across, k) })
+    }
+
     /// A control point; NaN if its weight is not positive.
     fn point(&self, i: usize, j: usize) -> P3 {
         let weight = self.net.weight(j * (self.net.degrees()[0] + 1) + i);
@@ -148,7 +167,7 @@ fn bend(part: &Part, bends: &mut [f64; 2]) {
 }
 
 /// The halves in both directions of a part.
-fn quarters(part: &Part) -> Vec<Part> {
+pub(super) fn quarters(part: &Part) -> Vec<Part> {
     let mut all = alloc::vec![part.clone()];
     for axis in [0, 1] {
         if part.net.degrees()[axis] < 2 {
@@ -270,15 +289,15 @@ pub(super) fn displacement(side: &[P3]) -> f64 {
 }
 
 /// The larger one; NaN, once met, is infinite.
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() || a.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
-fn minus(a: P3, b: P3) -> P3 {
+pub(super) fn minus(a: P3, b: P3) -> P3 {
     [0, 1, 2].map(|k| a[k] - b[k])
 }
 
-fn dot(a: P3, b: P3) -> f64 {
+pub(super) fn dot(a: P3, b: P3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 

@@ -6,12 +6,14 @@ mod facets;
 mod flat;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod graph;
 mod lines;
 mod meet;
 #[cfg(feature = "obj")]
 mod obj;
 mod orient;
 mod patch;
+mod steps;
 #[cfg(feature = "stl")]
 mod stl;
 mod tessellation;
