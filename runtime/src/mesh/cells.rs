@@ -237,8 +237,46 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         [angle(0, 1).max(angle(3, 2)), angle(0, 3).max(angle(1, 2))]
     }
 
-    /// The bound for a rectangle with corners of neighbours on its sides.
+    /// The bound for a rectangle with one corner of a neighbour on a side, at which all triangles meet.
+    ///
+    /// With a point `f` of the opposite side the triangles are those of two quadrilaterals, one on each side of the line
+    /// from that corner to `f`, and the bound holds for each of them. As `f` is not on the surface, the point of the
+    /// surface that belongs to it may not be farther from it than that either.
     fn fan(&self, cell: Cell, nodes: &[Node]) -> Option<f64> {
+        let points: Vec<P3> = nodes.iter().map(|&node| self.point(node)).collect();
+        if nodes.len() != 5 || is_crowded(&points, 2.0 * self.limits.weld) {
+            return None;
+        }
+        let corners = cell.corners();
+        let node = *nodes.iter().find(|node| !corners.contains(node))?;
+        let axis = usize::from(node[1] > cell.from[1] && node[1] < cell.to[1]);
+        let is_low = node[1 - axis] == cell.from[1 - axis];
+        let mut opposite = node;
+        opposite[1 - axis] = if is_low { cell.to[1 - axis] } else { cell.from[1 - axis] };
+        let ([a, b, c, d], apex, opposite) =
+            (corners.map(|node| self.point(node)), self.point(node), self.point(opposite));
+        let [from, to] = match (axis, is_low) {
+            (0, true) => [d, c],
+            (0, false) => [a, b],
+            (_, true) => [b, c],
+            (_, false) => [a, d],
+        };
+        let foot = flat::foot(opposite, from, to);
+        let [low, high] = if is_low { [apex, foot] } else { [foot, apex] };
+        let quadrilaterals = if axis == 0 {
+            [[a, low, high, d], [low, b, c, high]]
+        } else {
+            [[a, b, high, low], [low, high, c, d]]
+        };
+        let parts = flat::cut(&self.pieces, self.open(cell).parts, axis, self.parameter(axis, node[axis]));
+        let bounds = parts.iter().zip(quadrilaterals).map(|(parts, corners)| {
+            flat::measure(parts, corners, self.allowed(cell), self.limits.weld).distance
+        });
+        Some(bounds.fold(flat::distance(opposite, foot), f64::max))
+    }
+
+    /// The bound for a rectangle with corners of neighbours on its sides, of its triangles as a graph.
+    fn graph(&self, cell: Cell, nodes: &[Node]) -> Option<f64> {
         let points: Vec<P3> = nodes.iter().map(|&node| self.point(node)).collect();
         if is_crowded(&points, 2.0 * self.limits.weld) {
             return None;
@@ -422,6 +460,7 @@ impl Cells {
                 let allowed = sheet.allowed(leaf.cell);
                 leaf.distance + displacement(sheet, leaf.cell, &nodes) <= allowed
                     || sheet.fan(leaf.cell, &nodes).is_some_and(|distance| distance <= allowed)
+                    || sheet.graph(leaf.cell, &nodes).is_some_and(|distance| distance <= allowed)
             };
             if is_kept {
                 self.leaves.push(Leaf { corners: nodes.len(), ..leaf });
