@@ -203,13 +203,17 @@ impl<'a, S: Scalar> Sheet<'a, S> {
             });
             self.patch.point(at).map(Scalar::to_f64)
         };
-        let mut flatness = flat::sampled(corners, halves);
         let allowed = self.allowed(open.cell);
-        if flatness.distance <= allowed {
+        // Beside lines a rectangle is likely to be flat enough, so that samples would tell nothing new.
+        let is_likely = (0..2).all(|axis| !self.lines[axis].cross(open.cell.from[axis], open.cell.to[axis]));
+        let is_crowded = is_crowded(&corners, 2.0 * self.limits.weld);
+        let measured = || flat::measure(&open.parts, corners, allowed, self.limits.weld);
+        let mut flatness = if is_likely && !is_crowded { measured() } else { flat::sampled(corners, halves) };
+        if flatness.distance <= allowed && (is_crowded || !is_likely) {
             let moved = flatness.distance;
-            flatness = flat::measure(&open.parts, corners, allowed, self.limits.weld);
+            flatness = measured();
             // A corner in the middle moves the triangles.
-            if is_crowded(&corners, 2.0 * self.limits.weld) {
+            if is_crowded {
                 flatness.distance += moved;
             }
         }

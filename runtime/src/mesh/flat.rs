@@ -202,6 +202,7 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
         }
     }
     let [a, b, c, d] = corners;
+    let triangles = Triangles::new(corners);
     for part in parts {
         let [m, n] = part.net.degrees();
         // The sides of the rectangle on which the part lies: along u at both ends of v, along v at both ends of u.
@@ -234,7 +235,7 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
                     }
                 }
                 if is_inside {
-                    farthest = larger(farthest, distance_to_triangles(p, corners));
+                    farthest = larger(farthest, triangles.distance(p));
                 }
             }
         }
@@ -324,29 +325,69 @@ pub(super) fn foot(p: P3, from: P3, to: P3) -> P3 {
 }
 
 /// The distance from the triangles `abc` and `acd`.
-pub(super) fn distance_to_triangles(p: P3, [a, b, c, d]: [P3; 4]) -> f64 {
-    match [[a, b, c], [a, c, d]].map(|triangle| height(p, triangle)) {
-        [Some(x), Some(y)] => x.min(y),
-        // The other triangle may be a little nearer; a bound is all that is asked for.
-        [Some(x), None] | [None, Some(x)] => x,
-        [None, None] => {
-            let sides = [[a, b], [b, c], [c, d], [d, a], [a, c]];
-            sides.map(|[from, to]| distance_to_segment(p, from, to)).into_iter().fold(f64::INFINITY, f64::min)
+pub(super) fn distance_to_triangles(p: P3, corners: [P3; 4]) -> f64 {
+    Triangles::new(corners).distance(p)
+}
+
+/// The triangles `abc` and `acd`.
+struct Triangles {
+    corners: [P3; 4],
+    planes: [Option<Plane>; 2],
+}
+
+impl Triangles {
+    fn new([a, b, c, d]: [P3; 4]) -> Self {
+        Self { corners: [a, b, c, d], planes: [Plane::new([a, b, c]), Plane::new([a, c, d])] }
+    }
+
+    fn distance(&self, p: P3) -> f64 {
+        let [a, b, c, d] = self.corners;
+        match self.planes.each_ref().map(|plane| plane.as_ref().and_then(|plane| plane.height(p))) {
+            [Some(x), Some(y)] => x.min(y),
+            // The other triangle may be a little nearer; a bound is all that is asked for.
+            [Some(x), None] | [None, Some(x)] => x,
+            [None, None] => {
+                let sides = [[a, b], [b, c], [c, d], [d, a], [a, c]];
+                sides
+                    .map(|[from, to]| distance_to_segment(p, from, to))
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min)
+            }
         }
     }
 }
 
-/// The distance from the plane of a triangle, if the foot is inside.
-fn height(p: P3, [a, b, c]: [P3; 3]) -> Option<f64> {
-    let (ab, ac, ap) = (minus(b, a), minus(c, a), minus(p, a));
-    let (bb, bc, cc, bp, cp) = (dot(ab, ab), dot(ab, ac), dot(ac, ac), dot(ab, ap), dot(ac, ap));
-    let determinant = bb * cc - bc * bc;
-    if determinant <= 1e-24 * bb * cc {
-        return None;
+/// The plane of a triangle `abc`.
+struct Plane {
+    from: P3,
+    sides: [P3; 2],
+    /// The vectors whose products with a difference from `a` are the shares of `b` and `c`.
+    shares: [P3; 2],
+}
+
+impl Plane {
+    /// `None` if the triangle has no area.
+    fn new([a, b, c]: [P3; 3]) -> Option<Self> {
+        let (ab, ac) = (minus(b, a), minus(c, a));
+        let (bb, bc, cc) = (dot(ab, ab), dot(ab, ac), dot(ac, ac));
+        let determinant = bb * cc - bc * bc;
+        if determinant <= 1e-24 * bb * cc {
+            return None;
+        }
+        let shares = [
+            [0, 1, 2].map(|k| (cc * ab[k] - bc * ac[k]) / determinant),
+            [0, 1, 2].map(|k| (bb * ac[k] - bc * ab[k]) / determinant),
+        ];
+        Some(Self { from: a, sides: [ab, ac], shares })
     }
-    let (x, y) = ((cc * bp - bc * cp) / determinant, (bb * cp - bc * bp) / determinant);
-    let is_inside = x >= 0.0 && y >= 0.0 && x + y <= 1.0;
-    is_inside.then(|| distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k])))
+
+    /// The distance of a point, if its foot is inside of the triangle.
+    fn height(&self, p: P3) -> Option<f64> {
+        let (ap, [ab, ac]) = (minus(p, self.from), self.sides);
+        let [x, y] = self.shares.map(|share| dot(share, ap));
+        let is_inside = x >= 0.0 && y >= 0.0 && x + y <= 1.0;
+        is_inside.then(|| distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k])))
+    }
 }
 
 #[cfg(test)]
