@@ -52,6 +52,18 @@ impl Part {
             .map(move |k| if axis == 0 { self.point(k, across) } else { self.point(across, k) })
     }
 
+    /// Both halves in one direction.
+    fn halves(&self, axis: usize) -> [Self; 2] {
+        let [lo, hi] = self.span[axis];
+        let middle = 0.5 * (lo + hi);
+        let [low, high] = self.net.halved(axis);
+        [(low, [lo, middle]), (high, [middle, hi])].map(|(net, range)| {
+            let mut half = Self { net, ..*self };
+            half.span[axis] = range;
+            half
+        })
+    }
+
     /// A control point; NaN if its weight is not positive.
     fn point(&self, i: usize, j: usize) -> P3 {
         let weight = self.net.weight(j * (self.net.degrees()[0] + 1) + i);
@@ -90,13 +102,14 @@ pub(super) fn cut(pieces: &[SurfacePiece], parts: Vec<Part>, axis: usize, t: f64
             after.push(part);
         } else {
             let middle = from + (to - from) * at;
-            let halves = [(0.0, at, [lo, t], [from, middle]), (at, 1.0, [t, hi], [middle, to])];
-            let [low, high] = halves.map(|(from, to, span, place)| {
-                let mut half = Part { net: part.net.restricted(axis, from, to), ..part };
+            let [low, high] = part.net.split(axis, at);
+            let half = |net: Piece, span: [f64; 2], place: [f64; 2]| {
+                let mut half = Part { net, ..part };
                 half.span[axis] = span;
                 half.place[axis] = place;
                 half
-            });
+            };
+            let (low, high) = (half(low, [lo, t], [from, middle]), half(high, [t, hi], [middle, to]));
             before.push(low);
             after.push(high);
         }
@@ -166,29 +179,11 @@ fn bend(part: &Part, bends: &mut [f64; 2]) {
     }
 }
 
-/// The halves in both directions of a part.
+/// The halves of a part in both directions, where it bends.
 pub(super) fn quarters(part: &Part) -> Vec<Part> {
-    let mut all = alloc::vec![part.clone()];
-    for axis in [0, 1] {
-        if part.net.degrees()[axis] < 2 {
-            continue;
-        }
-        all = all
-            .into_iter()
-            .flat_map(|part| {
-                let [lo, hi] = part.span[axis];
-                let middle = 0.5 * (lo + hi);
-                let mut nets = part.net.halved(axis).into_iter();
-                [[lo, middle], [middle, hi]].map(|span| {
-                    let mut half =
-                        Part { net: nets.next().unwrap_or_else(|| part.net.clone()), ..part.clone() };
-                    half.span[axis] = span;
-                    half
-                })
-            })
-            .collect();
-    }
-    all
+    let [bends_along_u, bends_along_v] = part.net.degrees().map(|degree| degree > 1);
+    let all = if bends_along_u { Vec::from(part.halves(0)) } else { alloc::vec![part.clone()] };
+    if bends_along_v { all.iter().flat_map(|part| part.halves(1)).collect() } else { all }
 }
 
 fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {

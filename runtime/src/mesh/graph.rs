@@ -214,3 +214,62 @@ fn hull(corners: &[Corner], axes: &[P3; 2]) -> Option<(Vec<[f64; 2]>, f64)> {
         .all(|k| turn(hull[k], hull[(k + 1) % count], hull[(k + 2) % count]) >= -TINY * size * size);
     is_convex.then_some((hull, inwards))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::SurfacePiece;
+    use crate::mesh::flat;
+
+    /// A square of which one side is a parabola with its tip above and outside of the middle, and three triangles that
+    /// meet at the tip: their bound, and the largest distance of samples of the surface.
+    fn tent(height: f64, outwards: f64) -> (Option<f64>, f64) {
+        let points: [P3; 6] = [
+            [0.0; 3],
+            [0.0, 1.0, 0.0],
+            [0.5, -2.0 * outwards, 2.0 * height],
+            [0.5, 1.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 1.0, 0.0],
+        ];
+        let pieces = [SurfacePiece::polynomial([[0.0, 1.0]; 2], 3, &points).unwrap()];
+        let [mut parts, after] = flat::cut(&pieces, flat::whole(&pieces, [[0.0, 1.0]; 2]), 0, 0.5);
+        parts.extend(after);
+        let corner = |x: f64, y: f64| Corner { point: [x, y, 0.0], at: [x, y], is_corner: true };
+        let [a, b, c, d] = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
+        let tip = Corner { point: [0.5, -outwards, height], at: [0.5, 0.0], is_corner: false };
+        let triangles = [[b.point, c.point], [c.point, d.point], [d.point, a.point]]
+            .map(|[from, to]| [tip.point, from, to]);
+        let mut farthest = 0.0_f64;
+        for (k, l) in (0..=32).flat_map(|k| (0..=32).map(move |l| (k, l))) {
+            let [u, v] = [k, l].map(|k| f64::from(k) / 32.0);
+            let raised = 4.0 * u * (1.0 - u) * (1.0 - v);
+            let p = [u, v - outwards * raised, height * raised];
+            let away = triangles.map(|[a, b, c]| flat::distance_to_triangles(p, [a, b, c, c]));
+            farthest = farthest.max(away.into_iter().fold(f64::INFINITY, f64::min));
+        }
+        (bound(&parts, &[a, tip, b, c, d], &triangles, 1e-9), farthest)
+    }
+
+    #[test]
+    fn triangles_that_meet_at_a_corner_of_a_neighbour() {
+        for (height, outwards) in
+            [(0.1, 0.0), (-0.1, 0.0), (0.0, 0.1), (0.0, -0.1), (0.06, 0.08), (0.05, -0.1)]
+        {
+            let (found, farthest) = tent(height, outwards);
+            let found = found.unwrap();
+            let moved = crate::Scalar::sqrt(height * height + outwards * outwards);
+            assert!(
+                found >= farthest && found <= 1.1 * moved,
+                "{found}, {farthest} for {height}, {outwards}"
+            );
+        }
+        assert!(tent(0.0, 0.0).0.unwrap() < 1e-15);
+    }
+
+    #[test]
+    fn no_bound_of_triangles_that_are_too_steep() {
+        assert_eq!(tent(2.0, 0.0).0, None);
+        assert_eq!(tent(f64::NAN, 0.0).0, None);
+    }
+}
