@@ -204,7 +204,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
             self.patch.point(at).map(Scalar::to_f64)
         };
         let allowed = self.allowed(open.cell);
-        // Beside lines a rectangle is likely to be flat enough, so that samples would tell nothing new.
+        // A rectangle that no line crosses is likely to be flat enough, so that samples would tell nothing new.
         let is_likely = (0..2).all(|axis| !self.lines[axis].cross(open.cell.from[axis], open.cell.to[axis]));
         let is_crowded = is_crowded(&corners, 2.0 * self.limits.weld);
         let measured = || flat::measure(&open.parts, corners, allowed, self.limits.weld);
@@ -289,15 +289,15 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         let mut parts = self.open(cell).parts;
         let mut corners = Vec::with_capacity(nodes.len());
         for (&node, &point) in nodes.iter().zip(&points) {
-            let is_corner = of_cell.contains(&node);
+            let is_on_side = !of_cell.contains(&node);
             let at = [0, 1].map(|axis| self.parameter(axis, node[axis]));
-            if !is_corner {
+            if is_on_side {
                 let axis = usize::from(node[0] == cell.from[0] || node[0] == cell.to[0]);
                 let [mut before, after] = flat::cut(&self.pieces, parts, axis, at[axis]);
                 before.extend(after);
                 parts = before;
             }
-            corners.push(Corner { point, at, is_corner });
+            corners.push(Corner { point, at, is_on_side });
         }
         let mut all = Vec::with_capacity(nodes.len());
         triangles(

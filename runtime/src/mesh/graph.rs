@@ -7,7 +7,7 @@
 //!   `√(h² + (z - g)²) + L h`. As `g` is one of the `gₖ` everywhere, `z - g ≤ max (z - gₖ)`, which makes this a convex
 //!   function: the largest value at a control point is a bound. If no corner is higher than `w` above the plane of any
 //!   triangle, `g ≤ gₖ + w`, so that `g - z ≤ (gₖ - z) + w` for each `k`; and the other way round.
-//! - From the triangles to the surface: a point of `Q` below which there is one of the surface is done with. All others
+//! - From the triangles to the surface: a point of `Q` with one of the surface above or below it is done with. All others
 //!   lie between a side of `Q` and the curve along it, on a line from a point of the curve to the nearest one of the
 //!   side, since the surface covers what its boundary goes around. With the distance `d` of these two, which is a convex
 //!   function too, the triangles there are no farther from the curve than `(1 + L) d`.
@@ -23,12 +23,12 @@ const STEEPEST: f64 = 0.5;
 /// What is no area, beside the largest one, and no length, beside the largest one.
 const TINY: f64 = 1e-12;
 
-/// The polygon of a rectangle: points counter-clockwise, each with its parameters.
+/// A corner of the polygon over a rectangle, with its parameters.
 pub(super) struct Corner {
     pub(super) point: P3,
     pub(super) at: [f64; 2],
-    /// Whether it is a corner of the rectangle, and not on a side.
-    pub(super) is_corner: bool,
+    /// Whether it is a corner of a neighbour, within a side, and not one of the rectangle.
+    pub(super) is_on_side: bool,
 }
 
 /// The plane of a triangle as heights above it.
@@ -56,7 +56,8 @@ struct Graph {
     inwards: f64,
 }
 
-/// A bound of the distance, both ways, for the parts of the surface, cut at all corners; `None` if the triangles are no
+/// A bound of the distance, both ways, for the parts of the surface, cut at all corners, and the corners in
+/// counter-clockwise order, which lie on the surface; `None` if the triangles are no
 /// graph, or too steep for a bound.
 pub(super) fn bound(parts: &[Part], corners: &[Corner], triangles: &[[P3; 3]], weld: f64) -> Option<f64> {
     let graph = Graph::new(corners, triangles)?;
@@ -193,14 +194,14 @@ fn hull(corners: &[Corner], axes: &[P3; 2]) -> Option<(Vec<[f64; 2]>, f64)> {
     let points: Vec<[f64; 2]> = corners.iter().map(|corner| flat(corner.point, axes)).collect();
     let count = points.len();
     let ends = |k: usize| {
-        let before = (1..=count).map(|n| (k + count - n) % count).find(|&n| corners[n].is_corner)?;
-        let after = (1..=count).map(|n| (k + n) % count).find(|&n| corners[n].is_corner)?;
+        let before = (1..=count).map(|n| (k + count - n) % count).find(|&n| !corners[n].is_on_side)?;
+        let after = (1..=count).map(|n| (k + n) % count).find(|&n| !corners[n].is_on_side)?;
         Some([before, after])
     };
     let (mut hull, mut inwards) = (Vec::with_capacity(count), 0.0_f64);
     for k in 0..count {
         let [before, after] = ends(k)?;
-        if !corners[k].is_corner && turn(points[before], points[after], points[k]) > 0.0 {
+        if corners[k].is_on_side && turn(points[before], points[after], points[k]) > 0.0 {
             let side = [corners[before].point, corners[after].point];
             inwards = larger(inwards, distance_to_segment(corners[k].point, side[0], side[1]));
         } else {
@@ -235,9 +236,9 @@ mod tests {
         let pieces = [SurfacePiece::polynomial([[0.0, 1.0]; 2], 3, &points).unwrap()];
         let [mut parts, after] = flat::cut(&pieces, flat::whole(&pieces, [[0.0, 1.0]; 2]), 0, 0.5);
         parts.extend(after);
-        let corner = |x: f64, y: f64| Corner { point: [x, y, 0.0], at: [x, y], is_corner: true };
+        let corner = |x: f64, y: f64| Corner { point: [x, y, 0.0], at: [x, y], is_on_side: false };
         let [a, b, c, d] = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
-        let tip = Corner { point: [0.5, -outwards, height], at: [0.5, 0.0], is_corner: false };
+        let tip = Corner { point: [0.5, -outwards, height], at: [0.5, 0.0], is_on_side: true };
         let triangles = [[b.point, c.point], [c.point, d.point], [d.point, a.point]]
             .map(|[from, to]| [tip.point, from, to]);
         let mut farthest = 0.0_f64;
@@ -260,7 +261,7 @@ mod tests {
             let found = found.unwrap();
             let moved = crate::Scalar::sqrt(height * height + outwards * outwards);
             assert!(
-                found >= farthest && found <= 1.1 * moved,
+                found >= farthest && found <= 1.2 * moved,
                 "{found}, {farthest} for {height}, {outwards}"
             );
         }

@@ -1,16 +1,16 @@
 //! How wide the rectangles of a surface may be in each direction, from samples of how much it bends there.
 //!
-//! Over a rectangle of the widths `h` and `k` a smooth surface `S` with the unit normal `n` is farther from its triangles
-//! than flat ones by about
+//! Over a rectangle of the widths `h` and `k`, a smooth surface `S` with the unit normal `n` is about that far from its
+//! triangles:
 //!
 //! ```text
 //! (|S_uu n| h² + |S_vv n| k²) / 8 + ¾ |S_uv n| h k,
 //! ```
 //!
 //! the last term of which is what the bound of a skew quadrilateral takes. One direction is cut first and gets a share of
-//! the tolerance, everywhere along it as much as where it bends most across. The other one has the rest: where the first
+//! the tolerance, everywhere along it as much as where it bends most across it. The other one has the rest: where the first
 //! direction bends less, its lines are farther apart, or rectangles take two, four, … parts of the first direction at
-//! once. Least rectangles are left for one of several shares.
+//! once. Of several shares the one counts that leaves the fewest rectangles.
 
 use alloc::vec::Vec;
 
@@ -18,8 +18,10 @@ use super::flat::{P3, distance_to_segment};
 use super::lines::{Lines, WIDTH};
 use crate::vector::{cross, dot, length};
 
-/// The number of samples in each direction of a surface with few spans, and the fewest and most of a span.
+/// The number of samples in each direction of a surface with few spans.
 const SAMPLES: usize = 12;
+
+/// The fewest and the most samples of a span.
 const OF_SPAN: [usize; 2] = [1, 4];
 
 /// The most lines between two knots; halves follow.
@@ -45,7 +47,7 @@ struct Bend {
     twist: f64,
 }
 
-/// The samples of one parameter: each lies between two places, with one more in the middle.
+/// The samples of one parameter: each lies between two places, with a third one in its middle.
 struct Samples {
     places: Vec<u32>,
     of_span: usize,
@@ -217,7 +219,7 @@ impl Grid<'_> {
         (needed.sum(), lines, others)
     }
 
-    /// The number of lines of the second direction over a sample of it for which least rectangles are left.
+    /// The number of lines of the second direction over a sample of it that leaves the fewest rectangles.
     fn density(&self, j: usize, widths: &[f64]) -> f64 {
         let other = 1 - self.axis;
         let all = (0..widths.len()).map(|i| self.bend(i, j));
