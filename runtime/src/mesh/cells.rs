@@ -5,9 +5,12 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::MeshError;
+use super::facets::{Cut, triangles};
 use super::flat::{self, Flatness, P3, Part};
-use super::lines::{Lines, WIDTH, lines};
+use super::graph::{self, Corner};
+use super::lines::{Lines, WIDTH};
 use super::patch::Patch;
+use super::steps::lines;
 use crate::vector::{cross, distance, dot, length};
 use crate::{Edge, Scalar, SurfacePiece};
 
@@ -46,12 +49,15 @@ impl Cell {
 
     /// The direction in which to cut: across what bends more, or across the wider side if neither says much; `None` of
     /// a rectangle that is as small as parameters allow.
-    fn direction(self, flatness: &Flatness) -> Option<usize> {
+    fn direction(self, flatness: &Flatness, lines: &[Lines; 2]) -> Option<usize> {
         let [h, k] = [0, 1].map(|c| self.to[c] - self.from[c]);
         if h <= 1 && k <= 1 {
             return None;
         }
-        let [u, v] = flatness.bends;
+        let crosses = [0, 1].map(|c| lines[c].cross(self.from[c], self.to[c]));
+        // A cut beside all lines would give corners to neighbours.
+        let weight = |axis: usize| if crosses[axis] && !crosses[1 - axis] { 4.0 } else { 1.0 };
+        let [u, v] = [0, 1].map(|axis| flatness.bends[axis] * weight(axis));
         let twisted = u.max(v) < 0.25 * flatness.distance && flatness.distance.is_finite();
         let across_u = if twisted || u == v { h >= k } else { u > v };
         Some(usize::from(h <= 1 || !across_u && k > 1))
@@ -197,13 +203,17 @@ impl<'a, S: Scalar> Sheet<'a, S> {
             });
             self.patch.point(at).map(Scalar::to_f64)
         };
-        let mut flatness = flat::sampled(corners, halves);
         let allowed = self.allowed(open.cell);
-        if flatness.distance <= allowed {
+        // A rectangle that no line crosses is likely to be flat enough, so that samples would tell nothing new.
+        let is_likely = (0..2).all(|axis| !self.lines[axis].cross(open.cell.from[axis], open.cell.to[axis]));
+        let is_crowded = is_crowded(&corners, 2.0 * self.limits.weld);
+        let measured = || flat::measure(&open.parts, corners, allowed, self.limits.weld);
+        let mut flatness = if is_likely && !is_crowded { measured() } else { flat::sampled(corners, halves) };
+        if flatness.distance <= allowed && (is_crowded || !is_likely) {
             let moved = flatness.distance;
-            flatness = flat::measure(&open.parts, corners, allowed, self.limits.weld);
+            flatness = measured();
             // A corner in the middle moves the triangles.
-            if is_crowded(&corners, 2.0 * self.limits.weld) {
+            if is_crowded {
                 flatness.distance += moved;
             }
         }
@@ -269,6 +279,42 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         Some(bounds.fold(flat::distance(opposite, foot), f64::max))
     }
 
+    /// The bound for a rectangle with corners of neighbours on its sides, of its triangles as a graph.
+    fn graph(&self, cell: Cell, nodes: &[Node]) -> Option<f64> {
+        let points: Vec<P3> = nodes.iter().map(|&node| self.point(node)).collect();
+        if is_crowded(&points, 2.0 * self.limits.weld) {
+            return None;
+        }
+        let of_cell = cell.corners();
+        let mut parts = self.open(cell).parts;
+        let mut corners = Vec::with_capacity(nodes.len());
+        for (&node, &point) in nodes.iter().zip(&points) {
+            let is_on_side = !of_cell.contains(&node);
+            let at = [0, 1].map(|axis| self.parameter(axis, node[axis]));
+            if is_on_side {
+                let axis = usize::from(node[0] == cell.from[0] || node[0] == cell.to[0]);
+                let [mut before, after] = flat::cut(&self.pieces, parts, axis, at[axis]);
+                before.extend(after);
+                parts = before;
+            }
+            corners.push(Corner { point, at, is_on_side });
+        }
+        let mut all = Vec::with_capacity(nodes.len());
+        triangles(
+            cell,
+            nodes,
+            Cut::Shortest,
+            || true,
+            |triangle| {
+                all.push(triangle.map(|node| match nodes.iter().position(|&other| other == node) {
+                    Some(k) => points[k],
+                    None => self.point(node),
+                }));
+            },
+        );
+        graph::bound(&parts, &corners, &all, self.limits.weld)
+    }
+
     fn too_fine(&self) -> MeshError {
         MeshError::TooFine { surface: self.surface, most: MOST }
     }
@@ -290,7 +336,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
         heap.push(Estimate::new(self, self.whole()));
         for _ in 0..CUTS {
             let Some(worst) = heap.pop().filter(|worst| worst.needed > 1.0) else { break };
-            let Some(axis) = worst.open.cell.direction(&worst.flatness) else {
+            let Some(axis) = worst.open.cell.direction(&worst.flatness, &self.lines) else {
                 return Err(self.stuck(&worst.flatness));
             };
             heap.extend(self.cut(worst.open, axis).map(|half| Estimate::new(self, half)));
@@ -385,7 +431,8 @@ impl Cells {
             if flatness.distance <= sheet.allowed(next.cell) {
                 self.add(Leaf { cell: next.cell, distance: flatness.distance, corners: 4 });
             } else {
-                let axis = next.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?;
+                let axis =
+                    next.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck(&flatness))?;
                 let [before, after] = sheet.cut(next, axis);
                 open.extend([after, before]);
             }
@@ -417,6 +464,7 @@ impl Cells {
                 let allowed = sheet.allowed(leaf.cell);
                 leaf.distance + displacement(sheet, leaf.cell, &nodes) <= allowed
                     || sheet.fan(leaf.cell, &nodes).is_some_and(|distance| distance <= allowed)
+                    || sheet.graph(leaf.cell, &nodes).is_some_and(|distance| distance <= allowed)
             };
             if is_kept {
                 self.leaves.push(Leaf { corners: nodes.len(), ..leaf });
@@ -433,7 +481,7 @@ impl Cells {
                 Ordering::Less => 1,
                 Ordering::Equal => {
                     let flatness = sheet.flatness(&whole);
-                    leaf.cell.direction(&flatness).ok_or_else(|| sheet.stuck(&flatness))?
+                    leaf.cell.direction(&flatness, &sheet.lines).ok_or_else(|| sheet.stuck(&flatness))?
                 }
             };
             open.extend(sheet.cut(whole, axis));

@@ -33,6 +33,37 @@ pub(super) struct Part {
 }
 
 impl Part {
+    /// The range of a parameter of the surface.
+    pub(super) fn span(&self, axis: usize) -> [f64; 2] {
+        self.span[axis]
+    }
+
+    /// All control points.
+    pub(super) fn points(&self) -> impl Iterator<Item = P3> {
+        let [m, n] = self.net.degrees();
+        (0..=n).flat_map(move |j| (0..=m).map(move |i| self.point(i, j)))
+    }
+
+    /// The control points along a parameter at the lower or upper end of the other one.
+    pub(super) fn side(&self, axis: usize, is_end: bool) -> impl Iterator<Item = P3> {
+        let degrees = self.net.degrees();
+        let across = if is_end { degrees[1 - axis] } else { 0 };
+        (0..=degrees[axis])
+            .map(move |k| if axis == 0 { self.point(k, across) } else { self.point(across, k) })
+    }
+
+    /// Both halves in one direction.
+    fn halves(&self, axis: usize) -> [Self; 2] {
+        let [lo, hi] = self.span[axis];
+        let middle = 0.5 * (lo + hi);
+        let [low, high] = self.net.halved(axis);
+        [(low, [lo, middle]), (high, [middle, hi])].map(|(net, range)| {
+            let mut half = Self { net, ..*self };
+            half.span[axis] = range;
+            half
+        })
+    }
+
     /// A control point; NaN if its weight is not positive.
     fn point(&self, i: usize, j: usize) -> P3 {
         let weight = self.net.weight(j * (self.net.degrees()[0] + 1) + i);
@@ -71,13 +102,14 @@ pub(super) fn cut(pieces: &[SurfacePiece], parts: Vec<Part>, axis: usize, t: f64
             after.push(part);
         } else {
             let middle = from + (to - from) * at;
-            let halves = [(0.0, at, [lo, t], [from, middle]), (at, 1.0, [t, hi], [middle, to])];
-            let [low, high] = halves.map(|(from, to, span, place)| {
-                let mut half = Part { net: part.net.restricted(axis, from, to), ..part };
+            let [low, high] = part.net.split(axis, at);
+            let half = |net: Piece, span: [f64; 2], place: [f64; 2]| {
+                let mut half = Part { net, ..part };
                 half.span[axis] = span;
                 half.place[axis] = place;
                 half
-            });
+            };
+            let (low, high) = (half(low, [lo, t], [from, middle]), half(high, [t, hi], [middle, to]));
             before.push(low);
             after.push(high);
         }
@@ -147,29 +179,11 @@ fn bend(part: &Part, bends: &mut [f64; 2]) {
     }
 }
 
-/// The halves in both directions of a part.
-fn quarters(part: &Part) -> Vec<Part> {
-    let mut all = alloc::vec![part.clone()];
-    for axis in [0, 1] {
-        if part.net.degrees()[axis] < 2 {
-            continue;
-        }
-        all = all
-            .into_iter()
-            .flat_map(|part| {
-                let [lo, hi] = part.span[axis];
-                let middle = 0.5 * (lo + hi);
-                let mut nets = part.net.halved(axis).into_iter();
-                [[lo, middle], [middle, hi]].map(|span| {
-                    let mut half =
-                        Part { net: nets.next().unwrap_or_else(|| part.net.clone()), ..part.clone() };
-                    half.span[axis] = span;
-                    half
-                })
-            })
-            .collect();
-    }
-    all
+/// The halves of a part in both directions, where it bends.
+pub(super) fn quarters(part: &Part) -> Vec<Part> {
+    let [bends_along_u, bends_along_v] = part.net.degrees().map(|degree| degree > 1);
+    let all = if bends_along_u { Vec::from(part.halves(0)) } else { alloc::vec![part.clone()] };
+    if bends_along_v { all.iter().flat_map(|part| part.halves(1)).collect() } else { all }
 }
 
 fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
@@ -183,6 +197,7 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
         }
     }
     let [a, b, c, d] = corners;
+    let triangles = Triangles::new(corners);
     for part in parts {
         let [m, n] = part.net.degrees();
         // The sides of the rectangle on which the part lies: along u at both ends of v, along v at both ends of u.
@@ -215,7 +230,7 @@ fn estimate(parts: &[Part], corners: [P3; 4], weld: f64) -> Flatness {
                     }
                 }
                 if is_inside {
-                    farthest = larger(farthest, distance_to_triangles(p, corners));
+                    farthest = larger(farthest, triangles.distance(p));
                 }
             }
         }
@@ -270,15 +285,15 @@ pub(super) fn displacement(side: &[P3]) -> f64 {
 }
 
 /// The larger one; NaN, once met, is infinite.
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() || a.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
-fn minus(a: P3, b: P3) -> P3 {
+pub(super) fn minus(a: P3, b: P3) -> P3 {
     [0, 1, 2].map(|k| a[k] - b[k])
 }
 
-fn dot(a: P3, b: P3) -> f64 {
+pub(super) fn dot(a: P3, b: P3) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -305,29 +320,69 @@ pub(super) fn foot(p: P3, from: P3, to: P3) -> P3 {
 }
 
 /// The distance from the triangles `abc` and `acd`.
-pub(super) fn distance_to_triangles(p: P3, [a, b, c, d]: [P3; 4]) -> f64 {
-    match [[a, b, c], [a, c, d]].map(|triangle| height(p, triangle)) {
-        [Some(x), Some(y)] => x.min(y),
-        // The other triangle may be a little nearer; a bound is all that is asked for.
-        [Some(x), None] | [None, Some(x)] => x,
-        [None, None] => {
-            let sides = [[a, b], [b, c], [c, d], [d, a], [a, c]];
-            sides.map(|[from, to]| distance_to_segment(p, from, to)).into_iter().fold(f64::INFINITY, f64::min)
+pub(super) fn distance_to_triangles(p: P3, corners: [P3; 4]) -> f64 {
+    Triangles::new(corners).distance(p)
+}
+
+/// The triangles `abc` and `acd`.
+struct Triangles {
+    corners: [P3; 4],
+    planes: [Option<Plane>; 2],
+}
+
+impl Triangles {
+    fn new([a, b, c, d]: [P3; 4]) -> Self {
+        Self { corners: [a, b, c, d], planes: [Plane::new([a, b, c]), Plane::new([a, c, d])] }
+    }
+
+    fn distance(&self, p: P3) -> f64 {
+        let [a, b, c, d] = self.corners;
+        match self.planes.each_ref().map(|plane| plane.as_ref().and_then(|plane| plane.height(p))) {
+            [Some(x), Some(y)] => x.min(y),
+            // The other triangle may be a little nearer; a bound is all that is asked for.
+            [Some(x), None] | [None, Some(x)] => x,
+            [None, None] => {
+                let sides = [[a, b], [b, c], [c, d], [d, a], [a, c]];
+                sides
+                    .map(|[from, to]| distance_to_segment(p, from, to))
+                    .into_iter()
+                    .fold(f64::INFINITY, f64::min)
+            }
         }
     }
 }
 
-/// The distance from the plane of a triangle, if the foot is inside.
-fn height(p: P3, [a, b, c]: [P3; 3]) -> Option<f64> {
-    let (ab, ac, ap) = (minus(b, a), minus(c, a), minus(p, a));
-    let (bb, bc, cc, bp, cp) = (dot(ab, ab), dot(ab, ac), dot(ac, ac), dot(ab, ap), dot(ac, ap));
-    let determinant = bb * cc - bc * bc;
-    if determinant <= 1e-24 * bb * cc {
-        return None;
+/// The plane of a triangle `abc`.
+struct Plane {
+    from: P3,
+    sides: [P3; 2],
+    /// The vectors whose products with a difference from `a` are the shares of `b` and `c`.
+    shares: [P3; 2],
+}
+
+impl Plane {
+    /// `None` if the triangle has no area.
+    fn new([a, b, c]: [P3; 3]) -> Option<Self> {
+        let (ab, ac) = (minus(b, a), minus(c, a));
+        let (bb, bc, cc) = (dot(ab, ab), dot(ab, ac), dot(ac, ac));
+        let determinant = bb * cc - bc * bc;
+        if determinant <= 1e-24 * bb * cc {
+            return None;
+        }
+        let shares = [
+            [0, 1, 2].map(|k| (cc * ab[k] - bc * ac[k]) / determinant),
+            [0, 1, 2].map(|k| (bb * ac[k] - bc * ab[k]) / determinant),
+        ];
+        Some(Self { from: a, sides: [ab, ac], shares })
     }
-    let (x, y) = ((cc * bp - bc * cp) / determinant, (bb * cp - bc * bp) / determinant);
-    let is_inside = x >= 0.0 && y >= 0.0 && x + y <= 1.0;
-    is_inside.then(|| distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k])))
+
+    /// The distance of a point, if its foot is inside of the triangle.
+    fn height(&self, p: P3) -> Option<f64> {
+        let (ap, [ab, ac]) = (minus(p, self.from), self.sides);
+        let [x, y] = self.shares.map(|share| dot(share, ap));
+        let is_inside = x >= 0.0 && y >= 0.0 && x + y <= 1.0;
+        is_inside.then(|| distance(ap, [0, 1, 2].map(|k| x * ab[k] + y * ac[k])))
+    }
 }
 
 #[cfg(test)]

@@ -6,18 +6,19 @@ mod facets;
 mod flat;
 #[cfg(feature = "gltf")]
 mod gltf;
+mod graph;
 mod lines;
 mod meet;
 #[cfg(feature = "obj")]
 mod obj;
 mod orient;
 mod patch;
+mod steps;
 #[cfg(feature = "stl")]
 mod stl;
 mod tessellation;
 mod weld;
 
-use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 use crate::vector::{cross, dot, length};
@@ -137,25 +138,28 @@ impl<S: Scalar> Mesh<S> {
     /// Whether every edge belongs to two triangles that go through it in opposite directions: the mesh is closed,
     /// without a crack, and consistently oriented.
     pub fn is_closed(&self) -> bool {
-        self.edges().values().all(|&uses| uses == [1, 1])
+        self.edges().iter().all(|&(_, uses)| uses == [1, 1])
     }
 
     /// Whether no edge is used twice in the same direction.
     pub fn is_oriented(&self) -> bool {
-        self.edges().values().all(|uses| uses.iter().all(|&count| count <= 1))
+        self.edges().iter().all(|(_, uses)| uses.iter().all(|&count| count <= 1))
     }
 
     /// How often triangles go through each edge, upwards and downwards in the index of the position.
-    fn edges(&self) -> BTreeMap<[u32; 2], [u32; 2]> {
-        let mut edges = BTreeMap::new();
+    fn edges(&self) -> Vec<([u32; 2], [u32; 2])> {
+        let mut sides: Vec<([u32; 2], bool)> = Vec::with_capacity(3 * self.triangles.len());
         for &triangle in &self.triangles {
             let Some([a, b, c]) = self.corners(triangle) else { continue };
-            for [from, to] in [[a, b], [b, c], [c, a]] {
-                let uses: &mut [u32; 2] = edges.entry([from.min(to), from.max(to)]).or_default();
-                uses[usize::from(from > to)] += 1;
-            }
+            let all = [[a, b], [b, c], [c, a]];
+            sides.extend(all.map(|[from, to]| ([from.min(to), from.max(to)], from > to)));
         }
-        edges
+        sides.sort_unstable();
+        let uses = |along: &[([u32; 2], bool)]| {
+            let downwards = along.iter().filter(|(_, is_down)| *is_down).count();
+            (along[0].0, [along.len() - downwards, downwards].map(|count| count as u32))
+        };
+        sides.chunk_by(|a, b| a.0 == b.0).map(uses).collect()
     }
 }
 

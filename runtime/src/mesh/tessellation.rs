@@ -357,10 +357,17 @@ fn missing<S: Scalar>(mesh: &Mesh<S>, lost: &[(u32, [u32; 2])]) -> Option<usize>
     if lost.is_empty() {
         return None;
     }
+    let mut of_lost = alloc::vec![false; mesh.positions.len()];
+    for end in lost.iter().flat_map(|(_, ends)| ends) {
+        of_lost[*end as usize] = true;
+    }
     let sides = mesh.triangles.iter().filter_map(|&triangle| mesh.corners(triangle));
     let sides = sides.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let kept: BTreeSet<[u32; 2]> = sides.map(|[a, b]| [a.min(b), a.max(b)]).collect();
-    let used: BTreeSet<u32> = kept.iter().flatten().copied().collect();
+    let (mut kept, mut used) = (BTreeSet::new(), BTreeSet::new());
+    for [a, b] in sides.filter(|side| side.iter().any(|&end| of_lost[end as usize])) {
+        kept.insert([a.min(b), a.max(b)]);
+        used.extend([a, b]);
+    }
     // What has become an edge must be one of a triangle, what has become a point must be a corner.
     let stands = |[a, b]: [u32; 2]| if a == b { used.contains(&a) } else { kept.contains(&[a, b]) };
     let (vertex, _) = lost.iter().find(|(_, ends)| !stands(*ends))?;

@@ -92,32 +92,6 @@ impl Piece {
         farthest
     }
 
-    /// The part between two places in one direction.
-    #[cfg(feature = "mesh")]
-    #[inline]
-    pub(crate) fn restricted(&self, along: usize, from: f64, to: f64) -> Self {
-        let mut net = self.net.clone();
-        let (rows, columns) = (self.degrees[0] + 1, self.degrees[1] + 1);
-        let (count, others) = if along == 0 { (rows, columns) } else { (columns, rows) };
-        let mut list = vec![0.0; count];
-        for other in 0..others {
-            for c in 0..self.stride {
-                let place = |k: usize| {
-                    let n = if along == 0 { other * rows + k } else { k * rows + other };
-                    n * self.stride + c
-                };
-                for (k, x) in list.iter_mut().enumerate() {
-                    *x = net[place(k)];
-                }
-                crate::bernstein::restrict(&mut list, from, to);
-                for (k, &x) in list.iter().enumerate() {
-                    net[place(k)] = x;
-                }
-            }
-        }
-        Self { net, ..*self }
-    }
-
     #[inline]
     fn is_rational(&self) -> bool {
         self.stride > self.dim
@@ -262,9 +236,15 @@ impl Piece {
         usize::from(lengths[1] > lengths[0])
     }
 
-    /// Both halves in that direction, by de Casteljau's algorithm.
+    /// Both halves in that direction.
     #[inline]
     pub(crate) fn halved(&self, along: usize) -> [Self; 2] {
+        self.split(along, 0.5)
+    }
+
+    /// The parts below and above a place in that direction, by de Casteljau's algorithm.
+    #[inline]
+    pub(crate) fn split(&self, along: usize, at: f64) -> [Self; 2] {
         let degree = self.degrees[along];
         // `count` lists of `degree + 1` entries that are `stride` numbers apart, from `start(n)` on.
         let row = (self.degrees[0] + 1) * self.stride;
@@ -277,7 +257,7 @@ impl Piece {
             for step in 1..=degree {
                 for i in 0..=degree - step {
                     upper[first + i * stride] =
-                        0.5 * (upper[first + i * stride] + upper[first + (i + 1) * stride]);
+                        (1.0 - at) * upper[first + i * stride] + at * upper[first + (i + 1) * stride];
                 }
                 lower[first + step * stride] = upper[first];
             }
