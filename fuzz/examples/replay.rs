@@ -54,10 +54,23 @@ fn changed(input: &[u8], other: &[u8], words: &[Vec<u8>], random: &mut Random) -
     new
 }
 
+/// The word in a line of a dictionary: in quotation marks, each byte beyond ASCII as `\xNN`, as libFuzzer reads it.
+fn word(line: &str) -> Option<Vec<u8>> {
+    let mut parts = line.strip_prefix('"')?.strip_suffix('"')?.split("\\x");
+    let mut word = parts.next()?.as_bytes().to_vec();
+    for part in parts {
+        let (byte, rest) = part.split_at_checked(2)?;
+        word.push(u8::from_str_radix(byte, 16).ok()?);
+        word.extend(rest.as_bytes());
+    }
+    Some(word)
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = env::args().skip(1).collect();
     let name = arguments.first().ok_or("which target?")?;
-    let (_, target) = basis_fuzz::TARGETS.into_iter().find(|(n, _)| n == name).ok_or("there is no such target")?;
+    let (_, target) =
+        basis_fuzz::TARGETS.into_iter().find(|(n, _)| n == name).ok_or("there is no such target")?;
     let seconds = arguments.get(1).map_or(Ok(0), |s| s.parse())?;
     let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH)?.as_secs();
     let seed = arguments.get(2).map_or(Ok(now), |s| s.parse())?;
@@ -69,8 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         corpus.push(fs::read(entry.path())?);
     }
     let dictionary = fs::read_to_string(folder.join(format!("{name}.dict"))).unwrap_or_default();
-    let words: Vec<Vec<u8>> =
-        dictionary.lines().filter_map(|l| Some(l.strip_prefix('"')?.strip_suffix('"')?.into())).collect();
+    let words: Vec<Vec<u8>> = dictionary.lines().filter_map(word).collect();
     let random = &mut Random(seed);
     println!("{name}: seed {seed}");
     let (start, mut count, mut slowest) = (Instant::now(), 0_u64, Duration::ZERO);
