@@ -270,7 +270,7 @@ pub(super) fn displacement(side: &[P3]) -> f64 {
 }
 
 /// The larger one; NaN, once met, is infinite.
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b.is_nan() || a.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
