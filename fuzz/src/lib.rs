@@ -1,8 +1,9 @@
 //! The targets: functions of bytes that must neither panic nor run without end.
 //!
-//! With cargo-fuzz and a nightly compiler, from the root: `cargo +nightly fuzz run spec -- -max_total_time=600`. With any compiler:
-//! `cargo run --release --manifest-path fuzz/Cargo.toml --no-default-features --bin replay -- spec 60`, which changes the files of
-//! `fuzz/corpus` at random for 60 seconds. `cargo xtask nightly` does both.
+//! With cargo-fuzz, from the root: `RUSTC_BOOTSTRAP=1 cargo fuzz run --sanitizer none spec -- -max_total_time=600`.
+//! Without it: `cargo run --release --manifest-path fuzz/Cargo.toml --no-default-features --example replay -- spec 60`, which
+//! changes the files of `fuzz/corpus` at random for 60 seconds. `cargo xtask nightly fuzz` does the first, or the second
+//! where cargo-fuzz cannot be installed.
 
 use std::rc::Rc;
 
@@ -40,7 +41,8 @@ pub fn spec(data: &[u8]) {
                 Verdict::Proved(evidence) => {
                     for (_, proof) in evidence.steps() {
                         let written = text::certificate_text(proof.certificate());
-                        let read = text::certificate(&written).expect("a certificate is read as it is written");
+                        let read =
+                            text::certificate(&written).expect("a certificate is read as it is written");
                         let statement = Rc::new(proof.statement().clone());
                         assert!(Proof::new(statement, read, &mut Work::usual(10)).is_ok(), "{written}");
                     }

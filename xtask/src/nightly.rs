@@ -16,10 +16,11 @@ type Outcome = Result<(), Ended>;
 /// A step: its name, what it shows, and how.
 struct Step(&'static str, &'static str, fn(&Path) -> Outcome);
 
-const STEPS: [Step; 7] = [
+const STEPS: [Step; 8] = [
     Step("forge", "1.2 million forged certificates and witnesses, none accepted", forge),
     Step("oracle", "the checker in Python on 100 000 corrupted certificates", oracle),
     Step("judges", "100 000 verdicts against values computed in Python", judges),
+    Step("sanitizer", "the tests of kernel and runtime under the address sanitizer", sanitizer),
     Step("fuzz", "no panic and no hang on any input, 20 minutes for each target", fuzz),
     Step("coq", "Coq accepts the theorems of all specs", coq),
     Step("specs", "every mutant of the shipped specs", mutants_of_specs),
@@ -135,14 +136,55 @@ fn judges(root: &Path) -> Outcome {
     succeed(command(root, "python3 tests/oracle/judge.py target/release/basis --claims 100000"))
 }
 
+/// Lets the compiler that is installed take options that are unstable, so that no other one has to be fetched.
+fn unstable(mut command: Command) -> Command {
+    command.env("RUSTC_BOOTSTRAP", "1");
+    command
+}
+
+/// The target for which the compiler builds by default.
+fn host(root: &Path) -> Option<String> {
+    let said = command(root, "rustc -vV").output().ok()?;
+    let said = String::from_utf8(said.stdout).ok()?;
+    said.lines().find_map(|line| line.strip_prefix("host: ")).map(str::to_owned)
+}
+
+fn sanitizer(root: &Path) -> Outcome {
+    let host = host(root).ok_or_else(|| Ended::Skipped(String::from("there is no rustc")))?;
+    let folder = root.join("target/sanitizer");
+    let io = |e: std::io::Error| Ended::Failed(format!("{}: {e}", folder.display()));
+    fs::create_dir_all(&folder).map_err(io)?;
+    fs::write(folder.join("probe.rs"), "fn main() {}").map_err(io)?;
+    let probe = "rustc -Zsanitizer=address -o target/sanitizer/probe target/sanitizer/probe.rs --target";
+    if !works(unstable(command(root, &format!("{probe} {host}"))))
+        || !works(command(root, "target/sanitizer/probe"))
+    {
+        return Err(Ended::Skipped(format!("the compiler has no address sanitizer for {host}")));
+    }
+    // With a target the flags are for what runs on it, and not for macros and build scripts.
+    let tests = "cargo test --quiet -p basis-kernel -p basis-runtime --all-features --lib --tests \
+                 --target-dir target/sanitizer --target";
+    let mut run = unstable(command(root, &format!("{tests} {host}")));
+    run.env("RUSTFLAGS", "-Zsanitizer=address");
+    succeed(run)
+}
+
 fn fuzz(root: &Path) -> Outcome {
     let targets = ["spec", "certificate", "tokens", "knots", "nets"];
-    if works(command(root, "cargo +nightly --version")) && subcommand(root, "fuzz").is_ok() {
+    if subcommand(root, "fuzz").is_ok() {
         for target in targets {
-            let limits = "-max_total_time=1200 -timeout=10 -rss_limit_mb=512 -max_len=2048";
-            // The sanitizer finds errors of memory; there is no unsafe code but in the vector instructions.
-            let line = format!("cargo +nightly fuzz run --sanitizer none {target} -- {limits}");
-            let mut run = command(root, &line);
+            let found = root.join("target/fuzz").join(target);
+            fs::create_dir_all(&found).map_err(|e| Ended::Failed(format!("{}: {e}", found.display())))?;
+            // The sanitizer has a step of its own, and takes half of the speed. The first folder is for what is found.
+            let line = format!("cargo fuzz run --sanitizer none {target}");
+            let mut run = unstable(command(root, &line));
+            run.arg(&found).arg(root.join("fuzz/corpus").join(target));
+            if target == "tokens" {
+                run.arg(root.join("fuzz/corpus/spec")); // the same language: its own folder has what this one lacks
+            }
+            run.arg("--");
+            run.args(["-max_total_time=1200", "-timeout=10", "-rss_limit_mb=512", "-max_len=2048"]);
+            run.arg("-print_final_stats=1");
             let dictionary = root.join(format!("fuzz/{target}.dict"));
             if dictionary.exists() {
                 run.arg(format!("-dict={}", dictionary.display()));
@@ -152,11 +194,9 @@ fn fuzz(root: &Path) -> Outcome {
         }
         return Ok(());
     }
-    println!(
-        "there is no nightly compiler with cargo-fuzz: random changes of the corpus, without its guidance"
-    );
+    println!("there is no cargo-fuzz: random changes of the corpus, without its guidance");
     let line =
-        "cargo run --quiet --release --manifest-path fuzz/Cargo.toml --no-default-features --bin replay";
+        "cargo run --quiet --release --manifest-path fuzz/Cargo.toml --no-default-features --example replay";
     for target in targets {
         succeed(command(root, &format!("{line} -- {target} 1200")))?;
     }

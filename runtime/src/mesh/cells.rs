@@ -11,7 +11,7 @@ use super::graph::{self, Corner};
 use super::lines::{Lines, WIDTH};
 use super::patch::Patch;
 use super::steps::lines;
-use crate::vector::{cross, distance, dot, length};
+use crate::vector::{cross, distance, dot, length, safe_unit};
 use crate::{Edge, Scalar, SurfacePiece};
 
 /// The highest number of rectangles of one surface.
@@ -109,6 +109,8 @@ pub(super) struct Sheet<'a, S> {
     patch: &'a dyn Patch<S>,
     pieces: Vec<SurfacePiece>,
     surface: usize,
+    /// What lengths are measured in: fourth powers of them neither overflow nor vanish.
+    unit: f64,
     limits: Limits,
     lines: [Lines; 2],
 }
@@ -128,10 +130,27 @@ pub(super) struct Limits {
     pub(super) angle: f64,
 }
 
+impl Limits {
+    fn measured_in(self, unit: f64) -> Self {
+        let Self { tolerance, reach, weld, edge, angle } = self;
+        let [tolerance, reach, weld, edge] = [tolerance, reach, weld, edge].map(|length| length / unit);
+        Self { tolerance, reach, weld, edge, angle }
+    }
+}
+
 impl<'a, S: Scalar> Sheet<'a, S> {
     pub(super) fn new(patch: &'a dyn Patch<S>, surface: usize, limits: Limits) -> Self {
-        let pieces = patch.bezier();
-        let mut sheet = Self { patch, pieces, surface, limits, lines: Default::default() };
+        let mut pieces = patch.bezier();
+        let size =
+            pieces.iter().map(|piece| piece.net.farthest(&[0.0; 3])).fold(limits.tolerance, flat::larger);
+        let unit = if size.is_finite() { safe_unit(size, 2) } else { 1.0 };
+        if unit != 1.0 {
+            for piece in &mut pieces {
+                piece.net = piece.net.seen_from(&[0.0; 3], unit);
+            }
+        }
+        let limits = limits.measured_in(unit);
+        let mut sheet = Self { patch, pieces, surface, unit, limits, lines: Default::default() };
         if sheet.flatness(&sheet.whole()).distance > sheet.allowed(Cell::WHOLE) {
             sheet.lines = sheet.lines();
         }
@@ -146,7 +165,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
             self.pieces.iter().flat_map(|piece| piece.domain[axis]).map(along).collect()
         });
         let Limits { tolerance, reach, .. } = self.limits;
-        lines(knots, tolerance, reach, |x| self.patch.point(x.map(S::of)).map(Scalar::to_f64))
+        lines(knots, tolerance, reach, |x| self.at(x.map(S::of)))
     }
 
     /// The largest distance of the triangles over a rectangle: those on edges have to leave something to the seams.
@@ -155,7 +174,11 @@ impl<'a, S: Scalar> Sheet<'a, S> {
     }
 
     fn point(&self, node: Node) -> P3 {
-        self.patch.point(node.map(unit)).map(Scalar::to_f64)
+        self.at(node.map(unit))
+    }
+
+    fn at(&self, uv: [S; 2]) -> P3 {
+        self.patch.point(uv).map(|x| x.to_f64() / self.unit)
     }
 
     fn whole(&self) -> Open {
@@ -201,7 +224,7 @@ impl<'a, S: Scalar> Sheet<'a, S> {
                     + unit::<S>(to[c]) * S::from_usize(n[c] as usize))
                     * S::of(0.5)
             });
-            self.patch.point(at).map(Scalar::to_f64)
+            self.at(at)
         };
         let allowed = self.allowed(open.cell);
         // A rectangle that no line crosses is likely to be flat enough, so that samples would tell nothing new.

@@ -11,7 +11,7 @@ use super::orient::orient;
 use super::patch::Patch;
 use super::weld::{self, Classes, Seam};
 use super::{Mesh, MeshError, Vertex, area_vector, sixfold_volume};
-use crate::vector::{direction, distance};
+use crate::vector::{direction, distance, largest_component, safe_unit};
 use crate::{BoundedSurface, Edge, Point3, Scalar, Surface};
 
 /// Surfaces that become one mesh.
@@ -336,8 +336,9 @@ impl<S: Scalar> Builder<S> {
         }
         // A surface that is a curve has triangles without area; beside the squares of their sides that is rounding.
         let mut areas: BTreeMap<u32, [S; 2]> = BTreeMap::new();
+        let unit = unit_of(&mesh);
         for &triangle in &mesh.triangles {
-            let Some([a, b, c]) = mesh.corner_positions(triangle) else { continue };
+            let Some([a, b, c]) = measured_in(unit, &mesh, triangle) else { continue };
             let sums = areas.entry(mesh.vertices[triangle[0] as usize].surface).or_insert([S::ZERO; 2]);
             let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| distance(from, to));
             let area = area_vector([a, b, c]);
@@ -374,6 +375,16 @@ fn missing<S: Scalar>(mesh: &Mesh<S>, lost: &[(u32, [u32; 2])]) -> Option<usize>
     Some(mesh.vertices[*vertex as usize].surface as usize)
 }
 
+/// A unit of length in which areas and volumes neither overflow nor vanish.
+fn unit_of<S: Scalar>(mesh: &Mesh<S>) -> S {
+    safe_unit(mesh.positions.iter().map(|&p| largest_component(p)).fold(S::ZERO, S::max), 2)
+}
+
+/// The corners of a triangle in that unit.
+fn measured_in<S: Scalar>(unit: S, mesh: &Mesh<S>, triangle: [u32; 3]) -> Option<[[S; 3]; 3]> {
+    Some(mesh.corner_positions(triangle)?.map(|corner| corner.map(|x| x / unit)))
+}
+
 /// Turns surfaces over so that neighbours agree and closed parts face outwards.
 fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize) {
     let orientation = orient(surfaces, mesh);
@@ -383,9 +394,10 @@ fn turn<S: Scalar>(mesh: &mut Mesh<S>, surfaces: usize) {
     let mut volumes = alloc::vec![S::ZERO; surfaces];
     // Measured from a point of each part, which may be far from the origin.
     let mut tips = alloc::vec![None; surfaces];
+    let unit = unit_of(mesh);
     for &triangle in &mesh.triangles {
         let component = orientation.component[mesh.vertices[triangle[0] as usize].surface as usize];
-        let Some(corners) = mesh.corner_positions(triangle) else { continue };
+        let Some(corners) = measured_in(unit, mesh, triangle) else { continue };
         let tip = *tips[component].get_or_insert(corners[0]);
         volumes[component] = volumes[component] + sixfold_volume(corners, tip);
     }
@@ -421,10 +433,11 @@ fn flip<S: Scalar>(mesh: &mut Mesh<S>, marked: &[bool]) {
 /// Where the surface has no normal the triangles of the vertex decide, by their areas.
 fn shade<S: Scalar>(mesh: &mut Mesh<S>) {
     let mut sums: BTreeMap<u32, [S; 3]> = BTreeMap::new();
+    let unit = unit_of(mesh);
     for &triangle in &mesh.triangles {
         for vertex in triangle {
             if mesh.vertices[vertex as usize].normal == [S::ZERO; 3] {
-                let Some(corners) = mesh.corner_positions(triangle) else { continue };
+                let Some(corners) = measured_in(unit, mesh, triangle) else { continue };
                 let area = area_vector(corners);
                 let sum = sums.entry(vertex).or_insert([S::ZERO; 3]);
                 *sum = [0, 1, 2].map(|c| sum[c] + area[c]);

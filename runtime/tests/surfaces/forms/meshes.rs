@@ -469,6 +469,56 @@ fn egg_at<S: Scalar>(x: S) -> Mesh<S> {
 
 /// Each sheet would be joined to the next one, and the first to the last.
 #[test]
+fn of_any_size() {
+    let mesh = |scale: f64| {
+        let points = [[-1.0, 0.0], [-1.0, 1.0], [1.0, 1.0], [1.0, 0.0]].map(|p| p.map(|x| x * scale));
+        let arc = Curve::new(QuarticBernstein::new(0.5).unwrap(), points);
+        let egg = SurfaceOfRevolution::about_x(&arc, FULL).unwrap();
+        let mut net = [[[0.0; 3]; 3]; 4];
+        for (i, row) in net.iter_mut().enumerate() {
+            for (j, p) in row.iter_mut().enumerate() {
+                *p = [i as f64, 2.0 * j as f64, (i * i * j) as f64 / 3.0].map(|x| (x + 5.0) * scale);
+            }
+        }
+        let sheet = TensorSurface::new(BernsteinBasis::<f64, 4>::new(), BernsteinBasis::<f64, 3>::new(), net);
+        let mesh = Tessellation::new(0.02 * scale).unwrap().with(&egg).with(&sheet).mesh();
+        let mesh = mesh.unwrap_or_else(|e| panic!("{scale:e}: {e}"));
+        mesh.check().unwrap();
+        mesh
+    };
+    let ordinary = mesh(1.0);
+    // Squares, or fourth powers, of lengths overflow or vanish.
+    for exponent in [-1000, -600, -300, 300, 600, 1000] {
+        let scale = 2.0_f64.powi(exponent);
+        let mut scaled = mesh(scale);
+        let counts = |mesh: &Mesh<f64>| (mesh.triangles.len(), mesh.positions.len(), mesh.boundary().len());
+        assert_eq!(counts(&scaled), counts(&ordinary), "2^{exponent}");
+        for p in &mut scaled.positions {
+            *p = p.map(|x| x / scale);
+        }
+        assert!(normals_agree(&scaled), "2^{exponent}");
+        let volumes = [&scaled, &ordinary].map(Mesh::volume);
+        assert!((volumes[0] - volumes[1]).abs() < 0.01, "2^{exponent}: {volumes:?}");
+    }
+}
+
+/// A control point so far away that squares of its coordinates overflow: seen from there the rest is one point.
+#[test]
+fn with_a_control_point_far_away() {
+    for far in [1e100, 1e200, -f64::MAX] {
+        let mut net = [[[1.5, 2.5, -1.0]; 3]; 4];
+        net[0][0] = [0.0; 3];
+        net[0][2] = [1.0, 3.0, 4.0];
+        net[3][0][1] = far;
+        let surface =
+            TensorSurface::new(BernsteinBasis::<f64, 4>::new(), BernsteinBasis::<f64, 3>::new(), net);
+        // 140 seconds, when the squares were infinite.
+        let mesh = Tessellation::new(0.01 * far.abs()).unwrap().with(&surface).mesh();
+        assert!(matches!(mesh, Err(MeshError::Collapsed { surface: 0 })), "{far:e}: {mesh:?}");
+    }
+}
+
+#[test]
 fn piles_are_not_drawn_together() {
     let tolerance = 0.1;
     let step = tolerance / 20.0;
