@@ -44,14 +44,15 @@ fn independent(a: &BSplineSurface<P3>, b: &BSplineSurface<P3>, joint: EdgePair) 
     (gap, angle)
 }
 
-/// The least sine of the angle between the derivatives along and across the second edge of a joint.
-fn least_sine(surface: &BSplineSurface<P3>, joint: EdgePair) -> f64 {
+/// The shortest normal along the second edge of a joint, the cross product of the derivatives across and along it, as
+/// a part of the longest.
+fn least_normal(surface: &BSplineSurface<P3>, joint: EdgePair) -> f64 {
     let at = |i: i32| {
         let (_, into, along) = at_edge(surface, joint.second, f64::from(i) / 10_000.0, -1.0);
-        let length = |a| distance(a, [0.0; 3]);
-        length(cross(into, along)) / (length(into) * length(along))
+        distance(cross(into, along), [0.0; 3])
     };
-    (0..=10_000).map(at).fold(1.0, f64::min)
+    let (least, most) = (0..=10_000).map(at).fold((f64::INFINITY, 0.0), |(a, b), n| (n.min(a), n.max(b)));
+    least / most
 }
 
 /// A surface of degree `k` over uneven knots; `x` from `from` to `from + 1`, `y` from 0 to 1, with the given waves.
@@ -420,11 +421,12 @@ proptest! {
                     let (gap, angle) = independent(&found.surface, &right, joint);
                     prop_assert!(gap <= options.gap && angle <= options.angle, "{} {}", gap, angle);
                 }
-                // Exact joins exist for all but surfaces without tangent planes; next to such a surface rounding errors
-                // and the bounds of the angle are large.
+                // Exact joins exist for all but surfaces without tangent planes. Next to such a surface the normals are
+                // differences of numbers that nearly agree, and the bound of the angle holds for all that rounding can
+                // have done to them.
                 Err(e) if options.method == Method::Exact => {
                     let flat = measure_joint(&left, &right, joint).is_err();
-                    prop_assert!(flat || least_sine(&right, joint) < 0.01, "{}", e);
+                    prop_assert!(flat || least_normal(&right, joint) < 1e-3, "{} {}", e, least_normal(&right, joint));
                 }
                 Err(_) => {}
             }

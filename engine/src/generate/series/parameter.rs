@@ -187,8 +187,8 @@ impl<'f> Source<'f> {
         Some(Family { domain, functions, analytic, over: Poly::one(), ..family.clone() })
     }
 
-    /// The power series of a numerator or denominator in sums of products of so many sines and cosines of t and of α; each
-    /// coefficient is a polynomial in t.
+    /// The power series in α of a numerator or denominator made of sines and cosines of t and of α; each coefficient is
+    /// a polynomial in t. Each term has `powers[0]` factors that are sines or cosines of t, and `powers[1]` of α.
     fn series(&self, p: &Poly, powers: [u32; 2], last: usize, known: &mut Vec<Rc<Waves>>) -> Series {
         let [of_angle, of_end] = [(self.angle, powers[0]), (self.end, powers[1])]
             .map(|(angle, power)| Waves::known(angle, power, last, known));

@@ -65,7 +65,8 @@ impl Display for SpliceError {
                 f,
                 "gap {:.3e} (wanted {gap:.3e}, worst at {}) and angle {:.3e} rad (wanted {angle:.3e}, \
                  worst at {}) with {spans} \
-                 spans; allow more spans or wider tolerances, or take the exact method, which leaves rounding errors only",
+                 spans; allow more spans or wider tolerances. The exact method leaves nothing but rounding errors, which count \
+                 where the surface it joins has hardly a tangent plane",
                 achieved.gap, achieved.gap_at, achieved.angle, achieved.angle_at
             ),
         }
