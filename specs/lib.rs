@@ -72,6 +72,7 @@ pub const SPECS: &[(&str, &str)] = specs![
     "trigonometric/end_angle"
     "trigonometric/han"
     "trigonometric/kernels"
+    "trigonometric/mixed"
     "trigonometric/shape"
 ];
 

@@ -416,9 +416,9 @@ fn combination(family: &Family, weights: &[Fraction]) -> String {
     {
         let separate = separate(family, weights);
         let angles = |w: &Fraction| family.analytic.angles.iter().any(|a| w.depends_on(a.var));
-        let exponential =
-            |w: &Fraction| family.analytic.exponential.as_ref().is_some_and(|(e, _)| w.depends_on(*e));
-        if weights.iter().any(|w| angles(w) || exponential(w)) {
+        let is_pi = |v: &Var| Some(*v) == family.analytic.pi;
+        let other = |w: &Fraction| numbers.iter().any(|v| !is_pi(v) && w.depends_on(*v));
+        if weights.iter().any(|w| angles(w) || other(w)) {
             return separate;
         }
         let common = over_one_denominator(family, weights);

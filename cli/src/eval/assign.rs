@@ -177,7 +177,7 @@ impl Table<'_> {
         self.rounded[var.0] = rounded;
     }
 
-    /// The values of π and of powers of e.
+    /// The values of π, of powers of e, and of the tangent of a number.
     fn numbers(&mut self) {
         if let Some(var) = self.family.analytic.pi {
             self.set(var, number::pi(), true);
@@ -186,6 +186,11 @@ impl Table<'_> {
             && let Some(power) = number::exp(exponent)
         {
             self.set(*var, power, true);
+        }
+        if let Some((var, angle)) = &self.family.analytic.tangent
+            && let Some((tangent, _)) = Number::rational(angle.clone()).tan()
+        {
+            self.set(*var, tangent, true);
         }
     }
 

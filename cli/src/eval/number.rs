@@ -6,7 +6,7 @@
 use std::fmt;
 
 use basis_engine::algebra::rational::{self, Rational};
-use basis_engine::model::angle::{Angle, Kind};
+use basis_engine::model::angle::{Analytic, Angle, Kind};
 
 /// a + b·π.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,14 +77,25 @@ impl Number {
         Self { rational: at(&low.rational, &high.rational), turns: at(&low.turns, &high.turns) }
     }
 
-    /// The value of the variable that stands for a shape parameter: of an angle its tangent; `None` where it has none.
-    pub(crate) fn of_parameter(&self, angle: Option<&Angle>) -> Option<Rational> {
-        let phase = |angle: &Angle| self.phase(&angle.rate, angle.turns, &angle.shift);
-        match angle.map(|angle| (angle, angle.kind)) {
-            Some((angle, Kind::Circular)) => phase(angle).tan().map(|(value, _)| value),
-            Some((angle, Kind::Hyperbolic)) => phase(angle).tanh().map(|(value, _)| value),
-            Some((_, Kind::Linear)) | None => Some(self.value()),
+    /// The value of the variable that stands for a shape parameter: of an angle its tangent, or the part of the way between the
+    /// tangents at the ends; `None` where it has none.
+    pub(crate) fn of_parameter(&self, angle: Option<&Angle>, analytic: &Analytic) -> Option<Rational> {
+        let Some(angle) = angle else { return Some(self.value()) };
+        let phase = self.phase(&angle.rate, angle.turns, &angle.shift);
+        let (x, _) = match angle.kind {
+            Kind::Circular => phase.tan()?,
+            Kind::Hyperbolic => phase.tanh()?,
+            Kind::Linear => return Some(self.value()),
+        };
+        let [low, width] = [analytic.number(&angle.low)?, analytic.number(&angle.width)?];
+        if low.is_zero() && width.is_one() {
+            return Some(x);
         }
+        // At the ends all of these are rounded.
+        let near = Rational::from(10).pow(18).recip()?;
+        let part = (&x - &low).checked_div(&width)?;
+        let end = [Rational::ZERO, Rational::ONE].into_iter().find(|end| (&part - end).abs() < near);
+        Some(end.unwrap_or(part))
     }
 
     /// This number and k steps.

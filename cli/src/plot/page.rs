@@ -85,8 +85,7 @@ fn piece(family: &Family) -> Option<Value> {
         json!({ "name": a.name, "kind": kind, "rate": rate, "shift": shift, "low": low, "width": width, "var": var, "itself": itself })
     };
     let analytic = &family.analytic;
-    let mut numbers: Vec<(usize, f64)> = analytic.pi.iter().map(|pi| (pi.0, core::f64::consts::PI)).collect();
-    numbers.extend(analytic.exponential.iter().map(|(var, r)| (var.0, r.to_f64().exp())));
+    let numbers: Vec<(usize, f64)> = analytic.floats().iter().map(|(var, x)| (var.0, *x)).collect();
     Some(json!({
         "ranges": ranges,
         "width": variables(family),

@@ -3,7 +3,7 @@
 use basis_engine::algebra::range::{DisplayRange as _, End};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::model::Parameter;
-use basis_engine::model::angle::Angle;
+use basis_engine::model::angle::{Analytic, Angle};
 use basis_engine::{Diagnostic, Family};
 
 use super::failures::Failure;
@@ -104,6 +104,7 @@ struct Own<'f> {
     parameter: &'f Parameter,
     name: &'f str,
     angle: Option<&'f Angle>,
+    analytic: &'f Analytic,
     /// Such as `0 < α < pi`.
     declared: String,
 }
@@ -113,28 +114,36 @@ impl<'f> Own<'f> {
         let parameter = &family.shapes[k];
         if tangent {
             let declared = parameter.range.display(&parameter.name).to_string();
-            return Self { parameter, name: &parameter.name, angle: None, declared };
+            return Self {
+                parameter,
+                name: &parameter.name,
+                angle: None,
+                analytic: &family.analytic,
+                declared,
+            };
         }
         let (name, angle) = (family.name_of(parameter), family.analytic.angle(parameter.var));
-        Self { parameter, name, angle, declared: family.declared(parameter) }
+        Self { parameter, name, angle, analytic: &family.analytic, declared: family.declared(parameter) }
     }
 }
 
 /// The values of one shape parameter; `known` if it has some already.
 fn wanted(own: &Own<'_>, argument: &ShapeArgument, known: bool, errors: &mut Vec<Diagnostic>) -> Vec<Value> {
-    let Own { parameter, name, angle, declared } = own;
+    let Own { parameter, name, angle, analytic, declared } = own;
     let (parameter, angle) = (*parameter, *angle);
     if known {
         errors.push(error(format!("the shape parameter `{name}` is given twice")));
     }
-    let value = |number: &Number| number.of_parameter(angle).filter(|value| parameter.range.contains(value));
+    let value = |number: &Number| {
+        number.of_parameter(angle, analytic).filter(|value| parameter.range.contains(value))
+    };
     let numbers = match &argument.values {
         ShapeValues::One(number) => vec![number.clone()],
         ShapeValues::Between(low, high) => {
             // An end that the range leaves out; one without a tangent is one.
             let left_out = |number: &Number, end: &End| {
                 let at_end = |value: Rational| end.value() == Some(&value) && !end.is_included();
-                number.of_parameter(angle).is_none_or(at_end)
+                number.of_parameter(angle, analytic).is_none_or(at_end)
             };
             steps([low, high], [left_out(low, &parameter.range.low), left_out(high, &parameter.range.high)])
         }

@@ -86,11 +86,8 @@ impl Angles {
         for (shape, value) in family.shapes.iter().zip(shapes) {
             put(&mut all.base, shape.var, value.to_f64());
         }
-        if let Some(pi) = analytic.pi {
-            put(&mut all.base, pi, core::f64::consts::PI);
-        }
-        if let Some((var, exponent)) = &analytic.exponential {
-            put(&mut all.base, *var, exponent.to_f64().exp());
+        for (var, value) in analytic.floats() {
+            put(&mut all.base, var, value);
         }
         for angle in &analytic.angles {
             if family.domain.iter().any(|p| p.var == angle.var) {

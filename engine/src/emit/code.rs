@@ -4,7 +4,7 @@ use super::{DECIDED, Language, Wanted};
 use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostic, Place};
-use crate::generate;
+use crate::generate::{self, rational::split};
 use crate::model::{Family, Parameter, label};
 use crate::plan::Input;
 use crate::rounding::{Error, decimal};
@@ -269,6 +269,14 @@ impl<'a> FamilyCode<'a> {
         }
         let ends = self.family.domain.iter().filter_map(|variable| variable.range.finite());
         ends.map(|(low, high)| (low.clone(), high.clone())).collect()
+    }
+
+    /// Whether the distance to an end of the domain is computed from a number in parts, as no float has it exactly.
+    pub fn has_ends_in_parts(&self) -> bool {
+        let in_parts = |end: &Rational| !split(end, 20).1.is_zero();
+        let numbers = self.ends().into_iter().flat_map(|(low, high)| [low, high]);
+        !self.family.analytic.is_empty()
+            || self.steps.is_quotient() && numbers.into_iter().any(|end| in_parts(&end))
     }
 
     /// The labels of the functions in a sentence: all of a few, the first and the last of many.

@@ -516,7 +516,7 @@ impl Functions<'_> {
             if Shader::divides(&code.steps.values()) {
                 text += "// The functions divide: the bounds assume quotients that are rounded correctly.\n";
             }
-            if !code.family.analytic.is_empty() {
+            if code.has_ends_in_parts() {
                 text += "// Compilers of shaders may reassociate sums: next to an end that is no float, such as pi/2, errors are\n";
                 text += "// small beside 1, not beside the value.\n";
             }

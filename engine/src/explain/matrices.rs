@@ -101,8 +101,7 @@ fn is_plain(family: &Family) -> bool {
     let analytic = &family.analytic;
     let strange =
         |f: &Function| analytic.angles.iter().any(|a| a.itself != a.var && f.value.depends_on(a.itself));
-    analytic.pi.is_none()
-        && analytic.exponential.is_none()
+    analytic.numbers().is_empty()
         && analytic.angles.iter().all(|a| a.kind == Kind::Linear)
         && !family.functions.iter().any(strange)
 }

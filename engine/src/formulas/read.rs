@@ -50,6 +50,7 @@ fn is_plain(family: &Family) -> bool {
     analytic.angles.iter().all(angle)
         && (analytic.is_empty() || family.domain.len() == 1)
         && analytic.exponential.is_none()
+        && analytic.tangent.is_none()
         && family.pieces.is_empty()
 }
 

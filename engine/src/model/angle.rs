@@ -5,8 +5,8 @@
 //!
 //! A domain variable whose ends contain shape parameters or π, and which stands in none of these, is x itself. Where the ends of
 //! its range are no rational numbers in x, a variable y from 0 to 1 takes the place of x,
-//! x = low + width·y. The numbers π and exp(r) are variables as well: they are transcendental, so that an equation holds
-//! if and only if it holds for all values of these variables, as is so for s itself beside x.
+//! x = low + width·y. The numbers π, exp(r) and tan(r) are variables as well: they are transcendental, so that an equation
+//! holds if and only if it holds for all values of these variables, as is so for s itself beside x.
 
 use basis_prover::collections::list::Listed;
 
@@ -158,6 +158,8 @@ pub struct Analytic {
     pub pi: Option<Var>,
     /// The variable that stands for exp(r), and r > 0.
     pub exponential: Option<(Var, Rational)>,
+    /// The variable that stands for tan(r), and 0 < r < π/2.
+    pub tangent: Option<(Var, Rational)>,
     /// Ranges in which the numbers lie, and the variables of the angles themselves.
     pub ranges: Vec<(Var, Range)>,
 }
@@ -196,7 +198,7 @@ impl Analytic {
 
     /// Whether nothing does.
     pub fn is_empty(&self) -> bool {
-        self.angles.is_empty() && self.pi.is_none() && self.exponential.is_none()
+        self.angles.is_empty() && self.numbers().is_empty()
     }
 
     /// The angle of a variable: y, x or s itself.
@@ -204,12 +206,21 @@ impl Analytic {
         self.angles.iter().find(|a| a.var == var || a.itself == var)
     }
 
-    /// The variables that stand for a definite number: π, exp(r).
+    /// The variables that stand for a definite number: π, exp(r), tan(r).
     pub fn numbers(&self) -> Vec<Var> {
-        self.pi.into_iter().chain(self.exponential.as_ref().map(|(var, _)| *var)).listed()
+        let others = [&self.exponential, &self.tangent].into_iter().flatten().map(|(var, _)| *var);
+        self.pi.into_iter().chain(others).listed()
     }
 
-    /// The variables that have one value for those of the others: π, exp(r), and angles beside their sines.
+    /// The same variables, with the values as floats.
+    pub fn floats(&self) -> Vec<(Var, f64)> {
+        let pi = self.pi.map(|var| (var, core::f64::consts::PI));
+        let exponential = self.exponential.as_ref().map(|(var, r)| (*var, r.to_f64().exp()));
+        let tangent = self.tangent.as_ref().map(|(var, r)| (*var, r.to_f64().tan()));
+        pi.into_iter().chain(exponential).chain(tangent).listed()
+    }
+
+    /// The variables that have one value for those of the others: π, exp(r), tan(r), and angles beside their sines.
     pub fn dependent(&self) -> Vec<Var> {
         let angles = self.angles.iter().filter(|a| a.kind != Kind::Linear && a.itself != a.var);
         self.numbers().into_iter().chain(angles.map(|a| a.itself)).listed()
@@ -225,7 +236,7 @@ impl Analytic {
         &digits * &unit
     }
 
-    /// The values of π and exp(r), to more digits than a float has.
+    /// The values of π, exp(r) and tan(r), to more digits than a float has.
     pub fn values(&self) -> Vec<(Var, Rational)> {
         let middle = |var: Var| {
             let (_, range) = self.ranges.iter().find(|(v, _)| *v == var)?;
@@ -233,11 +244,12 @@ impl Analytic {
             Some(&(low + high) * &Rational::new(1, 2))
         };
         let pi = self.pi.map(|var| (var, Self::pi()));
-        let exponential = self.exponential.as_ref().and_then(|(var, _)| Some((*var, middle(*var)?)));
-        pi.into_iter().chain(exponential).listed()
+        let others = [&self.exponential, &self.tangent].into_iter().flatten();
+        let others = others.filter_map(|(var, _)| Some((*var, middle(*var)?)));
+        pi.into_iter().chain(others).listed()
     }
 
-    /// The number that a quotient is once π and exp(r) are replaced by their values; `None` where it is not only of these.
+    /// The number that a quotient is once π, exp(r) and tan(r) are replaced by their values; `None` where it is not only of these.
     pub fn number(&self, f: &Fraction) -> Option<Rational> {
         let put = |f: Fraction, (var, value): (Var, Rational)| f.substitute(var, &Fraction::constant(value));
         self.values().into_iter().try_fold(f.clone(), put)?.as_constant()

@@ -80,16 +80,70 @@ fn quotients(kind: Kind, n: u32) -> [[Vec<Rational>; 2]; 2] {
     }
 }
 
+/// Numbers below and above π, from π = 16 arctan(1/5) − 4 arctan(1/239).
+pub(crate) fn pi_bounds() -> (Rational, Rational) {
+    // The partial sums of an alternating series lie on both sides of its value.
+    let arctan = |n: i64, terms: u32| {
+        let x = Rational::new(1, n);
+        (0..terms).fold(Rational::ZERO, |sum, k| {
+            let term = &x.pow(2 * k + 1) * &Rational::new(1, i64::from(2 * k + 1));
+            if k % 2 == 0 { &sum + &term } else { &sum - &term }
+        })
+    };
+    let bound = |terms: u32| {
+        let (a, b) = (arctan(5, terms), arctan(239, terms + 1));
+        &(&Rational::from(16) * &a) - &(&Rational::from(4) * &b)
+    };
+    (bound(16), bound(15))
+}
+
+/// The bits after the point of bounds of angles.
+const BITS: u32 = 100;
+
 /// Numbers between which arctan z or artanh z lies; `None` where there is no artanh z.
 pub(crate) fn inverse(kind: Kind, z: &Rational, n: u32) -> Option<(Rational, Rational)> {
     let square = z * z;
     if kind == Kind::Hyperbolic && square >= Rational::ONE {
         return None;
     }
-    let value = |c: &[Rational]| c.iter().rev().fold(Rational::ZERO, |sum, c| &(&sum * &square) + c);
-    let [a, b] = quotients(kind, n).map(|[above, below]| (z * &value(&above)).checked_div(&value(&below)));
-    let (a, b) = (a?, b?);
-    Some(if a < b { (a, b) } else { (b, a) })
+    if kind == Kind::Circular && square > Rational::ONE {
+        // arctan z = ±π/2 − arctan 1/z, and the quotients below are good for small numbers.
+        let ((a, b), (low, high)) = (inverse(kind, &z.recip()?, n)?, pi_bounds());
+        let quarter = |pi: &Rational| pi * &Rational::new(1, 2);
+        let (low, high) = (quarter(&low), quarter(&high));
+        return Some(if z.is_negative() { (&-&high - &b, &-&low - &a) } else { (&low - &b, &high - &a) });
+    }
+    let (p, q) = (z.numer(), z.denom());
+    let (p_square, q_square) = (&p * &p, &q * &q);
+    // Σ cᵢ·p²ⁱ·q²⁽ᵐ⁻ⁱ⁾: whole numbers, as common factors of long fractions are not looked for in little time.
+    let value = |c: &[Rational]| {
+        let (mut sum, mut power) = (Rational::ZERO, Rational::ONE);
+        for c in c.iter().rev() {
+            sum = &(&sum * &p_square) + &(c * &power);
+            power = &power * &q_square;
+        }
+        sum
+    };
+    let [a, b] = quotients(kind, n).map(|[above, below]| {
+        let rest =
+            |from: &[Rational], to: &[Rational]| q_square.pow(to.len().saturating_sub(from.len()) as u32);
+        let numerator = &(&p * &value(&above)) * &rest(&above, &below);
+        let denominator = &(&q * &value(&below)) * &rest(&below, &above);
+        around(&numerator, &denominator)
+    });
+    let ((a, above_a), (b, above_b)) = (a?, b?);
+    Some(if a < b { (a, above_b) } else { (b, above_a) })
+}
+
+/// Numbers with [`BITS`] bits after the point below and above the quotient of a whole number and a positive one.
+fn around(numerator: &Rational, denominator: &Rational) -> Option<(Rational, Rational)> {
+    let unit = Rational::from(2).pow(BITS);
+    let (above, below) = ((numerator * &unit).to_whole()?, denominator.to_whole()?);
+    // Cut off towards 0.
+    let part = Rational::ratio(above / below, 1.into());
+    let (low, high) = if numerator.is_negative() { (-1, 0) } else { (0, 1) };
+    let at = |n: i64| (&part + &Rational::from(n)).checked_div(&unit);
+    Some((at(low)?, at(high)?))
 }
 
 /// The multiples Σ cᵢ·p²ⁱ·q²⁽ᵐ⁻ⁱ⁾.
@@ -227,8 +281,12 @@ mod tests {
     #[test]
     fn bounds_are_on_both_sides() {
         for kind in [Kind::Circular, Kind::Hyperbolic] {
-            for (a, b) in [(1, 1000), (1, 3), (-2, 3), (9, 10), (99, 100)] {
+            for (a, b) in [(1, 1000), (1, 3), (-2, 3), (9, 10), (99, 100), (14, 1), (-7, 2)] {
                 let z = Rational::new(a, b);
+                if kind == Kind::Hyperbolic && z.abs() > Rational::ONE {
+                    assert!(inverse(kind, &z, 3).is_none());
+                    continue;
+                }
                 let exact = if kind == Kind::Circular { z.to_f64().atan() } else { z.to_f64().atanh() };
                 let mut before = f64::INFINITY;
                 for n in 1..12 {
@@ -240,7 +298,7 @@ mod tests {
                         "{kind:?} {z} {n}"
                     );
                     let width = (&high - &low).to_f64();
-                    assert!(width < before, "{kind:?} {z} {n}");
+                    assert!(width < before || width < 1e-29, "{kind:?} {z} {n}");
                     before = width;
                 }
             }
@@ -248,10 +306,25 @@ mod tests {
     }
 
     #[test]
+    fn pi_lies_between_its_bounds() {
+        let (low, high) = pi_bounds();
+        assert!(low.to_f64() <= core::f64::consts::PI && core::f64::consts::PI <= high.to_f64());
+        assert!(low < high && &high - &low < Rational::from(10).pow(18).recip().unwrap());
+    }
+
+    #[test]
     fn the_first_bounds() {
         let third = Rational::new(1, 3);
         // x/(1 + x²/3) and x; x and x/(1 − x²).
-        assert_eq!(inverse(Kind::Circular, &third, 1), Some((Rational::new(9, 28), third.clone())));
-        assert_eq!(inverse(Kind::Hyperbolic, &third, 1), Some((third, Rational::new(3, 8))));
+        let unit = Rational::from(2).pow(BITS).recip().expect("not zero");
+        for (kind, low, high) in [
+            (Kind::Circular, Rational::new(9, 28), third.clone()),
+            (Kind::Hyperbolic, third.clone(), Rational::new(3, 8)),
+        ] {
+            let (a, b) = inverse(kind, &third, 1).expect("bounds");
+            assert!(a <= low && &low - &a <= unit && high <= b && &b - &high <= unit);
+            let (c, d) = inverse(kind, &-&third, 1).expect("bounds");
+            assert!(c <= -&high && -&low <= d && &d - &c <= &(&b - &a) + &unit);
+        }
     }
 }

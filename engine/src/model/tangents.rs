@@ -1,8 +1,9 @@
-//! Shape parameters in exp, sinh or cosh whose ranges end in numbers, in terms of their own tangents.
+//! Shape parameters in sin, cos, exp, sinh or cosh whose ranges end in numbers, in terms of their own tangents.
 //!
-//! Claims about such a parameter α are decided in y = (tanh(v·α) − low)/width, which goes from 0 to 1 on its range. Evaluators
-//! compute tanh(v·α), and 1 − tanh(v·α) without a difference, so that these are what formulas should be in. Proofs are shorter
-//! in it as well: exp(r), of which the end of the range is made, does not occur then.
+//! Claims about such a parameter α are decided in y = (tanh(v·α) − low)/width, with tan in place of tanh in sin and cos, which
+//! goes from 0 to 1 on its range. Evaluators compute tanh(v·α), and 1 − tanh(v·α) without a difference, so that these are what
+//! formulas should be in. Proofs are shorter in it as well: exp(r) or tan(r), of which the end of the range is made, does not
+//! occur then.
 
 use std::borrow::Cow;
 use std::rc::Rc;
@@ -15,21 +16,19 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
+use crate::algebra::real::simplest::simplest_within;
 use crate::algebra::work::Work;
 
 /// The work for one family.
 const WORK: u64 = 50_000_000;
 
 /// The family with the tangents of its shape parameters as variables wherever they were measured from the low end of a
-/// range; `None` where the work is spent, or a parameter in sin or cos is measured so.
+/// range; `None` where the work is spent.
 pub(crate) fn in_tangents(family: &Family) -> Option<Cow<'_, Family>> {
     let work = &mut Work::new(WORK);
     let mut result = Cow::Borrowed(family);
     for p in &family.shapes {
         let Some(angle) = family.analytic.angle(p.var).filter(|a| is_measured(a)) else { continue };
-        if angle.kind != Kind::Hyperbolic {
-            return None;
-        }
         let y = (&Fraction::var(p.var) - &angle.low).checked_div(&angle.width)?;
         result = Cow::Owned(replaced(&result, p.var, &y, work)?);
     }
@@ -70,6 +69,26 @@ fn is_measured(angle: &Angle) -> bool {
     !angle.low.is_zero() || angle.width.as_constant() != Some(Rational::ONE)
 }
 
+/// Numbers beyond the tangents at the ends of a range, or 0 where an end is 0.
+fn beyond(family: &Family, angle: &Angle) -> Option<[Rational; 2]> {
+    let ends = [angle.low.clone(), &angle.low + &angle.width];
+    let mut found = [-Rational::ONE, Rational::ONE];
+    for ((tangent, beyond), up) in ends.iter().zip(&mut found).zip([false, true]) {
+        let x = family.analytic.number(tangent);
+        if angle.kind == Kind::Hyperbolic {
+            if x.is_some_and(|x| x.is_zero()) {
+                *beyond = Rational::ZERO;
+            }
+            continue;
+        }
+        let x = x?;
+        let (near, far) = if x.is_negative() == up { (63, 62) } else { (65, 66) };
+        let [near, far] = [near, far].map(|n| &x * &Rational::new(n, 64));
+        *beyond = if near < far { simplest_within(&near, &far) } else { simplest_within(&far, &near) };
+    }
+    Some(found)
+}
+
 /// The family with the tangent x for y, where y is `value` in terms of x; both are called `var`.
 fn replaced(family: &Family, var: Var, value: &Fraction, work: &mut Work) -> Option<Family> {
     let mut put = |f: &Fraction| f.substitute_within(var, value, work).ok()?;
@@ -79,10 +98,10 @@ fn replaced(family: &Family, var: Var, value: &Fraction, work: &mut Work) -> Opt
         functions.push(Function { value: put(&f.value)?, ..f.clone() });
     }
     let mut analytic = family.analytic.clone();
-    let mut is_from_zero = false;
+    let mut tangents = [-Rational::ONE, Rational::ONE];
     for angle in &mut analytic.angles {
         if angle.var == var {
-            is_from_zero = angle.low.is_zero();
+            tangents = beyond(family, angle)?;
             (angle.low, angle.width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
         } else {
             (angle.low, angle.width) = (put(&angle.low)?, put(&angle.width)?);
@@ -100,8 +119,8 @@ fn replaced(family: &Family, var: Var, value: &Fraction, work: &mut Work) -> Opt
     let mut shapes = family.shapes.clone();
     for p in shapes.iter_mut().filter(|p| p.var == var) {
         let end = |own: &End, x| if own.is_included() { End::Included(x) } else { End::Excluded(x) };
-        let low = if is_from_zero { Rational::ZERO } else { -Rational::ONE };
-        p.range = Range { low: end(&p.range.low, low), high: end(&p.range.high, Rational::ONE) };
+        let [low, high] = tangents.clone();
+        p.range = Range { low: end(&p.range.low, low), high: end(&p.range.high, high) };
     }
     let pieces = family.pieces.iter().map(|piece| Some(Rc::new(replaced(piece, var, value, work)?)));
     let pieces = pieces.collect::<Option<Vec<_>>>()?.into_iter().listed();

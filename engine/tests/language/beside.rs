@@ -328,3 +328,86 @@ fn ranges_of_exponents_end_at_numbers() {
     assert_eq!(found[1], "-1359/500 + exp(1) at α = 1, t = 1");
     assert_eq!(found.len(), 2, "{found:?}");
 }
+
+/// Values of sin 3, cos 3 and cos 1.5 are those of mpmath: 0.14112…, −0.98999…, 0.07073….
+#[test]
+fn ranges_of_angles_end_at_numbers() {
+    let found = counterexamples(
+        "family Arc {
+            shape 1 <= α <= 3;
+            domain 0 <= t <= α;
+            b[0] = sin(α - t)/sin(α);
+            b[1] = sin(t)/sin(α);
+            prove nonnegative;
+            prove independent;
+            prove symmetric;
+            prove 1 <= α <= 3;
+            refute α < 3;
+            prove t <= 3;
+            refute t < 3;
+            refute t <= 29/10;
+            prove α + t <= 6;
+            prove sin(α) >= 7/50;
+            refute sin(α) >= 1/7;
+            prove cos(α) >= -99/100;
+            refute cos(α) >= -98/100;
+            prove at t = 0 { D(b) = [-cos(α)/sin(α), 1/sin(α)]; }
+            prove at α = 3 { b[1] <= 10; }
+            prove at α = 2 { b[1] <= 10; }
+            prove at α = pi/2 { b = [cos(t), sin(t)]; }
+        }
+        family Beside {
+            shape 0 < α <= 3, 0 <= β <= 3/2;
+            domain 0 <= t <= α;
+            b[0] = (α - t - sin(α - t))/(α - sin(α));
+            b[1] = 1 - b[0];
+            prove nonnegative;
+            prove at t = 0 { D(b[0]) = -(1 - cos(α))/(α - sin(α)); }
+            prove cos(β) >= 7/100;
+            refute cos(β) >= 71/1000;
+            refute b[0] <= 1/2;
+        }
+        family Turned {
+            shape 1 <= α < pi;
+            domain -α <= t <= α;
+            b[0] = cos(t) - cos(α);
+            prove nonnegative;
+            prove cos(α) <= 541/1000;
+            refute cos(α) <= 540/1000;
+        }",
+    );
+    assert_eq!(
+        found,
+        [
+            "0 at α = 3, t = 0",
+            "0 at α = 3, tan(t/2)/tan(α/2) = 1",
+            "1/10 at α = 3, tan(t/2)/tan(α/2) = 1",
+            "about -0.001737 at α = 3, t = 0",
+            "about -0.009992 at α = 3, t = 0",
+            "about -2.628e-4 at tan(α/2)/tan(3/2) = 7/8, β = 3/2, t = 0",
+            "1/2 at tan(α/2)/tan(3/2) = 1/8, β = 0, t = 0",
+            "about 3.023e-4 at α = 1, (tan(t/2) - tan(-α/2))/(tan(α/2) - tan(-α/2)) = 0"
+        ]
+    );
+}
+
+#[test]
+fn what_is_no_end_of_an_angle() {
+    for (range, said) in [
+        (
+            "0 < α < 7/2",
+            "the end 7/2 of the angle `α` is not a multiple of pi up to pi, nor a number below it",
+        ),
+        (
+            "0 < α < pi - 1",
+            "the end pi - 1 of the angle `α` is not a multiple of pi up to pi, nor a number below it",
+        ),
+        ("pi/2 <= α <= 3/2", "the range of `α` is empty"),
+        ("2 < α < 1", "the range of `α` is empty"),
+    ] {
+        let spec = format!("family F {{ shape {range}; domain 0 <= t <= α; b[0] = sin(t)/sin(α); }}");
+        let report = check(Source::text("ends.basis", &*spec));
+        let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
+        assert_eq!(messages, [said], "{range}");
+    }
+}

@@ -106,8 +106,7 @@ fn span(family: &Family) -> Option<Value> {
         json!({ "above": sum(f.numer()), "below": below })
     };
     let analytic = &family.analytic;
-    let mut numbers: Vec<(usize, f64)> = analytic.pi.iter().map(|pi| (pi.0, core::f64::consts::PI)).collect();
-    numbers.extend(analytic.exponential.iter().map(|(var, r)| (var.0, r.to_f64().exp())));
+    let numbers: Vec<(usize, f64)> = analytic.floats().iter().map(|(var, x)| (var.0, *x)).collect();
     Some(json!({
         "ranges": ranges?,
         "width": variables(family),

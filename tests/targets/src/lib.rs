@@ -131,6 +131,7 @@ fn all_cases() -> Vec<Case> {
         own("Beside", &[0.5]),
         own("Bounded", &[2.5]),
         own("Tension", &[0.75]),
+        own("Arc", &[2.875]),
         of("trigonometric/han", "QuadraticTrigonometric", &[], &[0.5]),
     ]
 }

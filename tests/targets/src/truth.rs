@@ -72,6 +72,10 @@ fn variables(family: &Family, shapes: &[Rational], at: &At) -> Vec<(Var, Rationa
     let analytic = &family.analytic;
     let mut known: Vec<(Var, Rational)> = analytic.pi.into_iter().map(|var| (var, Analytic::pi())).collect();
     known.extend(analytic.exponential.as_ref().map(|(var, exponent)| (*var, exp(exponent))));
+    known.extend(analytic.tangent.as_ref().map(|(var, angle)| {
+        let (sin, cos) = sin_cos(angle);
+        (*var, rounded(&(&sin / &cos)))
+    }));
     let all = family.shapes.iter().zip(shapes).map(|(p, value)| (p.var, value.clone()));
     for (var, value) in all {
         add(analytic, var, &value, &mut known);

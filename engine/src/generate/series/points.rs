@@ -63,6 +63,9 @@ impl Numbers {
         if let Some((var, r)) = &analytic.exponential {
             values.push((*var, exp(r)?));
         }
+        if let Some((var, r)) = &analytic.tangent {
+            values.push((*var, tangent(Kind::Circular, r)?));
+        }
         Some(Self { values })
     }
 

@@ -5,12 +5,13 @@
 
 use proc_macro2::Span;
 
-use super::angles::{is_alone, pi_bounds};
+use super::angles::is_alone;
 use super::names;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Angle, Given, Kind};
+use crate::model::enclosure::pi_bounds;
 use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Inside, Scope};

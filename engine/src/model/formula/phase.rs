@@ -8,7 +8,7 @@ use proc_macro2::Span;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::angle::{Angle, Kind, multiple_of_pi, times};
+use crate::model::angle::{Analytic, Angle, Kind, multiple_of_pi, times};
 use crate::model::scope::{Argument, Scope};
 use crate::model::words::CIRCULAR;
 use crate::syntax::Expr;
@@ -26,6 +26,11 @@ pub(crate) struct Linear {
 }
 
 impl Linear {
+    /// The number, π rounded, without the variables.
+    pub(crate) fn about(&self) -> Rational {
+        &self.number + &(&self.pi * &Analytic::pi())
+    }
+
     /// The sum that a function is; `None` for any other function.
     pub(crate) fn of(f: &Fraction, pi: Option<Var>) -> Option<Self> {
         let mut linear = Self { parts: Vec::new(), pi: Rational::ZERO, number: Rational::ZERO };
@@ -171,7 +176,13 @@ impl Scope<'_> {
         }
         if kind == Kind::Circular {
             let quarters = (&pi * &Rational::from(4)).to_i64();
-            let Some(quarters) = quarters.filter(|_| number.is_zero()) else {
+            let multiple = match &self.analytic.tangent {
+                _ if number.is_zero() => Some(0),
+                Some((_, unit)) => number.checked_div(unit).and_then(|n| n.to_i64()),
+                None => None,
+            };
+            let multiple = multiple.filter(|n| n.abs() <= MAX_MULTIPLE);
+            let (Some(quarters), Some(multiple)) = (quarters, multiple) else {
                 let what = if number.is_zero() {
                     multiple_of_pi(&(&pi + &pi))
                 } else {
@@ -184,6 +195,12 @@ impl Scope<'_> {
             };
             if phase.turned(self, (&one, &one), quarters.rem_euclid(8), span).is_none() {
                 return Ok(None);
+            }
+            if let (Some((var, _)), 1..) = (&self.analytic.tangent, multiple.abs()) {
+                let tangent = Fraction::var(*var);
+                if phase.turned(self, (&one, &tangent), multiple, span).is_none() {
+                    return Ok(None);
+                }
             }
             return Ok(Some(phase));
         }

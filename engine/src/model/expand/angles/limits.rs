@@ -6,6 +6,7 @@ use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind, multiple_of_pi};
+use crate::model::enclosure::pi_bounds;
 use crate::model::formula::phase::Linear;
 use crate::model::formula::print::Printer;
 use crate::model::scope::Scope;
@@ -137,18 +138,18 @@ pub(super) fn stays_finite(scope: &Scope<'_>, rate: &Rational, end: &Bound, know
                 .any(|end| matches!(end, End::Included(x) if !x.is_zero()))
         });
     }
-    // In units of π; where an end of a range is no multiple of it, nothing is known.
+    // In units of π.
     let Some(pi) = scope.analytic.pi else { return false };
     let mut sum = value.pi.abs();
     for (var, factor, _) in &value.parts {
         let Some(angle) = scope.analytic.angles.iter().find(|a| a.itself == *var) else { return false };
         let mut largest = Rational::ZERO;
         for limit in &angle.limits {
-            let Some(multiple) = limit.derivative(pi).as_constant() else { return false };
-            if *limit != &Fraction::var(pi) * &Fraction::constant(multiple.clone()) {
+            let Some(limit) = Linear::of(limit, Some(pi)).filter(|limit| limit.parts.is_empty()) else {
                 return false;
-            }
-            largest = largest.max(multiple.abs());
+            };
+            let number = limit.number.abs().checked_div(&pi_bounds().0).unwrap_or(Rational::ZERO);
+            largest = largest.max(&limit.pi.abs() + &number);
         }
         sum += &(&largest * &factor.abs());
     }
@@ -165,6 +166,7 @@ pub(super) fn of_end(angle: &Angle, end: &Bound) -> String {
         Kind::Circular if alone && number.is_zero() => {
             format!("tan({})", multiple_of_pi(&(pi * &angle.rate)))
         }
+        Kind::Circular if alone && pi.is_zero() => format!("tan({})", number * &angle.rate),
         _ => {
             let sum = end.text.contains(' ');
             let name = if sum { format!("({})", end.text) } else { end.text.clone() };

@@ -12,7 +12,6 @@ mod tangent;
 use proc_macro2::Span;
 
 use super::domain::{self, Domain, variable};
-pub(super) use numbers::pi_bounds;
 pub(super) use survey::occur;
 
 use super::shapes::Shapes;
@@ -30,7 +29,7 @@ use crate::syntax::{self, Expr, ExprKind, RangeDecl, StatementKind};
 use basis_kernel::Relation;
 use basis_prover::collections::list::{Listed, Mapped};
 use limits::{Bound, Limits, Place, limits, sum_of};
-use numbers::{exponential, ranges};
+use numbers::{exponential, ranges, tangent};
 use survey::{Use, survey};
 use tangent::{angle, linear};
 
@@ -137,6 +136,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         return None;
     }
     exponential(scope, &uses, &all, &limits);
+    tangent(scope, &all[..shape_count], &limits);
     let mut parameters = Vec::new();
     let mut ends: Vec<Constraint> = Vec::new();
     let mut constraints: Vec<Constraint> = Vec::new();

@@ -1,12 +1,16 @@
-//! π and exp(r), as variables between bounds.
+//! π, exp(r) and tan(r), as variables between bounds.
 
 use super::limits::Limits;
+use super::rate::between_numbers;
 use super::survey::{Use, Uses};
 use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range};
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
+use crate::model::enclosure::pi_bounds;
 use crate::model::scope::Scope;
+use basis_prover::collections::list::Listed;
+
 /// The number exp(r) in which all others are powers.
 pub(super) fn exponential(scope: &mut Scope<'_>, uses: &Uses, all: &[Option<Use>], limits: &[Limits]) {
     let mut unit = Rational::ZERO;
@@ -25,7 +29,23 @@ pub(super) fn exponential(scope: &mut Scope<'_>, uses: &Uses, all: &[Option<Use>
     }
 }
 
-/// Limits of π and exp(r).
+/// The number tan(r) of which the tangents at the ends of all ranges are made that end in numbers.
+pub(super) fn tangent(scope: &mut Scope<'_>, all: &[Option<Use>], limits: &[Limits]) {
+    let mut unit = Rational::ZERO;
+    for (of, ends) in all.iter().zip(limits) {
+        let Some(of) = of.as_ref().filter(|of| of.kind == Kind::Circular) else { continue };
+        let Some(rate) = between_numbers(&of.unit, &ends.iter().flatten().listed()) else { continue };
+        for end in ends.iter().flatten() {
+            unit = unit.gcd(&(&end.value.number * &rate));
+        }
+    }
+    if !unit.is_zero() {
+        scope.analytic.tangent = Some((Var(scope.names.len()), unit.clone()));
+        scope.names.push(format!("tan({unit})"));
+    }
+}
+
+/// Limits of π, exp(r) and tan(r).
 pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
     let open =
         |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };
@@ -38,24 +58,12 @@ pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
     {
         all.push((*var, open(bounds)));
     }
+    if let Some((var, angle)) = &scope.analytic.tangent
+        && let Some(bounds) = tangent_bounds(angle)
+    {
+        all.push((*var, open(bounds)));
+    }
     all
-}
-
-/// Numbers below and above π, from π = 16 arctan(1/5) − 4 arctan(1/239).
-pub(in crate::model::expand) fn pi_bounds() -> (Rational, Rational) {
-    // The partial sums of an alternating series lie on both sides of its value.
-    let arctan = |n: i64, terms: u32| {
-        let x = Rational::new(1, n);
-        (0..terms).fold(Rational::ZERO, |sum, k| {
-            let term = &x.pow(2 * k + 1) * &Rational::new(1, i64::from(2 * k + 1));
-            if k % 2 == 0 { &sum + &term } else { &sum - &term }
-        })
-    };
-    let bound = |terms: u32| {
-        let (a, b) = (arctan(5, terms), arctan(239, terms + 1));
-        &(&Rational::from(16) * &a) - &(&Rational::from(4) * &b)
-    };
-    (bound(16), bound(15))
 }
 
 /// Numbers below and above exp(r), r > 0, from the series of exp(r/2^k), r/2^k ≤ 1/2; `None` for large r.
@@ -82,6 +90,28 @@ pub(super) fn exponential_bounds(r: &Rational) -> Option<(Rational, Rational)> {
     )
 }
 
+/// Numbers below and above tan(r), 0 < r < π/2, from the series of sin r and cos r; `None` where cos r is nearly 0.
+fn tangent_bounds(r: &Rational) -> Option<(Rational, Rational)> {
+    const TERMS: i64 = 16;
+    let square = r * r;
+    // The terms become smaller from the second one on, with alternating signs: two partial sums lie on both sides.
+    let sums = |first: Rational, from: i64| {
+        let (mut term, mut before, mut sum) = (first.clone(), Rational::ZERO, first);
+        for k in 0..TERMS {
+            let n = from + 2 * k;
+            term = -&(&(&term * &square) * &Rational::new(1, (n + 1) * (n + 2)));
+            before = sum.clone();
+            sum += &term;
+        }
+        if before < sum { (before, sum) } else { (sum, before) }
+    };
+    let (sin, cos) = (sums(r.clone(), 1), sums(Rational::ONE, 0));
+    if !cos.0.is_positive() {
+        return None;
+    }
+    Some((rounded(&sin.0.checked_div(&cos.1)?, false), rounded(&sin.1.checked_div(&cos.0)?, true)))
+}
+
 /// A number with 80 binary digits after the point, not above or not below another one.
 pub(super) fn rounded(x: &Rational, up: bool) -> Rational {
     let unit = Rational::from(2).pow(80);
@@ -96,14 +126,18 @@ mod tests {
 
     #[test]
     fn numbers_lie_between_their_bounds() {
-        let (low, high) = pi_bounds();
-        assert!(low.to_f64() <= core::f64::consts::PI && core::f64::consts::PI <= high.to_f64());
-        assert!(low < high && &high - &low < Rational::from(10).pow(18).recip().unwrap());
         for r in [Rational::new(1, 7), Rational::ONE, Rational::from(3), Rational::from(20)] {
             let (low, high) = exponential_bounds(&r).expect("not too large");
             let x = r.to_f64().exp();
             assert!(low.to_f64() <= x * (1.0 + 1e-14) && x * (1.0 - 1e-14) <= high.to_f64(), "{r}");
             assert!((&high - &low).to_f64() < 1e-9 * x, "{r}");
         }
+        for r in [Rational::new(1, 100), Rational::new(1, 2), Rational::ONE, Rational::new(157, 100)] {
+            let (low, high) = tangent_bounds(&r).expect("below a quarter turn");
+            let x = r.to_f64().tan();
+            assert!(low < high && (&high - &low).to_f64() < 1e-18 * x, "{r}");
+            assert!(low.to_f64() <= x * (1.0 + 1e-12) && x * (1.0 - 1e-12) <= high.to_f64(), "{r}");
+        }
+        assert!(tangent_bounds(&Rational::new(355, 226)).is_none());
     }
 }

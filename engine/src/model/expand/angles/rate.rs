@@ -6,7 +6,8 @@ use super::edges::{Edge, edge};
 use super::limits::{Bound, Tangent, psi, stays_finite};
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::angle::multiple_of_pi;
+use crate::model::angle::{Kind, multiple_of_pi};
+use crate::model::enclosure::pi_bounds;
 use crate::model::scope::Scope;
 use basis_prover::collections::list::{Listed, Mapped};
 
@@ -35,7 +36,10 @@ impl Declared<'_> {
             return Some(Rate::without_edges(self.rate_of_parameters(scope)?, Rational::ZERO));
         }
         self.has_proper_ends(scope)?;
-        if let Some(found) = self.rate_with_rational_ends().or_else(|| self.rate_with_edges()) {
+        let numbers = || self.rate_between_numbers();
+        if let Some(found) =
+            self.rate_with_rational_ends().or_else(numbers).or_else(|| self.rate_with_edges())
+        {
             return Some(found);
         }
         let texts: Vec<&str> = self.ends.mapped(|l| l.text.as_str());
@@ -56,10 +60,12 @@ impl Declared<'_> {
             return Some(());
         }
         let is_domain = self.at.is_domain;
-        let is_proper = |l: &&Bound| {
-            l.value.number.is_zero()
-                && l.value.pi.abs() <= Rational::ONE
-                && (!is_domain || (&l.value.pi + &l.value.pi).is_integer())
+        let is_proper = |l: &&Bound| match (l.value.number.is_zero(), l.value.pi.is_zero()) {
+            (true, _) => {
+                l.value.pi.abs() <= Rational::ONE && (!is_domain || (&l.value.pi + &l.value.pi).is_integer())
+            }
+            (false, true) => !is_domain && l.value.number.abs() < pi_bounds().0,
+            (false, false) => false,
         };
         let Some(end) = self.ends.iter().find(|l| !is_proper(l)) else { return Some(()) };
         let (what, help) = if is_domain {
@@ -68,7 +74,10 @@ impl Declared<'_> {
                 "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter: `shape 0 < α < pi; domain 0 <= θ <= α;`",
             )
         } else {
-            ("pi", "ends of an angle are 0 and rational multiples of `pi` up to `pi`: `shape 0 < α < pi;`")
+            (
+                "pi up to pi, nor a number below it",
+                "ends of an angle are numbers from -3.14 to 3.14, and rational multiples of `pi` up to `pi`: `shape 0 < α < pi;`",
+            )
         };
         let message =
             format!("the end {} of the angle `{}` is not a multiple of {what}", end.text, self.name());
@@ -96,6 +105,14 @@ impl Declared<'_> {
             }
         }
         None
+    }
+
+    /// The rate of a shape parameter whose range ends in numbers.
+    fn rate_between_numbers(&self) -> Option<Rate> {
+        if !self.is_circular() || self.at.is_domain || self.of.turns {
+            return None;
+        }
+        Some(Rate::without_edges(between_numbers(&self.of.unit, &self.ends)?, Rational::ZERO))
     }
 
     /// The largest rate of a shape parameter with which the tangent is finite, with edges at irrational ends.
@@ -162,6 +179,23 @@ impl Declared<'_> {
         }
         Some(rate)
     }
+}
+
+/// Of an angle whose range ends in numbers the largest rate with which the tangent is finite at the ends, and rational at
+/// those that are multiples of π; `None` of any other angle.
+pub(super) fn between_numbers(unit: &Rational, ends: &[&Bound]) -> Option<Rational> {
+    if ends.iter().all(|l| l.value.number.is_zero()) {
+        return None;
+    }
+    let (pi, _) = pi_bounds();
+    let fits = |rate: &Rational, l: &Bound| match (l.value.number.is_zero(), l.value.pi.is_zero()) {
+        (true, _) => {
+            let tangent = Tangent::of(Kind::Circular, rate, false, &Rational::ZERO, &l.value);
+            matches!(tangent, Tangent::Exact(_))
+        }
+        (false, pi_is_zero) => pi_is_zero && &(&l.value.number.abs() * rate) * &Rational::from(2) < pi,
+    };
+    candidates(unit).into_iter().find(|rate| ends.iter().all(|l| fits(rate, l)))
 }
 
 /// Angles in the domain from which others can be measured: sin and cos of all multiples of them are 0, 1 or −1. First 0.

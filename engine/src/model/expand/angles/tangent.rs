@@ -96,7 +96,7 @@ pub(super) fn angle(
     let mut new = declared.angle(scope, rate, shift);
     scope.names[at.slot.0] = new.tangent_name();
     let exact = !declared.is_parametric()
-        && (declared.is_circular() || declared.ends.iter().all(|l| l.value.number.is_zero()));
+        && declared.ends.iter().all(|l| l.value.number.is_zero() || of.turns && declared.is_circular());
     let range = if exact {
         declared.between_numbers(&new, &edges)
     } else {
@@ -191,7 +191,7 @@ impl Declared<'_> {
             return self.wrong(scope, message, help);
         }
         match self.ends[..] {
-            [low, high] if low.value.number > high.value.number => {
+            [low, high] if low.value.about() > high.value.about() => {
                 self.wrong(scope, format!("the range of `{name}` is empty"), "write the smaller end first")
             }
             _ => Some(()),

@@ -138,8 +138,13 @@ pub(super) fn steps(
         Some(angle) => (value.substitute(angle.itself, &along(angle, range)?)?, None),
         None => (value, own),
     };
+    let value = parameters_alone(family, value)?;
     let whole = Step::new(of.clone(), value.clone(), relation);
     let way = WAYS.get(way)?;
+    if beside(family, &value).is_empty() {
+        // By the ways that are tried first, with and without ends of ranges.
+        return matches!(way, Way::Wider | Way::Ladder(_)).then(|| vec![whole]);
+    }
     if *way == Way::Wider {
         return in_wider_ranges(family, &whole, work);
     }
@@ -238,10 +243,31 @@ fn cells(angle: &Angle, range: &Range, sample: &Sample<'_>, whole: &Step) -> Opt
 /// occur, runs through its range.
 fn along(angle: &Angle, range: &Range) -> Option<Fraction> {
     let [first, last] = &angle.limits;
-    let (low, high) = range.finite()?;
-    let part = &Fraction::var(angle.var) - &Fraction::constant(low.clone());
-    let part = &part * &Fraction::constant((high - low).recip()?);
+    let low = range.low.value()?;
+    let rise = &Fraction::var(angle.var) - &Fraction::constant(low.clone());
+    let part = match range.high.value() {
+        Some(high) => &rise * &Fraction::constant((high - low).recip()?),
+        None => rise.checked_div(&(&rise + &Fraction::constant(Rational::ONE)))?,
+    };
     Some(first + &(&(last - first) * &part))
+}
+
+/// A value with such functions in place of shape parameters that stand in it, and not in sines or exponentials. Those with
+/// a range that depends on others, or that a condition restricts, stay.
+fn parameters_alone(family: &Family, value: Fraction) -> Option<Fraction> {
+    let mut value = value;
+    for p in &family.shapes {
+        let angle = family.analytic.angle(p.var).filter(|a| value.depends_on(a.itself));
+        let Some(angle) = angle.filter(|a| a.itself != a.var && !value.depends_on(a.var)) else { continue };
+        let is_free = family.constraints.iter().all(|c| !c.value.depends_on(angle.var));
+        if is_free
+            && angle.ends.iter().all(|end| !end.is_empty())
+            && let Some(own) = along(angle, &p.range)
+        {
+            value = value.substitute(angle.itself, &own)?;
+        }
+    }
+    Some(value)
 }
 
 /// Where 0 lies strictly inside of the range of an angle: the value of its variable there.
@@ -254,10 +280,12 @@ fn zero(angle: &Angle, sample: &Sample<'_>, work: &mut Work) -> Option<Fraction>
 }
 
 /// The same step, about the tangent itself in place of the variable that runs between the ends of its range, if these contain
-/// exp(r) and the step does not: about a little more than this range.
+/// exp(r) or tan(r) and the step does not: about a little more than this range.
 fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, Angle)> {
-    let (number, _) = family.analytic.exponential.as_ref()?;
-    if step.ranges.iter().any(|(v, _)| *v == angle.var) || !angle.tangent().depends_on(*number) {
+    let (exponential, tangent) = (&family.analytic.exponential, &family.analytic.tangent);
+    let mut numbers = [exponential, tangent].into_iter().flatten();
+    let (number, _) = numbers.find(|(number, _)| angle.tangent().depends_on(*number))?;
+    if step.ranges.iter().any(|(v, _)| *v == angle.var) {
         return None;
     }
     let own = (&Fraction::var(angle.var) - &angle.low).checked_div(&angle.width)?;
@@ -366,7 +394,7 @@ pub(super) fn refute(
 ) -> Option<(Counterexample, Proof)> {
     let sample = Sample::new(family, work)?;
     let points = sample.lowest(value, work)?;
-    points.into_iter().take(8).find_map(|point| sample::refuted_at(family, statement, &point, work))
+    points.into_iter().take(16).find_map(|point| sample::refuted_at(family, statement, &point, work))
 }
 
 /// The coordinates of a point that are no angles themselves, and no numbers such as π.

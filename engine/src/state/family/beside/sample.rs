@@ -124,7 +124,7 @@ pub(in crate::state::family) fn genuine(family: &Family, found: Counterexample) 
     let differs = |point: &Values| {
         let exact = exact(family, &super::rational_part(family, point));
         let value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
-        let value = exact.iter().try_fold(value, |value, (var, x)| put(&value, *var, x))?;
+        let value = exact.iter().rev().try_fold(value, |value, (var, x)| put(&value, *var, x))?;
         (!value.is_zero()).then_some(exact)
     };
     let elsewhere = angles.iter().flat_map(|angle| {
@@ -327,7 +327,7 @@ impl<'f> Sample<'f> {
     pub(super) fn signs(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Vec<i32>>> {
         self.look_at(f, work)?;
         let sign = |(point, found): &(Values, Enclosures)| {
-            let f = found.exact.iter().try_fold(f.clone(), |f, (var, x)| {
+            let f = found.exact.iter().rev().try_fold(f.clone(), |f, (var, x)| {
                 if f.depends_on(*var) { put(&f, *var, x) } else { Some(f) }
             })?;
             let (low, high) = between(&f, point, &found.between)?;
@@ -400,6 +400,8 @@ impl<'f> Sample<'f> {
                 }
             }
             let Some((mut least, mut point)) = best else { continue };
+            // What seems to be lower next to an end may be so by the width of its enclosure only.
+            all.push((least.clone(), point.clone()));
             let Some(range) = self.family.domain.first().map(|p| &p.range) else { continue };
             let Some((low, high)) = range.finite() else { continue };
             let mut step = &(high - low) * &Rational::new(1, 2 * PLACES);
@@ -418,7 +420,9 @@ impl<'f> Sample<'f> {
                 }
                 step = &step * &Rational::new(1, 2);
             }
-            all.push((least, point));
+            if all.last().is_some_and(|(_, known)| *known != point) {
+                all.push((least, point));
+            }
         }
         sort_by(&mut all, |a, b| a.0.cmp(&b.0));
         Some(all.into_iter().map(|(_, point)| point).listed())
@@ -451,7 +455,8 @@ pub(in crate::state::family) fn at_point(
     let Statement::Sign { value, relation, domain } = statement else { return None };
     let found = enclosures(family, point)?;
     let mut value = Fraction::new(value.numerator.clone(), value.denominator.clone())?;
-    for (var, x) in &found.exact {
+    // The end of the domain may be a parameter at the end of its own range.
+    for (var, x) in found.exact.iter().rev() {
         value = put(&value, *var, x)?;
     }
     let mut ranges = Vec::new();
