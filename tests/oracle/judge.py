@@ -281,6 +281,10 @@ def arcs(r, own):
         turns = own.knots[-1]
         highs = [h for h in ['pi', '2*pi/3', 'pi/2', '2*pi/5', 'pi/3', 'pi/4', 'pi/6', 'pi/12'] if ENDS[h]() * to_float(turns) < 3.1415926536]
         own.shapes['a'] = Range('0', r.choice(highs), False, False)
+        if r.random() < 0.3:
+            high = Fraction(r.randint(1, 12), 4) / turns
+            own.shapes['a'] = Range(Fraction(r.choice([0, 0, 1]), 2 * turns) if high * turns > 1 else Fraction(0), high,
+                                    False, r.random() < 0.5)
         s, c = Call('sin', t), Call('cos', t)
         parts = [s, c, Call('sin', Name('a')) * c, formula(1) - c, formula(1)]
         bumps = [lambda x: Call('sin', x), lambda x: formula(1) - Call('cos', x),
@@ -293,6 +297,116 @@ def arcs(r, own):
             step = r.choice([formula(0), formula(0), formula(Fraction(1, 3)), *[bump(x) for bump in bumps]])
             pieces.append(pieces[-1] + step)
         own.functions[(i,)] = pieces
+
+
+class Related(Family):
+    """A family whose shape parameters depend on one another, by a chain or by what is assumed; `between` are those at the ends
+    of the domain, if there are any."""
+
+    between = None
+
+    def __init__(self, r, name):
+        super().__init__(r, name)
+        self.declared, self.conditions = [], []
+
+    def text(self):
+        shapes = ''.join(f'    {line};\n' for line in self.declared)
+        own = ''.join(f'    b[{i[0]}] = {f.text()};\n' for i, f in self.functions.items())
+        domain = f'domain {" <= t <= ".join(self.between)};' if self.between else self.domain_text()
+        return f'family {self.name} {{\n    {domain}\n{shapes}{own}'
+
+    def fits(self, env):
+        return all(holds(relation, f.eval(env)) for relation, f in self.conditions)
+
+    def sample(self, r):
+        while True:
+            env = {n: s.sample(r) for n, s in self.shapes.items()}
+            if self.fits(env):
+                break
+        if self.between:
+            low, high = (env[n] for n in self.between)
+            env['t'] = Range(low, high).sample(r)
+        else:
+            env['t'] = self.domain['t'].sample(r)
+        return env
+
+    def contains(self, env):
+        shapes = all(s.contains(env[n]) for n, s in self.shapes.items()) and self.fits(env)
+        if self.between:
+            low, high = (env[n] for n in self.between)
+            return shapes and low <= env['t'] <= high
+        return shapes and self.domain['t'].contains(env['t'])
+
+    def integral(self, f):
+        t = sympy.Symbol('t')
+        x = sympy.expand(f.eval(self.symbols()))
+        s = self.domain.get('t')
+        low, high = map(sympy.Symbol, self.between) if self.between else (sympy.Rational(str(e)) for e in (s.low, s.high))
+        return sympy.expand(sympy.integrate(x, (t, low, high)))
+
+
+def related(r, own):
+    k, m = Name('k'), Name('m')
+    low, size = number(r), Fraction(r.randint(1, 4), r.choice([1, 2]))
+    kind = r.choice(['chain', 'ends', 'chain', 'linear', 'disk', 'product'])
+    own.shapes = {n: Range(low, low + size) for n in 'km'}
+    if kind in ('chain', 'ends'):
+        strict = [r.random() < 0.4 for _ in range(3)]
+        strict[1] |= kind == 'ends'
+        signs = ['<' if s else '<=' for s in strict]
+        own.declared = [f'shape {low} {signs[0]} k {signs[1]} m {signs[2]} {low + size}']
+        own.shapes['k'] = Range(low, low + size, not strict[0], not strict[1] and not strict[2])
+        own.shapes['m'] = Range(low, low + size, not strict[0] and not strict[1], not strict[2])
+        own.conditions = [('>' if strict[1] else '>=', m - k)]
+    else:
+        own.declared = [f'shape {own.shapes[n].text(n)}' for n in 'km']
+        middle = low + size / 2
+        if kind == 'linear':
+            a, b = r.choice([(1, 1), (1, 2), (-1, 1), (2, -1)])
+            x = k * a + m * b - (a + b) * middle
+            x = x + Fraction(r.randint(0, 2), 3)
+        elif kind == 'disk':
+            x = formula(size * size * Fraction(1, 4)) - (k - middle) ** 2 - (m - middle) ** 2
+        else:
+            x = (k - low) * (m - low) - size * size * Fraction(r.randint(0, 3), 4)
+        relation = r.choice(['>=', '>='] if kind == 'disk' else ['>=', '>'])
+        if kind == 'product' and relation == '>':
+            x = x + size * size * Fraction(1, 100)
+        own.declared.append(f'assume {x.text()} {relation} 0')
+        own.conditions = [(relation, x)]
+    if kind == 'ends':
+        own.between, own.domain = ('k', 'm'), {'t': Range(low, low + size)}
+        t, parts = Name('t'), [Name('t') - k, m - Name('t'), m - k, formula(1)]
+    else:
+        own.domain = {'t': Range(Fraction(0), Fraction(1))}
+        t, parts = Name('t'), [Name('t'), formula(1) - Name('t'), k, m, m - k, formula(1)]
+        parts += [x for _, x in own.conditions]
+    for i in range(2):
+        f = r.choice(parts) * r.choice(parts) * r.choice(parts)
+        own.functions[(i,)] = f + (polynomial(r, ['t', 'k', 'm'], 1, 1) if r.random() < 0.5 else 0)
+    if r.random() < 0.3:
+        own.functions[(2,)] = formula(1) - Member(own, (0,)) - Member(own, (1,))
+
+
+def positive(r, own):
+    """Combinations of Bernstein polynomials by products of bidiagonal matrices, whose minors are nonnegative, or nearly so."""
+    n = r.randint(1, 3)
+    t = Name('t')
+    own.domain['t'] = Range(Fraction(0), Fraction(1))
+    row = [[Fraction(int(i == j)) for j in range(n + 1)] for i in range(n + 1)]
+    for _ in range(r.randint(0, 3)):
+        k, x = r.randrange(n), Fraction(r.choice([0, 1, 1, 2, 3, -1]), r.choice([1, 2]))
+        a, b = (k, k + 1) if r.random() < 0.5 else (k + 1, k)
+        row = [[row[i][j] + (x * row[i][a] if j == b else 0) for j in range(n + 1)] for i in range(n + 1)]
+    if r.random() < 0.3:
+        i = r.randrange(n)
+        row[i], row[i + 1] = row[i + 1], row[i]
+    for j in range(n + 1):
+        total = formula(0)
+        for i in range(n + 1):
+            if row[i][j]:
+                total = total + (formula(1) - t) ** (n - i) * t**i * (row[i][j] * binomial(n, i))
+        own.functions[(j,)] = total
 
 
 class Raised(Family):
@@ -333,8 +447,8 @@ def basis_like(r, t, names, low, high):
 def family(r, name, kind=None):
     """A random family, of any kind or of this one."""
     kind = kind or r.choices(['poly', 'rational', 'box', 'triangle', 'tetrahedron', 'product', 'angle', 'exp', 'spans',
-                              'raise', 'arcs'], [7, 3, 2, 2, 1, 2, 3, 2, 3, 2, 4])[0]
-    own = {'spans': Spans, 'raise': Raised, 'arcs': Arcs}.get(kind, Family)(r, name)
+                              'raise', 'arcs', 'related', 'positive'], [7, 3, 2, 2, 1, 2, 3, 2, 3, 2, 4, 4, 1])[0]
+    own = {'spans': Spans, 'raise': Raised, 'arcs': Arcs, 'related': Related}.get(kind, Family)(r, name)
     own.kind = kind
     n = r.randint(2, 3)
     if kind in ('poly', 'rational'):
@@ -407,6 +521,10 @@ def family(r, name, kind=None):
     elif kind == 'arcs':
         own.domain['t'] = Range(Fraction(0), Fraction(1))
         arcs(r, own)
+    elif kind == 'related':
+        related(r, own)
+    elif kind == 'positive':
+        positive(r, own)
     elif kind == 'spans':
         own.variable = 't'
         names = own.shape(r, 1)
@@ -492,10 +610,10 @@ def claims(r, own):
     """Random claims about a family."""
     members = own.members()
     names = list(own.domain) + list(own.shapes)
-    result = []
+    result = [TotallyPositive(own)] if own.kind == 'positive' else []
     for _ in range(r.randint(4, 7)):
         kind = r.choice(['order', 'order', 'order', 'square', 'equal', 'unity', 'nonnegative', 'independent', 'at',
-                         'slope', 'symmetric', 'smooth'] + ['face', 'partial', 'integral', 'swap'] * bool(own.simplices))
+                         'slope', 'symmetric', 'smooth'] + ['face', 'partial', 'integral', 'swap'] * bool(own.simplices) + ['integral', 'parameters'] * (own.kind == 'related'))
         f = r.choice(members)
         if kind == 'order':
             g = r.choice([formula(number(r)), r.choice(members), formula(0)])
@@ -521,7 +639,7 @@ def claims(r, own):
             known = [decided(own, '>=', m) for m in members]
             truth = False if False in known else None if None in known else True
             result.append(Claim('nonnegative', [('>=', m, {}) for m in members], truth))
-        elif kind == 'independent' and not own.simplices and own.kind != 'box':
+        elif kind == 'independent' and not own.simplices and own.kind not in ('box', 'related'):
             result.append(Independent(own))
         elif kind == 'slope' and len(own.domain) == 1:
             d = Derivative(f, 't')
@@ -542,7 +660,7 @@ def claims(r, own):
                     result.append(Claim(text, [('=', d - v, {'t': x})], truth))
         elif kind == 'at' and own.shapes and not own.floats:
             name, s = r.choice(list(own.shapes.items()))
-            x = s.sample(r)
+            x = own.sample(r)[name] if own.kind == 'related' else s.sample(r)
             g = formula(number(r))
             relation = r.choice(['>=', '=', '>'])
             text = f'at {name} = {x} {{ {f.text()} {relation} {g.text()}; }}'
@@ -563,6 +681,16 @@ def claims(r, own):
             result.append(Claim(text, [(relation, f - g, Fixed(own, name, x))]))
         elif kind == 'partial':
             result.append(partial_claim(r, own, f))
+        elif kind == 'parameters':
+            # About the parameters alone.
+            k, m = Name('k'), Name('m')
+            g = r.choice([k, m, m - k, k * m, k * k + m * m, m * m - k, *[x for _, x in own.conditions]])
+            result.append(relation_claim(r, own, g, r.choice(['>=', '>', '=']), formula(number(r))))
+        elif kind == 'integral' and own.kind == 'related':
+            value = own.integral(f) + r.choice([0, 0, sympy.Rational(1, 1000)])
+            truth = sympy.expand(value - own.integral(f)) == 0
+            text = str(value).replace('**', '^')
+            result.append(Claim(f'integral({f.text()}) = {text}', [], truth))
         elif kind == 'integral':
             value = own.integral(f)
             if not value.free_symbols:
@@ -708,6 +836,28 @@ class SmoothArcs(Smooth):
         self.truth = all(agree)
 
 
+class TotallyPositive(Claim):
+    """No minor of values at points in order is negative."""
+
+    def __init__(self, own):
+        super().__init__('totally_positive', [])
+        self.own = own
+
+    def negative(self, r, tries):
+        """Points and functions with a negative minor, as far as they are met with."""
+        own, members = self.own, self.own.members()
+        for _ in range(tries):
+            size = r.randint(1, len(members))
+            chosen = sorted(r.sample(range(len(members)), size))
+            points = sorted({Fraction(r.choice([0, 1, r.randint(0, 60), r.randint(0, 60), 60, 59]), 60) for _ in range(size)})
+            if len(points) < size:
+                continue
+            rows = [[members[j].eval({'t': x}) for j in chosen] for x in points]
+            if sympy.Matrix([[sympy.Rational(x.numerator, x.denominator) for x in map(Fraction, row)] for row in rows]).det() < 0:
+                return points, chosen
+        return None
+
+
 class Independent(Claim):
     """The functions are independent: by ranks of tables of values."""
 
@@ -773,6 +923,11 @@ def replace_ends(own):
                 setattr(s, end, ENDS[x]())
 
 
+# The tangent of an angle on its way from that at one end of a range to that at the other one.
+BETWEEN = (r'\(tan\((\w+)(?:/(\d+))?\) - tan\((\d+)(?:/(\d+))?\)\)'
+           r'/\(tan\((\d+)(?:/(\d+))?\) - tan\(\d+(?:/\d+)?\)\)')
+
+
 def witness_point(own, at):
     """The point of a counterexample: fractions, or floats for irrational coordinates; `None` if it is not understood."""
     env = {}
@@ -795,12 +950,16 @@ def witness_point(own, at):
             value = mpmath.mpf(str(sympy.re(found[0])))
         else:
             return None
-        if match := re.fullmatch(r'(tan|tanh)\((\w+)(?:/(\d+))?\)(?:/tanh\((\d+)(?:/(\d+))?\))?', name):
-            value = to_float(value)
+        if match := re.fullmatch(r'(tan|tanh)\((\w+)(?:/(\d+))?\)(?:/\1\((\d+)(?:/(\d+))?\))?', name):
+            value, function = to_float(value), mpmath.tan if match[1] == 'tan' else mpmath.tanh
             if match[4]:
-                value *= mpmath.tanh(mpmath.mpf(int(match[4])) / int(match[5] or 1))
+                value *= function(mpmath.mpf(int(match[4])) / int(match[5] or 1))
             value = (mpmath.atan if match[1] == 'tan' else mpmath.atanh)(value) * int(match[3] or 1)
             name = match[2]
+        elif match := re.fullmatch(BETWEEN, name):
+            low, high = (mpmath.tan(mpmath.mpf(int(match[k])) / int(match[k + 1] or 1)) for k in (3, 5))
+            value = mpmath.atan(low + to_float(value) * (high - low)) * int(match[2] or 1)
+            name = match[1]
         elif match := re.fullmatch(r'tan\(\(?(\w+) - pi(?:/(\d+))?\)?(?:/(\d+))?\)', name):
             value = mpmath.pi / int(match[2] or 1) + mpmath.atan(to_float(value)) * int(match[3] or 1)
             name = match[1]
@@ -817,8 +976,13 @@ def judge_claim(own, claim, answer, r):
         return None
     if claim.truth is not None and claim.truth != (verdict == 'proved'):
         return f'it is {claim.truth}, and said to be {verdict}'
-    if isinstance(claim, Smooth):
+    if isinstance(claim, Smooth) or own.kind == 'related' and not claim.parts:
         return None
+    if isinstance(claim, TotallyPositive):
+        found = claim.negative(r, 60 if verdict == 'proved' else 2000)
+        if verdict == 'proved':
+            return found and f'a minor is negative: {found}'
+        return None if found else NOT_READ
     if verdict == 'proved':
         if isinstance(claim, Independent):
             for _ in range(6):
@@ -830,6 +994,8 @@ def judge_claim(own, claim, answer, r):
             for _ in range(6 if relation == '=' else 40):
                 env = own.sample(r)
                 env = floats(own, fixed.of(env) if isinstance(fixed, Fixed) else {**env, **fixed})
+                if own.kind == 'related' and not own.contains(env):
+                    continue
                 try:
                     x = f.eval(env)
                 except ZeroDivisionError:
@@ -844,6 +1010,8 @@ def judge_claim(own, claim, answer, r):
     if env is None:
         return NOT_READ
     for name in list(own.shapes) + list(own.domain):
+        if name not in env and own.kind == 'related':
+            return NOT_READ
         if name not in env:
             env[name] = (own.shapes.get(name) or own.domain[name]).sample(r)
     if isinstance(claim, Independent):

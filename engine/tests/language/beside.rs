@@ -406,7 +406,7 @@ fn what_is_no_end_of_an_angle() {
         ("2 < α < 1", "the range of `α` is empty"),
     ] {
         let spec = format!("family F {{ shape {range}; domain 0 <= t <= α; b[0] = sin(t)/sin(α); }}");
-        let report = check(Source::text("ends.basis", &*spec));
+        let report = check(Source::text("ends.basis", &spec));
         let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
         assert_eq!(messages, [said], "{range}");
     }

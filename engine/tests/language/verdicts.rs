@@ -25,6 +25,23 @@ fn verdicts(spec: &str) -> Vec<String> {
     all
 }
 
+/// The ends of the domain are those of the counterexample, in ranges that depend on one another too.
+#[test]
+fn points_between_ends_that_are_parameters() {
+    let found = verdicts(
+        "family Between {
+            domain k <= t <= m;
+            shape 2/3 <= k < m <= 8/3;
+            b[0] = (m - t)*(m - k);
+            b[1] = t - k;
+            prove partition_of_unity;
+            prove t <= 5/3;
+            prove b[0] + b[1]*(m - k) = (m - k)^2;
+        }",
+    );
+    assert_eq!(found, ["-17/72 at k = 1, m = 11/6, t = 17/12", "1 at k = 1, m = 8/3, t = 8/3", "="]);
+}
+
 #[test]
 fn names_and_functions_stand_in_any_order() {
     let found = verdicts(

@@ -540,7 +540,8 @@ fn witness(
         }
     }
     witness.notes = identity::notes(family, kind, &witness);
-    let rational = found.point.iter().filter_map(|(var, c)| match c {
+    let point = piece.image(&found.point);
+    let rational = point.iter().filter_map(|(var, c)| match c {
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,
     });

@@ -68,9 +68,11 @@ pub(super) fn named_point(
         all.push((parameter.name.clone(), value));
     }
     let parameters = family.shapes.iter().chain(&family.domain);
+    // The parameters at the ends of the domain, of which the box may have others.
+    let known = parameters.clone().zip(&all).map(|(p, (_, value))| (p.var, value.clone())).listed();
     for (entry, parameter) in all.iter_mut().zip(parameters) {
         if let Some(angle) = family.analytic.angle(parameter.var) {
-            *entry = named_angle(family, angle, (&parameter.name, &entry.1), found);
+            *entry = named_angle(family, angle, (&parameter.name, &entry.1), &known);
         }
     }
     // In the order of the spec, each last coordinate after the others of its simplex.
@@ -89,15 +91,15 @@ fn named_angle(
     family: &Family,
     angle: &Angle,
     (name, y): (&str, &Coordinate),
-    found: &Counterexample,
+    known: &[(Var, Coordinate)],
 ) -> (String, Coordinate) {
     let as_it_is = (String::from(name), y.clone());
     let Coordinate::Rational(value) = y else { return as_it_is };
-    // The ends of the range as far as the counterexample says where they are.
+    // The ends of the range as far as it is known where they are.
     let put = |f: &Fraction| {
         let shapes = family.shapes.iter().map(|s| s.var);
         let known = shapes.filter(|v| f.depends_on(*v)).try_fold(f.clone(), |f, v| {
-            let (_, c) = found.point.iter().find(|(w, _)| *w == v)?;
+            let (_, c) = known.iter().find(|(w, _)| *w == v)?;
             let Coordinate::Rational(x) = c else { return None };
             f.substitute(v, &Fraction::constant(x.clone()))
         })?;
