@@ -42,6 +42,42 @@ fn points_between_ends_that_are_parameters() {
     assert_eq!(found, ["-17/72 at k = 1, m = 11/6, t = 17/12", "1 at k = 1, m = 8/3, t = 8/3", "="]);
 }
 
+/// An equation is false where a point of what is assumed says so, if that is a corner or a disk.
+#[test]
+fn equations_under_assumptions() {
+    let found = verdicts(
+        "family Corner {
+            domain 0 <= t <= 1;
+            shape -4 <= k <= -3;
+            shape -4 <= m <= -3;
+            assume (k + 4)*(m + 4) > 37/50;
+            b[0] = t*(m - k);
+            b[1] = 1 - t;
+            prove partition_of_unity;
+            prove integral(b[1]) = 1/2;
+            prove m = k;
+        }
+        family Disk {
+            domain 0 <= t <= 1;
+            shape -3 <= k <= 0, -3 <= m <= 0;
+            assume (k + 3/2)^2 + (m + 3/2)^2 <= 9/4;
+            b[0] = 1 - t;
+            prove (k + 3/2)^2 + (m + 3/2)^2 = 3;
+            prove at k = 0 { m = -3/2; }
+        }",
+    );
+    assert_eq!(
+        found,
+        [
+            "-1 at k = -3, m = -3, t = 1",
+            "=",
+            "-1/24 at k = -3, m = -73/24, t = 1/2",
+            "-3 at k = -3/2, m = -3/2, t = 1/2",
+            "=" // one point of the disk is left
+        ]
+    );
+}
+
 #[test]
 fn names_and_functions_stand_in_any_order() {
     let found = verdicts(

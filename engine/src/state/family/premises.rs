@@ -235,9 +235,13 @@ fn divided(f: &Poly, g: &Poly) -> Option<(Poly, Poly)> {
     Some((q, r))
 }
 
-/// A counterexample to a statement about a sign under premises, among some points.
+/// A counterexample to an equation, or to a statement about a sign, under premises, among some points.
 pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
-    let Statement::Sign { value, relation, domain } = statement else { return None };
+    let (value, relation, domain) = match statement {
+        Statement::Sign { value, relation, domain } => (value, Some(relation), domain),
+        Statement::Zero { value, domain } => (value, None, domain),
+        Statement::Products { .. } | Statement::Independent { .. } => return None,
+    };
     if domain.premises.is_empty() {
         return None;
     }
@@ -247,6 +251,16 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
         |point: &Vec<Rational>| domain.premises.iter().all(|(g, relation)| relation.holds(&g.eval(point)));
     // Of points with the same value the one that is farthest inside has the most room around it.
     let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
+    let at = |point: &[Rational], work: &mut Work| {
+        let ranges = ranges(domain);
+        let coordinates = ranges.mapped(|(var, _)| (*var, Coordinate::Rational(point[var.0].clone())));
+        refute(&Rc::new(statement.clone()), &coordinates, work)
+    };
+    let Some(relation) = relation else {
+        let differs = points.iter().zip(f).filter(|(_, f)| f.as_ref().is_some_and(|f| !f.is_zero()));
+        let inside = differs.map(|(point, _)| point).filter(|point| counts(point));
+        return at(inside.max_by_key(|point| room(point))?, work);
+    };
     let mut best: Option<(Vec<Rational>, Rational)> = None;
     for (point, f) in points.iter().zip(f) {
         let Some(f) = f else { continue };
@@ -296,8 +310,7 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
     if relation.holds(&least) {
         return None;
     }
-    let coordinates = ranges.mapped(|(var, _)| (*var, Coordinate::Rational(point[var.0].clone())));
-    refute(&Rc::new(statement.clone()), &coordinates, work)
+    at(&point, work)
 }
 
 /// The ranges of all variables; of those of a simplex what surrounds it.
