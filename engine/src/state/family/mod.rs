@@ -401,22 +401,17 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         }
         said = self::said(family, claim, &mut Saying::Plainly).unwrap_or(said);
         ways = Vec::new();
-        let found = basis_prover::working(family.budget, &mut |work| {
-            let own = said.iter().filter(|s| !s.stated.is_stronger);
-            own.into_iter().find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
-        });
-        if let Some((s, found)) = found.filter(|(_, found)| !is_wider(family, found.refutation.statement())) {
-            let about = (s.of.clone(), found.refutation.statement());
-            let witness = witness(family, &claim.kind, about, &found, &s.piece);
-            let whole = s.of == s.stated.of;
-            return Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) }));
+        let is_sign = |s: &&Said| matches!(s.stated.statement, Statement::Sign { .. });
+        if let Some(verdict) = refuted_under_premises(family, claim, said.iter().filter(is_sign)) {
+            return verdict;
         }
     }
     let labels = said.iter().map(|s| (s.stated.of.clone(), s.of.clone(), s.piece.clone())).listed();
     let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
     let stronger: Vec<String> =
         said.iter().filter(|s| s.stated.is_stronger).map(|s| s.stated.of.clone()).listed();
-    match all(said.into_iter().map(|said| said.stated).listed(), family.budget) {
+    let stated = said.iter().map(|s| s.stated.clone()).listed();
+    match all(stated, family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)),
         Err(_) if matches!(claim.kind, ClaimKind::TotallyPositive) => not_total(family),
         Err((of, Failure::Refuted(found)))
@@ -440,10 +435,33 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         }
         Err((of, Failure::Undecided(left))) => Verdict::Undecided(match &claim.kind {
             ClaimKind::Independent(_) => left,
-            _ if assumed => format!("`{of}`: {ASSUMED}"),
+            _ if assumed => {
+                // Of an equation simple points come first, which need not be among those that are assumed.
+                let verdict = refuted_under_premises(family, claim, said.iter());
+                return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
+            }
             _ => format!("`{of}`: {left}"),
         }),
     }
+}
+
+/// A point of what is assumed at which one of the statements fails that a claim makes itself.
+fn refuted_under_premises<'s>(
+    family: &Family,
+    claim: &Claim,
+    said: impl Iterator<Item = &'s Said> + Clone,
+) -> Option<Verdict> {
+    let (s, found) = basis_prover::working(family.budget, &mut |work| {
+        let mut own = said.clone().filter(|s| !s.stated.is_stronger);
+        own.find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
+    })?;
+    if is_wider(family, found.refutation.statement()) {
+        return None;
+    }
+    let about = (s.of.clone(), found.refutation.statement());
+    let witness = witness(family, &claim.kind, about, &found, &s.piece);
+    let whole = s.of == s.stated.of;
+    Some(Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) })))
 }
 
 /// What is known of functions whose total positivity is not proved.
