@@ -402,7 +402,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         said = self::said(family, claim, &mut Saying::Plainly).unwrap_or(said);
         ways = Vec::new();
         let is_sign = |s: &&Said| matches!(s.stated.statement, Statement::Sign { .. });
-        if let Some(verdict) = refuted_under_premises(family, claim, said.iter().filter(is_sign)) {
+        if let Some(verdict) = refuted_under_premises(family, claim, &said.iter().filter(is_sign).listed()) {
             return verdict;
         }
     }
@@ -437,7 +437,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             ClaimKind::Independent(_) => left,
             _ if assumed => {
                 // Of an equation simple points come first, which need not be among those that are assumed.
-                let verdict = refuted_under_premises(family, claim, said.iter());
+                let verdict = refuted_under_premises(family, claim, &said.iter().listed());
                 return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
             }
             _ => format!("`{of}`: {left}"),
@@ -446,13 +446,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
 }
 
 /// A point of what is assumed at which one of the statements fails that a claim makes itself.
-fn refuted_under_premises<'s>(
-    family: &Family,
-    claim: &Claim,
-    said: impl Iterator<Item = &'s Said> + Clone,
-) -> Option<Verdict> {
+fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Option<Verdict> {
     let (s, found) = basis_prover::working(family.budget, &mut |work| {
-        let mut own = said.clone().filter(|s| !s.stated.is_stronger);
+        let mut own = said.iter().filter(|s| !s.stated.is_stronger);
         own.find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
     })?;
     if is_wider(family, found.refutation.statement()) {
