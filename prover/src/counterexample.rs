@@ -23,6 +23,17 @@ pub struct Counterexample {
 }
 
 impl Counterexample {
+    /// The point with another coordinate, at which the statement need not fail; `None` where the work is spent.
+    pub fn with(&self, var: Var, coordinate: Coordinate) -> Option<Self> {
+        let work = &mut Work::new(EVALUATING);
+        let mut point = self.point.clone();
+        point.retain(|(v, _)| *v != var);
+        point.push((var, coordinate));
+        point.sort_by_key(|(v, _)| *v);
+        let exact = Exact::new(&point, work)?;
+        Some(Self { point, exact, ..self.clone() })
+    }
+
     /// The value of a quotient at the point; `None` where it has none, or the work is spent.
     pub fn evaluate(&self, value: &Quotient) -> Option<Coordinate> {
         let work = &mut Work::new(EVALUATING);

@@ -299,6 +299,64 @@ def arcs(r, own):
         own.functions[(i,)] = pieces
 
 
+class Constant(Formula):
+    """A number that is not rational, such as pi."""
+
+    def __init__(self, written, value):
+        self.written, self.value = written, value
+
+    def text(self):
+        return self.written
+
+    def eval(self, env):
+        return self.value
+
+
+def turns(r, own):
+    """Sines of parts of an angle with tangents that are irrational at an end of the domain, and numbers made of them."""
+    own.floats = True
+    pi = Constant('pi', mpmath.pi * 1)
+    if r.random() < 0.5:
+        own.domain['t'] = Range(Fraction(r.choice([0, 0, -1])), Fraction(1))
+        rate = Fraction(*r.choice([(1, 2), (1, 3), (1, 4), (1, 5), (1, 6), (2, 3), (3, 4), (3, 8), (1, 12), (1, 7)]))
+        angle = pi * Name('t') * rate
+    else:
+        own.domain['t'] = r.choice([Range('0', 'pi/2'), Range('0', 'pi'), Range('-pi/2', 'pi/2'), Range('-pi/2', 'pi')])
+        angle = Name('t') * Fraction(*r.choice([(1, 1), (1, 2), (1, 3), (2, 3), (3, 2), (1, 4), (1, 5)]))
+    n = r.choice([3, 4, 5, 6, 8, 12])
+    number_ = Call(r.choice(['sin', 'cos']), pi / n)
+    s, c = Call('sin', angle), Call('cos', angle)
+    parts = [s, c, s * c, c - number_, s - number_, Call('sin', angle + pi / n), formula(1)]
+    if r.random() < 0.3:
+        parts += [Name('t') * number_, Name('t') - s]
+    for i in range(r.randint(2, 3)):
+        own.functions[(i,)] = r.choice(parts) * number(r) + r.choice(parts) * r.choice(parts)
+
+
+def place_claim(r, own):
+    """A value of a function, or of its slope, at a part of a turn."""
+    s, part = own.domain['t'], Fraction(r.randint(-12, 12), r.choice([2, 3, 4, 5, 6, 8, 12]))
+    in_turns = isinstance(s.low, Fraction)
+    x, written = (part, str(part)) if in_turns else (mpmath.pi * to_float(part), f'{part.numerator}*pi/{part.denominator}')
+    if not s.contains(x):
+        return None
+    index = r.choice(list(own.functions))
+    f = Member(own, index)
+    own_value = re.sub(r'\bt\b', f'({written})', own.functions[index].text())
+    env = floats(own, {'t': x})
+    g = Constant(own_value, f.eval(env))
+    if r.random() < 0.4:
+        f, g = Derivative(f, 't'), formula(0)
+    v = f.eval(env)
+    if r.random() < 0.4:
+        g = formula(Fraction(int(mpmath.floor(v * 1000)) + r.choice([0, 1]), 1000))
+    else:
+        g = g + r.choice([formula(0), formula(0), formula(Fraction(r.choice([-1, 1]), 10**9)), Constant('sin(pi/5)/10^9', mpmath.sin(mpmath.pi / 5) / 10**9)])
+    relation, d = r.choice(['=', '=', '>=', '>']), v - g.eval(env)
+    truth = abs(d) < TINY and relation != '>' or relation != '=' and d > TINY
+    return Claim(f'at t = {written} {{ {f.text()} {relation} {g.text()}; }}', [(relation, f - g, {'t': x})], truth)
+
+
 class Related(Family):
     """A family whose shape parameters depend on one another, by a chain or by what is assumed; `between` are those at the ends
     of the domain, if there are any."""
@@ -447,7 +505,7 @@ def basis_like(r, t, names, low, high):
 def family(r, name, kind=None):
     """A random family, of any kind or of this one."""
     kind = kind or r.choices(['poly', 'rational', 'box', 'triangle', 'tetrahedron', 'product', 'angle', 'exp', 'spans',
-                              'raise', 'arcs', 'related', 'positive'], [7, 3, 2, 2, 1, 2, 3, 2, 3, 2, 4, 4, 1])[0]
+                              'raise', 'arcs', 'related', 'positive', 'turns'], [7, 3, 2, 2, 1, 2, 3, 2, 3, 2, 4, 4, 1, 3])[0]
     own = {'spans': Spans, 'raise': Raised, 'arcs': Arcs, 'related': Related}.get(kind, Family)(r, name)
     own.kind = kind
     n = r.randint(2, 3)
@@ -521,6 +579,8 @@ def family(r, name, kind=None):
     elif kind == 'arcs':
         own.domain['t'] = Range(Fraction(0), Fraction(1))
         arcs(r, own)
+    elif kind == 'turns':
+        turns(r, own)
     elif kind == 'related':
         related(r, own)
     elif kind == 'positive':
@@ -611,6 +671,9 @@ def claims(r, own):
     members = own.members()
     names = list(own.domain) + list(own.shapes)
     result = [TotallyPositive(own)] if own.kind == 'positive' else []
+    if own.kind == 'turns':
+        replace_ends(own)
+        result += [claim for _ in range(4) if (claim := place_claim(r, own))]
     for _ in range(r.randint(4, 7)):
         kind = r.choice(['order', 'order', 'order', 'square', 'equal', 'unity', 'nonnegative', 'independent', 'at',
                          'slope', 'symmetric', 'smooth'] + ['face', 'partial', 'integral', 'swap'] * bool(own.simplices) + ['integral', 'parameters'] * (own.kind == 'related'))
@@ -963,10 +1026,25 @@ def witness_point(own, at):
         elif match := re.fullmatch(r'tan\(\(?(\w+) - pi(?:/(\d+))?\)?(?:/(\d+))?\)', name):
             value = mpmath.pi / int(match[2] or 1) + mpmath.atan(to_float(value)) * int(match[3] or 1)
             name = match[1]
-        if not re.fullmatch(r'\w+', name):
+        elif own.kind == 'turns' and not re.fullmatch(r'\w+', name):
+            name, value = 't', along(own.domain['t'], name, to_float(value))
+        if value is None or not re.fullmatch(r'\w+', name):
             return None
         env[name] = value
     return env
+
+
+def along(s, written, value):
+    """Where in a range a formula in t, which grows, has a value; `None` where it is not understood."""
+    t = sympy.Symbol('t')
+    f = sympy.lambdify(t, sympy.sympify(written), 'mpmath')
+    low, high = to_float(s.low), to_float(s.high)
+    if not f(low) - TINY < value < f(high) + TINY:
+        return None
+    for _ in range(220):
+        middle = (low + high) / 2
+        low, high = (low, middle) if f(middle) > value else (middle, high)
+    return (low + high) / 2
 
 
 def judge_claim(own, claim, answer, r):
@@ -1026,7 +1104,7 @@ def judge_claim(own, claim, answer, r):
         return f'the point {env} lies outside'
     values = []
     for relation, f, fixed in claim.parts:
-        if any(n in env and env[n] != x for n, x in fixed.items()):
+        if any(n in env and not is_zero(to_float(env[n]) - to_float(x)) for n, x in fixed.items()):
             return f'the point {env} does not have the fixed values'
         for span in own.spans_at(env) if own.kind in ('spans', 'arcs') else [None]:
             try:
@@ -1255,6 +1333,8 @@ def refusal(own, messages, r):
     """Only a denominator that vanishes, or may, is a reason to refuse a family."""
     if own.kind == 'arcs' and all(re.search('too much work|the highest degree', m) for m in messages):
         return None
+    if own.kind == 'turns' and all(re.search('irrational|too much work|the highest degree', m) for m in messages):
+        return None  # too many numbers of different kinds
     if own.kind == 'rational' and all(m == 'division by zero' for m in messages):
         values = [own.denominator.eval(own.sample(r)) for _ in range(9)]
         return f'the family is refused: {messages}' if any(values) else None

@@ -51,6 +51,7 @@ fn is_plain(family: &Family) -> bool {
         && (analytic.is_empty() || family.domain.len() == 1)
         && analytic.exponential.is_none()
         && analytic.tangent.is_none()
+        && analytic.roots.is_empty()
         && family.pieces.is_empty()
 }
 

@@ -21,6 +21,7 @@ mod rust;
 mod series;
 
 use std::borrow::Cow;
+use std::rc::Rc;
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
@@ -142,9 +143,21 @@ pub fn evaluated(family: &Family) -> Result<Cow<'_, Family>, Diagnostic> {
             )
         });
     }
-    in_tangents(family).ok_or_else(|| {
+    let evaluated = in_tangents(family).ok_or_else(|| {
         error("no code is generated for parameters in `exp`, `sinh` or `cosh` with ranges that end in these numbers")
-    })
+    })?;
+    Ok(if family.analytic.roots.is_empty() { evaluated } else { Cow::Owned(vanishing(&evaluated)) })
+}
+
+/// The family with numerators that vanish as polynomials at the ends of the domain wherever the functions do, although these ends
+/// are made of tan(π/n).
+fn vanishing(family: &Family) -> Family {
+    let mut result = family.clone();
+    for f in &mut result.functions {
+        f.value = family.analytic.reduced(f.value.clone());
+    }
+    result.pieces = family.pieces.iter().map(|piece| Rc::new(vanishing(piece))).collect();
+    result
 }
 
 /// The error for a family with too many coefficients.

@@ -6,7 +6,8 @@
 //! A domain variable whose ends contain shape parameters or π, and which stands in none of these, is x itself. Where the ends of
 //! its range are no rational numbers in x, a variable y from 0 to 1 takes the place of x,
 //! x = low + width·y. The numbers π, exp(r) and tan(r) are variables as well: they are transcendental, so that an equation
-//! holds if and only if it holds for all values of these variables, as is so for s itself beside x.
+//! holds if and only if it holds for all values of these variables, as is so for s itself beside x. The number tan(π/n) is
+//! algebraic: an equation that contains it is divided by its minimal polynomial before it is looked at.
 
 use basis_prover::collections::list::Listed;
 
@@ -16,6 +17,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::model::roots::{self, Root};
 
 /// The work for a common factor of the coefficients of a small polynomial.
 const CONTENT: u64 = 100_000;
@@ -160,6 +162,8 @@ pub struct Analytic {
     pub exponential: Option<(Var, Rational)>,
     /// The variable that stands for tan(r), and 0 < r < π/2.
     pub tangent: Option<(Var, Rational)>,
+    /// The variables that stand for tan(π/n); all are polynomials in the last one.
+    pub roots: Vec<Root>,
     /// Ranges in which the numbers lie, and the variables of the angles themselves.
     pub ranges: Vec<(Var, Range)>,
 }
@@ -206,10 +210,20 @@ impl Analytic {
         self.angles.iter().find(|a| a.var == var || a.itself == var)
     }
 
-    /// The variables that stand for a definite number: π, exp(r), tan(r).
+    /// The variables that stand for a definite number: π, exp(r), tan(r), tan(π/n).
     pub fn numbers(&self) -> Vec<Var> {
+        self.transcendental().into_iter().chain(self.roots.iter().map(|root| root.var)).listed()
+    }
+
+    /// Those that stand for a transcendental number: π, exp(r), tan(r).
+    pub fn transcendental(&self) -> Vec<Var> {
         let others = [&self.exponential, &self.tangent].into_iter().flatten().map(|(var, _)| *var);
         self.pi.into_iter().chain(others).listed()
+    }
+
+    /// A quotient with the same value whose numerator is 0 if that is, although tan(π/n) is a variable.
+    pub fn reduced(&self, f: Fraction) -> Fraction {
+        roots::reduced(&self.roots, f)
     }
 
     /// The same variables, with the values as floats.
@@ -217,7 +231,8 @@ impl Analytic {
         let pi = self.pi.map(|var| (var, core::f64::consts::PI));
         let exponential = self.exponential.as_ref().map(|(var, r)| (*var, r.to_f64().exp()));
         let tangent = self.tangent.as_ref().map(|(var, r)| (*var, r.to_f64().tan()));
-        pi.into_iter().chain(exponential).chain(tangent).listed()
+        let root = |root: &Root| (root.var, (core::f64::consts::PI / root.parts as f64).tan());
+        pi.into_iter().chain(exponential).chain(tangent).chain(self.roots.iter().map(root)).listed()
     }
 
     /// The variables that have one value for those of the others: π, exp(r), tan(r), and angles beside their sines.
@@ -236,20 +251,18 @@ impl Analytic {
         &digits * &unit
     }
 
-    /// The values of π, exp(r) and tan(r), to more digits than a float has.
+    /// The values of the numbers, to more digits than a float has.
     pub fn values(&self) -> Vec<(Var, Rational)> {
         let middle = |var: Var| {
             let (_, range) = self.ranges.iter().find(|(v, _)| *v == var)?;
             let (low, high) = range.finite()?;
             Some(&(low + high) * &Rational::new(1, 2))
         };
-        let pi = self.pi.map(|var| (var, Self::pi()));
-        let others = [&self.exponential, &self.tangent].into_iter().flatten();
-        let others = others.filter_map(|(var, _)| Some((*var, middle(*var)?)));
-        pi.into_iter().chain(others).listed()
+        let value = |var: Var| if Some(var) == self.pi { Some(Self::pi()) } else { middle(var) };
+        self.numbers().into_iter().filter_map(|var| Some((var, value(var)?))).listed()
     }
 
-    /// The number that a quotient is once π, exp(r) and tan(r) are replaced by their values; `None` where it is not only of these.
+    /// The number that a quotient is once the numbers are replaced by their values; `None` where it is not only of these.
     pub fn number(&self, f: &Fraction) -> Option<Rational> {
         let put = |f: Fraction, (var, value): (Var, Rational)| f.substitute(var, &Fraction::constant(value));
         self.values().into_iter().try_fold(f.clone(), put)?.as_constant()

@@ -10,6 +10,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::{Spent, Work};
 use crate::diagnostic::grouped;
 use crate::model::angle::Analytic;
+use crate::model::roots::{self, Root};
 
 /// The highest total degree of a polynomial.
 pub(crate) const MAX_DEGREE: u32 = 100;
@@ -138,6 +139,7 @@ pub(crate) struct Budget {
     run: Rc<Run>,
     work: Cell<u64>,
     reduction: RefCell<Work>,
+    roots: RefCell<Vec<Root>>,
 }
 
 fn formula(reason: impl Into<String>) -> TooLarge {
@@ -167,7 +169,13 @@ impl Budget {
             run: Rc::clone(run),
             work: Cell::new(MAX_WORK),
             reduction: RefCell::new(Work::new(MAX_REDUCTION)),
+            roots: RefCell::new(Vec::new()),
         }
+    }
+
+    /// From now on powers of these numbers are replaced by lower ones.
+    pub(crate) fn set_roots(&self, roots: &[Root]) {
+        *self.roots.borrow_mut() = roots.to_vec();
     }
 
     /// Starts to count again.
@@ -240,7 +248,8 @@ impl Budget {
         self.spend(a.len() as u64 * b.len() as u64 * weight(bits))
     }
 
-    fn checked(value: Fraction) -> Result<Fraction, TooLarge> {
+    fn checked(&self, value: Fraction) -> Result<Fraction, TooLarge> {
+        let value = roots::lowered(&self.roots.borrow(), value);
         let terms = value.numer().len() + value.denom().len();
         if terms > MAX_TERMS {
             return Err(formula(format!("has {terms} terms; the most is {MAX_TERMS}")));
@@ -250,12 +259,12 @@ impl Budget {
 
     pub(crate) fn add(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_sum(a, b)?;
-        Self::checked(self.reduce(|work| a.add_within(b, work).ok_or(Spent))?)
+        self.checked(self.reduce(|work| a.add_within(b, work).ok_or(Spent))?)
     }
 
     pub(crate) fn sub(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_sum(a, b)?;
-        Self::checked(self.reduce(|work| a.sub_within(b, work).ok_or(Spent))?)
+        self.checked(self.reduce(|work| a.sub_within(b, work).ok_or(Spent))?)
     }
 
     fn before_sum(&self, a: &Fraction, b: &Fraction) -> Result<(), TooLarge> {
@@ -272,7 +281,7 @@ impl Budget {
     pub(crate) fn mul(&self, a: &Fraction, b: &Fraction) -> Result<Fraction, TooLarge> {
         self.before_product(a.numer(), b.numer())?;
         self.before_product(a.denom(), b.denom())?;
-        Self::checked(self.reduce(|work| a.mul_within(b, work).ok_or(Spent))?)
+        self.checked(self.reduce(|work| a.mul_within(b, work).ok_or(Spent))?)
     }
 
     /// a / b, where b is not zero.
@@ -280,7 +289,7 @@ impl Budget {
         self.before_product(a.numer(), b.denom())?;
         self.before_product(a.denom(), b.numer())?;
         let quotient = self.reduce(|work| a.div_within(b, work))?;
-        quotient.ok_or_else(|| formula("divides by zero")).and_then(Self::checked)
+        quotient.ok_or_else(|| formula("divides by zero")).and_then(|value| self.checked(value))
     }
 
     pub(crate) fn pow(&self, base: &Fraction, exponent: u32) -> Result<Fraction, TooLarge> {
@@ -321,7 +330,7 @@ impl Budget {
         if analytic.angles.is_empty() {
             spend(value)?;
             let derivative = self.reduce(|work| value.derivative_of_order(var, order, work).ok_or(Spent));
-            return derivative.and_then(Self::checked);
+            return derivative.and_then(|value| self.checked(value));
         }
         let mut value = value.clone();
         for _ in 0..order {
@@ -330,7 +339,7 @@ impl Budget {
             }
             spend(&value)?;
             let derivative = self.reduce(|work| analytic.derivative_within(&value, var, work).ok_or(Spent));
-            value = derivative.and_then(Self::checked)?;
+            value = derivative.and_then(|value| self.checked(value))?;
         }
         Ok(value)
     }

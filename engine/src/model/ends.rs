@@ -45,7 +45,8 @@ impl Family {
         let mut factorial = Rational::ONE;
         for (k, coefficient) in (0_i64..).zip(&mut all) {
             factorial = &factorial * &Rational::from(k.max(1));
-            *coefficient = coefficient.mul_within(&Fraction::constant(factorial.clone()), work)?;
+            let derivative = coefficient.mul_within(&Fraction::constant(factorial.clone()), work)?;
+            *coefficient = self.analytic.reduced(derivative);
         }
         Some(all)
     }

@@ -254,12 +254,13 @@ impl Family {
         let (var, low, high) = self.interval()?;
         let end = Fraction::constant(if upper { high } else { low }.clone());
         let value = f.substitute_within(var, &end, work).ok()??;
-        match self.analytic.angle(var) {
+        let value = match self.analytic.angle(var) {
             Some(angle) => {
-                value.substitute_within(angle.itself, &angle.limits[usize::from(upper)], work).ok()?
+                value.substitute_within(angle.itself, &angle.limits[usize::from(upper)], work).ok()??
             }
-            None => Some(value),
-        }
+            None => value,
+        };
+        Some(self.analytic.reduced(value))
     }
 
     /// The lower and the upper end of every independent domain variable; of barycentric coordinates 0 and 1.

@@ -16,6 +16,7 @@ mod family;
 pub(crate) mod formula;
 mod library;
 pub mod obligation;
+pub mod roots;
 pub(crate) mod scope;
 pub(crate) mod tangents;
 pub(crate) mod tuples;

@@ -5,6 +5,7 @@ mod integrals;
 mod language_reference;
 mod library_of_specs;
 mod one_mistake;
+mod parts_of_a_turn;
 mod rechecked;
 mod rendering;
 #[path = "../support/mod.rs"]

@@ -132,6 +132,7 @@ fn all_cases() -> Vec<Case> {
         own("Bounded", &[2.5]),
         own("Tension", &[0.75]),
         own("Arc", &[2.875]),
+        own("Half", &[]),
         of("trigonometric/han", "QuadraticTrigonometric", &[], &[0.5]),
     ]
 }

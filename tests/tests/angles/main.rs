@@ -231,3 +231,31 @@ fn the_end_of_a_range_may_have_an_irrational_tangent() {
     assert!(ThirdOfATurn::new(end + 1e-15).is_err());
     assert!(ThirdOfATurn::new(0.0).is_err());
 }
+
+basis! {
+    /// sin(π/4) at the end of the domain.
+    family HalfAngles {
+        domain 0 <= t <= pi/2;
+        b[0] = cos(t/2) - sin(t/2);
+        b[1] = 2*sin(t/2)*(cos(t/2) - sin(pi/4));
+        b[2] = 1 - b[0] - b[1];
+        prove b[0] >= 0;
+        prove b[1] >= 0;
+    }
+}
+
+/// The functions vanish at the ends themselves, and keep their digits next to them: b[0] is √2·sin((π/2 − t)/2).
+#[test]
+fn the_end_of_a_domain_may_have_an_irrational_tangent() {
+    use core::f64::consts::{FRAC_PI_2, SQRT_2};
+    let basis = HalfAngles::<f64>::new();
+    assert_eq!([basis.values(0.0), basis.values(FRAC_PI_2)], [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    for k in 1..40 {
+        let rest = FRAC_PI_2 * 0.5_f64.powi(k);
+        let [first, second, _] = basis.values(FRAC_PI_2 - rest);
+        let rest = FRAC_PI_2 - (FRAC_PI_2 - rest);
+        let exact = SQRT_2 * (0.5 * rest).sin();
+        assert!((first - exact).abs() <= 8.0 * f64::EPSILON * exact, "{k}: {first}, {exact}");
+        assert!(second > 0.0);
+    }
+}

@@ -51,7 +51,7 @@ pub(super) fn in_polynomials(family: &Family) -> Option<Vec<Rc<Family>>> {
     SPANS.into_iter().find_map(|count| source.on_spans(&ends, count))
 }
 
-/// The numbers π and exp(r) to many digits.
+/// The numbers π, exp(r), tan(r) and tan(π/n) to many digits.
 struct Numbers {
     values: Vec<(Var, Rational)>,
 }
@@ -65,6 +65,10 @@ impl Numbers {
         }
         if let Some((var, r)) = &analytic.tangent {
             values.push((*var, tangent(Kind::Circular, r)?));
+        }
+        for root in &analytic.roots {
+            let angle = &Analytic::pi() * &Rational::new(1, root.parts);
+            values.push((root.var, tangent(Kind::Circular, &angle)?));
         }
         Some(Self { values })
     }

@@ -613,6 +613,7 @@ fn differences(
         let difference = scope.fits(scope.budget.sub(&l, &r), span)?;
         let value =
             if vars.is_empty() { difference } else { scope.put(&difference, &vars, &values, span)? };
+        let value = scope.analytic.reduced(value);
         let is_family = |name: &str| scope.variable(name).is_none() && library.knows(unit, name);
         let function_name = scope.function_name.as_str();
         // A plain list has positions for indices; the functions' own indices say more.

@@ -46,9 +46,11 @@ pub(super) fn without_tangents<'a>(
         let angle = family.analytic.angles.iter().find(|angle| angle.name == binding.name.text);
         let (Some(value), Some(angle)) = (value, angle) else { continue };
         let Some(turns) = multiple_of_pi(&value, &scope) else { continue };
-        if scope.angle_at(angle, &value, binding.value.span).is_err()
-            && lies_inside(&turns, written, angle, &scope)
-        {
+        let is_rational = match scope.angle_at(angle, &value, binding.value.span) {
+            Ok(y) => y.is_some_and(|y| family.analytic.roots.iter().all(|root| !y.depends_on(root.var))),
+            Err(_) => false,
+        };
+        if !is_rational && lies_inside(&turns, written, angle, &scope) {
             given.push((angle.name.clone(), turns));
         }
     }

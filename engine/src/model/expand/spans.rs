@@ -51,6 +51,7 @@ pub(super) fn are_symmetric(pieces: &[Rc<Family>]) -> bool {
 impl Scope<'_> {
     /// Whether a value of the domain variable lies in another span than this one; of two that share a knot in neither.
     pub(super) fn lies_elsewhere(&self, y: &Fraction, range: &crate::algebra::range::Range) -> bool {
-        self.span.is_some() && y.as_constant().is_none_or(|y| !range.contains(&y))
+        // A number that is irrational is no end of a span where that end is rational, nor where it is none.
+        self.span.is_some() && self.analytic.number(y).is_none_or(|y| !range.contains(&y))
     }
 }

@@ -9,6 +9,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Analytic, Angle, Kind, multiple_of_pi, times};
+use crate::model::roots::{Root, is_number};
 use crate::model::scope::{Argument, Scope};
 use crate::model::words::CIRCULAR;
 use crate::syntax::Expr;
@@ -83,14 +84,30 @@ impl Linear {
 /// What is wrong with an argument, and what to write instead.
 pub(crate) type Wrong = (String, String);
 
-/// c + i·s in proportion to exp(iψ), or with j² = 1.
+/// c + i·s in proportion to exp(iψ), or with j² = 1, without a part of ψ whose tangent is irrational.
 struct Phase {
     kind: Kind,
     c: Fraction,
     s: Fraction,
+    /// The tangent of that part, if there is one.
+    further: Option<Fraction>,
 }
 
 impl Phase {
+    /// Of the angle 0.
+    fn alone(&self) -> Self {
+        let one = Fraction::constant(Rational::ONE);
+        Self { kind: self.kind, c: one, s: Fraction::zero(), further: None }
+    }
+
+    /// c and s of the whole angle.
+    fn whole(mut self, scope: &Scope<'_>, span: Span) -> Option<Self> {
+        if let Some(tangent) = self.further.take() {
+            self.turned(scope, (&Fraction::constant(Rational::ONE), &tangent), 1, span)?;
+        }
+        Some(self)
+    }
+
     /// Times (c + i·s)^n, n perhaps negative.
     fn turned(
         &mut self,
@@ -142,7 +159,7 @@ impl Scope<'_> {
     /// exp(iψ) up to a positive factor.
     fn phase(&self, kind: Kind, psi: &Linear, span: Span) -> Result<Option<Phase>, Wrong> {
         let one = Fraction::constant(Rational::ONE);
-        let mut phase = Phase { kind, c: one.clone(), s: Fraction::zero() };
+        let mut phase = Phase { kind, c: one.clone(), s: Fraction::zero(), further: None };
         let (mut pi, mut number) = (psi.pi.clone(), psi.number.clone());
         for (var, factor, turns) in &psi.parts {
             let name = &self.names[var.0];
@@ -175,7 +192,16 @@ impl Scope<'_> {
             }
         }
         if kind == Kind::Circular {
-            let quarters = (&pi * &Rational::from(4)).to_i64();
+            // Whole eighths of a turn, and what is left of the angle in parts of which the tangent is known.
+            let (mut quarters, mut further) = ((&pi * &Rational::from(4)).to_i64(), None);
+            if quarters.is_none() {
+                let two = Rational::from(2);
+                let nearest = (&(&pi * &two) + &Rational::new(1, 2)).floor();
+                let rest = &pi - &(&nearest * &Rational::new(1, 2));
+                let parts = |root: &Root| Some((root.var, (&rest * &Rational::from(root.parts)).to_i64()?));
+                further = self.analytic.roots.iter().find_map(parts);
+                quarters = further.and_then(|_| (&nearest * &two).to_i64());
+            }
             let multiple = match &self.analytic.tangent {
                 _ if number.is_zero() => Some(0),
                 Some((_, unit)) => number.checked_div(unit).and_then(|n| n.to_i64()),
@@ -190,7 +216,9 @@ impl Scope<'_> {
                 };
                 return Err((
                     format!("sin and cos of the angle {what} are irrational"),
-                    String::from("constant parts of an angle are multiples of pi/2, and of shape parameters"),
+                    String::from(
+                        "constant parts of an angle are multiples of pi/2, pi/3, pi/4, pi/5 or another small part of `pi`, and of shape parameters",
+                    ),
                 ));
             };
             if phase.turned(self, (&one, &one), quarters.rem_euclid(8), span).is_none() {
@@ -201,6 +229,14 @@ impl Scope<'_> {
                 if phase.turned(self, (&one, &tangent), multiple, span).is_none() {
                     return Ok(None);
                 }
+            }
+            if let Some((root, parts)) = further {
+                let mut own = phase.alone();
+                if own.turned(self, (&one, &Fraction::var(root)), parts, span).is_none() {
+                    return Ok(None);
+                }
+                let Some(tangent) = own.s.checked_div(&own.c) else { return Ok(None) };
+                phase.further = Some(self.analytic.reduced(tangent));
             }
             return Ok(Some(phase));
         }
@@ -260,11 +296,13 @@ impl Scope<'_> {
             }
         };
         if is_tangent(name) {
+            let phase = phase.whole(self, span)?;
             if phase.c.is_zero() {
                 self.report(self.error(span, "the tangent of a right angle has no value"));
                 return None;
             }
             let tangent = self.fits(self.budget.div(&phase.s, &phase.c), span)?;
+            let tangent = self.constant_reduced(tangent);
             self.must_be_defined(&tangent, span);
             return Some(tangent);
         }
@@ -275,12 +313,31 @@ impl Scope<'_> {
         let difference = self.fits(budget.sub(&cc, &ss), span)?;
         let (square, cos) = if circular { (&sum, &difference) } else { (&difference, &sum) };
         let twice = &cs + &cs;
+        if let Some(tangent) = &phase.further {
+            // By the addition theorem: a common denominator would contain the irrational number.
+            let (sin, cos) =
+                (self.fits(budget.div(&twice, square), span)?, self.fits(budget.div(cos, square), span)?);
+            let below = &Fraction::constant(Rational::ONE) + &(tangent * tangent);
+            let number = |above: Fraction| Some(self.analytic.reduced(above.checked_div(&below)?));
+            let own_sin = number(tangent + tangent)?;
+            let own_cos = number(&Fraction::constant(Rational::from(2)) - &below)?;
+            let sum = match name {
+                "sin" => budget.add(&mul(&sin, &own_cos)?, &mul(&cos, &own_sin)?),
+                _ => budget.sub(&mul(&cos, &own_cos)?, &mul(&sin, &own_sin)?),
+            };
+            return self.fits(sum, span).map(|value| self.constant_reduced(value));
+        }
         let quotient = match name {
             "sin" | "sinh" => budget.div(&twice, square),
             "cos" | "cosh" => budget.div(cos, square),
             _ => budget.div(&(&phase.c + &phase.s), &(&phase.c - &phase.s)),
         };
-        self.fits(quotient, span)
+        self.fits(quotient, span).map(|value| self.constant_reduced(value))
+    }
+
+    /// A value, without a fraction line if it is a number made of tan(π/n).
+    fn constant_reduced(&self, value: Fraction) -> Fraction {
+        if is_number(&self.analytic.roots, &value) { self.analytic.reduced(value) } else { value }
     }
 
     /// The error for an argument that is not linear.
@@ -319,7 +376,8 @@ impl Scope<'_> {
             let help = "values of an angle are numbers, multiples of `pi`, and multiples of other angles";
             return Err((message, String::from(help)));
         };
-        let Some(phase) = self.phase(angle.kind, &psi, span)? else { return Ok(None) };
+        let phase = self.phase(angle.kind, &psi, span)?.and_then(|phase| phase.whole(self, span));
+        let Some(phase) = phase else { return Ok(None) };
         if phase.c.is_zero() {
             let message =
                 format!("this value of `{}` lies outside of its range `{}`", angle.name, angle.declared);
@@ -327,7 +385,7 @@ impl Scope<'_> {
         }
         let y = self.budget.div(&phase.s, &phase.c).and_then(|x| self.budget.sub(&x, &angle.low));
         let y = self.fits(y, span).and_then(|rise| self.fits(self.budget.div(&rise, &angle.width), span));
-        Ok(y)
+        Ok(y.map(|y| self.constant_reduced(y)))
     }
 }
 
@@ -337,7 +395,7 @@ fn is_tangent(name: &str) -> bool {
 }
 
 /// sin, cos and tan of numbers that are rational: of multiples of π/6.
-fn special(name: &str, linear: &Linear) -> Option<Rational> {
+pub(crate) fn special(name: &str, linear: &Linear) -> Option<Rational> {
     if !linear.parts.is_empty() || !linear.number.is_zero() || !CIRCULAR.contains(&name) {
         return None;
     }

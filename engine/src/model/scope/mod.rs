@@ -504,6 +504,7 @@ impl Scope<'_> {
         scope.ends = family.ends();
         scope.simplices.clone_from(&family.simplices);
         scope.analytic.clone_from(&family.analytic);
+        scope.budget.set_roots(&family.analytic.roots);
         scope.function_name.clone_from(&family.function_name);
         for f in &family.functions {
             scope.functions.insert(f.index.clone(), Some(f.value.clone()));

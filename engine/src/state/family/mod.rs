@@ -44,7 +44,7 @@ pub use rounding::value_errors;
 
 /// The expressions that a claim compares with zero, as text and as quotients of polynomials; `None` when the work is spent.
 fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
-    Some(match kind {
+    let all = match kind {
         ClaimKind::PartitionOfUnity => identity::partition_of_unity(family, work)?,
         ClaimKind::Symmetric if !family.pieces.is_empty() => spans::symmetric(family, work)?,
         ClaimKind::Symmetric => identity::symmetric(family, work)?,
@@ -58,7 +58,8 @@ fn expressions(family: &Family, kind: &ClaimKind, work: &mut Work) -> Option<Vec
             differences.mapped(|(_, d)| (d.text.clone(), d.value.clone()))
         }
         _ => Vec::new(),
-    })
+    };
+    Some(all.into_iter().map(|(of, value)| (of, family.analytic.reduced(value))).listed())
 }
 
 /// A statement of a claim, with what it is about and the part of the points of which it says that.
@@ -206,7 +207,7 @@ fn by_a_way<'f>(
         let mut all = Vec::new();
         for step in steps {
             let part = (part.0.clone(), step.domain(&part.1));
-            let (of, value) = without_numbers(family, step.of, step.value);
+            let (of, value) = without_numbers(family, step.of, family.analytic.reduced(step.value));
             all.push((Stated::new(of.clone(), compared_on(&value, step.comparison, &part)?), of));
         }
         Some(all)
@@ -239,7 +240,7 @@ fn on_part(of: &str, number: usize, parts: usize) -> String {
 /// A value without the powers of π and exp(r) that are its factors: they are positive and play no part in its sign.
 fn without_numbers(family: &Family, mut of: String, value: Fraction) -> (String, Fraction) {
     let mut result = value;
-    for var in family.analytic.numbers() {
+    for var in family.analytic.transcendental() {
         let least = |p: &Poly| p.terms().map(|(m, _)| m.exponent(var)).min().unwrap_or(0);
         let (above, below) = (least(result.numer()), least(result.denom()));
         if result.is_zero() || above == below {
@@ -272,7 +273,7 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
             let single = |p: &Parameter| p.range.finite().is_some_and(|(a, b)| a == b);
             let fixed =
                 family.shapes.iter().filter(|p| single(p)).filter_map(|p| family.analytic.angle(p.var));
-            family.analytic.numbers().into_iter().filter(occurs).count() > 1
+            family.analytic.transcendental().into_iter().filter(occurs).count() > 1
                 || fixed.map(|angle| angle.itself).any(|itself| occurs(&itself))
         }
         Statement::Sign { value, .. } => of(&value.numerator) || of(&value.denominator),
@@ -567,6 +568,9 @@ fn witness(
     witness
 }
 
+/// Longer numbers are shown as decimals.
+const LONGEST: usize = 48;
+
 /// The value at a counterexample to an equation as text, if it contains π, exp(r), or a variable beside its sine.
 fn shown(family: &Family, found: &Counterexample) -> Option<String> {
     let Statement::Zero { value, .. } = found.refutation.statement() else { return None };
@@ -586,5 +590,7 @@ fn shown(family: &Family, found: &Counterexample) -> Option<String> {
     let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
     let exact = beside::exact(family, &rational);
     let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
-    Some(value.display(&family.names))
+    let text = value.display(&family.names);
+    let number = family.analytic.number(&value).filter(|_| text.len() > LONGEST);
+    Some(number.map_or(text, |x| format!("about {}", beside::decimal(x.to_f64()))))
 }

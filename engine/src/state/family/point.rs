@@ -51,7 +51,8 @@ pub(super) fn named_point(
             *last = &*last - &fixed_value.cloned().unwrap_or_else(|| Fraction::var(var));
         }
         let known = if piece.steps.is_empty() {
-            given.or_else(|| found.evaluate(&fixed_value?.quotient()))
+            // Where all variables have values there are coordinates for those that are fixed, too.
+            fixed_value.and_then(|f| value_at(family, found, f)).or(given)
         } else {
             image(fixed_value.unwrap_or(&Fraction::var(var)))
         };
@@ -72,6 +73,17 @@ pub(super) fn named_point(
     let known = parameters.clone().zip(&all).map(|(p, (_, value))| (p.var, value.clone())).listed();
     for (entry, parameter) in all.iter_mut().zip(parameters) {
         if let Some(angle) = family.analytic.angle(parameter.var) {
+            let itself = fixed.iter().find(|(v, _)| *v == angle.itself).and_then(|(_, f)| f.as_constant());
+            if let Coordinate::Algebraic(_) = &entry.1 {
+                let y = fixed.iter().find(|(v, _)| *v == angle.var);
+                let x = y.and_then(|(_, y)| angle.tangent().substitute(angle.var, y));
+                let x = x.and_then(|x| value_at(family, found, &x));
+                let itself = itself.map(|value| (angle.name.clone(), Coordinate::Rational(value)));
+                if let Some(known) = itself.or_else(|| Some((angle.tangent_name(), x?))) {
+                    *entry = known;
+                }
+                continue;
+            }
             *entry = named_angle(family, angle, (&parameter.name, &entry.1), &known);
         }
     }
@@ -84,6 +96,15 @@ pub(super) fn named_point(
         }
     }
     all
+}
+
+/// A value at a counterexample; where numbers tan(π/n) stand in it, with these in place of what is near them.
+fn value_at(family: &Family, found: &Counterexample, f: &Fraction) -> Option<Coordinate> {
+    let f = family.analytic.reduced(f.clone());
+    let Some(root) = family.analytic.roots.iter().find(|root| f.depends_on(root.var)) else {
+        return found.evaluate(&f.quotient());
+    };
+    found.with(root.var, Coordinate::Algebraic(root.number.clone()))?.evaluate(&f.quotient())
 }
 
 /// What takes the place of an angle as a reader wants it: the angle 0, else x.

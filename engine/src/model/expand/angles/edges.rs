@@ -32,28 +32,14 @@ pub(super) fn edge(var: Var, psi: &Rational, other: &Rational) -> Option<Edge> {
     let eighths = psi * &Rational::from(4);
     let n = eighths.denom().to_i64().filter(|n| *n <= MAX_MULTIPLE)?;
     let k = (&eighths * &Rational::from(n)).to_i64()?;
-    let x = Poly::var(var);
     // Also where both ends are n-th parts of a turn from one another, if the other one is at 0: that zero is taken out.
     let gap = &(psi - other).abs() * &Rational::from(n);
     let is_zero_apart = other.is_zero() && k % 4 == 0;
     if gap > Rational::ONE || gap.is_one() && !is_zero_apart {
         return None;
     }
-    let [quarter, half, three, whole] = multiples(var, n);
-    let all = match k.rem_euclid(4) {
-        0 => whole.div_exact(&x)?,
-        1 => quarter,
-        2 => half,
-        _ => three,
-    };
-    // Zeros whose smaller multiples are whole eighth turns are others.
-    let (mut zero, work) = (all.clone(), &mut Work::usual(1));
-    for d in (1..n).filter(|d| n % d == 0) {
-        for other in multiples(var, d) {
-            let common = checked_gcd(&zero, &other, work)?;
-            zero = zero.div_exact(&common)?;
-        }
-    }
+    let all = vanishing(var, n, k)?;
+    let zero = primitive(var, psi)?;
     let sign_of = |p: &Poly, at: &Rational| p.at(var, at).as_constant().map_or(0, |c| c.signum());
     let sign = |at: &Rational| sign_of(&all, at);
     // The zeros below tan ψ are passed by steps that are shorter than their distances.
@@ -79,6 +65,34 @@ pub(super) fn edge(var: Var, psi: &Rational, other: &Rational) -> Option<Edge> {
     let outside = sign_of(&zero, &beyond);
     let turned = sign_of(&zero, if is_upper { &below } else { &above });
     (outside * turned < 0).then(|| Edge { beyond, inside: if turned < 0 { -&zero } else { zero } })
+}
+
+/// A polynomial that vanishes at tan ψ, and at the tangents of all angles whose n-th multiples differ from nψ by halves of a
+/// turn, where nψ is k eighth turns; without the zero at 0.
+fn vanishing(var: Var, n: i64, k: i64) -> Option<Poly> {
+    let [quarter, half, three, whole] = multiples(var, n);
+    match k.rem_euclid(4) {
+        0 => whole.div_exact(&Poly::var(var)),
+        1 => Some(quarter),
+        2 => Some(half),
+        _ => Some(three),
+    }
+}
+
+/// A polynomial that vanishes at tan(πψ) and not where a smaller multiple of the angle is one of eighth turns.
+pub(super) fn primitive(var: Var, psi: &Rational) -> Option<Poly> {
+    let eighths = psi * &Rational::from(4);
+    let n = eighths.denom().to_i64().filter(|n| *n <= MAX_MULTIPLE)?;
+    let k = (&eighths * &Rational::from(n)).to_i64()?;
+    let (mut zero, work) = (vanishing(var, n, k)?, &mut Work::usual(1));
+    // Zeros whose smaller multiples are whole eighth turns are others.
+    for d in (1..n).filter(|d| n % d == 0) {
+        for other in multiples(var, d) {
+            let common = checked_gcd(&zero, &other, work)?;
+            zero = zero.div_exact(&common)?;
+        }
+    }
+    Some(zero)
 }
 
 /// Polynomials whose zeros are the tangents of the angles of which the n-th multiples are one, two, three, and four eighth

@@ -164,7 +164,10 @@ pub(super) fn of_end(angle: &Angle, end: &Bound) -> String {
     match angle.kind {
         Kind::Hyperbolic if alone && pi.is_zero() => format!("tanh({})", number * &angle.rate),
         Kind::Circular if alone && number.is_zero() => {
-            format!("tan({})", multiple_of_pi(&(pi * &angle.rate)))
+            match Tangent::of(angle.kind, &angle.rate, false, &Rational::ZERO, &end.value) {
+                Tangent::Exact(x) => x.to_string(),
+                _ => format!("tan({})", multiple_of_pi(&(pi * &angle.rate))),
+            }
         }
         Kind::Circular if alone && pi.is_zero() => format!("tan({})", number * &angle.rate),
         _ => {

@@ -6,6 +6,7 @@ mod edges;
 mod limits;
 mod numbers;
 mod rate;
+mod roots;
 mod survey;
 mod tangent;
 
@@ -30,6 +31,7 @@ use basis_kernel::Relation;
 use basis_prover::collections::list::{Listed, Mapped};
 use limits::{Bound, Limits, Place, limits, sum_of};
 use numbers::{exponential, ranges, tangent};
+use roots::roots;
 use survey::{Use, survey};
 use tangent::{angle, linear};
 
@@ -137,6 +139,7 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
     }
     exponential(scope, &uses, &all, &limits);
     tangent(scope, &all[..shape_count], &limits);
+    roots(scope, &uses, &all, &limits, shape_count);
     let mut parameters = Vec::new();
     let mut ends: Vec<Constraint> = Vec::new();
     let mut constraints: Vec<Constraint> = Vec::new();

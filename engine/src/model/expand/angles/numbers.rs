@@ -1,4 +1,4 @@
-//! π, exp(r) and tan(r), as variables between bounds.
+//! π, exp(r), tan(r) and tan(π/n), as variables between bounds.
 
 use super::limits::Limits;
 use super::rate::between_numbers;
@@ -45,7 +45,7 @@ pub(super) fn tangent(scope: &mut Scope<'_>, all: &[Option<Use>], limits: &[Limi
     }
 }
 
-/// Limits of π, exp(r) and tan(r).
+/// Limits of the numbers.
 pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
     let open =
         |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };
@@ -62,6 +62,9 @@ pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
         && let Some(bounds) = tangent_bounds(angle)
     {
         all.push((*var, open(bounds)));
+    }
+    for root in &scope.analytic.roots {
+        all.push((root.var, open((root.number.low().clone(), root.number.high().clone()))));
     }
     all
 }
@@ -91,7 +94,7 @@ pub(super) fn exponential_bounds(r: &Rational) -> Option<(Rational, Rational)> {
 }
 
 /// Numbers below and above tan(r), 0 < r < π/2, from the series of sin r and cos r; `None` where cos r is nearly 0.
-fn tangent_bounds(r: &Rational) -> Option<(Rational, Rational)> {
+pub(super) fn tangent_bounds(r: &Rational) -> Option<(Rational, Rational)> {
     const TERMS: i64 = 16;
     let square = r * r;
     // The terms become smaller from the second one on, with alternating signs: two partial sums lie on both sides.

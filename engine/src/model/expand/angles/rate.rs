@@ -4,6 +4,7 @@
 use super::declared::Declared;
 use super::edges::{Edge, edge};
 use super::limits::{Bound, Tangent, psi, stays_finite};
+use super::survey::Use;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::{Kind, multiple_of_pi};
@@ -16,11 +17,18 @@ pub(super) struct Rate {
     pub(super) factor: Rational,
     pub(super) shift: Rational,
     pub(super) edges: [Option<Edge>; 2],
+    /// Whether tangents at ends are made of tan(π/n).
+    pub(super) by_root: bool,
 }
 
 impl Rate {
-    fn without_edges(rate: Rational, shift: Rational) -> Self {
-        Self { factor: rate, shift, edges: [None, None] }
+    /// Of an angle that is measured from 0.
+    pub(super) fn of(rate: Rational) -> Self {
+        Self::from(rate, Rational::ZERO)
+    }
+
+    fn from(rate: Rational, shift: Rational) -> Self {
+        Self { factor: rate, shift, edges: [None, None], by_root: false }
     }
 }
 
@@ -33,21 +41,22 @@ impl Declared<'_> {
     /// The rate of an angle; `None`, with an error, if there is none.
     pub(super) fn rate(&self, scope: &Scope<'_>) -> Option<Rate> {
         if self.is_parametric() {
-            return Some(Rate::without_edges(self.rate_of_parameters(scope)?, Rational::ZERO));
+            return Some(Rate::of(self.rate_of_parameters(scope)?));
         }
         self.has_proper_ends(scope)?;
-        let numbers = || self.rate_between_numbers();
-        if let Some(found) =
-            self.rate_with_rational_ends().or_else(numbers).or_else(|| self.rate_with_edges())
-        {
-            return Some(found);
+        let (is_domain, has_roots) = (self.at.is_domain, !scope.analytic.roots.is_empty());
+        let found = without_parameters(self.of, &self.ends, is_domain)
+            .filter(|rate| !rate.by_root || has_roots)
+            .or_else(|| self.rate_with_edges());
+        if found.is_some() {
+            return found;
         }
         let texts: Vec<&str> = self.ends.mapped(|l| l.text.as_str());
         let (name, ends) = (self.name(), texts.join(" and "));
         let message =
             format!("the functions of `{name}` have irrational values at the ends {ends} of its range");
         let help = if self.at.is_domain {
-            "choose ends at which half of the smallest angle is a multiple of pi/4; a shape parameter may also be the end of the domain, `shape 0 < α <= pi/2; domain 0 <= t <= α;`"
+            "choose ends at which the smallest angle is a multiple of pi/3, pi/4, pi/5 or another small part of `pi`; a shape parameter may also be the end of the domain, `shape 0 < α <= pi/2; domain 0 <= t <= α;`"
         } else {
             "let the range begin at 0, or choose ends at which half of the smallest angle is a multiple of pi/4"
         };
@@ -62,7 +71,9 @@ impl Declared<'_> {
         let is_domain = self.at.is_domain;
         let is_proper = |l: &&Bound| match (l.value.number.is_zero(), l.value.pi.is_zero()) {
             (true, _) => {
-                l.value.pi.abs() <= Rational::ONE && (!is_domain || (&l.value.pi + &l.value.pi).is_integer())
+                // With a value of a shape parameter it may be any multiple.
+                let any = !is_domain || !scope.given.is_empty();
+                l.value.pi.abs() <= Rational::ONE && (any || (&l.value.pi + &l.value.pi).is_integer())
             }
             (false, true) => !is_domain && l.value.number.abs() < pi_bounds().0,
             (false, false) => false,
@@ -84,37 +95,6 @@ impl Declared<'_> {
         self.wrong(scope, message, help)
     }
 
-    /// The largest rate with which the tangent is finite, and rational at the ends.
-    fn rate_with_rational_ends(&self) -> Option<Rate> {
-        let (of, is_domain, circular) = (self.of, self.at.is_domain, self.is_circular());
-        let half = Rational::new(1, 2);
-        let shifts =
-            if circular && is_domain { shifts(&of.unit, of.turns, &self.ends) } else { vec![Rational::ZERO] };
-        for rate in candidates(&of.unit) {
-            for shift in &shifts {
-                let is_finite = |l: &&Bound| {
-                    let psi = psi(&rate, of.turns, shift, l).abs();
-                    psi < half || psi == half && !l.included && !is_domain && !of.beside
-                };
-                let is_irrational = |l: &&Bound| {
-                    matches!(Tangent::of(of.kind, &rate, of.turns, shift, &l.value), Tangent::Irrational)
-                };
-                if !circular || self.ends.iter().all(is_finite) && !self.ends.iter().any(is_irrational) {
-                    return Some(Rate::without_edges(rate, shift.clone()));
-                }
-            }
-        }
-        None
-    }
-
-    /// The rate of a shape parameter whose range ends in numbers.
-    fn rate_between_numbers(&self) -> Option<Rate> {
-        if !self.is_circular() || self.at.is_domain || self.of.turns {
-            return None;
-        }
-        Some(Rate::without_edges(between_numbers(&self.of.unit, &self.ends)?, Rational::ZERO))
-    }
-
     /// The largest rate of a shape parameter with which the tangent is finite, with edges at irrational ends.
     fn rate_with_edges(&self) -> Option<Rate> {
         if !self.is_circular() || self.at.is_domain || self.of.turns {
@@ -122,7 +102,7 @@ impl Declared<'_> {
         }
         candidates(&self.of.unit).into_iter().find_map(|rate| {
             let edges = irrational_ends(self.at.slot, &rate, &self.ends)?;
-            Some(Rate { factor: rate, shift: Rational::ZERO, edges })
+            Some(Rate { edges, ..Rate::of(rate) })
         })
     }
 
@@ -179,6 +159,50 @@ impl Declared<'_> {
         }
         Some(rate)
     }
+}
+
+/// The rate of an angle whose range ends in numbers or multiples of π.
+pub(super) fn without_parameters(of: &Use, ends: &[&Bound], is_domain: bool) -> Option<Rate> {
+    if ends.iter().any(|end| !end.value.parts.is_empty()) {
+        return None;
+    }
+    with_rational_ends(of, ends, is_domain).or_else(|| match (of.kind, of.turns, is_domain) {
+        (Kind::Circular, false, false) => Some(Rate::of(between_numbers(&of.unit, ends)?)),
+        (Kind::Circular, _, true) => with_a_root(of, ends),
+        _ => None,
+    })
+}
+
+/// The largest rate with which the tangent is finite, and rational at the ends.
+fn with_rational_ends(of: &Use, ends: &[&Bound], is_domain: bool) -> Option<Rate> {
+    let circular = of.kind == Kind::Circular;
+    let half = Rational::new(1, 2);
+    let shifts = if circular && is_domain { shifts(&of.unit, of.turns, ends) } else { vec![Rational::ZERO] };
+    for rate in candidates(&of.unit) {
+        for shift in &shifts {
+            let is_finite = |l: &&Bound| {
+                let psi = psi(&rate, of.turns, shift, l).abs();
+                psi < half || psi == half && !l.included && !is_domain && !of.beside
+            };
+            let is_irrational = |l: &&Bound| {
+                matches!(Tangent::of(of.kind, &rate, of.turns, shift, &l.value), Tangent::Irrational)
+            };
+            if !circular || ends.iter().all(is_finite) && !ends.iter().any(is_irrational) {
+                return Some(Rate::from(rate, shift.clone()));
+            }
+        }
+    }
+    None
+}
+
+/// The largest rate of a domain variable with which the tangent is finite, where it is irrational at an end.
+fn with_a_root(of: &Use, ends: &[&Bound]) -> Option<Rate> {
+    let is_part = |l: &&Bound| (if of.turns { &l.value.pi } else { &l.value.number }).is_zero();
+    let half = Rational::new(1, 2);
+    let is_finite =
+        |rate: &Rational| ends.iter().all(|l| psi(rate, of.turns, &Rational::ZERO, l).abs() < half);
+    let rate = candidates(&of.unit).into_iter().find(is_finite).filter(|_| ends.iter().all(is_part))?;
+    Some(Rate { by_root: true, ..Rate::of(rate) })
 }
 
 /// Of an angle whose range ends in numbers the largest rate with which the tangent is finite at the ends, and rational at

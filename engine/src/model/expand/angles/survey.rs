@@ -8,7 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::model::angle::Kind;
-use crate::model::formula::phase::{Linear, frequency};
+use crate::model::formula::phase::{Linear, frequency, special};
 use crate::model::scope::{Argument, Scope, Stage};
 use crate::model::words::{CIRCULAR, PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, StatementKind};
@@ -121,6 +121,10 @@ pub(super) struct Uses {
     pub(super) by_var: Vec<(Var, Use)>,
     /// Numbers in arguments of exp.
     pub(super) numbers: Vec<Rational>,
+    /// Halves of numbers in arguments of sin and cos, as multiples of π.
+    pub(super) turns: Vec<Rational>,
+    /// The values that `at` gives to angles.
+    pub(super) places: Vec<(Var, Linear)>,
     /// Shape parameters that stand in functions themselves.
     pub(super) beside: Vec<Var>,
     /// Shape parameters as frequencies of domain variables, with the function, and where.
@@ -215,9 +219,15 @@ pub(super) fn survey<'a>(
         if !circular && !linear.number.is_zero() {
             uses.numbers.push(linear.number.abs());
         }
+        if circular && !linear.pi.is_zero() && special(&name, &linear).is_none() {
+            uses.turns.push(&linear.pi * &Rational::new(1, 2));
+        }
     }
     for (var, value) in places {
         let Some(of) = uses.of(var).cloned() else { continue };
+        if let Some(linear) = Linear::of(&value, probe.analytic.pi).filter(|value| value.parts.is_empty()) {
+            uses.places.push((var, linear));
+        }
         if let Some(number) = value.as_constant() {
             if of.kind == Kind::Hyperbolic && !number.is_zero() {
                 uses.numbers.push(&number.abs() * &of.unit);
@@ -245,8 +255,8 @@ pub(super) fn probe_claims<'a>(
     for statement in &written.statements {
         let StatementKind::Claim(claim) = &statement.kind else { continue };
         match &claim.kind {
-            ClaimKind::Relation(relation) => probe_relation(probe, relation),
-            ClaimKind::At(bindings, relations) => {
+            ClaimKind::Relation(relation) if probe.given.is_empty() => probe_relation(probe, relation),
+            ClaimKind::At(bindings, relations) if is_about_given(probe, bindings) => {
                 for Binding { name, value, .. } in bindings {
                     let var = probe.variable(&name.text);
                     places.extend(var.zip(probe.scalar(value)));
@@ -258,6 +268,16 @@ pub(super) fn probe_claims<'a>(
             _ => {}
         }
     }
+}
+
+/// Whether a block gives all shape parameters their values that have one.
+fn is_about_given(probe: &mut Scope<'_>, bindings: &[Binding]) -> bool {
+    let given = probe.given.clone();
+    given.iter().all(|(name, turns)| {
+        let own = bindings.iter().find(|b| b.name.text == *name && b.indices.is_empty());
+        let value = own.and_then(|b| names::attempt(probe, &mut |probe| probe.scalar(&b.value)));
+        value.and_then(|value| Linear::of(&value, probe.analytic.pi)).is_some_and(|value| value.pi == *turns)
+    })
 }
 
 /// Evaluates the sides of a claim for all values of its index variables.

@@ -92,10 +92,11 @@ pub(super) fn angle(
     let ends: Vec<&Bound> = limits.iter().flatten().listed();
     let declared = Declared { decl, at, of, limits, ends, all, count, known };
     declared.has_its_ends(scope)?;
-    let Rate { factor: rate, shift, edges } = declared.rate(scope)?;
+    let Rate { factor: rate, shift, edges, by_root } = declared.rate(scope)?;
     let mut new = declared.angle(scope, rate, shift);
     scope.names[at.slot.0] = new.tangent_name();
     let exact = !declared.is_parametric()
+        && !by_root
         && declared.ends.iter().all(|l| l.value.number.is_zero() || of.turns && declared.is_circular());
     let range = if exact {
         declared.between_numbers(&new, &edges)

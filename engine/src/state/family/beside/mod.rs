@@ -282,9 +282,8 @@ fn zero(angle: &Angle, sample: &Sample<'_>, work: &mut Work) -> Option<Fraction>
 /// The same step, about the tangent itself in place of the variable that runs between the ends of its range, if these contain
 /// exp(r) or tan(r) and the step does not: about a little more than this range.
 fn in_the_tangent(family: &Family, angle: &Angle, step: &Step) -> Option<(Step, Angle)> {
-    let (exponential, tangent) = (&family.analytic.exponential, &family.analytic.tangent);
-    let mut numbers = [exponential, tangent].into_iter().flatten();
-    let (number, _) = numbers.find(|(number, _)| angle.tangent().depends_on(*number))?;
+    let numbers = family.analytic.numbers().into_iter().filter(|var| Some(*var) != family.analytic.pi);
+    let number = &numbers.listed().into_iter().find(|number| angle.tangent().depends_on(*number))?;
     if step.ranges.iter().any(|(v, _)| *v == angle.var) {
         return None;
     }
@@ -431,6 +430,6 @@ pub(super) fn shown(family: &Family, found: &Counterexample, value: &Rational) -
     })
 }
 
-fn decimal(x: f64) -> String {
+pub(super) fn decimal(x: f64) -> String {
     if x.abs() < 1e-3 { format!("{x:.3e}") } else { format!("{x:.6}") }
 }

@@ -1,0 +1,143 @@
+//! Angles whose sines are irrational: at an end of the domain, at a value that `at` gives, and as numbers such as sin(π/4).
+
+use crate::rechecked::rechecked;
+use basis_engine::{Source, Verdict, check};
+
+/// Every claim of a spec is found to be as it is declared, and checks out again from the text of its certificate; the
+/// counterexamples.
+fn counterexamples(spec: &str) -> Vec<String> {
+    let report = check(Source::text("turns.basis", spec));
+    assert!(report.diagnostics.is_empty(), "{:?}", report.diagnostics);
+    let mut all = Vec::new();
+    for verdict in rechecked(&report) {
+        if let Verdict::Refuted(witness) = verdict {
+            all.push(format!("{} at {}", witness.value_text(), witness.point()));
+        }
+    }
+    all
+}
+
+/// The middle of the domain and others of its points: tan(π/8) = √2 − 1, tan(π/16), tan(π/12) = 2 − √3.
+#[test]
+fn values_at_parts_of_a_turn() {
+    let found = counterexamples(
+        "family OnTheUnitInterval {
+            domain 0 <= t <= 1;
+            b[0] = 1 - sin(pi*t/2);
+            b[1] = sin(pi*t/2) + cos(pi*t/2) - 1;
+            b[2] = 1 - cos(pi*t/2);
+            prove at t = 1/2 { b[0] = b[2]; b[1]^2 + 2*b[1] = 1; D(b[1]) = 0; D(b[0])^2 = pi^2/8; }
+            prove at t = 1/3 { b[0] = 1/2; b[1] <= 3661/10000; }
+            prove at t = 1/4 { b[0] = 1 - sin(pi/8); }
+            refute at t = 1/4 { b[0] = 1 - sin(3*pi/8); }
+            prove at t = 1/2 { 41/100 < b[1] < 5/12; }
+            refute at t = 1/2 { b[1] = 5/12; }
+            refute at t = 1/2 { b[1] <= 41/100; }
+            refute at t = 1/2 { D(b[0])^2 = pi^2/7; }
+        }
+        family InRadians {
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t);
+            b[1] = sin(t);
+            prove at t = pi/4 { b[0] = b[1]; 2*b[0]^2 = 1; }
+            prove at t = pi/3 { b[0] = 1/2; 4*b[1]^2 = 3; b[1] = b[0](pi/2 - t); }
+            refute at t = pi/6 { b[1] > 1/2; }
+        }
+        family GoldenSection {
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t);
+            prove at t = 2*pi/5 { 2*b[0] = 1/(2*b[0] + 1); }
+        }
+        family Sums {
+            domain 0 <= t <= pi/2;
+            b[0] = sin(t + pi/3) + cos(pi/6)*t;
+            b[1] = sin(t) + sin(pi/3)*cos(t);
+            prove b[0] = sin(t)/2 + cos(pi/6)*(t + cos(t));
+            prove b[1] >= 86/100;
+            refute b[1] >= 87/100;
+        }",
+    );
+    assert_eq!(found[1], "about -0.002453 at t = 1/2");
+    assert_eq!(found[3], "-1/56*pi^2 at t = 1/2");
+    assert_eq!(found.len(), 6, "{found:?}");
+}
+
+/// tan(π/8), where the domain ends.
+#[test]
+fn domains_end_at_parts_of_a_turn() {
+    let found = counterexamples(
+        "family Halves {
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t/2) - sin(t/2);
+            b[1] = 2*sin(t/2)*(cos(t/2) - sin(pi/4));
+            b[2] = 1 - b[0] - b[1];
+            prove b[0] >= 0;
+            prove b[1] >= 0;
+            prove b[0] <= 1;
+            prove independent;
+            prove at t = 0 { b = [1, 0, 0]; }
+            prove at t = pi/2 { b = [0, 0, 1]; D(b[0]) = -sin(pi/4); }
+            prove at t = pi/4 { b[0] = cos(pi/8) - sin(pi/8); }
+            refute b[0] >= 1/10;
+            refute symmetric;
+        }
+        family BothSides {
+            domain -pi/2 <= t <= pi/2;
+            b[0] = cos(t/2) - sin(t/2);
+            b[1] = cos(t/2) + sin(t/2);
+            prove nonnegative;
+            prove symmetric;
+            prove independent;
+            prove b[0]*b[1] = cos(t);
+            prove at t = pi/3 { b[1]^2 = 1 + sin(pi/3); }
+        }
+        family Mixed {
+            domain 0 <= t <= pi/2;
+            b[0] = t - sin(t/2);
+            b[1] = cos(t/2) - t*sin(pi/4)/(pi/2);
+            prove b[0] >= 0;
+            prove b[1] >= 0;
+            prove sin(t/2) >= 2*t*sin(pi/4)/pi;
+            refute sin(t/2) >= t*46/100;
+            prove at t = pi/2 { b[0] = pi/2 - sin(pi/4); b[1] = 0; }
+        }
+        family Spans {
+            domain 0 <= t <= pi/2, pi/2 <= t <= pi;
+            f[0] = sin(t/2) | sin(pi/4)*(cos((t - pi/2)/2) + sin((t - pi/2)/2));
+            prove smooth(3);
+            prove nonnegative;
+            prove at t = pi/3 { f[0] = 1/2; }
+            prove at t = 2*pi/3 { f[0] = sin(pi/3); }
+            prove at t = pi/2 { D(f[0]) = sin(pi/4)/2; }
+        }
+        family Third {
+            domain 0 <= t <= 1;
+            b[0] = 2*cos(pi*t/3) - 1;
+            b[1] = sin(pi*t/3);
+            prove nonnegative;
+            prove at t = 1 { b[0] = 0; 4*b[1]^2 = 3; }
+            refute b[1] >= t;
+        }",
+    );
+    assert_eq!(found.len(), 4, "{found:?}");
+}
+
+/// The family is expanded anew, on a domain that ends there.
+#[test]
+fn shape_parameters_at_parts_of_a_turn() {
+    let found = counterexamples(
+        "family CBezier {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            b[0] = b[3](α - t);
+            b[1] = 1 - b[0] - b[2] - b[3];
+            b[2] = (1 - cos(t))/(1 - cos(α)) - b[3];
+            b[3] = (t - sin(t))/(α - sin(α));
+            prove at α = pi/3 { b[3] >= 0; b[0] >= 0; b[2] >= 0; b[3](t) = b[0](α - t); }
+            refute at α = pi/3 { b[2] >= 1/100; }
+            prove at α = pi/4, t = α { D(b[3]) = (1 - cos(pi/4))/(pi/4 - sin(pi/4)); }
+            refute at α = 2*pi/3, t = α { D(b[3]) = 1; }
+        }",
+    );
+    assert_eq!(found.len(), 2, "{found:?}");
+}
