@@ -293,7 +293,7 @@ fn fixed_angle(
             return None;
         }
     }
-    let outside = match y.as_constant() {
+    let outside = match scope.analytic.number(&y) {
         Some(c) => !parameter.range.contains(&c),
         None => is_beyond(&value, angle),
     };

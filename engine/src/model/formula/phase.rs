@@ -217,7 +217,7 @@ impl Scope<'_> {
                 return Err((
                     format!("sin and cos of the angle {what} are irrational"),
                     String::from(
-                        "constant parts of an angle are multiples of pi/2, pi/3, pi/4, pi/5 or another small part of `pi`, and of shape parameters",
+                        "constant parts of an angle are multiples of pi/2, or of one small part of `pi` for the whole family such as pi/12, and of shape parameters",
                     ),
                 ));
             };

@@ -340,9 +340,11 @@ impl Scope<'_> {
         }
     }
 
-    /// The coordinates of a point that a polynomial depends on, as text.
+    /// The coordinates of a point that a polynomial depends on, as text, without definite numbers if there are others.
     fn own(&self, p: &Poly, point: &[(Var, Coordinate)]) -> String {
-        let own = point.iter().filter(|(v, _)| p.depends_on(*v));
+        let numbers = self.analytic.numbers();
+        let any = point.iter().any(|(v, _)| p.depends_on(*v) && !numbers.contains(v));
+        let own = point.iter().filter(|(v, _)| p.depends_on(*v) && !(any && numbers.contains(v)));
         let parts: Vec<String> = own.map(|(v, c)| c.describe(&self.names[v.0])).listed();
         parts.join(", ")
     }
