@@ -76,6 +76,10 @@ fn variables(family: &Family, shapes: &[Rational], at: &At) -> Vec<(Var, Rationa
         let (sin, cos) = sin_cos(angle);
         (*var, rounded(&(&sin / &cos)))
     }));
+    known.extend(analytic.roots.iter().map(|root| {
+        let (sin, cos) = sin_cos(&(&Analytic::pi() * &Rational::new(1, root.parts)));
+        (root.var, rounded(&(&sin / &cos)))
+    }));
     let all = family.shapes.iter().zip(shapes).map(|(p, value)| (p.var, value.clone()));
     for (var, value) in all {
         add(analytic, var, &value, &mut known);

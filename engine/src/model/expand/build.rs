@@ -128,12 +128,15 @@ fn common_denominator(scope: &Scope<'_>, functions: &[Function], span: Span) -> 
     if !several && !functions.iter().any(rational) {
         return Some(Poly::one());
     }
+    // As polynomials, of which it is a multiple of all denominators: numbers in it are variables.
+    scope.budget.set_roots(&[]);
     for f in functions {
         let denom = Fraction::from(f.value.denom().clone());
         // Of m/d in lowest terms the numerator is what of m is not in d.
         let rest = scope.fits(scope.budget.div(&denom, &over), span)?;
         over = scope.fits(scope.budget.mul(&over, &Fraction::from(rest.numer().clone())), span)?;
     }
+    scope.budget.set_roots(&scope.analytic.roots);
     Some(over.numer().normalized())
 }
 
