@@ -113,7 +113,10 @@ pub trait Language {
 
     /// A name that is not reserved and not taken: with as many `_` appended as it needs.
     fn free(&self, name: &str, taken: &[String]) -> String {
-        let mut name = generate::ascii(name);
+        let ascii = generate::ascii(name);
+        // Where all names that begin with `_` are reserved, more of them at the end help nothing.
+        let begins = if self.is_reserved("_v") { ascii.trim_start_matches('_') } else { &ascii };
+        let mut name = String::from(if begins.is_empty() { "v" } else { begins });
         while self.is_reserved(&name) || taken.contains(&name) {
             name.push('_');
         }
@@ -250,4 +253,18 @@ pub fn header(job: &Job<'_>) -> Vec<String> {
         String::from("warranty."),
     ]
     .to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Also where every name that begins with `_` is.
+    #[test]
+    fn names_that_are_reserved_get_others() {
+        let taken = [String::from("c1")];
+        assert_eq!(python::Python.free("_c1", &taken), "c1_");
+        assert_eq!(python::Python.free("_", &[]), "v");
+        assert_eq!(python::Python.free("lambda", &[]), "lambda_");
+    }
 }
