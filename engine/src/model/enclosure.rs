@@ -16,6 +16,8 @@
 //! e + arctan(z)/v with z = (x − xₑ)/(1 + x·xₑ), and the bounds are exact at that end; for tanh it is 1 − x·xₑ.
 //! What holds for all numbers between the bounds in place of s holds for s.
 
+use std::sync::LazyLock;
+
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
@@ -81,7 +83,12 @@ fn quotients(kind: Kind, n: u32) -> [[Vec<Rational>; 2]; 2] {
 }
 
 /// Numbers below and above π, from π = 16 arctan(1/5) − 4 arctan(1/239).
-pub(crate) fn pi_bounds() -> (Rational, Rational) {
+pub(crate) fn pi_bounds() -> &'static (Rational, Rational) {
+    static BOUNDS: LazyLock<(Rational, Rational)> = LazyLock::new(pi_from_arctangents);
+    &BOUNDS
+}
+
+fn pi_from_arctangents() -> (Rational, Rational) {
     // The partial sums of an alternating series lie on both sides of its value.
     let arctan = |n: i64, terms: u32| {
         let x = Rational::new(1, n);
@@ -309,7 +316,7 @@ mod tests {
     fn pi_lies_between_its_bounds() {
         let (low, high) = pi_bounds();
         assert!(low.to_f64() <= core::f64::consts::PI && core::f64::consts::PI <= high.to_f64());
-        assert!(low < high && &high - &low < Rational::from(10).pow(18).recip().unwrap());
+        assert!(low < high && high - low < Rational::from(10).pow(18).recip().unwrap());
     }
 
     #[test]

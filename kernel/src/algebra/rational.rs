@@ -261,10 +261,19 @@ fn small(value: &BigInt) -> Option<i64> {
     value.to_i64().filter(|n| *n != i64::MIN)
 }
 
-/// The greatest common divisor; one division first, because mostly one of the two is small.
+/// The greatest common divisor. One division first, because mostly one of the two is small; and nothing is searched for beside
+/// a power of two, which is the denominator of a number that was rounded.
 fn euclid(a: &BigInt, b: &BigInt) -> BigInt {
     let (a, b) = if a.bits() < b.bits() { (b, a) } else { (a, b) };
-    if b.sign() == Sign::NoSign { a.abs() } else { (a % b).gcd(b) }
+    let Some(twos) = b.trailing_zeros() else { return a.abs() };
+    if twos + 1 == b.bits() {
+        return BigInt::from(1) << twos.min(a.trailing_zeros().unwrap_or(twos));
+    }
+    let rest = a % b;
+    match (rest.magnitude().to_u128(), b.magnitude().to_u128()) {
+        (Some(a), Some(b)) => BigInt::from(gcd(a, b)),
+        _ => rest.gcd(b),
+    }
 }
 
 fn gcd(mut a: u128, mut b: u128) -> u128 {
@@ -504,6 +513,23 @@ mod tests {
         assert_eq!(Rational::new(3, 4).gcd(&Rational::new(5, 6)), Rational::new(1, 12));
         let big = Rational::from(3).pow(100);
         assert_eq!((&big * &Rational::from(10)).gcd(&Rational::from(-25)), Rational::from(5));
+    }
+
+    #[test]
+    fn common_divisors_of_every_size() {
+        let powers = |prime: i64| [0_u32, 1, 2, 31, 32, 63, 64, 65, 130].map(|k| Rational::from(prime).pow(k));
+        let whole: Vec<BigInt> = powers(2)
+            .iter()
+            .flat_map(|a| powers(3).map(|b| a * &b))
+            .flat_map(|x| [1, -7].map(|factor| &x * &Rational::from(factor)))
+            .filter_map(|x| x.to_whole())
+            .collect();
+        for a in &whole {
+            assert_eq!(euclid(a, &BigInt::ZERO), a.abs());
+            for b in &whole {
+                assert_eq!(euclid(a, b), a.gcd(b), "{a} {b}");
+            }
+        }
     }
 
     #[test]

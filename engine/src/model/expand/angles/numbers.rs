@@ -51,7 +51,7 @@ pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
         |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };
     let mut all = Vec::new();
     if let Some(pi) = scope.analytic.pi {
-        all.push((pi, open(pi_bounds())));
+        all.push((pi, open(pi_bounds().clone())));
     }
     if let Some((var, exponent)) = &scope.analytic.exponential
         && let Some(bounds) = exponential_bounds(exponent)

@@ -217,7 +217,7 @@ pub(super) fn between_numbers(unit: &Rational, ends: &[&Bound]) -> Option<Ration
             let tangent = Tangent::of(Kind::Circular, rate, false, &Rational::ZERO, &l.value);
             matches!(tangent, Tangent::Exact(_))
         }
-        (false, pi_is_zero) => pi_is_zero && &(&l.value.number.abs() * rate) * &Rational::from(2) < pi,
+        (false, pi_is_zero) => pi_is_zero && &(&l.value.number.abs() * rate) * &Rational::from(2) < *pi,
     };
     candidates(unit).into_iter().find(|rate| ends.iter().all(|l| fits(rate, l)))
 }

@@ -96,8 +96,8 @@ fn number(var: Var, parts: i64) -> Option<Algebraic> {
     let minimal = primitive(var, &part).filter(|p| i64::from(p.degree(var)) == degree(parts))?;
     let (low, high) = pi_bounds();
     // It is the least positive zero.
-    let (low, _) = tangent_bounds(&rounded(&(&low * &part), false))?;
-    let (_, high) = tangent_bounds(&rounded(&(&high * &part), true))?;
+    let (low, _) = tangent_bounds(&rounded(&(low * &part), false))?;
+    let (_, high) = tangent_bounds(&rounded(&(high * &part), true))?;
     Algebraic::new(&Univariate::from_poly(&minimal, var)?, low, high)
 }
 
