@@ -1,5 +1,6 @@
 //! Specs and what is said of them: verdicts on claims, messages, names of the library.
 
+mod assumed;
 mod beside;
 mod integrals;
 mod language_reference;

@@ -517,7 +517,8 @@ mod tests {
 
     #[test]
     fn common_divisors_of_every_size() {
-        let powers = |prime: i64| [0_u32, 1, 2, 31, 32, 63, 64, 65, 130].map(|k| Rational::from(prime).pow(k));
+        let powers =
+            |prime: i64| [0_u32, 1, 2, 31, 32, 63, 64, 65, 130].map(|k| Rational::from(prime).pow(k));
         let whole: Vec<BigInt> = powers(2)
             .iter()
             .flat_map(|a| powers(3).map(|b| a * &b))

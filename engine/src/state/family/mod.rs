@@ -9,6 +9,7 @@ mod premises;
 mod rounding;
 mod spans;
 mod total;
+mod touching;
 
 use std::rc::Rc;
 

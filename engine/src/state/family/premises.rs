@@ -5,6 +5,8 @@
 //!
 //! Where g is a polynomial in one variable, f = q·g + r by division, and q ≥ 0 and r ≥ 0 are enough.
 //!
+//! Of lower degree than g, f = P − N with P ≥ 0 is ≥ 0 if P² − N² is, as |N| ≤ P then.
+//!
 //! The premise is then no longer needed: f − c·m·g ≥ 0 is said of the whole box. The number c has to satisfy
 //! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
 //! the kernel to see.
@@ -15,6 +17,7 @@ use basis_prover::{Coordinate, Counterexample, refute, typical};
 use core::cmp::Ordering;
 use std::rc::Rc;
 
+use super::touching;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
@@ -27,6 +30,12 @@ const MAX_POINTS: usize = 800;
 
 /// Steps that are tried on the way down.
 const MAX_TRIES: usize = 3000;
+
+/// How often the steps towards a narrower interval for a number are halved.
+const NEARER: usize = 6;
+
+/// Sums of more terms are not squared.
+const MAX_SQUARED: usize = 12;
 
 /// More terms than this are not evaluated at that many points.
 const MAX_TERMS: usize = 400;
@@ -85,7 +94,31 @@ impl Sign<'_> {
             return Some(vec![self.plain()]);
         }
         let divided = |exactly| self.divided(depth, exactly);
-        divided(true).or_else(|| divided(false)).or_else(|| self.by_number(seen))
+        divided(true).or_else(|| divided(false)).or_else(|| self.by_number(seen)).or_else(|| self.squared())
+    }
+
+    /// For P − N, the parts with positive and with negative coefficients: that P ≥ 0, and that P² − N² has the sign.
+    fn squared(&self) -> Option<Vec<Statement>> {
+        let Quotient { numerator, denominator } = &self.value;
+        let degree = self.domain.premises.iter().map(|(g, _)| g.total_degree()).max()?;
+        if !denominator.is_one() || numerator.total_degree() >= degree || numerator.len() > MAX_SQUARED {
+            return None;
+        }
+        let part = |sign: i32| {
+            let own = numerator.terms().filter(|(_, c)| c.signum() == sign);
+            Poly::from_terms(own.map(|(m, c)| (m.clone(), c.clone())))
+        };
+        let (above, below) = (part(1), part(-1));
+        if above.is_zero() {
+            return None;
+        }
+        let value = Quotient::from(&above.pow(2) - &below.pow(2));
+        let sign = Sign { value, relation: self.relation, domain: self.domain };
+        let seen = Seen::new(&sign.value, self.domain)?;
+        let domain = without_premises(self.domain);
+        let first = Statement::Sign { value: above.into(), relation: Relation::NonNegative, domain };
+        let rest = if seen.is_negative() { sign.by_number(&seen)? } else { vec![sign.plain()] };
+        Some([vec![first], rest].concat())
     }
 
     /// For a quotient of q·g + r, where g is a premise: that q and r have the sign. `exactly` where r is 0.
@@ -126,7 +159,7 @@ impl Sign<'_> {
     /// With a number times a premise taken away, and times something that is ≥ 0.
     fn by_number(&self, seen: &Seen) -> Option<Vec<Statement>> {
         let Self { value, relation, domain } = self;
-        let Seen { points, values: f } = seen;
+        let Seen { points, .. } = seen;
         let one = Poly::one();
         let below = &value.denominator;
         let is_positive = |p: &Poly| {
@@ -140,7 +173,8 @@ impl Sign<'_> {
                 let part = of_variables(below, g).filter(|part| part != below);
                 let over = [Some(below.clone()), part].into_iter().flatten().filter(|p| is_positive(p));
                 for over in [one.clone()].into_iter().chain(over) {
-                    let Some(c) = multiple(f, &values(&product, &over, points)?) else { continue };
+                    let quotient = Quotient { numerator: product.clone(), denominator: over.clone() };
+                    let Some(c) = self.multiple(seen, &quotient) else { continue };
                     let numerator = &value.numerator - &(&product.scale(&c) * &below.div_exact(&over)?);
                     // From a strict premise follows a strict inequality.
                     let strict =
@@ -162,31 +196,88 @@ impl Sign<'_> {
     }
 }
 
-/// A number c > 0 with c·g ≤ f at all points, in the middle of those that do.
-fn multiple(f: &[Option<Rational>], g: &[Option<Rational>]) -> Option<Rational> {
-    let (mut low, mut high) = (Rational::ZERO, None::<Rational>);
-    for pair in f.iter().zip(g) {
-        let (Some(f), Some(g)) = pair else { continue };
-        match g.signum() {
-            0 if f.is_negative() => return None,
-            0 => {}
-            1 => {
-                let most = f.checked_div(g)?;
-                high = Some(high.map_or(most.clone(), |known| known.min(most)));
+impl Sign<'_> {
+    /// A number c > 0 with c·g ≤ f at all points, in the middle of those that do.
+    fn multiple(&self, seen: &Seen, g: &Quotient) -> Option<Rational> {
+        let g_values = values(&g.numerator, &g.denominator, &seen.points)?;
+        // The largest lower and the least upper bound, with the points that say so.
+        let mut bounds: [Option<(Rational, usize)>; 2] = [None, None];
+        for (k, pair) in seen.values.iter().zip(&g_values).enumerate() {
+            let (Some(f), Some(g)) = pair else { continue };
+            let sign = g.signum();
+            if sign == 0 {
+                if f.is_negative() {
+                    return None;
+                }
+                continue;
             }
-            _ => low = low.max(f.checked_div(g)?),
+            let own = f.checked_div(g)?;
+            let bound = &mut bounds[usize::from(sign > 0)];
+            if bound.as_ref().is_none_or(|(known, _)| if sign > 0 { own < *known } else { own > *known }) {
+                *bound = Some((own, k));
+            }
         }
+        let [low, high] = bounds;
+        let Some((high, highest)) = high else {
+            return Some(&low.map_or(Rational::ZERO, |(low, _)| low).max(Rational::ZERO) + &Rational::ONE);
+        };
+        let (low, lowest) = low.map_or((Rational::ZERO, None), |(low, k)| (low, Some(k)));
+        if low > high {
+            return None;
+        }
+        // Where f and g vanish together there is a single such number, and nearby points leave little room around it.
+        let high = self.nearer(g, &seen.points[highest], high, 1);
+        let low =
+            lowest.map_or(low.clone(), |k| self.nearer(g, &seen.points[k], low, -1)).max(Rational::ZERO);
+        if low > high {
+            return None;
+        }
+        // Away from both ends, if there is room; where there is little it may be an end.
+        let width = &high - &low;
+        let little = width < &high * &Rational::new(1, 50);
+        let aside = if little { Rational::ZERO } else { &width * &Rational::new(1, 4) };
+        let c = simplest_within(&(&low + &aside), &(&high - &aside));
+        c.is_positive().then_some(c)
     }
-    let c = match high {
-        Some(high) if low <= high => {
-            // Away from both ends, if there is room.
-            let quarter = &(&high - &low) * &Rational::new(1, 4);
-            simplest_within(&(&low + &quarter), &(&high - &quarter))
+
+    /// The quotient f/g where g has a sign, made smaller where it is positive and larger where it is negative, step by step
+    /// from a point.
+    fn nearer(&self, g: &Quotient, from: &[Rational], value: Rational, sign: i32) -> Rational {
+        let ranges = ranges(self.domain);
+        let depends = |q: &Quotient, v: Var| q.numerator.depends_on(v) || q.denominator.depends_on(v);
+        let moving: Vec<&(Var, Range)> =
+            ranges.iter().filter(|(v, _)| depends(&self.value, *v) || depends(g, *v)).collect();
+        let at = |point: &[Rational]| {
+            let value = |q: &Quotient| q.numerator.eval(point).checked_div(&q.denominator.eval(point));
+            let below = value(g).filter(|g| g.signum() == sign)?;
+            value(&self.value)?.checked_div(&below)
+        };
+        let short =
+            |d: &Vec<i64>| d.iter().all(|k| k.abs() <= 1) && d.iter().filter(|k| **k != 0).count() <= 2;
+        let directions: Vec<Vec<i64>> = directions(moving.len()).into_iter().filter(short).collect();
+        let (mut point, mut best) = (from.to_vec(), value);
+        let mut step = Rational::new(1, 16);
+        for _ in 0..NEARER {
+            for direction in &directions {
+                let mut next = point.clone();
+                for ((var, range), steps) in moving.iter().zip(direction) {
+                    let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
+                    next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
+                }
+                let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
+                if !inside || !fits(self.domain, &next) {
+                    continue;
+                }
+                if let Some(own) = at(&next)
+                    && (if sign > 0 { own < best } else { own > best })
+                {
+                    (point, best) = (next, own);
+                }
+            }
+            step = &step * &Rational::new(1, 2);
         }
-        None => &low + &Rational::ONE,
-        Some(_) => return None,
-    };
-    c.is_positive().then_some(c)
+        best
+    }
 }
 
 /// The factor of a product that has the variables of a premise, if the others do not occur in it.
@@ -197,7 +288,8 @@ fn of_variables(product: &Poly, premise: &Poly) -> Option<Poly> {
 }
 
 /// What a premise is multiplied by: the powers that a numerator has in all its terms, alone, and times the distances from
-/// the ends of the ranges of other variables, and times their squares.
+/// the ends of the ranges of other variables, and times their squares; where its degree is lower than that of the numerator
+/// also variables that are ≥ 0, their sum, and squares.
 fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
     let own = common(numerator, domain);
     let mut all = vec![own.clone()];
@@ -211,6 +303,19 @@ fn factors(numerator: &Poly, premise: &Poly, domain: &Domain) -> Vec<Poly> {
             all.push(&own * &distance);
             all.push(&own * &distance.pow(2));
         }
+    }
+    if own.is_one() && numerator.total_degree() > premise.total_degree() {
+        let is_positive = |v: &Var| {
+            let range = ranges(domain).into_iter().find(|(own, _)| own == v);
+            range.is_some_and(|(_, range)| range.low.value().is_some_and(|low| !low.is_negative()))
+        };
+        let variables = premise.variables();
+        let (positive, others): (Vec<Var>, Vec<Var>) = variables.into_iter().partition(is_positive);
+        all.extend(positive.iter().map(|v| Poly::var(*v)));
+        if positive.len() > 1 {
+            all.push(positive.iter().fold(Poly::zero(), |sum, v| &sum + &Poly::var(*v)));
+        }
+        all.extend(others.iter().map(|v| Poly::var(*v).pow(2)));
     }
     all
 }
@@ -308,7 +413,7 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
         }
     }
     if relation.holds(&least) {
-        return None;
+        return touching::counterexample(&Rc::new(statement.clone()), &ranges, &point, work);
     }
     at(&point, work)
 }

@@ -1,0 +1,87 @@
+//! Points on the border of what is assumed at which an expression that is ≥ 0 there vanishes, such as α = β = 1/√2 for
+//! 1/2 − α·β on the disk α² + β² ≤ 1: nearly always irrational, so that no search among rational points meets them.
+//!
+//! All variables but two have the values of a point near by. Where f(x, y) = 0 and g(x, y) = 0, x is a zero of the resultant in y, and
+//! y of that in x. Which of the pairs are such points is for the kernel to see.
+
+use basis_kernel::{Relation, Statement};
+use basis_prover::collections::list::Listed;
+use basis_prover::{Coordinate, Counterexample, refute};
+use std::rc::Rc;
+
+use crate::algebra::divisors::resultant::resultant;
+use crate::algebra::poly::{Poly, Var};
+use crate::algebra::range::Range;
+use crate::algebra::rational::Rational;
+use crate::algebra::real::algebraic::number;
+use crate::algebra::real::roots::isolate;
+use crate::algebra::univariate::Univariate;
+use crate::algebra::work::Work;
+
+/// Zeros farther from the point near by than this part of a range are not tried.
+const NEAR: (i64, i64) = (1, 8);
+
+/// Pairs of zeros that are tried, at most.
+const MAX_PAIRS: usize = 6;
+
+/// Of higher degree no resultant is looked for.
+const MAX_DEGREE: u32 = 6;
+
+/// A counterexample to a strict inequality under premises next to a point of which the coordinates are given by variable.
+pub(super) fn counterexample(
+    statement: &Rc<Statement>,
+    ranges: &[(Var, Range)],
+    near: &[Rational],
+    work: &mut Work,
+) -> Option<Counterexample> {
+    let Statement::Sign { value, relation: Relation::Positive, domain } = &**statement else { return None };
+    let f = &value.numerator;
+    for (g, relation) in &domain.premises {
+        let own = g.variables();
+        if *relation == Relation::Positive || g.total_degree() < 2 {
+            continue;
+        }
+        for (k, x) in own.iter().enumerate() {
+            for y in &own[k + 1..] {
+                let on_plane = |p: &Poly| {
+                    let others = p.variables().into_iter().filter(|v| v != x && v != y);
+                    others.fold(p.clone(), |p, v| p.at(v, &near[v.0]))
+                };
+                let (f, g) = (on_plane(f), on_plane(g));
+                if f.is_zero() || f.total_degree().max(g.total_degree()) > MAX_DEGREE {
+                    continue;
+                }
+                let found = |of: Var, without: Var, work: &mut Work| {
+                    let range = &ranges.iter().find(|(v, _)| *v == of)?.1;
+                    zeros(&resultant(&f, &g, without, work)?, of, range, &near[of.0], work)
+                };
+                let (Some(first), Some(second)) = (found(*x, *y, work), found(*y, *x, work)) else {
+                    continue;
+                };
+                let pairs = first.iter().flat_map(|a| second.iter().map(move |b| (a, b)));
+                for (a, b) in pairs.take(MAX_PAIRS) {
+                    let coordinate = |v: Var| match v {
+                        v if v == *x => a.clone(),
+                        v if v == *y => b.clone(),
+                        v => Coordinate::Rational(near[v.0].clone()),
+                    };
+                    let point = ranges.iter().map(|(v, _)| (*v, coordinate(*v))).listed();
+                    if let Some(found) = refute(statement, &point, work) {
+                        return Some(found);
+                    }
+                }
+            }
+        }
+    }
+    None
+}
+
+/// The zeros of a polynomial in one variable next to a number of a range.
+fn zeros(p: &Poly, var: Var, range: &Range, near: &Rational, work: &mut Work) -> Option<Vec<Coordinate>> {
+    let p = Univariate::from_poly(p, var).filter(|p| !p.is_zero())?.square_free_part(work)?;
+    let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
+    let reach = &width * &Rational::new(NEAR.0, NEAR.1);
+    let roots = isolate(&p, Some(&(near - &reach)), Some(&(near + &reach)), work)?;
+    let coordinate = |root| Some(number(&p, root)?.map_or_else(Coordinate::Algebraic, Coordinate::Rational));
+    roots.iter().map(coordinate).collect()
+}

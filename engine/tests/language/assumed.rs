@@ -1,0 +1,176 @@
+//! What families assume of their shape values: claims that hold only there, with false ones beside them.
+
+use crate::verdicts::verdicts;
+
+/// As many claims as are declared to be false have counterexamples, and none is undecided.
+fn refuted(spec: &str) -> Vec<String> {
+    let found = verdicts(spec);
+    let refuted: Vec<String> = found.iter().filter(|v| *v != "=").cloned().collect();
+    assert_eq!(refuted.len(), spec.matches("refute ").count(), "{found:?}");
+    assert!(refuted.iter().all(|v| v.contains(" at ")), "{refuted:?}");
+    refuted
+}
+
+#[test]
+fn counterexamples_are_inside_of_what_is_assumed() {
+    // The quadrilateral has the corners (0, 1/4), (0, 1), (1, 0), (1/2, 0).
+    let found = verdicts(
+        "family Polygon {
+            domain 0 <= t <= 1;
+            shape 0 <= α, 0 <= β <= 1;
+            assume α + β <= 1;
+            assume 1/2 <= α + 2*β;
+            b[0] = 1 - α - β*t;
+            b[1] = α + β*t^2 + t/100;
+            prove nonnegative;
+            prove α <= 1;
+            prove 2*α + β >= 1/4;
+            prove at β = 0 { α >= 1/2; }
+            prove at β = 1 { α = 0; }
+            prove at α = β { 1/6 <= α <= 1/2; }
+            prove independent except α = 1;
+            refute b[0] > 0;
+            refute 2*α + β > 1/4;
+            refute at β = 0 { α > 1/2; }
+            refute at α = β { α < 1/2; }
+            refute independent;
+        }
+        family Line {
+            domain 0 <= t <= 1;
+            shape 0 <= B <= 1, C;
+            assume B + 2*C = 1;
+            b[0] = 1 - B*t; b[1] = C*t + 1;
+            prove C = (1 - B)/2;
+            prove 0 <= C <= 1/2;
+            prove at B = 1 { b[1] = 1; }
+            prove independent;
+            refute C > 0;
+        }",
+    );
+    assert_eq!(found.iter().filter(|v| *v == "=").count(), 11, "{found:?}");
+    assert!(found.iter().all(|v| !v.contains("undecided")), "{found:?}");
+    assert!(found[8].starts_with("0 at α = 0, β = 1/4"), "{}", found[8]);
+}
+
+/// √2 = 1.41421…, the largest value of α + β on the unit disk.
+#[test]
+fn assumptions_that_are_no_part_of_a_box() {
+    let found = verdicts(
+        "family Disk {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = 1 + α*t + β*(1 - t);
+            b[1] = 2 - (α + β)^2;
+            b[2] = 1 - 2*α*β*t;
+            b[3] = 1 - α^2 - t*β^2;
+            prove nonnegative;
+            prove α + β <= 3/2;
+            prove α + β < 1415/1000;
+            prove t*(α + β) <= 3/2;
+            prove (α + β)/(1 + t) <= 3/2;
+            refute b[0] > 0;
+            refute α + β <= 139/100;
+            refute b[3] >= 1/10;
+        }
+        family Ellipse {
+            domain 0 <= t <= 1;
+            shape λ, μ;
+            assume λ^2 + 4*μ^2 <= 4;
+            b[0] = 2 + λ*t;
+            prove nonnegative;
+            prove -2 <= λ <= 2;
+            prove μ <= 1;
+            refute μ <= 99/100;
+            refute λ < 2;
+        }
+        family Open {
+            domain 0 <= t <= 1;
+            shape 0 < p <= 4, 0 < q <= 4;
+            assume p*q > 1;
+            b[0] = p*t + q;
+            prove q > 1/4;
+            refute q >= 1/2;
+            refute p + q >= 21/10;
+        }",
+    );
+    let proved = [0, 1, 2, 3, 4, 8, 9, 10, 13];
+    for (k, verdict) in found.iter().enumerate() {
+        if proved.contains(&k) {
+            assert_eq!(verdict, "=", "{k}: {found:?}");
+        } else {
+            assert!(verdict.contains(" at "), "{k}: {found:?}");
+        }
+    }
+}
+
+/// The border is touched at irrational points, such as α = β = 1/√2 and α² = 2/3, β² = 1/3.
+#[test]
+fn what_is_false_at_an_irrational_point_only() {
+    let found = refuted(
+        "family Disk {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = t;
+            prove α*β <= 1/2;
+            refute α*β < 1/2;
+            refute t*α*β > -1/2;
+            refute (α + β)^2 < 2;
+            refute α^4*β^2 < 4/27;
+        }
+        family Ellipse {
+            domain 0 <= t <= 1;
+            shape -3 <= a <= 3, -2 <= b <= 2;
+            assume a^2/9 + b^2/4 <= 1;
+            f[0] = a + b*t;
+            prove f[0]^2 <= 13;
+            refute f[0]^2 < 13;
+            refute a*b < 3;
+        }",
+    );
+    assert!(found.iter().all(|v| v.starts_with("0 at ")), "{found:?}");
+    assert!(found[5].contains("b = root of -2 + b^2 between"), "{}", found[5]);
+}
+
+/// 3·√3 = 5.196…: the largest value of a·b·c is 1/5.196, that of a²·b is 2/5.196.
+#[test]
+fn multiples_of_an_assumption() {
+    refuted(
+        "family Ball {
+            domain 0 <= t <= 1;
+            shape 0 <= a <= 1, 0 <= b <= 1, 0 <= c <= 1;
+            assume a^2 + b^2 + c^2 <= 1;
+            f[0] = a + b*t + c*t^2;
+            prove (a + b + c)^2 <= 3;
+            prove a*b + c <= 1;
+            prove a*b*c <= 1/5;
+            prove a^2*b <= 385/1000;
+            refute a^2*b <= 38/100;
+            refute a*b*c <= 192/1000;
+            refute a*b + c < 1;
+        }
+        family Hyperbola {
+            domain 0 <= t <= 1;
+            shape 0 < a, 0 < b;
+            assume a*b >= 1;
+            f[0] = a + b*t;
+            prove a + b >= 2;
+            prove a + 3*b >= 3;
+            prove 2*a + b >= 14/5;
+            refute a + b > 2;
+            refute 2*a + b >= 3;
+        }
+        family Ring {
+            domain 0 <= t <= 1;
+            shape 0 <= a, 0 <= b;
+            assume a + b <= 1;
+            assume a^2 + b^2 >= 1/2;
+            f[0] = a + b*t;
+            prove a + b >= 7/10;
+            prove a*b <= 1/4;
+            refute a*b < 1/4;
+            refute a + b >= 71/100;
+        }",
+    );
+}
