@@ -117,7 +117,7 @@ pub(crate) fn inverse(kind: Kind, z: &Rational, n: u32) -> Option<(Rational, Rat
         // arctan z = ±π/2 − arctan 1/z, and the quotients below are good for small numbers.
         let ((a, b), (low, high)) = (inverse(kind, &z.recip()?, n)?, pi_bounds());
         let quarter = |pi: &Rational| pi * &Rational::new(1, 2);
-        let (low, high) = (quarter(&low), quarter(&high));
+        let (low, high) = (quarter(low), quarter(high));
         return Some(if z.is_negative() { (&-&high - &b, &-&low - &a) } else { (&low - &b, &high - &a) });
     }
     let (p, q) = (z.numer(), z.denom());

@@ -83,7 +83,7 @@ fn lies_inside(turns: &Rational, written: &syntax::Family, angle: &Angle, scope:
         let side = Rational::from(side);
         let (rise, beyond) = (&(turns - &limit.pi) * &side, &limit.number * &side);
         let (low, high) = pi_bounds();
-        let distances = [&(&rise * &low) - &beyond, &(&rise * &high) - &beyond];
+        let distances = [&(&rise * low) - &beyond, &(&rise * high) - &beyond];
         let inside = |d: &Rational| d.is_positive() || d.is_zero() && included == Some(&true);
         distances.iter().all(inside)
     })
