@@ -49,9 +49,11 @@ impl Fraction {
         if let Some(c) = denom.as_constant() {
             return Some(Self::from(if c.is_one() { numer } else { numer.scale(&c.recip()?) }));
         }
-        work.spend_product(&numer, &denom)?; // no division below takes more
-        if let Some(quotient) = numer.div_exact(&denom) {
-            return Some(Self::from(quotient));
+        if denom.variables().into_iter().all(|v| denom.degree(v) <= numer.degree(v)) {
+            work.spend_product(&numer, &denom)?;
+            if let Some(quotient) = numer.div_exact(&denom) {
+                return Some(Self::from(quotient));
+            }
         }
         let Split { numer, denom, apart } = Split::new(numer, denom, work)?;
         let common = checked_gcd(&numer, &denom, work)?;
@@ -324,11 +326,9 @@ impl Split {
         let mut apart = Vec::new();
         let known = KNOWN.with_borrow(Vec::clone);
         for factor in &known {
-            let mut divides = factor.variables().iter().all(|v| denom.depends_on(*v));
-            if !divides {
-                continue;
-            }
-            loop {
+            let fits = |p: &Poly| factor.variables().into_iter().all(|v| factor.degree(v) <= p.degree(v));
+            let mut divides = fits(&numer);
+            while fits(&denom) {
                 work.spend_product(&denom, factor)?;
                 let Some(rest) = denom.div_exact(factor) else { break };
                 denom = rest;

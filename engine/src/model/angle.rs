@@ -11,6 +11,7 @@
 
 use basis_prover::collections::list::Listed;
 
+use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
@@ -169,30 +170,36 @@ pub struct Analytic {
 }
 
 impl Analytic {
-    /// Irreducible polynomials of which the denominators of sin, cos and the like are made: 1 + x², or 1 + x and 1 − x.
+    /// Irreducible polynomials of which the denominators of sin, cos and the like are made, 1 + x², or 1 + x and 1 − x, and
+    /// those of quotients by sines and cosines of twice the angle, 1 ± x, or 1 + x².
     pub(crate) fn denominators(&self) -> Vec<Poly> {
         let one = Fraction::constant(Rational::ONE);
         let mut all = Vec::new();
-        for angle in &self.angles {
+        for angle in self.angles.iter().filter(|a| a.kind != Kind::Linear) {
             let x = angle.tangent();
-            match angle.kind {
-                Kind::Circular => all.push((&one + &(&x * &x)).numer().normalized()),
-                Kind::Hyperbolic => all.extend([&one + &x, &one - &x].iter().map(|f| f.numer().normalized())),
-                Kind::Linear => {}
-            }
+            let own = [&one + &(&x * &x), &one + &x, &one - &x];
+            all.extend(own.iter().map(|f| (f.numer().normalized(), angle)));
         }
         // Of degree 1, or 2 without real zeros, in y: irreducible but for what its coefficients share.
         let primitive = |(p, angle): (Poly, &Angle)| {
             let content = content(&p, angle.var, &mut Work::new(CONTENT))?;
             p.div_exact(&content)
         };
-        let count = |a: &Angle| match a.kind {
-            Kind::Circular => 1,
-            Kind::Hyperbolic => 2,
-            Kind::Linear => 0,
-        };
-        let owners = self.angles.iter().flat_map(|a| core::iter::repeat_n(a, count(a))).listed();
-        all.into_iter().zip(owners).filter_map(primitive).listed()
+        let mut factors = all.into_iter().filter_map(primitive).listed();
+        // Those of the ends of ranges, such as tanh(2) = (exp(1)⁴ − 1)/(exp(1)⁴ + 1).
+        let numbers = self.numbers();
+        let ends = self.angles.iter().filter(|a| a.kind != Kind::Linear).flat_map(|a| [&a.low, &a.width]);
+        for end in ends.flat_map(|f| [f.numer(), f.denom()]) {
+            if end.as_constant().is_some() || end.variables().iter().any(|v| !numbers.contains(v)) {
+                continue;
+            }
+            for (factor, _) in checked_factor(end, &mut Work::new(CONTENT)).map_or(Vec::new(), |all| all.1) {
+                if factor.len() > 1 && !factors.contains(&factor) {
+                    factors.push(factor);
+                }
+            }
+        }
+        factors
     }
 
     /// Whether a variable stands in sin, exp or the like.

@@ -21,6 +21,9 @@ pub struct Poly {
     terms: Vec<Term>,
 }
 
+/// A divisor with as many terms beside the first one takes them away one by one.
+const FEW: usize = 6;
+
 /// The sum of two polynomials.
 fn merge(mut a: Vec<Term>, mut b: Vec<Term>) -> Vec<Term> {
     let (Some(a_first), Some(a_last)) = (a.first(), a.last()) else { return b };
@@ -65,6 +68,19 @@ fn combined(a: &[Term], b: &[Term], minus: bool) -> Vec<Term> {
     sum.extend_from_slice(&a[i..]);
     sum.extend(b[j..].iter().map(of_b));
     sum
+}
+
+/// Adds a term to a polynomial.
+fn add_term(sum: &mut Vec<Term>, (m, c): Term) {
+    match sum.binary_search_by(|(n, _)| n.cmp(&m)) {
+        Ok(k) => {
+            sum[k].1 += &c;
+            if sum[k].1.is_zero() {
+                sum.remove(k);
+            }
+        }
+        Err(k) => sum.insert(k, (m, c)),
+    }
 }
 
 /// The sum of several polynomials, neighbours first.
@@ -382,12 +398,19 @@ impl Poly {
         if let Some(c) = divisor.as_constant() {
             return Some(self.scale(&c.recip()?));
         }
+        // Terms that are few find their places one by one; many are merged with the rest.
+        let others = &divisor.terms[..divisor.len() - 1];
+        let few = others.len() <= FEW;
         let mut rest = self.terms.clone();
         let mut quotient = Vec::new();
-        while let Some((m, c)) = rest.last() {
-            let factor = (m.checked_div(lead)?, c / lead_coefficient);
-            let product = divisor.times(&factor.0, &-&factor.1);
-            rest = merge(rest, product);
+        while let Some((m, c)) = rest.pop() {
+            let factor = (m.checked_div(lead)?, &c / lead_coefficient);
+            let product = others.mapped(|(n, d)| (n.mul(&factor.0), -&(d * &factor.1)));
+            if few {
+                product.into_iter().rev().for_each(|term| add_term(&mut rest, term));
+            } else {
+                rest = merge(rest, product);
+            }
             quotient.push(factor);
         }
         quotient.reverse();

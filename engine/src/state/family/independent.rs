@@ -8,6 +8,7 @@ use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry, simple};
 
 use super::Said;
 use super::point::{domain_names, named_point};
+use super::premises::Positive;
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::range::{Range, Region};
@@ -54,10 +55,11 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
             own.extend(pulled_back(values, piece)?);
         }
         let row = |row: &Vec<Poly>| row.iter().map(|p| piece.pull_back(p)).collect::<Option<Vec<Poly>>>();
-        let rows = rows.iter().map(row).collect::<Option<Vec<_>>>()?;
-        let (rows, region, is_stronger) = match between_bounds(family, &rows, &piece.domain().region) {
+        let domain = piece.domain();
+        let rows = Positive::of(&domain).of_rows(rows.iter().map(row).collect::<Option<Vec<_>>>()?);
+        let (rows, region, is_stronger) = match between_bounds(family, &rows, &domain.region) {
             Some((rows, region)) => (rows, region, true),
-            None => (rows, piece.domain().region, false),
+            None => (rows, domain.region, false),
         };
         let statement = Statement::Independent { rows, except: own, region };
         let of = super::on_part(COEFFICIENTS, number, pieces.len());

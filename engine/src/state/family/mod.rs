@@ -202,8 +202,10 @@ fn by_a_way<'f>(
             *sample = basis_prover::working(family.budget, &mut |work| Sample::new(family, work));
         }
         let sample = sample.as_ref();
+        let value = premises::Positive::of(&part.1).reduced(&value.quotient());
+        let value = Fraction::new(value.numerator, value.denominator)?;
         let steps = basis_prover::working(family.budget, &mut |work| {
-            beside::steps(family, of, value, comparison, (way, sample), work)
+            beside::steps(family, of, &value, comparison, (way, sample), work)
         })?;
         let mut all = Vec::new();
         for step in steps {

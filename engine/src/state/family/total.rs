@@ -12,12 +12,13 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Domain, Relation, Statement};
+use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::{Coordinate, candidates, refute};
 
 use super::Said;
 use super::point::{domain_names, named_point};
+use super::premises;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::rational::Rational;
@@ -46,7 +47,14 @@ pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
     let pieces = family.pieces(&[], &[], true);
     let mut all = Vec::new();
     for (number, piece) in pieces.iter().enumerate() {
-        let points = samples(piece);
+        let domain = Rc::new(piece.domain());
+        let counts = |point: &Vec<(Var, Rational)>| {
+            let at = |p: &Poly| point.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x)).as_constant();
+            let holds = |(g, sign): &(Poly, Relation)| at(g).is_none_or(|value| sign.holds(&value));
+            domain.premises.iter().all(holds)
+        };
+        let mut points = samples(piece);
+        points.retain(counts);
         let mut rows = signed(family, piece, &table, points.first()?)?;
         for row in &mut rows {
             for entry in row.iter_mut() {
@@ -64,16 +72,16 @@ pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
             }
             rows = rows.mapped(|row| raise(row));
         }
-        let domain = Rc::new(Domain { premises: Vec::new(), ..piece.domain() });
         for (k, value) in elimination(best, work)?.into_iter().enumerate() {
             let value = value.quotient();
             let (relation, domain) = (Relation::NonNegative, Rc::clone(&domain));
             let of = format!("step {} of the elimination", k + 1);
-            let stated = Stated::new(
-                super::on_part(&of, number, pieces.len()),
-                Statement::Sign { value, relation, domain },
-            );
-            all.push(Said { stated, of, piece: piece.clone() });
+            let statement = Statement::Sign { value, relation, domain };
+            let enough = premises::without(&statement).unwrap_or_else(|| vec![statement]);
+            for statement in enough {
+                let stated = Stated::new(super::on_part(&of, number, pieces.len()), statement);
+                all.push(Said { stated, of: of.clone(), piece: piece.clone() });
+            }
         }
     }
     Some(all)
