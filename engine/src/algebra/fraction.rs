@@ -5,7 +5,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use basis_kernel::Quotient;
 
-use super::divisors::gcd::{checked_gcd, content};
+use super::divisors::gcd::{checked_gcd, checked_quotient, content};
 use super::poly::{Poly, PolyExt, Var};
 use super::rational::Rational;
 use super::work::{Spent, Work};
@@ -49,11 +49,8 @@ impl Fraction {
         if let Some(c) = denom.as_constant() {
             return Some(Self::from(if c.is_one() { numer } else { numer.scale(&c.recip()?) }));
         }
-        if denom.variables().into_iter().all(|v| denom.degree(v) <= numer.degree(v)) {
-            work.spend_product(&numer, &denom)?;
-            if let Some(quotient) = numer.div_exact(&denom) {
-                return Some(Self::from(quotient));
-            }
+        if let Some(quotient) = checked_quotient(&numer, &denom, work).ok()? {
+            return Some(Self::from(quotient));
         }
         let Split { numer, denom, apart } = Split::new(numer, denom, work)?;
         let common = checked_gcd(&numer, &denom, work)?;
@@ -326,15 +323,11 @@ impl Split {
         let mut apart = Vec::new();
         let known = KNOWN.with_borrow(Vec::clone);
         for factor in &known {
-            let fits = |p: &Poly| factor.variables().into_iter().all(|v| factor.degree(v) <= p.degree(v));
-            let mut divides = fits(&numer);
-            while fits(&denom) {
-                work.spend_product(&denom, factor)?;
-                let Some(rest) = denom.div_exact(factor) else { break };
+            let mut divides = true;
+            while let Some(rest) = checked_quotient(&denom, factor, work).ok()? {
                 denom = rest;
                 if divides {
-                    work.spend_product(&numer, factor)?;
-                    if let Some(rest) = numer.div_exact(factor) {
+                    if let Some(rest) = checked_quotient(&numer, factor, work).ok()? {
                         numer = rest;
                         continue;
                     }

@@ -21,7 +21,7 @@ const MAX_BITS: u64 = 20_000;
 /// The most term products in the expansion of the functions of one family, and of each of its claims.
 const MAX_WORK: u64 = 400_000;
 /// The most work to bring quotients into lowest terms, for the functions of a family and for each of its claims.
-const MAX_REDUCTION: u64 = 12_000_000;
+const MAX_REDUCTION: u64 = 4_000_000;
 
 /// The most term products in all expansions of a run: all families in all their orders, and all claims.
 const RUN_WORK: u64 = 15_000_000;

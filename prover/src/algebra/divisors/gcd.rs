@@ -3,7 +3,7 @@
 use super::modular::common_degree;
 use crate::algebra::poly::{Monomial, Poly, Var};
 use crate::algebra::univariate::{ToPoly, Univariate};
-use crate::algebra::work::Work;
+use crate::algebra::work::{Spent, Work};
 use crate::collections::list::Listed;
 use crate::collections::sort::sort_by;
 
@@ -27,6 +27,32 @@ pub fn checked_gcd(a: &Poly, b: &Poly, work: &mut Work) -> Option<Poly> {
     let common = Poly::term(meet(&m, &n), crate::algebra::rational::Rational::ONE);
     Some(&common * &gcd_without_monomials(&a.normalized(), &b.normalized(), work)?)
 }
+
+/// The quotient if a polynomial divides another one. That it does not is mostly seen from images modulo a prime, in little work.
+///
+/// # Errors
+/// When the work is spent.
+pub fn checked_quotient(poly: &Poly, divisor: &Poly, work: &mut Work) -> Result<Option<Poly>, Spent> {
+    let variables = divisor.variables();
+    let main = variables.iter().copied().max_by_key(|v| divisor.degree(*v));
+    if poly.is_zero() && !divisor.is_zero() {
+        return Ok(Some(Poly::zero()));
+    }
+    if variables.iter().any(|v| divisor.degree(*v) > poly.degree(*v)) {
+        return Ok(None);
+    }
+    if let Some(main) = main.filter(|_| poly.len() * divisor.len() > WITHOUT_IMAGES) {
+        work.spend((10 * (poly.len() + divisor.len())) as u64).ok_or(Spent)?;
+        if common_degree(poly, divisor, main).is_some_and(|degree| degree < divisor.degree(main) as usize) {
+            return Ok(None);
+        }
+    }
+    work.spend_product(poly, divisor).ok_or(Spent)?;
+    Ok(poly.div_exact(divisor))
+}
+
+/// Up to so many products of terms a division takes no longer than images.
+const WITHOUT_IMAGES: usize = 2_000;
 
 /// The greatest common divisor of several polynomials; 0 for none.
 pub fn gcd_all<'a>(polys: impl IntoIterator<Item = &'a Poly>, work: &mut Work) -> Option<Poly> {
