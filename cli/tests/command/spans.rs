@@ -100,7 +100,7 @@ fn checked(spec: &str) -> String {
 fn numbers_as_knots() {
     let table = checked(SPLINE);
     assert!(table.contains("domain 0 <= x <= 1, 1 <= x <= 3, 3 <= x <= 4"), "{table}");
-    assert!(table.contains("D(f[0], 2) before 1 - D(f[0], 2) after 1 = 1"), "{table}");
+    assert!(table.contains("(D(f[0], 2) before x = 1) - (D(f[0], 2) after it) = 1"), "{table}");
 }
 
 #[test]

@@ -97,6 +97,8 @@ pub struct Witness {
     /// Names in `at` and `net` on which the expression does not depend, such as t for a difference at the ends of the
     /// domain: they are left out of texts.
     pub idle: Vec<String>,
+    /// Names in `at` whose values say little, with the place as one writes it, such as `t = pi/3`.
+    pub places: Vec<(String, String)>,
     /// For claims of theorems: the control points with their coordinates.
     pub net: Vec<(String, Vec<Rational>)>,
     /// The given control points of a theorem, in order; what is refuted is the claim about these.
@@ -124,12 +126,14 @@ impl Witness {
         value: Rational,
         refutation: Refutation,
     ) -> Self {
-        let (idle, net, given, notes) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (idle, places) = (Vec::new(), Vec::new());
+        let (net, given, notes) = (Vec::new(), Vec::new(), Vec::new());
         Self {
             stated: of.clone(),
             of,
             at,
             idle,
+            places,
             net,
             given,
             value,
@@ -188,7 +192,10 @@ impl Witness {
     /// The point as text, such as `λ = 1, t = 1/2`, with control points such as `P[0] = (0, 0)`.
     pub fn point(&self) -> String {
         let shown = self.at.iter().filter(|(name, _)| !self.idle.contains(name));
-        let mut parts: Vec<String> = shown.map(|(name, c)| c.describe(name)).listed();
+        let place =
+            |name: &String| self.places.iter().find(|(own, _)| own == name).map(|(_, text)| text.clone());
+        let describe = |(name, c): &(String, Coordinate)| place(name).unwrap_or_else(|| c.describe(name));
+        let mut parts: Vec<String> = shown.map(describe).listed();
         let points = self.points();
         parts.extend(points.listed.iter().map(|(name, place)| format!("{name} = {}", point_text(place))));
         if points.others_at_zero {

@@ -557,6 +557,7 @@ fn witness(
             witness.at.extend(known.map(|c| (p.name.clone(), c)));
         }
     }
+    witness.places = point::places(family, kind.fixed(), &witness.at);
     witness.notes = identity::notes(family, kind, &witness);
     let point = piece.image(&found.point);
     let rational = point.iter().filter_map(|(var, c)| match c {
@@ -573,6 +574,20 @@ fn witness(
 
 /// Longer numbers are shown as decimals.
 const LONGEST: usize = 48;
+
+/// A text with powers of exp(r) as one number, `exp(2)` for `exp(1/2)^4`.
+fn numbers_written(family: &Family, text: &str) -> String {
+    let Some((var, rate)) = &family.analytic.exponential else { return String::from(text) };
+    let power = format!("{}^", family.names[var.0]);
+    let mut parts = text.split(&power);
+    let mut written = String::from(parts.next().unwrap_or_default());
+    for part in parts {
+        let digits = part.chars().take_while(char::is_ascii_digit).count();
+        let exponent = part[..digits].parse::<i64>().map_or(Rational::ONE, Rational::from);
+        written.push_str(&format!("exp({}){}", &exponent * rate, &part[digits..]));
+    }
+    written
+}
 
 /// The value at a counterexample to an equation as text, if it contains π, exp(r), or a variable beside its sine.
 fn shown(family: &Family, found: &Counterexample) -> Option<String> {
@@ -593,7 +608,7 @@ fn shown(family: &Family, found: &Counterexample) -> Option<String> {
     let value = Fraction::new(put(&value.numerator), put(&value.denominator))?;
     let exact = beside::exact(family, &rational);
     let value = exact.iter().try_fold(value, |value, (var, x)| value.substitute(*var, x))?;
-    let text = value.display(&family.names);
+    let text = numbers_written(family, &value.display(&family.names));
     let number = family.analytic.number(&value).filter(|_| text.len() > LONGEST);
     Some(number.map_or(text, |x| format!("about {}", beside::decimal(x.to_f64()))))
 }

@@ -98,6 +98,49 @@ pub(super) fn named_point(
     all
 }
 
+/// The places of angles whose coordinates say little, as one writes them: what `at` fixes at a value that is no number or
+/// has no short tangent, and an end of a domain where a tangent is measured by that at the end, tan(t/4)/tan(π/12) = 1.
+pub(super) fn places(
+    family: &Family,
+    fixed: &[(Var, Fraction)],
+    at: &[(String, Coordinate)],
+) -> Vec<(String, String)> {
+    const SHORT: u64 = 40;
+    let mut all = Vec::new();
+    for (parameter, (name, value)) in family.shapes.iter().chain(&family.domain).zip(at) {
+        let Some(angle) = family.analytic.angle(parameter.var) else { continue };
+        let long = match value {
+            Coordinate::Rational(x) => x.bits() > SHORT,
+            Coordinate::Algebraic(_) => true,
+        };
+        let given = fixed.iter().find(|(var, _)| *var == angle.itself).map(|(_, f)| written(f, family));
+        let is_scaled = *name == parameter.name && *name != angle.name && *name != angle.tangent_name();
+        let range = family.region().range(parameter.var);
+        let here = |end: usize| {
+            let limit = [&range.low, &range.high][end].value().cloned();
+            is_scaled
+                && limit.map(Coordinate::Rational).as_ref() == Some(value)
+                && !angle.ends[end].is_empty()
+        };
+        let end = (0..2).find(|end| here(*end)).map(|end| angle.ends[end].clone());
+        if let Some(text) = given.filter(|_| long || is_scaled).or(end) {
+            all.push((name.clone(), format!("{} = {text}", angle.name)));
+        }
+    }
+    all
+}
+
+/// A value with whole numbers above a common denominator, `pi/6`.
+fn written(f: &Fraction, family: &Family) -> String {
+    let denominator = f.numer().numeric_content().denom();
+    if denominator.is_one() || !f.denom().is_one() {
+        return f.display(&family.names);
+    }
+    let above = f.numer().scale(&denominator);
+    let text = above.display(&family.names).to_string();
+    if above.len() > 1 { format!("({text})/{denominator}") } else { format!("{text}/{denominator}") }
+}
+
 /// A value at a counterexample; where numbers tan(π/n) stand in it, with these in place of what is near them.
 fn value_at(family: &Family, found: &Counterexample, f: &Fraction) -> Option<Coordinate> {
     let f = family.analytic.reduced(f.clone());

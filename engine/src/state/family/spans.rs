@@ -90,7 +90,9 @@ pub(super) fn decide(family: &Family, claim: &Claim, parts: &[(usize, ClaimKind)
 pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec<(String, Fraction)>> {
     let mut differences = Vec::new();
     for pair in family.pieces.windows(2) {
-        let knot = pair[0].end_texts()?[1].clone();
+        let own = pair[0].domain.first()?;
+        let variable = pair[0].analytic.angle(own.var).map_or(&own.name, |angle| &angle.name);
+        let knot = &pair[0].end_texts()?[1];
         let at = |piece: &Rc<Family>, k: usize, upper: bool, work: &mut Work| {
             piece.derivatives_at_end(&piece.functions[k].value, order, upper, work)
         };
@@ -103,7 +105,7 @@ pub(super) fn smooth(family: &Family, order: u32, work: &mut Work) -> Option<Vec
                     1 => format!("D({b_name})"),
                     _ => format!("D({b_name}, {order})"),
                 };
-                let of = format!("{name} before {knot} - {name} after {knot}");
+                let of = format!("({name} before {variable} = {knot}) - ({name} after it)");
                 differences.push((of, a.sub_within(b, work)?));
             }
         }

@@ -423,7 +423,7 @@ pub(super) fn shown(family: &Family, found: &Counterexample, value: &Rational) -
     let Statement::Sign { value: narrow, .. } = found.refutation.statement() else { return None };
     let negated = found.evaluate(narrow).is_some_and(|c| c != Coordinate::Rational(value.clone()));
     let exact = if negated { -&exact } else { exact };
-    let text = exact.display(&family.names);
+    let text = super::numbers_written(family, &exact.display(&family.names));
     let own = family.analytic.angles.iter().any(|a| a.itself != a.var && exact.depends_on(a.itself));
     (own || numbers.iter().any(|n| exact.depends_on(*n))).then(|| {
         if own || text.len() > LONGEST { format!("about {}", decimal(value.to_f64())) } else { text.clone() }

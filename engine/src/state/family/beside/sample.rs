@@ -385,7 +385,10 @@ impl<'f> Sample<'f> {
     pub(super) fn lowest(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Values>> {
         self.look_at(f, work)?;
         let nearer = ENCLOSURE * self.family.analytic.angles.len() as u64 + cost(f);
-        work.spend(2 * u64::from(NEARER) * self.rows.len() as u64 * nearer)?;
+        // As often as half of the work that is left allows; the other half is for the proof.
+        let round = 2 * self.rows.len() as u64 * nearer;
+        let rounds = u64::from(NEARER).min(work.left() / 2 / round.max(1));
+        work.spend(rounds * round)?;
         let value = |point: &Values, found: &Enclosures| {
             let (low, high) = between(f, point, &found.between)?;
             Some(&low + &high)
@@ -406,7 +409,7 @@ impl<'f> Sample<'f> {
             let Some((low, high)) = range.finite() else { continue };
             let mut step = &(high - low) * &Rational::new(1, 2 * PLACES);
             let Some(last) = point.len().checked_sub(1) else { continue };
-            for _ in 0..NEARER {
+            for _ in 0..rounds {
                 for sign in [-1, 1] {
                     let mut next = point.clone();
                     next[last].1 += &(&step * &Rational::from(sign));
