@@ -421,7 +421,7 @@ fn a_difference_that_is_a_number_is_said_once() {
     let spec = "family N { domain 0 <= x <= 1, 1 <= x <= 2; b[0] = x | 2 - x; b[1] = 1 - x | x - 1;
         prove integral(b[1]) = 3; prove smooth(1); }";
     let run = Folder::with("n.basis", spec).run(&["check", "n.basis"]);
-    for note in ["= note: `integral(b[1])` differs from `3` by `-2`\n  = help", "after 1` is 2\n  = help"] {
+    for note in ["= note: `integral(b[1])` differs from `3` by `-2`\n  = help", "after it)` is 2\n  = help"] {
         assert!(run.stderr.contains(note), "{}", run.stderr);
     }
 }

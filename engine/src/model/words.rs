@@ -19,8 +19,24 @@ pub(crate) fn is_transcendental(name: &str) -> bool {
 }
 
 /// Functions that the language does not have.
-pub(crate) const ELSEWHERE: [&str; 10] =
-    ["log", "ln", "sqrt", "abs", "arcsin", "arccos", "arctan", "atan", "cot", "sec"];
+pub(crate) const ELSEWHERE: [&str; 8] = ["log", "ln", "sqrt", "abs", "arcsin", "arccos", "arctan", "atan"];
 
 /// Names that papers have for binomial coefficients.
 pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
+
+/// What to write for a function under a name from elsewhere; the argument stands for `…`.
+pub(crate) const OTHER_NAMES: [(&str, &str); 13] = [
+    ("int", "integral(…)"),
+    ("integrate", "integral(…)"),
+    ("Integrate", "integral(…)"),
+    ("d", "D(…)"),
+    ("diff", "D(…)"),
+    ("deriv", "D(…)"),
+    ("derivative", "D(…)"),
+    ("Sum", "sum(…)"),
+    ("prod", "product(…)"),
+    ("fact", "factorial(…)"),
+    ("csc", "1/sin(…)"),
+    ("sec", "1/cos(…)"),
+    ("cot", "cos(…)/sin(…)"),
+];

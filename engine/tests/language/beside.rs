@@ -380,13 +380,13 @@ fn ranges_of_angles_end_at_numbers() {
         found,
         [
             "0 at α = 3, t = 0",
-            "0 at α = 3, tan(t/2)/tan(α/2) = 1",
-            "1/10 at α = 3, tan(t/2)/tan(α/2) = 1",
+            "0 at α = 3, t = α",
+            "1/10 at α = 3, t = α",
             "about -0.001737 at α = 3, t = 0",
             "about -0.009992 at α = 3, t = 0",
             "about -2.628e-4 at tan(α/2)/tan(3/2) = 7/8, β = 3/2, t = 0",
             "1/2 at tan(α/2)/tan(3/2) = 1/8, β = 0, t = 0",
-            "about 3.023e-4 at α = 1, (tan(t/2) - tan(-α/2))/(tan(α/2) - tan(-α/2)) = 0"
+            "about 3.023e-4 at α = 1, t = -α"
         ]
     );
 }

@@ -299,6 +299,13 @@ fn base<'a>(
 
 /// The functions of every order after the lowest, each from those of the order before.
 fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, order: &str, lowest: i64) {
+    if !def.loops.generators.is_empty() || def.loops.condition.is_some() {
+        let error = scope.error(def.name.span, "`raise` gives all functions of the next order: it has no loop and no condition");
+        let help = "leave `for` and `if` out; of several formulas the right one is chosen by sums over one value, such as `sum(b[i] for k in 0..1 if i < n)`";
+        scope.report(error.help(help));
+        scope.cut_short = true;
+        return;
+    }
     let mut names = Vec::new();
     for i in &def.indices {
         match &i.kind {

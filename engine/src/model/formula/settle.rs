@@ -189,7 +189,7 @@ impl Scope<'_> {
                 });
                 let (at, help) = match alone {
                     Some((var, x)) => (
-                        format!("{} = {x}", self.names[var.0]),
+                        self.value_named(var, x, &domain.region.range(var)),
                         self.without_value(var, x, &domain.region.range(var)),
                     ),
                     None => (
@@ -208,6 +208,18 @@ impl Scope<'_> {
             .help("raise the budget, such as `budget 10;`, or narrow the ranges"),
             Ok(()) => return None,
         })
+    }
+
+    /// Where a variable has a value; at an end of the range of an angle as that is written, `t = pi/2`.
+    fn value_named(&self, var: Var, value: &Rational, range: &Range) -> String {
+        let is_here = |end: &End| end.value() == Some(value);
+        let side = [&range.low, &range.high].into_iter().position(is_here);
+        match self.analytic.angle(var).zip(side) {
+            Some((angle, side)) if !angle.ends[side].is_empty() => {
+                format!("{} = {}", angle.name, angle.ends[side])
+            }
+            _ => format!("{} = {value}", self.names[var.0]),
+        }
     }
 
     /// How to leave a value out of the range of a parameter or scalar.

@@ -10,7 +10,9 @@ use super::angle::{Analytic, Given};
 use super::budget::{Budget, SPLIT, TooLarge};
 use super::formula::Value;
 use super::obligation::Obligation;
-use super::words::{BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC, PI, is_transcendental};
+use super::words::{
+    BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC, OTHER_NAMES, PI, is_transcendental,
+};
 use super::{Barycentric, Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
 use crate::algebra::fraction::Fraction;
@@ -388,7 +390,7 @@ impl Scope<'_> {
                 "functions are quotients of polynomials, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh` and `exp`",
             ),
             "pi" | "π" => String::from("numbers are rational in theorems: write a fraction such as 22/7"),
-            "e" => String::from("write `exp(1)`"),
+            "e" => String::from("write `exp(1)` for the number, `exp(t)` for a power of it"),
             _ if self.domain.is_empty() && self.coming.iter().any(|n| n == name) => {
                 return self.report(
                     self.error(span, format!("`{name}` is a domain variable"))
@@ -433,6 +435,11 @@ impl Scope<'_> {
         if self.is_full() || self.is_mistaken(name) {
             return self.unknown(name, span);
         }
+        if let Some((_, instead)) = OTHER_NAMES.iter().find(|(other, _)| *other == name) {
+            self.undeclared.borrow_mut().push(name.to_string());
+            let error = self.error(span, format!("there is no function `{name}`"));
+            return self.report(error.help(format!("write `{instead}`")));
+        }
         let families = self.library.visible(self.unit);
         let known: Vec<&str> = BUILTINS.iter().copied().chain(families.iter().map(String::as_str)).listed();
         let near = closest(name, &known).is_some();
@@ -444,8 +451,10 @@ impl Scope<'_> {
         self.undeclared.borrow_mut().push(name.to_string());
         let error = self.error(span, format!("there is no function `{name}`"));
         self.report(error.help(format!(
-            "functions of the language are `{}`; write `{name}*(…)` for a product",
-            BUILTINS.join("`, `")
+            "functions of the language are `{}`, `{}` and `{}`; write `{name}*(…)` for a product",
+            BUILTINS.join("`, `"),
+            CIRCULAR.join("`, `"),
+            HYPERBOLIC.join("`, `")
         )));
     }
 

@@ -7,11 +7,13 @@ use super::numbers::ranges;
 use super::rate::Rate;
 use super::survey::Use;
 use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::model::Parameter;
 use crate::model::angle::{Angle, Kind};
 use crate::model::chart::Constraint;
+use crate::model::enclosure::pi_bounds;
 use crate::model::scope::Scope;
 use crate::syntax::RangeDecl;
 use basis_kernel::Relation;
@@ -34,7 +36,11 @@ pub(super) fn linear(
     };
     let (first, last) = (sum_of(scope, &low.value, count)?, sum_of(scope, &high.value, count)?);
     let width = &last - &first;
-    let ranges = known.iter().map(|p| (p.var, p.range.clone())).chain(ranges(scope));
+    let of_angles = scope.analytic.angles.iter().filter_map(|angle| {
+        let range = &known.iter().find(|p| p.var == angle.var)?.range;
+        Some((angle.itself, range_itself(angle, range, scope.analytic.pi)))
+    });
+    let ranges = known.iter().map(|p| (p.var, p.range.clone())).chain(of_angles).chain(ranges(scope));
     let region = Region { ranges: ranges.listed() };
     if let Err(text) = scope.is_positive(&width, &region, constraints) {
         let message = format!("the ends of the domain of `{name}` are not in order");
@@ -72,6 +78,28 @@ pub(super) fn linear(
     scope.analytic.angles.push(new);
     scope.ends.push((Fraction::zero(), Fraction::constant(Rational::ONE)));
     Some(unit([low, high]))
+}
+
+/// The range of a parameter that stands in sin, cos or exp as well, from that of its tangent; where it ends at multiples of π a
+/// wider one.
+fn range_itself(angle: &Angle, of_tangent: &Range, pi: Option<Var>) -> Range {
+    let end = |side: usize| {
+        let known = [&of_tangent.low, &of_tangent.high][side];
+        let limit = &angle.limits[side];
+        if angle.ends[side].is_empty() || known.value().is_none() {
+            return End::Infinite;
+        }
+        if let Some(x) = limit.as_constant() {
+            return if known.is_included() { End::Included(x) } else { End::Excluded(x) };
+        }
+        let (low, high) = pi_bounds();
+        let at = |x: &Rational| limit.substitute(pi?, &Fraction::constant(x.clone()))?.as_constant();
+        match (at(low), at(high)) {
+            (Some(a), Some(b)) => End::Excluded(if side == 0 { a.min(b) } else { a.max(b) }),
+            _ => End::Infinite,
+        }
+    };
+    Range { low: end(0), high: end(1) }
 }
 
 /// From 0 to 1, with the ends of a declared range that belong to it.
