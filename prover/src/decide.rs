@@ -174,9 +174,12 @@ fn sign(
             });
             found.map_or_else(
                 || {
-                    Err(Failure::Undecided(String::from(
-                        "it fails, but at a point that could not be made explicit",
-                    )))
+                    let left = if domain.premises.is_empty() {
+                        "it fails, but at a point that could not be made explicit"
+                    } else {
+                        "it fails at points of the declared ranges that need not satisfy what is assumed"
+                    };
+                    Err(Failure::Undecided(String::from(left)))
                 },
                 |c| Err(Failure::Refuted(Box::new(c))),
             )

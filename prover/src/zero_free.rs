@@ -25,13 +25,14 @@ pub enum ZeroFree {
 
 /// Looks for a zero of a polynomial in a box: the box is connected, so that a polynomial without zeros has one sign.
 pub fn zero_free(polynomial: &Poly, domain: &Rc<Domain>, budget: u32) -> ZeroFree {
-    let mut signs = Vec::new();
+    let (mut signs, mut open) = (Vec::new(), None);
     for p in [polynomial.clone(), -polynomial] {
         let value = Quotient::from(p);
         let statement = Statement::Sign { value, relation: Relation::Positive, domain: Rc::clone(domain) };
         match decide(statement, &Vec::new(), budget) {
             Ok(shown) => return ZeroFree::Proved(shown),
-            Err(Failure::Undecided(left)) => return ZeroFree::Undecided(left),
+            // Under premises a point of the box need not count; the other sign may be proved.
+            Err(Failure::Undecided(left)) => open = open.or(Some(left)),
             Err(Failure::Refuted(found)) => {
                 if found.refutation.value().is_some_and(Rational::is_zero) {
                     return ZeroFree::Zero(found.point);
@@ -39,6 +40,9 @@ pub fn zero_free(polynomial: &Poly, domain: &Rc<Domain>, budget: u32) -> ZeroFre
                 signs.push(found.point);
             }
         }
+    }
+    if let Some(left) = open {
+        return ZeroFree::Undecided(left);
     }
     match &signs[..] {
         [positive, negative] => between(polynomial, positive, negative, budget),
