@@ -24,6 +24,9 @@ pub(crate) const ELSEWHERE: [&str; 8] = ["log", "ln", "sqrt", "abs", "arcsin", "
 /// Names that papers have for binomial coefficients.
 pub(crate) const BINOMIALS: [&str; 4] = ["C", "choose", "binom", "nCr"];
 
+/// Names that papers have for basis functions.
+pub(crate) const FUNCTIONS: [&str; 8] = ["b", "B", "N", "f", "F", "phi", "φ", "M"];
+
 /// What to write for a function under a name from elsewhere; the argument stands for `…`.
 pub(crate) const OTHER_NAMES: [(&str, &str); 13] = [
     ("int", "integral(…)"),

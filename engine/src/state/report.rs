@@ -3,7 +3,7 @@
 use basis_prover::collections::list::Mapped;
 
 use super::verdict::{Verdict, as_declared};
-use crate::claim::{Claim, Expected};
+use crate::claim::{Claim, ClaimKind, Expected};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::subject::Subject;
 use crate::theorem::TheoremKind;
@@ -14,6 +14,9 @@ pub fn diagnose(subject: &Subject, claim: &Claim, verdict: &Verdict) -> Option<D
     if !subject.order().is_empty() {
         let values: Vec<String> = subject.order().mapped(|(name, value)| format!("{name} = {value}"));
         diagnostic.notes.push(format!("for {}", values.join(", ")));
+    }
+    if matches!(claim.kind, ClaimKind::Rounding(_)) && matches!(verdict, Verdict::Undecided(_)) {
+        return Some(diagnostic.help("claim a larger bound, or leave the claim out; `basis explain` shows the bounds that can be proved"));
     }
     let Subject::Theorem(theorem) = subject else { return Some(diagnostic) };
     let of_products = theorem.products.iter().any(|(var, _)| claim.kind.depends_on(*var));

@@ -249,7 +249,7 @@ fn at(input: ParseStream<'_>) -> Result<ClaimKind> {
         let inequality =
             expr(&start).is_ok() && comparison(&start).is_ok_and(|sign| sign.is_some_and(|s| s != Comparison::Equal));
         if inequality {
-            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument: `b[0](t/2)` for `0 <= t <= 1/2`";
+            let help = "`at t = 0` fixes values; what is claimed on a part of the domain is claimed of a function with another argument, `b[0](t/2)` for `0 <= t <= 1/2`; for some of the shape values declare a family with that range";
             return error(start.span(), "`at` fixes values, this is a range", help);
         }
         if !is_missing_semicolon(&e) {
@@ -320,7 +320,9 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
                 return Err(error(
                     word.span(),
                     format!("`{text}` is a property of the whole family, not an equation"),
-                    format!("write `prove {text};` outside of the block"),
+                    format!(
+                        "write `prove {text};` outside of `at`; at fixed shape values, claim its equations or inequalities, such as `b >= 0;`"
+                    ),
                 ));
             }
             let help = of_papers(&text).unwrap_or_else(|| did_you_mean(&text, &PROPERTIES, &properties));

@@ -285,7 +285,12 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
                 return Ok(Expr { span: g.span(), kind: ExprKind::Tuple(parts) });
             }
             if !content.is_empty() {
-                return Err(unexpected(&content, "`)` or an operator"));
+                let found = unexpected(&content, "`)` or an operator");
+                return Err(if content.peek(Token![if]) || content.peek(Token![for]) {
+                    error(found.span(), found.to_string(), CONDITIONS)
+                } else {
+                    found
+                });
             }
             inner.span = g.span();
             Ok(inner)
@@ -454,6 +459,8 @@ fn arguments(content: ParseStream<'_>, depth: usize) -> Result<Vec<Expr>> {
     Ok(parts)
 }
 
+const CONDITIONS: &str = "conditions stand behind loops, `for i in 0..=n if i != 1`, and at the end of a statement: write a statement for each case, `… if i == 0;`";
+
 fn separator(content: ParseStream<'_>) -> Result<()> {
     if content.peek(Token![,]) {
         content.parse::<Token![,]>()?;
@@ -461,7 +468,15 @@ fn separator(content: ParseStream<'_>) -> Result<()> {
         let found = unexpected(content, "`,` or an operator").to_string();
         return Err(error(content.span(), found, "write `,` between arguments, as in `D(b[0], t)`"));
     } else if !content.is_empty() {
-        return Err(unexpected(content, "`,` or an operator"));
+        let found = unexpected(content, "`,` or an operator");
+        let help = if content.peek(Token![=]) || content.peek(Token![in]) {
+            "write the loop behind the expression, `sum(t^i for i in 0..=3)`"
+        } else if content.peek(Token![if]) {
+            CONDITIONS
+        } else {
+            return Err(found);
+        };
+        return Err(error(content.span(), found.to_string(), help));
     }
     Ok(())
 }

@@ -317,9 +317,9 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
         '∧' => ("write `cross(a, b)` for vectors, `&&` between conditions", ""),
         '⟨' | '⟩' => ("write `dot(a, b)`", ""),
         '√' => ("a claim about a root is one about its square", ""),
-        '∀' | '∈' => {
-            ("a claim is about all values in the declared ranges, which goes without saying", "")
-        }
+        '∈' => ("write `0 <= t <= 1` for a range, `i in 0..=n` for an index variable", ""),
+        '∫' => ("write `integral(b[0])`, or `integral(b[0], t, 0, 1)` between bounds", ""),
+        '∀' => ("a claim is about all values in the declared ranges, which goes without saying", ""),
         '≡' => ("write `==`", "=="),
         '±' | '∓' => ("write two claims", ""),
         '≈' | '≃' | '≅' => ("numbers are exact here: write `==`, or two inequalities", ""),
@@ -335,7 +335,10 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
         '½' => ("write `1/2`", "1"),
         '¼' => ("write `1/4`", "1"),
         '¾' => ("write `3/4`", "1"),
-        '∞' => ("leave the end of the range out: `0 < λ` has no upper end", "1"),
+        '∞' => (
+            "leave the end of the range out: `0 < λ` has no upper end; of a domain put t = s/(1 - s) with `0 <= s < 1`",
+            "1",
+        ),
         '“' | '”' | '„' | '«' | '»' => ("write the straight quotation mark `\"`", ""),
         '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ("write an ordinary space", ""),
         '`' | '\0' => ("remove it", ""),

@@ -176,6 +176,21 @@ fn statement(input: ParseStream<'_>) -> Result<Statement> {
                     ),
                 ));
             }
+            Some((TokenTree::Group(g), rest))
+                if g.delimiter() == Delimiter::Parenthesis
+                    && matches!(rest.punct(), Some((p, _)) if p.as_char() == '=') =>
+            {
+                let stem = other.trim_end_matches(|c: char| c.is_ascii_digit());
+                let number = Some(&other[stem.len()..]).filter(|digits| !digits.is_empty()).unwrap_or("0");
+                let stem = Some(stem.trim_end_matches('_')).filter(|stem| !stem.is_empty()).unwrap_or(other);
+                return Err(error(
+                    word.span(),
+                    format!("`{other}` does not begin a statement"),
+                    format!(
+                        "write `{stem}[{number}] = …;` for a basis function, `let {other}(t) = …;` for a name with an argument"
+                    ),
+                ));
+            }
             _ => return Err(unknown_statement(&word, other)),
         },
     };
@@ -229,6 +244,10 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Claim(_)) if input.peek(Token![||]) || input.peek(Token![&&]) => {
             "write two claims: `&&` and `||` stand between conditions, behind `if`"
         }
+        Some(StatementKind::Let(..)) if input.peek(Token![|]) => {
+            "a name has one formula for all spans; write those of the spans in the functions"
+        }
+        _ if input.peek(Token![!]) => "write `factorial(n)`",
         _ => "a statement ends with `;`",
     };
     Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))

@@ -26,7 +26,17 @@ pub(super) fn take_word(input: ParseStream<'_>) -> Result<Span> {
 pub(super) fn equals(input: ParseStream<'_>, name: &Name) -> Result<()> {
     match comparison(input)? {
         Some(Comparison::Equal) => Ok(()),
-        _ => Err(unexpected(input, &format!("`=` after `{}`", name.text))),
+        _ => {
+            let found = unexpected(input, &format!("`=` after `{}`", name.text));
+            let help = if input.peek(Token![:]) && input.peek2(Token![=]) {
+                "write `=`"
+            } else if input.peek(syn::token::Paren) {
+                "leave the argument out: functions are those of the domain variable"
+            } else {
+                return Err(found);
+            };
+            Err(error(found.span(), found.to_string(), help))
+        }
     }
 }
 

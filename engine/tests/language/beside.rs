@@ -257,7 +257,7 @@ fn tangents_that_are_irrational() {
     );
     // cos at the end of the domain; t - 1 - 2 at t = π.
     assert_eq!(found[3], "-1 at tan(α/4) = 1, tan(t/4) = 1");
-    assert_eq!(found[4], "-3 + pi at tan((t - pi/2)/2) = 1");
+    assert_eq!(found[4], "-3 + pi at t = 2*h");
     assert_eq!(found.len(), 5, "{found:?}");
 }
 
@@ -410,4 +410,80 @@ fn what_is_no_end_of_an_angle() {
         let messages: Vec<&str> = report.diagnostics.iter().map(|d| d.message.as_str()).collect();
         assert_eq!(messages, [said], "{range}");
     }
+}
+
+/// The domain ends at a parameter that stands in cos or exp, and the variable itself does not.
+#[test]
+fn domains_that_end_at_angles_of_parameters_alone() {
+    let found = counterexamples(
+        "family Turned {
+            shape 0 < α <= pi;
+            domain 0 <= t <= α;
+            b[0] = t/(2 - cos(α));
+            prove b[0] <= α;
+            prove integral(b[0]) = α^2/(4 - 2*cos(α));
+            prove b[0] <= 11/10;
+            refute b[0] <= 1;
+        }
+        family Grown {
+            shape 1 <= α <= 2;
+            domain 0 <= t <= α;
+            b[0] = t*exp(-α);
+            prove nonnegative;
+            refute b[0] > 0;
+        }",
+    );
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found[0].contains("at α = pi, t = α") || found[0].contains("t = "), "{found:?}");
+}
+
+/// Where the range of a parameter in exponentials ends at a number, false claims are refuted at simple places, and what `at`
+/// fixes is named as it is written.
+#[test]
+fn false_claims_where_a_range_ends_at_a_number() {
+    let found = counterexamples(
+        "family Hyperbolic {
+            shape 0 < a <= 4;
+            domain 0 <= t <= a;
+            b[0] = sinh((a - t)/2)^2/sinh(a/2)^2;
+            b[1] = 2*cosh(a/2)*sinh((a - t)/2)*sinh(t/2)/sinh(a/2)^2;
+            b[2] = sinh(t/2)^2/sinh(a/2)^2;
+            prove partition_of_unity;
+            prove symmetric;
+            prove independent;
+            prove totally_positive;
+            prove b[1] <= cosh(a/2)/(1 + cosh(a/2));
+            prove integral(b[2]) = (sinh(a) - a)/(2*sinh(a/2)^2);
+            refute b[1] >= 1/2;
+            refute b[0] <= 1/2;
+            refute at t = a/2 { b[1] < 3/4; }
+            refute at a = 2 { b[1](1) <= 3/5; }
+        }",
+    );
+    let expected = [
+        "-1/2 at a = 4, t = 0",
+        "1/2 at a = 4, t = 0",
+        "about 0.040013 at a = 4, t = a/2",
+        "about 0.006776 at a = 2, t = 0",
+    ];
+    assert_eq!(found, expected);
+}
+
+/// A sign does not depend on powers of pi and exp(1), but the value that is printed is that of the claim.
+#[test]
+fn values_with_their_powers_of_numbers() {
+    let found = counterexamples(
+        "family Turn {
+            domain 0 <= t <= pi;
+            b[0] = sin(t);
+            refute 2*t/pi <= sin(t);
+            refute sin(t)/pi <= 3/10;
+        }
+        family Growth {
+            domain 0 <= t <= 1;
+            b[0] = exp(t);
+            refute exp(-1)*b[0] <= 1/2;
+        }",
+    );
+    assert_eq!(found, ["2 at t = pi", "(1 - 3/10*pi)/pi at t = pi/2", "1/2 at t = 1"]);
 }

@@ -141,3 +141,47 @@ fn shape_parameters_at_parts_of_a_turn() {
     );
     assert_eq!(found.len(), 2, "{found:?}");
 }
+
+/// The antiderivative is found although tan(π/8) or tan(π/12) stands in the functions.
+#[test]
+fn integrals_up_to_parts_of_a_turn() {
+    let found = counterexamples(
+        "family Half {
+            domain 0 <= t <= pi/2;
+            b[0] = cos(t/2)^2;
+            prove integral(sin(t)) = 1;
+            prove integral(b[0]) = pi/4 + 1/2;
+            prove integral(b[0]) <= 13/10;
+            refute integral(b[0]) >= 13/10;
+        }
+        family Third {
+            domain 0 <= t <= pi/2;
+            b[0] = 1 - sin(t/3);
+            prove integral(sin(t/3)) = 3 - 3*cos(pi/6);
+            prove integral(t*sin(t/3)) = 9*sin(pi/6) - 3*pi/2*cos(pi/6);
+            refute integral(t*sin(t/3)) = 9*sin(pi/6) - 3*pi*cos(pi/6);
+        }",
+    );
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found[0].starts_with("-4/5 + 1/4*pi"), "{found:?}");
+}
+
+/// Where the middle of the domain is named, the end of the range of the parameter has an irrational tangent.
+#[test]
+fn functions_that_depend_on_one_another_at_the_end_that_is_left_out() {
+    let found = counterexamples(
+        "family Quadratic {
+            shape 0 < α < pi;
+            domain 0 <= t <= α;
+            b[0] = sin((α - t)/2)^2/sin(α/2)^2;
+            b[1] = 2*cos(α/2)*sin((α - t)/2)*sin(t/2)/sin(α/2)^2;
+            b[2] = sin(t/2)^2/sin(α/2)^2;
+            prove independent;
+            prove totally_positive;
+            prove at t = α/2 { b[0] = 1/(4*cos(α/4)^2); }
+            prove integral(b[0]) <= α/2;
+            prove b[1] < 1/2;
+        }",
+    );
+    assert!(found.is_empty(), "{found:?}");
+}

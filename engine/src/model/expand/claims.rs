@@ -310,7 +310,11 @@ fn neighbour(
         let Some(shape) = family.shapes.iter().find(|s| s.name == name) else {
             let known: Vec<String> = family.shapes.mapped(|s| s.name.clone());
             let error = scope.error(binding.name.span, format!("`{name}` is not a shape parameter"));
-            scope.report(error.help(format!("the next segment has {}", crate::plural::list(&known))));
+            scope.report(error.help(if known.is_empty() {
+                String::from("the family has no shape parameters: leave `with` out")
+            } else {
+                format!("the next segment has {}", crate::plural::list(&known))
+            }));
             return None;
         };
         if given.iter().any(|(v, _)| *v == shape.var) {

@@ -172,8 +172,15 @@ fn plan<'a>(scope: &mut Scope<'a>, def: &'a FunctionDef) {
     let Some((all, fine)) = found else { return };
     // A range that depends on the order may well be empty for the lowest one.
     if fine && all.is_empty() && scope.constants.is_empty() {
-        let error = scope.error(def.name.span, "the loop is empty: no function is defined");
-        scope.report(error.help("write the smaller bound first, `0..=n` includes n"));
+        let (message, help) = if def.loops.condition.is_some() {
+            (
+                "the condition does not hold: no function is defined",
+                "leave the condition out, or the function",
+            )
+        } else {
+            ("the loop is empty: no function is defined", "write the smaller bound first, `0..=n` includes n")
+        };
+        scope.report(scope.error(def.name.span, message).help(help));
     }
     for function in all {
         let indices = if numbered_corners(scope, def) {
@@ -300,7 +307,10 @@ fn base<'a>(
 /// The functions of every order after the lowest, each from those of the order before.
 fn raise(scope: &mut Scope<'_>, written: &syntax::Family, def: &FunctionDef, order: &str, lowest: i64) {
     if !def.loops.generators.is_empty() || def.loops.condition.is_some() {
-        let error = scope.error(def.name.span, "`raise` gives all functions of the next order: it has no loop and no condition");
+        let error = scope.error(
+            def.name.span,
+            "`raise` gives all functions of the next order: it has no loop and no condition",
+        );
         let help = "leave `for` and `if` out; of several formulas the right one is chosen by sums over one value, such as `sum(b[i] for k in 0..1 if i < n)`";
         scope.report(error.help(help));
         scope.cut_short = true;

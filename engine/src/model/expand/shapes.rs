@@ -323,7 +323,9 @@ fn target(scope: &mut Scope<'_>, decl: &ShapeDecl, k: usize, others: &Others) ->
         let scalar = if indexed { scope.variable(first).is_some() } else { scope.taken(first).is_some() };
         scope.variable(&name.text).is_none() && !scalar
     };
-    if primary(decl) == Some(k) {
+    // In `0 <= μ[i] <= μ[i + 1] for i in 1..n` the step before has declared the first name, and this one the next.
+    let goes_on = indexed && scope.variable(&name.text).is_some() && decl.parts[k + 1..].iter().any(is_named);
+    if primary(decl) == Some(k) && !goes_on {
         if free(scope) {
             return ControlFlow::Break(Some(name));
         }

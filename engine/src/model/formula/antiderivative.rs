@@ -112,7 +112,9 @@ impl Scope<'_> {
     ) -> Option<Fraction> {
         let x = angle.var;
         let own = self.fits(self.budget.sub(&Fraction::var(x), &angle.low), span)?;
-        let own = self.fits(self.budget.div(&own, &angle.width), span)?;
+        // Numbers tan(π/n) are above the fraction line only, so that their powers can be lowered below it.
+        let per = self.fits(self.budget.div(&Fraction::constant(Rational::ONE), &angle.width), span)?;
+        let own = self.fits(self.budget.mul(&own, &self.analytic.reduced(per)), span)?;
         let f = self.put_one(f, x, &own, span)?;
         let Some((mut left, n)) = self.in_powers(&f, angle) else {
             let name = &angle.name;
@@ -151,7 +153,11 @@ impl Scope<'_> {
     fn in_powers(&self, f: &Fraction, angle: &Angle) -> Option<(Vec<Powers>, usize)> {
         let x = Poly::var(angle.var);
         let square = x.pow(2);
-        let (mut above, mut below) = (f.numer().clone(), f.denom().clone());
+        let lowered = |p: &Poly| {
+            let f = self.analytic.reduced(Fraction::from(p.clone()));
+            f.as_poly().cloned().unwrap_or_else(|| p.clone())
+        };
+        let (mut above, mut below) = (lowered(f.numer()), lowered(f.denom()));
         let mut divide = |by: &Poly| {
             let mut count = 0;
             while let Some(rest) = below.div_exact(by).filter(|_| below.depends_on(angle.var)) {

@@ -42,7 +42,7 @@ impl Scope<'_> {
                         error.help(format!("pick one of them with an index, such as `{entry}`"))
                     }
                     ExprKind::List(_) => error.help(
-                        "a function has one value; write a function for each entry, or a family for each component",
+                        "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, or a family for each component",
                     ),
                     _ => error.help("pick one of them with an index, such as `b[0]`"),
                 });

@@ -34,9 +34,7 @@ impl Scope<'_> {
     fn holds(&mut self, condition: &Condition) -> Option<bool> {
         match condition {
             Condition::Compare(a, sign, b) => {
-                let x = self.condition_side(a);
-                let y = self.condition_side(b);
-                let (x, y) = (x?, y?);
+                let (x, y) = (self.condition_side(a)?, self.condition_side(b)?);
                 Some(match sign {
                     Comparison::Equal => x == y,
                     Comparison::NotEqual => x != y,
@@ -58,7 +56,7 @@ impl Scope<'_> {
         if value.as_constant().is_none() {
             let error = self.error(side.span, "a side of a condition must be a number");
             self.report(error.label("this contains a variable").help(
-                "conditions choose among the values of index variables; a formula has no cases on parts of the domain",
+                "conditions choose among the values of index variables; `at λ = μ { … }` fixes shape values, and a formula has no cases on parts of the domain",
             ));
         }
         value.as_constant()

@@ -150,6 +150,22 @@ impl Scope<'_> {
         Some((p, Rc::new(domain)))
     }
 
+    /// The end of the range of a variable beside its sine or exponential, if it belongs to it, at which a denominator is 0.
+    fn vanishing_end(&self, divisor: &Poly, domain: &Domain) -> Option<(&Angle, usize)> {
+        let mixed = |a: &&Angle| a.kind != Kind::Linear && a.itself != a.var && divisor.depends_on(a.itself);
+        let is_zero = |angle: &Angle, end: usize| {
+            let range = domain.region.range(angle.var);
+            let side = [&range.low, &range.high][end];
+            let (true, Some(y)) = (side.is_included() && !angle.ends[end].is_empty(), side.value()) else {
+                return false;
+            };
+            let there = Fraction::from(divisor.at(angle.var, y)).substitute(angle.itself, &angle.limits[end]);
+            there.is_some_and(|f| self.analytic.reduced(f).is_zero())
+        };
+        let angles = self.analytic.angles.iter().filter(mixed);
+        angles.flat_map(|angle| [(angle, 0), (angle, 1)]).find(|(angle, end)| is_zero(angle, *end))
+    }
+
     /// A denominator must not vanish anywhere on the declared ranges.
     fn decide_divisor(
         &mut self,
@@ -167,6 +183,18 @@ impl Scope<'_> {
         let labelled = |error: Diagnostic| error.label(label.clone());
         let mixed = |a: &Angle| a.kind != Kind::Linear && a.itself != a.var && divisor.depends_on(a.itself);
         let beside_itself = self.analytic.angles.iter().any(mixed);
+        if let Some((angle, end)) = self.vanishing_end(divisor, domain).filter(|_| beside_itself) {
+            let [low, high] = &angle.ends;
+            let range = domain.region.range(angle.var);
+            let sign = |side: usize, of: &End| if side == end || !of.is_included() { "<" } else { "<=" };
+            let (first, last) = (sign(0, &range.low), sign(1, &range.high));
+            let name = &angle.name;
+            let message = format!("the denominator vanishes at {name} = {}", angle.ends[end]);
+            return Some(labelled(
+                Diagnostic::error(place.clone(), message)
+                    .help(format!("leave this end of the range out: `{low} {first} {name} {last} {high}`")),
+            ));
+        }
         let goal = if beside_itself {
             self.between_bounds(divisor, domain).and_then(|(p, domain)| Some((piece.pull_back(&p)?, domain)))
         } else {
@@ -191,6 +219,12 @@ impl Scope<'_> {
                     Some((var, x)) => (
                         self.value_named(var, x, &domain.region.range(var)),
                         self.without_value(var, x, &domain.region.range(var)),
+                    ),
+                    None if !domain.simplices.is_empty() => (
+                        self.own(divisor, &point),
+                        String::from(
+                            "no part of a triangle or tetrahedron can be left out: choose a denominator that vanishes nowhere on it",
+                        ),
                     ),
                     None => (
                         self.own(divisor, &point),
@@ -238,7 +272,8 @@ impl Scope<'_> {
         };
         if let Some(angle) = self.analytic.angle(var) {
             let [low, high] = &angle.ends;
-            let (first, last) = if at(&range.high) { ("<=", "<") } else { ("<", "<=") };
+            let sign = |end: &End| if at(end) || !end.is_included() { "<" } else { "<=" };
+            let (first, last) = (sign(&range.low), sign(&range.high));
             return if at(&range.low) || at(&range.high) {
                 format!("leave this end of the range out: `{low} {first} {} {last} {high}`", angle.name)
             } else {

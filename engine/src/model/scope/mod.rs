@@ -11,7 +11,7 @@ use super::budget::{Budget, SPLIT, TooLarge};
 use super::formula::Value;
 use super::obligation::Obligation;
 use super::words::{
-    BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, HYPERBOLIC, OTHER_NAMES, PI, is_transcendental,
+    BINOMIALS, BUILTINS, CIRCULAR, ELSEWHERE, FUNCTIONS, HYPERBOLIC, OTHER_NAMES, PI, is_transcendental,
 };
 use super::{Barycentric, Family, Function, Library};
 use crate::advice::{closest, did_you_mean};
@@ -397,6 +397,12 @@ impl Scope<'_> {
                         .help("ranges and assumptions are made of shape parameters and numbers"),
                 );
             }
+            "infinity" | "inf" | "oo" => String::from(
+                "leave the end of the range out: `0 < λ` has no upper end; of a domain put t = s/(1 - s) with `0 <= s < 1`",
+            ),
+            _ if FUNCTIONS.contains(&name) && !self.functions.is_empty() => {
+                format!("the functions of this family are called `{}`", self.function_name)
+            }
             _ if BINOMIALS.contains(&name) => String::from("write `binomial(n, i)`"),
             _ if glued.is_some() => glued.unwrap_or_default(),
             _ => did_you_mean(name, &known, &|| {
@@ -451,10 +457,8 @@ impl Scope<'_> {
         self.undeclared.borrow_mut().push(name.to_string());
         let error = self.error(span, format!("there is no function `{name}`"));
         self.report(error.help(format!(
-            "functions of the language are `{}`, `{}` and `{}`; write `{name}*(…)` for a product",
-            BUILTINS.join("`, `"),
-            CIRCULAR.join("`, `"),
-            HYPERBOLIC.join("`, `")
+            "functions of the language are `{}`; write `{name}*(…)` for a product",
+            [&BUILTINS[..], &CIRCULAR, &HYPERBOLIC].concat().join("`, `")
         )));
     }
 

@@ -258,6 +258,26 @@ fn without_numbers(family: &Family, mut of: String, value: Fraction) -> (String,
     (of, result)
 }
 
+/// The expression of a claim whose sign is that of a value without powers of π and exp(r), and what was taken away; `None` if
+/// nothing was.
+fn with_numbers(family: &Family, kind: &ClaimKind, of: &str) -> Option<(String, Fraction)> {
+    let all: Vec<(String, Fraction)> = match kind {
+        ClaimKind::Relation { differences, .. } => {
+            let signs = differences.iter().filter(|(comparison, _)| *comparison != Comparison::Equal);
+            signs.map(|(_, d)| (d.text.clone(), d.value.clone())).listed()
+        }
+        ClaimKind::Nonnegative => {
+            let functions = family.functions.iter().enumerate();
+            functions.map(|(k, f)| (family.function_label(k), f.value.clone())).listed()
+        }
+        _ => return None,
+    };
+    all.into_iter().filter(|(text, _)| text != of).find_map(|(text, value)| {
+        let (short, rest) = without_numbers(family, text.clone(), value.clone());
+        Some((text, value.checked_div(&rest)?)).filter(|_| short == of)
+    })
+}
+
 /// Whether a statement says something of π, of exp(r), or of a variable beside its sine: these are variables in it, and
 /// points at which it fails need not be points at which the claim does. An equation holds for all values of these
 /// variables if it holds, because they are transcendental, and algebraically independent of one another as far as they
@@ -543,10 +563,15 @@ fn witness(
     let negated = inequality::is_negated(comparison);
     let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
     let value = if negated { -value } else { value };
-    let mut witness = Witness::new(of, at, value, found.refutation.clone());
+    let mut witness = Witness::new(of.clone(), at, value, found.refutation.clone());
     let there = family.where_fixed(kind.fixed());
     let there = there.as_deref().unwrap_or(family);
-    witness.shown = shown(there, found).or_else(|| beside::shown(family, found, &witness.value));
+    let whole = with_numbers(family, kind, &of);
+    let factor = whole.as_ref().map(|(_, factor)| factor);
+    witness.shown = shown(there, found).or_else(|| beside::shown(family, found, &witness.value, factor));
+    if let Some((text, factor)) = whole {
+        (witness.of, witness.value) = (text, beside::about_number(family, &factor, &witness.value));
+    }
     if matches!(kind, ClaimKind::Smooth(_)) {
         witness.idle = domain_names(family);
     }

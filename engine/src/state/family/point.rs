@@ -8,7 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::model::Family;
-use crate::model::angle::Angle;
+use crate::model::angle::{Angle, multiple_of_pi};
 use crate::model::chart::Piece;
 
 /// The names of the domain variables.
@@ -115,19 +115,28 @@ pub(super) fn places(
         };
         let given = fixed.iter().find(|(var, _)| *var == angle.itself).map(|(_, f)| written(f, family));
         let is_scaled = *name == parameter.name && *name != angle.name && *name != angle.tangent_name();
+        let is_shifted = !angle.shift.is_zero() && !angle.turns && *name == angle.tangent_name();
         let range = family.region().range(parameter.var);
         let here = |end: usize| {
-            let limit = [&range.low, &range.high][end].value().cloned();
-            is_scaled
-                && limit.map(Coordinate::Rational).as_ref() == Some(value)
+            let y = [&range.low, &range.high][end].value().cloned();
+            let shown = if is_scaled { y } else { y.and_then(|y| tangent_at(angle, &y)) };
+            (is_scaled || is_shifted)
                 && !angle.ends[end].is_empty()
+                && shown.map(Coordinate::Rational).as_ref() == Some(value)
         };
         let end = (0..2).find(|end| here(*end)).map(|end| angle.ends[end].clone());
-        if let Some(text) = given.filter(|_| long || is_scaled).or(end) {
+        let zero = matches!(value, Coordinate::Rational(x) if x.is_zero());
+        let middle = (is_shifted && zero).then(|| multiple_of_pi(&angle.shift));
+        if let Some(text) = given.filter(|_| long || is_scaled).or(end).or(middle) {
             all.push((name.clone(), format!("{} = {text}", angle.name)));
         }
     }
     all
+}
+
+/// x where y has a value, if it is rational.
+fn tangent_at(angle: &Angle, y: &Rational) -> Option<Rational> {
+    (&angle.low + &(&angle.width * &Fraction::constant(y.clone()))).as_constant()
 }
 
 /// A value with whole numbers above a common denominator, `pi/6`.

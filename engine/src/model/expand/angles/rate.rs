@@ -82,7 +82,11 @@ impl Declared<'_> {
         let (what, help) = if is_domain {
             (
                 "pi/2 between -pi and pi",
-                "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter: `shape 0 < α < pi; domain 0 <= θ <= α;`",
+                if end.value.number.is_zero() && end.value.pi.abs() > Rational::ONE {
+                    "ends of an angle are multiples of `pi/2` from `-pi` to `pi`; let a part of it be the variable, `sin(2*s)` with `0 <= s <= pi`"
+                } else {
+                    "ends of an angle are multiples of `pi/2` from `-pi` to `pi`, or a shape parameter: `shape 0 < α < pi; domain 0 <= θ <= α;`"
+                },
             )
         } else {
             (

@@ -405,8 +405,26 @@ pub(super) fn rational_part(family: &Family, point: &[(Var, Rational)]) -> Value
     point.iter().filter(|(var, _)| !wide(*var)).cloned().listed()
 }
 
-/// The value at a counterexample for reading, if it is not rational: with π, or as a decimal.
-pub(super) fn shown(family: &Family, found: &Counterexample, value: &Rational) -> Option<String> {
+/// A number times one of π and exp(r), in the middle of the bounds for these.
+pub(super) fn about_number(family: &Family, factor: &Fraction, value: &Rational) -> Rational {
+    let middle = |f: Fraction, (var, range): &(Var, Range)| {
+        let put = range.finite().and_then(|(low, high)| {
+            let middle = &(low + high) * &Rational::new(1, 2);
+            f.substitute(*var, &Fraction::constant(middle))
+        });
+        put.unwrap_or(f)
+    };
+    let number = family.analytic.ranges.iter().fold(factor.clone(), middle).as_constant();
+    number.map_or_else(|| value.clone(), |number| &number * value)
+}
+
+/// The value at a counterexample for reading, if it is not rational: with π, or as a decimal; times a factor of π and exp(r).
+pub(super) fn shown(
+    family: &Family,
+    found: &Counterexample,
+    value: &Rational,
+    factor: Option<&Fraction>,
+) -> Option<String> {
     const LONGEST: usize = 24;
     let Statement::Sign { value: exact, .. } = found.refutation.statement() else { return None };
     let numbers = family.analytic.numbers();
@@ -423,6 +441,10 @@ pub(super) fn shown(family: &Family, found: &Counterexample, value: &Rational) -
     let Statement::Sign { value: narrow, .. } = found.refutation.statement() else { return None };
     let negated = found.evaluate(narrow).is_some_and(|c| c != Coordinate::Rational(value.clone()));
     let exact = if negated { -&exact } else { exact };
+    let (exact, value) = match factor {
+        Some(factor) => (&exact * factor, about_number(family, factor, value)),
+        None => (exact, value.clone()),
+    };
     let text = super::numbers_written(family, &exact.display(&family.names));
     let own = family.analytic.angles.iter().any(|a| a.itself != a.var && exact.depends_on(a.itself));
     (own || numbers.iter().any(|n| exact.depends_on(*n))).then(|| {
