@@ -174,3 +174,71 @@ fn multiples_of_an_assumption() {
         }",
     );
 }
+
+/// One inequality decides what the table of coefficients on the whole box does not.
+#[test]
+fn independence_where_something_is_assumed() {
+    let found = refuted(
+        "family Always {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = 1; b[1] = 2;
+            refute independent;
+        }
+        family Inside {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1;
+            assume α^2 <= 1/2;
+            b[0] = 1; b[1] = α*t;
+            refute independent;
+            prove independent except α = 0;
+        }
+        family Line {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = 1; b[1] = t*(α + β - 7/5);
+            refute independent;
+        }
+        family Outside {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = (1 - t)*(3/2 - α - β); b[1] = t*(3/2 - α - β);
+            prove independent;
+            prove totally_positive;
+        }
+        family Numbers {
+            domain 0 <= t <= 1;
+            shape -1 <= α <= 1, -1 <= β <= 1;
+            assume α^2 + β^2 <= 1;
+            b[0] = α + 2; b[1] = α*t + 2*t + β*t^2;
+            prove independent;
+        }",
+    );
+    assert!(found.iter().all(|v| v.starts_with("0 at ")), "{found:?}");
+}
+
+/// A step of the elimination below 0 says nothing of a matrix in another basis: only minors of the functions refute.
+#[test]
+fn total_positivity_is_refuted_by_minors_only() {
+    let found = verdicts(
+        "family Tight {
+            domain 0 <= t <= 1;
+            shape -1 <= a <= 1, -1 <= b <= 1;
+            assume a^2 + b^2 <= 1;
+            f[0] = 1 - t; f[1] = t*(7/5 - a - b);
+            refute totally_positive;
+        }
+        family Clear {
+            domain 0 <= t <= 1;
+            shape -1 <= a <= 1, -1 <= b <= 1;
+            assume a^2 + b^2 <= 1;
+            f[0] = 1 - t; f[1] = t*a;
+            refute totally_positive;
+        }",
+    );
+    assert!(found.iter().all(|v| !v.contains("step") && *v != "="), "{found:?}");
+    assert!(found[1].contains(" at a = "), "{found:?}");
+}

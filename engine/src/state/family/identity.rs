@@ -73,6 +73,14 @@ pub(crate) fn moves(family: &Family) -> Vec<(usize, usize, Vec<Poly>)> {
     all
 }
 
+/// Whether the indices of the functions say nothing about the domain.
+fn is_unnumbered(family: &Family) -> bool {
+    family.pieces.is_empty()
+        && motions(family)
+            .iter()
+            .any(|motion| family.functions.iter().any(|f| motion.index(&f.index).is_none()))
+}
+
 /// In a numbering that says nothing about the domain, a moved function must be one of the functions: its difference
 /// from that one, or from the function itself if it is none of them.
 fn unnumbered(
@@ -371,6 +379,10 @@ pub(super) fn notes(family: &Family, kind: &ClaimKind, witness: &Witness) -> Vec
             }
             notes
         }
+        ClaimKind::Symmetric if is_unnumbered(family) => vec![
+            String::from("a moved function is none of the functions, and differs from the function itself"),
+            format!("`{of}` is {}{place}", witness.value_text()),
+        ],
         _ if is_number => vec![format!("`{of}` is {}", witness.value_text())],
         _ if in_tangents => vec![format!("`{of}` is {}{place}", witness.value_text())],
         _ => vec![format!("`{of}` is `{shown}`"), format!("{here}it is {}", witness.value_text())],

@@ -1,15 +1,19 @@
 //! Linear independence: the rank of the coefficient table and the shape values at which it drops.
 
-use basis_kernel::{Statement, Values};
+use basis_kernel::{Domain, Relation, Statement, Values};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
 use basis_prover::{Coordinate, Counterexample, Symmetries, Symmetry, simple};
 
+use std::rc::Rc;
+
 use super::Said;
 use super::point::{domain_names, named_point};
-use super::premises::Positive;
+use super::premises::{self, Positive};
+use super::total::determinant;
 use crate::algebra::divisors::factor::checked_factor;
+use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Monomial, Poly, PolyExt, Var};
 use crate::algebra::range::{Range, Region};
 use crate::algebra::rational::Rational;
@@ -67,6 +71,79 @@ pub(super) fn said(family: &Family, except: &[Values]) -> Option<Vec<Said>> {
         all.push(Said { stated, of: String::from(COEFFICIENTS), piece: piece.clone() });
     }
     Some(all)
+}
+
+/// The number of the way by which independence is one inequality.
+pub(super) const BY_SQUARES: usize = 1;
+
+/// More functions than this have too large a determinant.
+const MAX_SQUARES: usize = 6;
+
+/// Independence as an inequality: det(A·Aᵀ), the sum of the squares of the maximal minors of the table A, is > 0 where what is
+/// assumed holds. Where that is no part of a box it may decide what the table on the whole box does not. `None` for many
+/// functions, and for variables beside their sines.
+pub(super) fn by_squares(family: &Family, enough: bool) -> Option<Vec<Said>> {
+    let Table { rows, .. } = table(family);
+    let wide = |v: Var| {
+        family.analytic.numbers().contains(&v)
+            || family.analytic.angles.iter().any(|a| a.itself == v && a.var != v && a.kind != Kind::Linear)
+    };
+    if rows.len() > MAX_SQUARES || rows.iter().flatten().flat_map(|p| p.variables()).any(wide) {
+        return None;
+    }
+    let pieces = family.pieces(&[], &[], true);
+    let mut all = Vec::new();
+    for (number, piece) in pieces.iter().enumerate() {
+        let row = |row: &Vec<Poly>| row.iter().map(|p| piece.pull_back(p)).collect::<Option<Vec<Poly>>>();
+        let domain = Rc::new(piece.domain());
+        let rows = Positive::of(&domain).of_rows(rows.iter().map(row).collect::<Option<Vec<_>>>()?);
+        let value = basis_prover::working(family.budget, &mut |work| {
+            let mut gram = vec![Vec::new(); rows.len()];
+            for (a, line) in rows.iter().zip(&mut gram) {
+                for b in &rows {
+                    let mut sum = Poly::zero();
+                    for (x, y) in a.iter().zip(b) {
+                        work.spend_product(x, y)?;
+                        sum = &sum + &(x * y);
+                    }
+                    line.push(Fraction::from(sum));
+                }
+            }
+            determinant(gram, work)
+        })?;
+        let sign = |value: Poly| Statement::Sign {
+            value: value.into(),
+            relation: Relation::Positive,
+            domain: Rc::clone(&domain),
+        };
+        let value = value.as_poly()?.clone();
+        // It is nowhere below 0: enough is that none of its factors vanishes.
+        let factors = if enough { nonzero_factors(&value, &domain) } else { None };
+        let statements = match factors {
+            Some(factors) => {
+                let one = |p: Poly| premises::without(&sign(p.clone())).unwrap_or_else(|| vec![sign(p)]);
+                factors.into_iter().flat_map(one).listed()
+            }
+            None => vec![sign(value)],
+        };
+        for statement in statements {
+            let stated = Stated::new(super::on_part(SQUARES, number, pieces.len()), statement);
+            all.push(Said { stated, of: String::from(SQUARES), piece: piece.clone() });
+        }
+    }
+    Some(all)
+}
+
+/// The factors of a polynomial, each with the sign that makes it positive at some point that counts; `None` of a number, 0
+/// for instance.
+fn nonzero_factors(p: &Poly, domain: &Domain) -> Option<Vec<Poly>> {
+    if p.as_constant().is_some() {
+        return None;
+    }
+    let (_, factors) = basis_prover::working(1, &mut |work| checked_factor(p, work))?;
+    let point = premises::inside(p, domain)?;
+    let turned = |factor: Poly| if factor.eval(&point).is_negative() { -&factor } else { factor };
+    Some(factors.into_iter().map(|(factor, _)| turned(factor)).listed())
 }
 
 /// The rows with all numbers between their bounds in place of parameters beside their sines; `None` where there is no such
@@ -308,7 +385,11 @@ pub(super) fn witness(family: &Family, except: &[Values], found: &Counterexample
             (String::from(SQUARES), Rational::ZERO, note)
         }
     };
-    let mut witness = Witness::new(of, at, value, refutation).about(COEFFICIENTS);
+    let stated = match found.refutation.statement() {
+        Statement::Sign { .. } => SQUARES,
+        _ => COEFFICIENTS,
+    };
+    let mut witness = Witness::new(of, at, value, refutation).about(stated);
     witness.idle = domain_names(family);
     witness.notes = vec![note];
     witness

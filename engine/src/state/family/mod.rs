@@ -100,7 +100,13 @@ fn statements_by<'w>(
 
 /// The statements of a claim one of which may be false: of independence only those whose points all count.
 pub(in crate::state) fn refutable(family: &Family, claim: &Claim) -> Option<Vec<Stated>> {
-    let all = said(family, claim, &mut Saying::Plainly)?.into_iter();
+    let mut all = said(family, claim, &mut Saying::Plainly)?;
+    if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
+        && all.iter().any(|said| !said.piece.is_exact())
+    {
+        all.extend(independent::by_squares(family, false).unwrap_or_default());
+    }
+    let all = all.into_iter();
     let counts = |said: &Said| {
         let independent = matches!(said.stated.statement, Statement::Independent { .. });
         (!independent || said.piece.is_exact())
@@ -120,9 +126,12 @@ fn said(family: &Family, claim: &Claim, saying: &mut Saying<'_>) -> Option<Vec<S
     set_known_factors(family.analytic.denominators());
     if let ClaimKind::Independent(except) = kind {
         if let Saying::Enough(ways) = saying
-            && ways.next().is_some()
+            && let Some(way) = ways.next()
         {
-            return independent::said(&wider(family)?, except);
+            return match *way {
+                independent::BY_SQUARES => independent::by_squares(family, true),
+                _ => independent::said(&wider(family)?, except),
+            };
         }
         return independent::said(family, except);
     }
@@ -423,6 +432,11 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
         if let Ok(shown) = all(stated, family.budget) {
             return Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways));
         }
+        if matches!(&claim.kind, ClaimKind::Independent(except) if except.is_empty())
+            && let Some(verdict) = decided_by_squares(family, claim)
+        {
+            return verdict;
+        }
         said = self::said(family, claim, &mut Saying::Plainly).unwrap_or(said);
         ways = Vec::new();
         let is_sign = |s: &&Said| matches!(s.stated.statement, Statement::Sign { .. });
@@ -467,6 +481,17 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             _ => format!("`{of}`: {left}"),
         }),
     }
+}
+
+/// Whether functions are independent where what is assumed holds, by one inequality.
+fn decided_by_squares(family: &Family, claim: &Claim) -> Option<Verdict> {
+    let enough = independent::by_squares(family, true)?.into_iter().map(|said| said.stated).listed();
+    if let Ok(shown) = all(enough, family.budget) {
+        let evidence = Evidence::new(method(&claim.kind, &shown), steps(shown));
+        return Some(Verdict::Proved(evidence.by(vec![independent::BY_SQUARES])));
+    }
+    let plain = independent::by_squares(family, false)?;
+    refuted_under_premises(family, claim, &plain.iter().listed())
 }
 
 /// A point of what is assumed at which one of the statements fails that a claim makes itself.

@@ -385,6 +385,13 @@ fn divided(f: &Poly, g: &Poly) -> Option<(Poly, Poly)> {
     Some((q, r))
 }
 
+/// A point, by variable, far inside of what premises leave of a box, among those at which a polynomial is looked at.
+pub(super) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
+    let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
+    let counts = |point: &Vec<Rational>| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
+    sample(&p.clone().into(), domain)?.into_iter().filter(counts).max_by_key(room)
+}
+
 /// A counterexample to an equation, or to a statement about a sign, under premises, among some points.
 pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
     let (value, relation, domain) = match statement {

@@ -79,7 +79,9 @@ pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
             let statement = Statement::Sign { value, relation, domain };
             let enough = premises::without(&statement).unwrap_or_else(|| vec![statement]);
             for statement in enough {
+                // A matrix in another basis may have a step below 0.
                 let stated = Stated::new(super::on_part(&of, number, pieces.len()), statement);
+                let stated = Stated { is_stronger: true, ..stated };
                 all.push(Said { stated, of: of.clone(), piece: piece.clone() });
             }
         }
@@ -244,7 +246,8 @@ fn minor(family: &Family, functions: &[usize], points: &[Rational]) -> Option<Fr
     basis_prover::working(family.budget, &mut |work| determinant(rows.clone(), work))
 }
 
-fn determinant(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<Fraction> {
+/// The determinant of a matrix; `None` where the work is spent.
+pub(super) fn determinant(mut rows: Vec<Vec<Fraction>>, work: &mut Work) -> Option<Fraction> {
     let mut product = Fraction::constant(Rational::ONE);
     for k in 0..rows.len() {
         let Some(pivot) = (k..rows.len()).find(|r| !rows[*r][k].is_zero()) else {
