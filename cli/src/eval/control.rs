@@ -51,7 +51,10 @@ fn control_points_are(count: usize) -> String {
 }
 
 fn from_text(text: &str) -> Result<Vec<Vec<Rational>>, Diagnostic> {
-    let points = text.split_whitespace().map(|point| coordinates(point.split(','), point));
+    let points = text
+        .split(|c: char| c.is_whitespace() || c == ';')
+        .filter(|point| !point.is_empty())
+        .map(|point| coordinates(point.split(','), point));
     let points: Vec<Vec<Rational>> = points.collect::<Result<_, _>>()?;
     if points.is_empty() { Err(malformed(text)) } else { Ok(points) }
 }

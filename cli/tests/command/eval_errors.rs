@@ -177,7 +177,7 @@ fn control_points() {
     for (points, message, help) in [
         ("0,0 1,2", "2 control points are given, `Bern(2)` has 3 functions", "one control point for each"),
         ("0,0 1,2,3 1,1", "the control point 2 has 3 coordinates, the first one has 2", "the same number"),
-        ("0,0 1;2 3,4", "`1;2` is not a control point", "write exact numbers with commas"),
+        ("0,0 1:2 3,4", "`1:2` is not a control point", "write exact numbers with commas"),
         ("", "`` is not a control point", "or name a file"),
         ("long.csv", "`3,a` is not a control point", "line 4 of `long.csv`"),
         ("empty.csv", "cannot read control points from `empty.csv`: it has no points", ""),

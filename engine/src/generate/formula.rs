@@ -86,7 +86,8 @@ fn product(whole: &Poly, powers: &[(Poly, u32)], denom: &Poly, names: &[String])
             _ => factors.push(format!("{base}^{power}")),
         }
     }
-    let text = factors.join("*");
+    let negative = factors.len() > 1 && factors[0] == "-1";
+    let text = if negative { format!("-{}", factors[1..].join("*")) } else { factors.join("*") };
     if denom.is_one() {
         return text;
     }
