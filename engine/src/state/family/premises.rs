@@ -18,8 +18,9 @@ use core::cmp::Ordering;
 use std::rc::Rc;
 
 use super::touching;
+use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
-use crate::algebra::range::Range;
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
 use crate::algebra::work::Work;
@@ -33,6 +34,9 @@ const MAX_TRIES: usize = 3000;
 
 /// How often the steps towards a narrower interval for a number are halved.
 const NEARER: usize = 6;
+
+/// How often what lies between an irrational end and a rational one beyond it is halved.
+const NARROWED: usize = 40;
 
 /// Sums of more terms are not squared.
 const MAX_SQUARED: usize = 12;
@@ -139,7 +143,88 @@ impl Sign<'_> {
             return Some(vec![self.plain()]);
         }
         let divided = |exactly| self.divided(depth, exactly);
-        divided(true).or_else(|| divided(false)).or_else(|| self.by_number(seen)).or_else(|| self.squared())
+        divided(true)
+            .or_else(|| divided(false))
+            .or_else(|| self.by_factors())
+            .or_else(|| self.by_number(seen))
+            .or_else(|| self.squared())
+            .or_else(|| self.narrowed())
+    }
+
+    /// The same on narrower ranges: premises in one variable with an irrational zero leave out what lies beyond it.
+    fn narrowed(&self) -> Option<Vec<Statement>> {
+        let mut region = self.domain.region.clone();
+        let mut all = Vec::new();
+        for (g, _) in &self.domain.premises {
+            let [x] = g.variables()[..] else { continue };
+            let Some((_, range)) = region.ranges.iter_mut().find(|(v, _)| *v == x) else { continue };
+            let Some((low, high)) = range.finite().map(|(a, b)| (a.clone(), b.clone())) else { continue };
+            let value = |at: &Rational| g.at(x, at).as_constant().map_or(0, |c| c.signum());
+            // From an end at which the premise fails towards the middle of what it leaves.
+            for (end, upper) in [(&low, false), (&high, true)] {
+                let other = if upper { &low } else { &high };
+                if value(end) >= 0 {
+                    continue;
+                }
+                let half = |a: &Rational, b: &Rational| &(a + b) * &Rational::new(1, 2);
+                let inner = (1..=8).map(|k| end + &(&(other - end) * &Rational::new(k, 8)));
+                let Some(mut inner) = inner.into_iter().find(|at| value(at) > 0) else { continue };
+                let mut outer = end.clone();
+                for _ in 0..NARROWED {
+                    let middle = half(&outer, &inner);
+                    if value(&middle) < 0 { outer = middle } else { inner = middle }
+                }
+                let cut = if upper {
+                    Range::closed(outer.clone(), high.clone())
+                } else {
+                    Range::closed(low.clone(), outer.clone())
+                };
+                let beyond = Domain::of(Region { ranges: vec![(x, cut)] });
+                let value = Quotient::from(-g);
+                all.push(Statement::Sign { value, relation: Relation::Positive, domain: Rc::new(beyond) });
+                let end = End::Excluded(outer);
+                if upper { range.high = end } else { range.low = end }
+            }
+        }
+        if all.is_empty() {
+            return None;
+        }
+        let domain = Rc::new(Domain { premises: Vec::new(), region, ..self.domain.clone() });
+        all.push(Statement::Sign { value: self.value.clone(), relation: self.relation, domain });
+        Some(all)
+    }
+
+    /// That each factor has the sign that it has at a point inside, if their product has the right one there.
+    fn by_factors(&self) -> Option<Vec<Statement>> {
+        let Quotient { numerator, denominator } = &self.value;
+        let (number, factors) = basis_prover::working(1, &mut |work| checked_factor(numerator, work))?;
+        if factors.len() < 2 && factors.iter().all(|(_, exponent)| *exponent == 1) {
+            return None;
+        }
+        let point = inside(numerator, self.domain)?;
+        let (mut all, mut sign) = (Vec::new(), number.signum());
+        if !denominator.is_one() {
+            let below = denominator.eval(&point).signum();
+            sign *= below;
+            let value = Quotient::from(if below < 0 { -denominator } else { denominator.clone() });
+            all.push(Sign { value, relation: Relation::Positive, domain: self.domain }.plain());
+        }
+        for (factor, exponent) in factors {
+            let even = exponent % 2 == 0;
+            let own = factor.eval(&point).signum();
+            sign *= if even { own * own } else { own };
+            if even && self.relation == Relation::NonNegative {
+                continue;
+            }
+            let value = Quotient::from(if own < 0 { -&factor } else { factor });
+            let part = Sign { value, relation: self.relation, domain: self.domain };
+            let seen = Seen::new(&part.value, self.domain)?;
+            all.extend(match seen.is_negative() {
+                true => part.by_number(&seen)?,
+                false => vec![part.plain()],
+            });
+        }
+        (sign > 0).then_some(all)
     }
 
     /// For P − N, the parts with positive and with negative coefficients: that P ≥ 0, and that P² − N² has the sign.
@@ -604,7 +689,6 @@ fn coordinates(range: &Range, parts: i64) -> Vec<Rational> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algebra::range::Region;
 
     fn x() -> Poly {
         Poly::var(Var(0))

@@ -41,6 +41,17 @@ pub(super) fn counterexample(
         if *relation == Relation::Positive || g.total_degree() < 2 {
             continue;
         }
+        // An end that is irrational, such as that of an angle.
+        if let [x] = own[..] {
+            let range = &ranges.iter().find(|(v, _)| *v == x)?.1;
+            for end in zeros(g, x, range, &near[x.0], work).unwrap_or_default() {
+                let coordinate = |v: Var| if v == x { end.clone() } else { Coordinate::Rational(near[v.0].clone()) };
+                let point = ranges.iter().map(|(v, _)| (*v, coordinate(*v))).listed();
+                if let Some(found) = refute(statement, &point, work) {
+                    return Some(found);
+                }
+            }
+        }
         for (k, x) in own.iter().enumerate() {
             for y in &own[k + 1..] {
                 let on_plane = |p: &Poly| {

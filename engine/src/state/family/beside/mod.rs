@@ -259,7 +259,8 @@ fn parameters_alone(family: &Family, value: Fraction) -> Option<Fraction> {
     for p in &family.shapes {
         let angle = family.analytic.angle(p.var).filter(|a| value.depends_on(a.itself));
         let Some(angle) = angle.filter(|a| a.itself != a.var && !value.depends_on(a.var)) else { continue };
-        let is_free = family.constraints.iter().all(|c| !c.value.depends_on(angle.var));
+        // At an irrational end the tangent runs a little beyond it, and the parameter itself to the end.
+        let is_free = family.constraints.iter().all(|c| c.is_end || !c.value.depends_on(angle.var));
         if is_free
             && angle.ends.iter().all(|end| !end.is_empty())
             && let Some(own) = along(angle, &p.range)
