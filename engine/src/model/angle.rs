@@ -74,6 +74,19 @@ impl Angle {
         &self.low + &(&self.width * &Fraction::var(self.var))
     }
 
+    /// s where it does not stand beside its sine, from the lower to the upper end as y, which does not occur, runs through its
+    /// range.
+    pub(crate) fn along(&self, range: &Range) -> Option<Fraction> {
+        let [first, last] = &self.limits;
+        let low = range.low.value()?;
+        let rise = &Fraction::var(self.var) - &Fraction::constant(low.clone());
+        let part = match range.high.value() {
+            Some(high) => &rise * &Fraction::constant((high - low).recip()?),
+            None => rise.checked_div(&(&rise + &Fraction::constant(Rational::ONE)))?,
+        };
+        Some(first + &(&(last - first) * &part))
+    }
+
     /// The name of x, such as `tan(θ/2)`.
     pub fn tangent_name(&self) -> String {
         let function = match self.kind {

@@ -487,3 +487,30 @@ fn values_with_their_powers_of_numbers() {
     );
     assert_eq!(found, ["2 at t = pi", "(1 - 3/10*pi)/pi at t = pi/2", "1/2 at t = 1"]);
 }
+
+/// A denominator without the tangent of its variable is looked at from end to end, apart from the one of sin or exp.
+#[test]
+fn denominators_that_vanish_at_ends_that_are_left_out() {
+    let found = counterexamples(
+        "family Pole {
+            domain 0 <= t < 1;
+            b[0] = 1/(1 - t);
+            b[1] = exp(t);
+            prove b[1] <= b[0];
+            refute b[1] < b[0];
+        }
+        family Sinc {
+            domain 0 < t <= pi;
+            b[0] = sin(t)/t;
+            prove b[0] <= 1;
+            refute b[0] > 0;
+        }
+        family Last {
+            shape 0 < α < pi;
+            domain 0 <= t < α;
+            b[0] = sin(t)/(α - t);
+            prove nonnegative;
+        }",
+    );
+    assert_eq!(found, ["0 at t = 0", "0 at t = pi"]);
+}

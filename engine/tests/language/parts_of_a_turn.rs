@@ -185,3 +185,43 @@ fn functions_that_depend_on_one_another_at_the_end_that_is_left_out() {
     );
     assert!(found.is_empty(), "{found:?}");
 }
+
+/// Claims that are sharp, or nearly so, where the range of the parameter ends at a part of a turn.
+#[test]
+fn signs_up_to_irrational_ends() {
+    let found = counterexamples(
+        "family Quarter {
+            shape 0 < α <= pi/2;
+            domain 0 <= t <= α;
+            b[0] = sin(t/2);
+            prove cos(t) >= 0;
+            prove sin(t/2)^2 <= 1/2;
+            prove α <= pi/2;
+            refute sin(t) < 1;
+        }
+        family BelowQuarter {
+            shape 0 < α < pi/2;
+            domain 0 <= t <= α;
+            b[0] = sin(t/2);
+            prove cos(t) > 0;
+        }
+        family Eighth {
+            shape 0 < α <= pi/4;
+            domain 0 <= t <= α;
+            b[0] = sin(t);
+            prove cos(2*t) >= 0;
+            prove sin(t)^2 <= 1/2;
+            prove t <= pi/4;
+            refute sin(t)^2 < 1/2;
+        }
+        family Thirds {
+            shape pi/3 <= α <= 2*pi/3;
+            domain 0 <= t <= α;
+            b[0] = sin(t);
+            prove sin(α) >= 866025/1000000;
+            refute sin(α) >= 866026/1000000;
+        }",
+    );
+    assert_eq!(found.len(), 3, "{found:?}");
+    assert!(found[0].starts_with("0 at tan(α/4) = root of"), "{found:?}");
+}

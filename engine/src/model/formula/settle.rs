@@ -8,6 +8,7 @@ use std::rc::Rc;
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{Coordinate, simple};
 
+use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::{DisplayRange as _, End, Range, Region};
@@ -150,6 +151,46 @@ impl Scope<'_> {
         Some((p, Rc::new(domain)))
     }
 
+    /// A denominator in which an angle stands beside its sine as a factor without the tangent and the rest, as of sin(t)/t.
+    fn apart(&self, divisor: &Poly) -> Option<(Poly, Poly)> {
+        const WORK: u64 = 1_000_000;
+        let mixed = |a: &&Angle| a.kind != Kind::Linear && a.itself != a.var && divisor.depends_on(a.itself);
+        let mut angles = self.analytic.angles.iter().filter(mixed).filter(|a| divisor.depends_on(a.var));
+        angles.find_map(|angle| {
+            let first = content(divisor, angle.var, &mut Work::new(WORK))?;
+            let second = divisor.div_exact(&first)?;
+            (first.as_constant().is_none() && second.as_constant().is_none()).then_some((first, second))
+        })
+    }
+
+    /// A denominator that holds angles and not their tangents, with these running from end to end in their place; `None` of any
+    /// other one.
+    fn without_tangents(&self, divisor: &Poly, domain: &Domain) -> Option<Poly> {
+        let mut value = Fraction::from(divisor.clone());
+        for angle in self.analytic.angles.iter().rev() {
+            if angle.kind == Kind::Linear || angle.itself == angle.var || !value.depends_on(angle.itself) {
+                continue;
+            }
+            if value.depends_on(angle.var) || angle.ends.iter().any(String::is_empty) {
+                return None;
+            }
+            value = value.substitute(angle.itself, &angle.along(&domain.region.range(angle.var))?)?;
+        }
+        (value.numer() != divisor).then(|| value.numer().clone())
+    }
+
+    /// Where an angle that runs from end to end is at a value of its variable, as a number if it is one.
+    fn value_along(&self, var: Var, x: &Rational, domain: &Domain) -> Option<String> {
+        let angle = self.analytic.angle(var)?;
+        let place = angle.along(&domain.region.range(var))?;
+        let place = place.substitute(var, &Fraction::constant(x.clone()))?;
+        if let Some(x) = place.as_constant() {
+            return Some(format!("{} = {x}", angle.name));
+        }
+        let number = self.analytic.number(&place)?;
+        Some(format!("{} = {:.6} (rounded)", angle.name, number.to_f64()))
+    }
+
     /// The end of the range of a variable beside its sine or exponential, if it belongs to it, at which a denominator is 0.
     fn vanishing_end(&self, divisor: &Poly, domain: &Domain) -> Option<(&Angle, usize)> {
         let mixed = |a: &&Angle| a.kind != Kind::Linear && a.itself != a.var && divisor.depends_on(a.itself);
@@ -171,7 +212,7 @@ impl Scope<'_> {
         &mut self,
         divisor: &Poly,
         place: &Place,
-        (piece, domain): &(Piece, Rc<Domain>),
+        part @ (piece, domain): &(Piece, Rc<Domain>),
         budget: u32,
     ) -> Option<Diagnostic> {
         let mut shown = divisor.display(&self.names).to_string();
@@ -181,9 +222,17 @@ impl Scope<'_> {
         let known = self.library.text_at(place).is_some_and(|text| says_the_same(text, &shown));
         let label = if known { String::new() } else { format!("this is {shown}") };
         let labelled = |error: Diagnostic| error.label(label.clone());
+        if let Some((first, second)) = self.apart(divisor) {
+            let mut one = |factor: &Poly| self.decide_divisor(factor, place, part, budget);
+            return one(&first).or_else(|| one(&second));
+        }
+        let alone = self.without_tangents(divisor, domain);
+        let runs_along = alone.is_some();
+        let written = divisor;
+        let divisor = alone.as_ref().unwrap_or(divisor);
         let mixed = |a: &Angle| a.kind != Kind::Linear && a.itself != a.var && divisor.depends_on(a.itself);
         let beside_itself = self.analytic.angles.iter().any(mixed);
-        if let Some((angle, end)) = self.vanishing_end(divisor, domain).filter(|_| beside_itself) {
+        if let Some((angle, end)) = self.vanishing_end(written, domain).filter(|_| beside_itself) {
             let [low, high] = &angle.ends;
             let range = domain.region.range(angle.var);
             let sign = |side: usize, of: &End| if side == end || !of.is_included() { "<" } else { "<=" };
@@ -215,18 +264,29 @@ impl Scope<'_> {
                     Coordinate::Rational(x) if divisor.at(*var, x).is_zero() => Some((*var, x)),
                     _ => None,
                 });
-                let (at, help) = match alone {
-                    Some((var, x)) => (
+                let numbers = self.analytic.numbers();
+                let only =
+                    point.iter().filter(|(v, _)| divisor.depends_on(*v) && !numbers.contains(v)).listed();
+                let along = match (&only[..], runs_along) {
+                    ([(var, Coordinate::Rational(x))], true) => {
+                        let help = || self.without_value(*var, x, &domain.region.range(*var));
+                        self.value_along(*var, x, domain).map(|at| (at, help()))
+                    }
+                    _ => None,
+                };
+                let (at, help) = match (along, alone) {
+                    (Some(along), _) => along,
+                    (None, Some((var, x))) => (
                         self.value_named(var, x, &domain.region.range(var)),
                         self.without_value(var, x, &domain.region.range(var)),
                     ),
-                    None if !domain.simplices.is_empty() => (
+                    (None, None) if !domain.simplices.is_empty() => (
                         self.own(divisor, &point),
                         String::from(
                             "no part of a triangle or tetrahedron can be left out: choose a denominator that vanishes nowhere on it",
                         ),
                     ),
-                    None => (
+                    (None, None) => (
                         self.own(divisor, &point),
                         String::from("narrow the declared ranges so that they leave this value out"),
                     ),

@@ -151,6 +151,30 @@ impl Sign<'_> {
             .or_else(|| self.narrowed())
     }
 
+    /// The factors g(x·v) of a polynomial and the rest, g(x) a premise and v a variable, as of cos(t) = g(tan(t/4))·h on 0 ≤ t ≤ α
+    /// ≤ π/2, where tan(t/4) is a part of tan(α/4).
+    fn premises_of_parts(&self, p: &Poly) -> (Poly, Vec<(Poly, u32)>) {
+        let (mut rest, mut found) = (p.clone(), Vec::new());
+        for (g, _) in &self.domain.premises {
+            let [x] = g.variables()[..] else { continue };
+            for v in p.variables().into_iter().filter(|v| *v != x) {
+                let (one, v) = (Poly::one(), Poly::var(v));
+                let turned = &v + &(&v - &one);
+                for part in [v, turned.clone(), -&turned] {
+                    let factor = g.substitute(x, &(&Poly::var(x) * &part));
+                    let mut exponent = 0;
+                    while let Some(quotient) = rest.div_exact(&factor) {
+                        (rest, exponent) = (quotient, exponent + 1);
+                    }
+                    if exponent > 0 {
+                        found.push((factor, exponent));
+                    }
+                }
+            }
+        }
+        (rest, found)
+    }
+
     /// The same on narrower ranges: premises in one variable with an irrational zero leave out what lies beyond it.
     fn narrowed(&self) -> Option<Vec<Statement>> {
         let mut region = self.domain.region.clone();
@@ -197,7 +221,9 @@ impl Sign<'_> {
     /// That each factor has the sign that it has at a point inside, if their product has the right one there.
     fn by_factors(&self) -> Option<Vec<Statement>> {
         let Quotient { numerator, denominator } = &self.value;
-        let (number, factors) = basis_prover::working(1, &mut |work| checked_factor(numerator, work))?;
+        let (rest, mut factors) = self.premises_of_parts(numerator);
+        let (number, others) = basis_prover::working(1, &mut |work| checked_factor(&rest, work))?;
+        factors.extend(others);
         if factors.len() < 2 && factors.iter().all(|(_, exponent)| *exponent == 1) {
             return None;
         }
@@ -521,6 +547,7 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
         |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
     let moving: Vec<&(Var, Range)> = ranges.iter().filter(moving).collect();
     let directions = directions(moving.len());
+    let finest = if moving.len() <= 2 { 28 } else { 14 };
     let mut step = Rational::new(1, 16);
     let mut tries = 0;
     while tries < MAX_TRIES && relation.holds(&least) {
@@ -545,7 +572,7 @@ pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<C
         }
         match lower {
             Some(better) => (point, least) = better,
-            None if step.denom().bits() > 14 => break,
+            None if step.denom().bits() > finest => break,
             None => step = &step * &Rational::new(1, 2),
         }
     }

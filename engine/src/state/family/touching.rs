@@ -45,7 +45,8 @@ pub(super) fn counterexample(
         if let [x] = own[..] {
             let range = &ranges.iter().find(|(v, _)| *v == x)?.1;
             for end in zeros(g, x, range, &near[x.0], work).unwrap_or_default() {
-                let coordinate = |v: Var| if v == x { end.clone() } else { Coordinate::Rational(near[v.0].clone()) };
+                let coordinate =
+                    |v: Var| if v == x { end.clone() } else { Coordinate::Rational(near[v.0].clone()) };
                 let point = ranges.iter().map(|(v, _)| (*v, coordinate(*v))).listed();
                 if let Some(found) = refute(statement, &point, work) {
                     return Some(found);

@@ -135,7 +135,7 @@ pub(super) fn steps(
     let relation = if strict { Comparison::Greater } else { Comparison::GreaterEqual };
     let (value, own) = match own.filter(|angle| !value.depends_on(angle.var)) {
         // Alone it runs from one end to the other as its tangent would.
-        Some(angle) => (value.substitute(angle.itself, &along(angle, range)?)?, None),
+        Some(angle) => (value.substitute(angle.itself, &angle.along(range)?)?, None),
         None => (value, own),
     };
     let value = parameters_alone(family, value)?;
@@ -239,20 +239,7 @@ fn cells(angle: &Angle, range: &Range, sample: &Sample<'_>, whole: &Step) -> Opt
     Some(cells.into_iter().enumerate().map(step).listed())
 }
 
-/// An angle that does not stand beside its sine, from the lower to the upper end as the variable of its tangent, which does not
-/// occur, runs through its range.
-fn along(angle: &Angle, range: &Range) -> Option<Fraction> {
-    let [first, last] = &angle.limits;
-    let low = range.low.value()?;
-    let rise = &Fraction::var(angle.var) - &Fraction::constant(low.clone());
-    let part = match range.high.value() {
-        Some(high) => &rise * &Fraction::constant((high - low).recip()?),
-        None => rise.checked_div(&(&rise + &Fraction::constant(Rational::ONE)))?,
-    };
-    Some(first + &(&(last - first) * &part))
-}
-
-/// A value with such functions in place of shape parameters that stand in it, and not in sines or exponentials. Those with
+/// A value with functions of their tangents, as [`Angle::along`] has them, in place of shape parameters that stand in it, and not in sines or exponentials. Those with
 /// a range that depends on others, or that a condition restricts, stay.
 fn parameters_alone(family: &Family, value: Fraction) -> Option<Fraction> {
     let mut value = value;
@@ -263,7 +250,7 @@ fn parameters_alone(family: &Family, value: Fraction) -> Option<Fraction> {
         let is_free = family.constraints.iter().all(|c| c.is_end || !c.value.depends_on(angle.var));
         if is_free
             && angle.ends.iter().all(|end| !end.is_empty())
-            && let Some(own) = along(angle, &p.range)
+            && let Some(own) = angle.along(&p.range)
         {
             value = value.substitute(angle.itself, &own)?;
         }
