@@ -88,7 +88,7 @@ pub(super) fn by_squares(family: &Family, enough: bool) -> Option<Vec<Said>> {
         family.analytic.numbers().contains(&v)
             || family.analytic.angles.iter().any(|a| a.itself == v && a.var != v && a.kind != Kind::Linear)
     };
-    if rows.len() > MAX_SQUARES || rows.iter().flatten().flat_map(|p| p.variables()).any(wide) {
+    if rows.len() > MAX_SQUARES || rows.iter().flatten().flat_map(Poly::variables).any(wide) {
         return None;
     }
     let pieces = family.pieces(&[], &[], true);

@@ -9,7 +9,6 @@ mod premises;
 mod rounding;
 mod spans;
 mod total;
-mod touching;
 
 use std::rc::Rc;
 

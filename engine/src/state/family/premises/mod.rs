@@ -11,26 +11,22 @@
 //! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
 //! the kernel to see.
 
-use basis_kernel::{Domain, Relation};
-use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::{Coordinate, Counterexample, refute, typical};
-use core::cmp::Ordering;
+mod points;
+mod search;
+mod touching;
+
+use basis_kernel::{Domain, Quotient, Relation, Statement};
+use basis_prover::collections::list::Listed;
 use std::rc::Rc;
 
-use super::touching;
 use crate::algebra::divisors::factor::checked_factor;
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
 use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
-use crate::algebra::work::Work;
-use basis_kernel::{Quotient, Statement};
-
-/// Points at which functions are looked at, at most.
-const MAX_POINTS: usize = 800;
-
-/// Steps that are tried on the way down.
-const MAX_TRIES: usize = 3000;
+pub(super) use points::inside;
+use points::{directions, fits, ranges, sample, values};
+pub(super) use search::counterexample;
 
 /// How often the steps towards a narrower interval for a number are halved.
 const NEARER: usize = 6;
@@ -40,9 +36,6 @@ const NARROWED: usize = 40;
 
 /// Sums of more terms are not squared.
 const MAX_SQUARED: usize = 12;
-
-/// More terms than this are not evaluated at that many points.
-const MAX_TERMS: usize = 400;
 
 /// What is enough for a statement about a sign to hold where its premises do; `None` if it does not need them, or seems to be
 /// false, or no multiple of a premise is found to help.
@@ -245,10 +238,7 @@ impl Sign<'_> {
             let value = Quotient::from(if own < 0 { -&factor } else { factor });
             let part = Sign { value, relation: self.relation, domain: self.domain };
             let seen = Seen::new(&part.value, self.domain)?;
-            all.extend(match seen.is_negative() {
-                true => part.by_number(&seen)?,
-                false => vec![part.plain()],
-            });
+            all.extend(if seen.is_negative() { part.by_number(&seen)? } else { vec![part.plain()] });
         }
         (sign > 0).then_some(all)
     }
@@ -496,151 +486,6 @@ fn divided(f: &Poly, g: &Poly) -> Option<(Poly, Poly)> {
     Some((q, r))
 }
 
-/// A point, by variable, far inside of what premises leave of a box, among those at which a polynomial is looked at.
-pub(super) fn inside(p: &Poly, domain: &Domain) -> Option<Vec<Rational>> {
-    let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
-    let counts = |point: &Vec<Rational>| domain.premises.iter().all(|(g, sign)| sign.holds(&g.eval(point)));
-    sample(&p.clone().into(), domain)?.into_iter().filter(counts).max_by_key(room)
-}
-
-/// A counterexample to an equation, or to a statement about a sign, under premises, among some points.
-pub(super) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
-    let (value, relation, domain) = match statement {
-        Statement::Sign { value, relation, domain } => (value, Some(relation), domain),
-        Statement::Zero { value, domain } => (value, None, domain),
-        Statement::Products { .. } | Statement::Independent { .. } => return None,
-    };
-    if domain.premises.is_empty() {
-        return None;
-    }
-    let points = sample(value, domain)?;
-    let f = values(&value.numerator, &value.denominator, &points)?;
-    let counts =
-        |point: &Vec<Rational>| domain.premises.iter().all(|(g, relation)| relation.holds(&g.eval(point)));
-    // Of points with the same value the one that is farthest inside has the most room around it.
-    let room = |point: &Vec<Rational>| domain.premises.iter().map(|(g, _)| g.eval(point)).min();
-    let at = |point: &[Rational], work: &mut Work| {
-        let ranges = ranges(domain);
-        let coordinates = ranges.mapped(|(var, _)| (*var, Coordinate::Rational(point[var.0].clone())));
-        refute(&Rc::new(statement.clone()), &coordinates, work)
-    };
-    let Some(relation) = relation else {
-        let differs = points.iter().zip(f).filter(|(_, f)| f.as_ref().is_some_and(|f| !f.is_zero()));
-        let inside = differs.map(|(point, _)| point).filter(|point| counts(point));
-        return at(inside.max_by_key(|point| room(point))?, work);
-    };
-    let mut best: Option<(Vec<Rational>, Rational)> = None;
-    for (point, f) in points.iter().zip(f) {
-        let Some(f) = f else { continue };
-        let better = best.as_ref().is_none_or(|(known, least)| match f.cmp(least) {
-            Ordering::Equal => room(point) > room(known),
-            order => order == Ordering::Less,
-        });
-        if better && counts(point) {
-            best = Some((point.clone(), f));
-        }
-    }
-    let (mut point, mut least) = best?;
-    // Downhill in smaller and smaller steps.
-    let ranges = ranges(domain);
-    let moving =
-        |(var, _): &&(Var, Range)| value.numerator.depends_on(*var) || value.denominator.depends_on(*var);
-    let moving: Vec<&(Var, Range)> = ranges.iter().filter(moving).collect();
-    let directions = directions(moving.len());
-    let finest = if moving.len() <= 2 { 28 } else { 14 };
-    let mut step = Rational::new(1, 16);
-    let mut tries = 0;
-    while tries < MAX_TRIES && relation.holds(&least) {
-        let mut lower = None;
-        for direction in &directions {
-            let mut next = point.clone();
-            for ((var, range), steps) in moving.iter().zip(direction) {
-                let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
-                next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
-            }
-            tries += 1;
-            let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
-            if !inside || !fits(domain, &next) || !counts(&next) {
-                continue;
-            }
-            if let Some(Some(f)) = values(&value.numerator, &value.denominator, &[next.clone()])?.pop()
-                && f < least
-            {
-                lower = Some((next, f));
-                break;
-            }
-        }
-        match lower {
-            Some(better) => (point, least) = better,
-            None if step.denom().bits() > finest => break,
-            None => step = &step * &Rational::new(1, 2),
-        }
-    }
-    if relation.holds(&least) {
-        return touching::counterexample(&Rc::new(statement.clone()), &ranges, &point, work);
-    }
-    at(&point, work)
-}
-
-/// The ranges of all variables; of those of a simplex what surrounds it.
-fn ranges(domain: &Domain) -> Vec<(Var, Range)> {
-    let mut all = domain.region.ranges.clone();
-    for simplex in &domain.simplices {
-        let range = Range::closed(Rational::ZERO, simplex.sum.clone());
-        all.extend(simplex.variables.iter().map(|var| (*var, range.clone())));
-    }
-    all
-}
-
-/// Whether the coordinates of a point on each simplex sum to no more than they may.
-fn fits(domain: &Domain, point: &[Rational]) -> bool {
-    domain.simplices.iter().all(|simplex| {
-        let sum = simplex.variables.iter().fold(Rational::ZERO, |sum, var| &sum + &point[var.0]);
-        sum <= simplex.sum
-    })
-}
-
-/// Directions in which each variable changes by two steps at most; of many variables only two of them change.
-fn directions(variables: usize) -> Vec<Vec<i64>> {
-    let mut all = vec![Vec::new()];
-    for _ in 0..variables {
-        let few = |direction: &Vec<i64>| variables <= 4 || direction.iter().filter(|k| **k != 0).count() <= 2;
-        let longer = |rest: &Vec<i64>| (-2..=2).map(|k| [&[k], &rest[..]].concat()).filter(few).listed();
-        all = all.iter().flat_map(longer).listed();
-    }
-    all
-}
-
-/// The values of a quotient at points; nothing where it has none. `None` for a quotient that is too long.
-fn values(numer: &Poly, denom: &Poly, points: &[Vec<Rational>]) -> Option<Vec<Option<Rational>>> {
-    if numer.len() + denom.len() > MAX_TERMS {
-        return None;
-    }
-    let (above, below) = (on_grid(numer, points), on_grid(denom, points));
-    Some(above.into_iter().zip(&below).map(|(above, below)| above.checked_div(below)).listed())
-}
-
-/// The values of a polynomial at points of which neighbours share most coordinates: those are put in once.
-fn on_grid(p: &Poly, points: &[Vec<Rational>]) -> Vec<Rational> {
-    let mut variables = p.variables();
-    // Those that change least often first.
-    variables.sort_by_key(|v| points.windows(2).filter(|pair| pair[0][v.0] != pair[1][v.0]).count());
-    let mut all = Vec::new();
-    put_in_order(p, &variables, points, &mut all);
-    all
-}
-
-/// The values, with the variables put in one after the other.
-fn put_in_order(p: &Poly, variables: &[Var], points: &[Vec<Rational>], all: &mut Vec<Rational>) {
-    let Some((first, rest)) = variables.split_first() else {
-        let value = p.as_constant().unwrap_or(Rational::ZERO);
-        return all.extend(core::iter::repeat_n(value, points.len()));
-    };
-    for chunk in points.chunk_by(|a, b| a[first.0] == b[first.0]) {
-        put_in_order(&p.at(*first, &chunk[0][first.0]), rest, chunk, all);
-    }
-}
-
 /// The powers that all terms of a polynomial share of variables that are ≥ 0, and the even ones of others.
 fn common(p: &Poly, domain: &Domain) -> Poly {
     let mut factor = Poly::one();
@@ -653,69 +498,11 @@ fn common(p: &Poly, domain: &Domain) -> Poly {
     factor
 }
 
-/// Points of a domain, by variable, its corners and many inside; a variable on which nothing depends has one value.
-fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Rational>>> {
-    let ranges = ranges(domain);
-    let occurs = |var: &Var| {
-        let premises = domain.premises.iter().map(|(g, _)| g);
-        [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(*var))
-    };
-    let count = ranges.iter().filter(|(var, _)| occurs(var)).count();
-    let parts = [64_i64, 24, 8, 4, 2, 2].get(count.checked_sub(1)?)?;
-    let width = ranges.iter().map(|(var, _)| var.0 + 1).max()?;
-    let mut points = vec![vec![Rational::ZERO; width]];
-    for (var, range) in &ranges {
-        let on_simplex = domain.simplices.iter().any(|s| s.variables.contains(var));
-        let idle = if on_simplex { Rational::ZERO } else { typical(range) };
-        let own = if occurs(var) { coordinates(range, *parts) } else { vec![idle] };
-        let mut next = Vec::new();
-        for point in &points {
-            for x in &own {
-                let mut point = point.clone();
-                point[var.0] = x.clone();
-                // What is still to come is 0, or more.
-                if fits(domain, &point) {
-                    next.push(point);
-                }
-            }
-        }
-        points = next;
-        if points.len() > MAX_POINTS {
-            return None;
-        }
-    }
-    Some(points)
-}
-
-/// Numbers of a range, in equal steps; of an infinite one small ones.
-fn coordinates(range: &Range, parts: i64) -> Vec<Rational> {
-    let all: Vec<Rational> = match (range.low.value(), range.high.value()) {
-        (Some(low), Some(high)) => {
-            let at = |share: Rational| low + &(&(high - low) * &share);
-            // Next to an end that is left out, too.
-            let beside = [Rational::new(1, 1024), Rational::new(1023, 1024)];
-            let all = (0..=parts).map(|k| Rational::new(k, parts));
-            let left_out = [&range.low, &range.high].map(|end| !end.is_included());
-            let extra = beside.into_iter().zip(left_out).filter_map(|(x, out)| out.then_some(x));
-            all.chain(extra).map(at).listed()
-        }
-        (low, high) => {
-            let (start, sign) = match (low, high) {
-                (Some(low), _) => (low.clone(), 1),
-                (_, Some(high)) => (high.clone(), -1),
-                _ => (Rational::ZERO, 0),
-            };
-            let step = |k: i64| Rational::new(k, if parts > 8 { 4 } else { 1 });
-            let (from, to) = if sign == 0 { (-parts / 2, parts / 2) } else { (0, parts) };
-            (from..=to).map(|k| if sign < 0 { &start - &step(k) } else { &start + &step(k) }).listed()
-        }
-    };
-    all.into_iter().filter(|x| range.contains(x)).listed()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algebra::work::Work;
+    use basis_prover::Coordinate;
 
     fn x() -> Poly {
         Poly::var(Var(0))
