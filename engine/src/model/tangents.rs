@@ -50,9 +50,10 @@ pub(crate) fn wider(family: &Family) -> Option<Family> {
         let range = &mut wide.shapes.iter_mut().find(|p| p.var == angle.var)?.range;
         for (k, end) in [&mut range.low, &mut range.high].into_iter().enumerate() {
             if !angle.limits[k].is_zero() {
-                *end = End::Excluded(end.value()?.clone());
-                own.ends[k].clear();
+                let tangent = end.value()?.clone();
+                own.ends[k] = if tangent.is_zero() { String::from("0") } else { String::new() };
                 own.limits[k] = Fraction::zero();
+                *end = End::Excluded(tangent);
             }
         }
     }
@@ -69,14 +70,14 @@ fn is_measured(angle: &Angle) -> bool {
     !angle.low.is_zero() || angle.width.as_constant() != Some(Rational::ONE)
 }
 
-/// Numbers beyond the tangents at the ends of a range, or 0 where an end is 0.
+/// Numbers beyond the tangents at the ends of a range; of exponentials −1, 0 or 1.
 fn beyond(family: &Family, angle: &Angle) -> Option<[Rational; 2]> {
     let ends = [angle.low.clone(), &angle.low + &angle.width];
     let mut found = [-Rational::ONE, Rational::ONE];
     for ((tangent, beyond), up) in ends.iter().zip(&mut found).zip([false, true]) {
         let x = family.analytic.number(tangent);
         if angle.kind == Kind::Hyperbolic {
-            if x.is_some_and(|x| x.is_zero()) {
+            if x.is_some_and(|x| if up { !x.is_positive() } else { !x.is_negative() }) {
                 *beyond = Rational::ZERO;
             }
             continue;

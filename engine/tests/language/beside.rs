@@ -514,3 +514,33 @@ fn denominators_that_vanish_at_ends_that_are_left_out() {
     );
     assert_eq!(found, ["0 at t = 0", "0 at t = pi"]);
 }
+
+/// Ranges in exponentials that end at positive numbers, and claims that fail far out only.
+#[test]
+fn ranges_between_numbers_and_without_end() {
+    let found = counterexamples(
+        "family Narrow {
+            shape 1 <= α <= 2;
+            domain 0 <= t <= α;
+            b[0] = (sinh(t) - t)/(sinh(α) - α);
+            b[1] = sinh(t)/sinh(α);
+            prove b[0] <= 1;
+            prove b[1] <= t/α;
+        }
+        family Reversed {
+            shape 1/2 <= α <= 5;
+            domain 0 <= t <= α;
+            b[0] = (sinh(α - t) - (α - t))/(sinh(α) - α);
+            prove nonnegative;
+        }
+        family Endless {
+            shape 0 < α;
+            domain 0 <= t <= α;
+            b[0] = exp(t);
+            refute b[0] <= 1 + 10*t;
+            refute cosh(t) <= 1 + t^2;
+            refute sinh(t) <= 5*t;
+        }",
+    );
+    assert_eq!(found.len(), 3, "{found:?}");
+}

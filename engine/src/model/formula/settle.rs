@@ -16,7 +16,7 @@ use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::model::angle::without_brackets;
-use crate::model::angle::{Angle, Kind};
+use crate::model::angle::{Analytic, Angle, Kind};
 use crate::model::budget::{SPLIT, TooLarge};
 use crate::model::chart::{self, Constraint, Piece};
 use crate::model::enclosure::{self, Anchor, From};
@@ -134,21 +134,50 @@ impl Scope<'_> {
     }
 
     /// A denominator with all numbers between their bounds in place of angles beside their sines.
-    fn between_bounds(&self, divisor: &Poly, domain: &Domain) -> Option<(Poly, Rc<Domain>)> {
+    fn between_bounds(analytic: &Analytic, divisor: &Poly, mut domain: Domain) -> Option<(Poly, Rc<Domain>)> {
         const LEVEL: u32 = 5;
         const WORK: u64 = 20_000_000;
-        let mut domain = domain.clone();
         let typical = domain.region.ranges.mapped(|(var, range)| (*var, simple(range)));
         let (mut p, work) = (divisor.clone(), &mut Work::new(WORK));
-        for angle in self.analytic.angles.iter().rev() {
+        for angle in analytic.angles.iter().rev() {
             if angle.kind != Kind::Linear && angle.itself != angle.var && p.depends_on(angle.itself) {
                 let range = domain.region.range(angle.var);
                 let from = From { anchor: Anchor::Zero, range: &range, n: LEVEL, typical: &typical };
-                p = enclosure::without(&p, &self.analytic, angle, &from, true, work)?.pop()?;
+                p = enclosure::without(&p, analytic, angle, &from, true, work)?.pop()?;
                 domain.region.ranges.push((angle.itself, Range::unit()));
             }
         }
         Some((p, Rc::new(domain)))
+    }
+
+    /// A denominator for all positive values of parameters in exponentials whose ranges end at positive numbers: in terms of their
+    /// own tangents, as exp(r) does not occur then. `None` where there is no such parameter.
+    fn for_all_positive(&self, divisor: &Poly, domain: &Domain) -> Option<(Poly, Rc<Domain>)> {
+        let (mut value, mut analytic) = (Fraction::from(divisor.clone()), self.analytic.clone());
+        let (mut domain, mut found) = (domain.clone(), false);
+        for k in 0..analytic.angles.len() {
+            let Angle { var, low, width, kind, .. } = analytic.angles[k].clone();
+            let is_tangent = low.is_zero() && width.as_constant() == Some(Rational::ONE);
+            if kind != Kind::Hyperbolic || self.domain.contains(&var) || is_tangent {
+                continue;
+            }
+            self.analytic.number(&low).filter(|x| !x.is_negative())?;
+            let y = (&Fraction::var(var) - &low).checked_div(&width)?;
+            value = value.substitute(var, &y)?;
+            for angle in &mut analytic.angles {
+                (angle.low, angle.width) = (angle.low.substitute(var, &y)?, angle.width.substitute(var, &y)?);
+            }
+            let own = &mut analytic.angles[k];
+            (own.low, own.width) = (Fraction::zero(), Fraction::constant(Rational::ONE));
+            domain.region.ranges.retain(|(v, _)| *v != var);
+            let open = |x: Rational| End::Excluded(x);
+            domain.region.ranges.push((var, Range { low: open(Rational::ZERO), high: open(Rational::ONE) }));
+            found = true;
+        }
+        if !found {
+            return None;
+        }
+        Self::between_bounds(&analytic, value.numer(), domain)
     }
 
     /// A denominator in which an angle stands beside its sine as a factor without the tangent and the rest, as of sin(t)/t.
@@ -245,10 +274,17 @@ impl Scope<'_> {
             ));
         }
         let goal = if beside_itself {
-            self.between_bounds(divisor, domain).and_then(|(p, domain)| Some((piece.pull_back(&p)?, domain)))
+            Self::between_bounds(&self.analytic, divisor, (**domain).clone())
+                .and_then(|(p, domain)| Some((piece.pull_back(&p)?, domain)))
         } else {
             piece.pull_back(divisor).map(|p| (p, Rc::clone(domain)))
         };
+        let wider = if beside_itself { self.for_all_positive(divisor, domain) } else { None };
+        if let Some((p, domain)) = wider
+            && self.judge(format!("{shown} != 0"), Some(Goal::Nonzero(p, domain)), budget).is_ok()
+        {
+            return None;
+        }
         let goal = goal.map(|(p, domain)| Goal::Nonzero(p, domain));
         let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
         if matches!(judged, Err(Open::Fails(_))) && beside_itself {

@@ -11,7 +11,7 @@ use std::rc::Rc;
 use super::Half;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
-use crate::algebra::range::{Range, Region};
+use crate::algebra::range::{End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::model::Family;
@@ -21,6 +21,9 @@ use basis_prover::collections::sort::sort_by;
 
 /// The level of the continued fractions from which the values of angles come.
 const LEVEL: u32 = 12;
+
+/// The same for tangents near 1, for which they are not as good.
+const FAR: u32 = 28;
 
 /// Combinations of shape values, at most.
 const MAX_SHAPES: usize = 16;
@@ -73,7 +76,8 @@ fn enclosures(family: &Family, point: &Values) -> Option<Enclosures> {
         if low != high {
             (low, high) = (rounded(&low, false), rounded(&high, true));
         }
-        let (low, high) = (inverse(angle.kind, &low, LEVEL)?.0, inverse(angle.kind, &high, LEVEL)?.1);
+        let level = if high.abs().max(low.abs()) > Rational::new(7, 8) { FAR } else { LEVEL };
+        let (low, high) = (inverse(angle.kind, &low, level)?.0, inverse(angle.kind, &high, level)?.1);
         let unit = &(Rational::ONE, Rational::ONE);
         let pi = found.between.iter().find(|(v, _)| Some(*v) == family.analytic.pi).map(|(_, i)| i.clone());
         let scale = if angle.turns { pi.as_ref()? } else { unit };
@@ -262,6 +266,15 @@ impl<'f> Sample<'f> {
                 }
                 None => candidates(range, 4),
             };
+            // Where exponentials have no largest value, far out as well: tanh(a/2) = 63/64 at a = 4.84.
+            let far = family.analytic.angles.iter().any(|angle| {
+                let fits = angle.kind == Kind::Hyperbolic && range.high == End::Excluded(Rational::ONE);
+                fits && angle.ends[1].is_empty() && family.region().range(angle.var) == *range
+            });
+            if far {
+                all.extend([15, 63].map(|k| Rational::new(k, k + 1)));
+                sort_by(&mut all, Ord::cmp);
+            }
             all.retain(|x| range.contains(x));
             // The middle first.
             let middle = all.len() / 2;
