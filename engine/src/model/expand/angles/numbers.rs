@@ -47,8 +47,11 @@ pub(super) fn tangent(scope: &mut Scope<'_>, all: &[Option<Use>], limits: &[Limi
 
 /// Limits of the numbers.
 pub(super) fn ranges(scope: &Scope<'_>) -> Vec<(Var, Range)> {
-    let open =
-        |(low, high): (Rational, Rational)| Range { low: End::Excluded(low), high: End::Excluded(high) };
+    // Short numbers: those of the series have hundreds of bits.
+    let open = |(low, high): (Rational, Rational)| Range {
+        low: End::Excluded(rounded(&low, false)),
+        high: End::Excluded(rounded(&high, true)),
+    };
     let mut all = Vec::new();
     if let Some(pi) = scope.analytic.pi {
         all.push((pi, open(pi_bounds().clone())));
