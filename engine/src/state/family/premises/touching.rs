@@ -14,7 +14,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::algebra::real::algebraic::number;
-use crate::algebra::real::roots::isolate;
+use crate::algebra::real::roots::{isolate, linear, rational_roots};
 use crate::algebra::univariate::Univariate;
 use crate::algebra::work::Work;
 
@@ -88,12 +88,46 @@ pub(super) fn counterexample(
     None
 }
 
-/// The zeros of a polynomial in one variable next to a number of a range.
+/// The zeros of a polynomial in one variable next to a number of a range, each of a factor of the polynomial that is as short
+/// as it is found.
 fn zeros(p: &Poly, var: Var, range: &Range, near: &Rational, work: &mut Work) -> Option<Vec<Coordinate>> {
     let p = Univariate::from_poly(p, var).filter(|p| !p.is_zero())?.square_free_part(work)?;
     let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
     let reach = &width * &Rational::new(NEAR.0, NEAR.1);
-    let roots = isolate(&p, Some(&(near - &reach)), Some(&(near + &reach)), work)?;
-    let coordinate = |root| Some(number(&p, root)?.map_or_else(Coordinate::Algebraic, Coordinate::Rational));
-    roots.iter().map(coordinate).collect()
+    let (low, high) = (near - &reach, near + &reach);
+    let mut all = Vec::new();
+    for factor in factors(&p, work)? {
+        for mut root in isolate(&factor, Some(&low), Some(&high), work)? {
+            root.detect_rational(&factor, work)?;
+            let coordinate = number(&factor, &root)?;
+            all.push(coordinate.map_or_else(Coordinate::Algebraic, Coordinate::Rational));
+        }
+    }
+    Some(all)
+}
+
+/// The factors x − a of a polynomial, those x² − a of an even one, and the rest.
+fn factors(p: &Univariate, work: &mut Work) -> Option<Vec<Univariate>> {
+    let mut rest = p.clone();
+    let mut all = Vec::new();
+    let mut take = |factor: Univariate, rest: &mut Univariate| {
+        if let Some(quotient) = rest.div_exact(&factor) {
+            *rest = quotient;
+            all.push(factor.primitive());
+        }
+    };
+    for root in rational_roots(&rest.clone(), work)? {
+        take(linear(&root), &mut rest);
+    }
+    let is_even = rest.coefficients().iter().skip(1).step_by(2).all(Rational::is_zero);
+    if is_even && rest.degree() > 2 {
+        let half = Univariate::new(rest.coefficients().iter().step_by(2).cloned().listed());
+        for square in rational_roots(&half, work)? {
+            take(Univariate::new(vec![-square, Rational::ZERO, Rational::ONE]), &mut rest);
+        }
+    }
+    if !rest.is_constant() {
+        all.push(rest);
+    }
+    Some(all)
 }
