@@ -4,6 +4,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import zlib from 'node:zlib';
+import binaryen from 'binaryen';
 import esbuild from 'esbuild';
 import { compress } from 'lzma1';
 import { BUDGET } from './budget.mjs';
@@ -15,7 +16,22 @@ const dist = path.join(here, 'dist');
 const cargo = process.env.CARGO ?? 'cargo';
 const target = process.env.CARGO_TARGET_DIR ?? path.join(root, 'target');
 execFileSync(cargo, ['build', '--locked', '--profile', 'playground', '--target', 'wasm32-unknown-unknown', '-p', 'basis-playground'], { cwd: root, stdio: 'inherit' });
-const wasm = fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', 'basis_playground.wasm'));
+const wasm = compact(fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', 'basis_playground.wasm')));
+
+/**
+ * The same module in fewer bytes when compressed. Of the passes only those that make it more alike in its parts: what -Oz does
+ * besides takes away bytes that compress well, and leaves such that do not.
+ */
+function compact(bytes) {
+  const module = binaryen.readBinary(bytes);
+  module.setFeatures(binaryen.Features.All);
+  module.runPasses([
+    'duplicate-function-elimination', 'remove-unused-module-elements', 'precompute-propagate', 'rse', 'vacuum', 'reorder-locals',
+  ]);
+  const smaller = module.emitBinary();
+  module.dispose();
+  return smaller;
+}
 
 // The engine itself says what the library holds: words for the editor, verdicts for the list.
 const { instance } = await WebAssembly.instantiate(wasm, {});

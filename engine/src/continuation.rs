@@ -9,6 +9,7 @@ use crate::algebra::work::Work;
 use crate::model::{Family, Parameter, label};
 use crate::theorem::{Form, GivenPoint, Unit};
 use basis_prover::collections::list::{Listed, Mapped};
+use basis_prover::collections::sort::sort;
 
 /// The work for the control points at an end; formulas that take more are of no use to a reader.
 const WORK: u64 = 200_000;
@@ -256,7 +257,7 @@ fn independent_columns(rows: &[Vec<Fraction>], from_start: bool, work: &mut Work
             columns.push(k);
         }
         if columns.len() == rows.len() {
-            columns.sort_unstable();
+            sort(&mut columns);
             return Some(columns);
         }
     }

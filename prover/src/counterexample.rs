@@ -1,5 +1,6 @@
 //! From a point that a search has found to a refutation that the kernel accepts.
 
+use crate::collections::sort::sort_by_key;
 use std::rc::Rc;
 
 use basis_kernel::{Point, Quotient, Refusal, Refutation, Root, Statement, Witness};
@@ -29,7 +30,7 @@ impl Counterexample {
         let mut point = self.point.clone();
         point.retain(|(v, _)| *v != var);
         point.push((var, coordinate));
-        point.sort_by_key(|(v, _)| *v);
+        sort_by_key(&mut point, |(v, _)| *v);
         let exact = Exact::new(&point, work)?;
         Some(Self { point, exact, ..self.clone() })
     }
@@ -129,7 +130,7 @@ impl Exact {
         }
         self.coordinates.retain(|(var, _)| keep(*var));
         self.coordinates.extend(moved);
-        self.coordinates.sort_by_key(|(var, _)| *var);
+        sort_by_key(&mut self.coordinates, |(var, _)| *var);
         Some(())
     }
 

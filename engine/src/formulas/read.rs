@@ -11,6 +11,7 @@ use crate::model::tuples::numbered;
 use crate::model::{Family, Library};
 use crate::syntax::{self, Binding, ExprKind, FunctionDef, NameDef, StatementKind};
 use basis_prover::collections::map::SortedMap;
+use basis_prover::collections::sort::sort;
 
 /// The most parts of all formulas of a family; more are not exported.
 const MAX_PARTS: usize = 4_000_000;
@@ -175,7 +176,7 @@ impl Reader<'_, '_> {
         if scope.planned.borrow().get(&written).is_none() {
             let sorted = |index: &[i64]| {
                 let mut sorted = index.to_vec();
-                sorted.sort_unstable();
+                sort(&mut sorted);
                 sorted
             };
             let planned = scope.planned.borrow();

@@ -2,6 +2,8 @@
 
 use std::rc::Rc;
 
+use basis_prover::collections::sort::{sort, sort_by_key};
+
 use super::scope::{Constants, Reader, Scope, Value, parameters};
 use super::{Circular, Comparison, Role, Sign, Term};
 use crate::algebra::number::binomial;
@@ -259,12 +261,12 @@ impl Reader<'_, '_> {
                 for (p, x) in family.domain_variables().zip(arguments) {
                     all.push((p.var, self.scalar(scope, x)?));
                 }
-                all.sort_by_key(|(var, _)| *var);
+                sort_by_key(&mut all, |(var, _)| *var);
                 args.extend(all.into_iter().map(|(_, x)| x));
             }
             None => {
                 let mut own = scope.coordinates();
-                own.sort_unstable();
+                sort(&mut own);
                 args.extend(own.into_iter().map(Term::Variable));
             }
         }

@@ -1,5 +1,6 @@
 //! What is written for nothing: shape parameters that nothing depends on, claims that are written twice.
 
+use basis_prover::collections::sort::sort;
 use proc_macro2::Span;
 
 use super::words::PI;
@@ -67,7 +68,7 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             StatementKind::Budget(_) => {}
         }
     }
-    used.sort_unstable();
+    sort(&mut used);
     // What is given by `let` has the name, if a parameter and a name were alike that would be an error.
     for (name, span) in declared {
         if used.binary_search(&name).is_err() {
@@ -83,13 +84,13 @@ pub(super) fn warnings(written: &syntax::Family, place: &dyn Fn(Span) -> Place) 
             claims.push((format!("{} {spaceless}", claim.expected.keyword()), k));
         }
     }
-    claims.sort_unstable();
+    sort(&mut claims);
     // Each with the first of its kind, in the order of the text.
     let mut twice: Vec<(usize, usize)> = Vec::new();
     for same in claims.chunk_by(|(a, _), (b, _)| a == b) {
         twice.extend(same[1..].iter().map(|(_, k)| (*k, same[0].1)));
     }
-    twice.sort_unstable();
+    sort(&mut twice);
     for (again, first) in twice.into_iter().take(MOST) {
         let at = |k: usize| place(written.statements[k].span);
         let warning = Diagnostic::error(at(again), "the claim is written twice");

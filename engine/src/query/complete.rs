@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use basis_prover::collections::sort::sort_by_key;
+
 use super::document::{Document, SymbolKind};
 use super::lex::TokenKind;
 use super::vocabulary::{WORDS, Word, WordKind, word};
@@ -92,7 +94,7 @@ pub fn suggestions(document: &Document, offset: usize, around: &Around) -> Vec<S
     let mut seen: Vec<&str> = Vec::new();
     // Names of inner scopes hide those of outer ones.
     let mut visible: Vec<_> = document.visible(typed.start).filter(|s| s.place != typed).collect();
-    visible.sort_by_key(|s| s.scope.end - s.scope.start);
+    sort_by_key(&mut visible, |s| s.scope.end - s.scope.start);
     for symbol in visible {
         let own = symbol.kind.is_item() && symbol.whole.start <= offset && offset <= symbol.whole.end;
         let bounded = place.bounds() && place.has(&symbol.name);

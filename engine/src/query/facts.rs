@@ -3,6 +3,7 @@
 use core::ops::Range;
 
 use basis_prover::Coordinate;
+use basis_prover::collections::sort::sort_by_key;
 use basis_prover::rank::ExceptionalSet;
 
 use super::document::Document;
@@ -313,7 +314,7 @@ fn bernstein_values(family: &Family) -> Option<Candidate> {
         equations = equations.iter().map(|p| p.at(var, &value)).filter(|p| !p.is_zero()).collect();
         values.push((var, value));
     }
-    values.sort_by_key(|(var, _)| var.0);
+    sort_by_key(&mut values, |(var, _)| var.0);
     let inside = values
         .iter()
         .all(|(var, value)| family.shapes.iter().any(|p| p.var == *var && p.range.contains(value)));

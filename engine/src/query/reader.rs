@@ -6,6 +6,8 @@ use super::vocabulary::word;
 use core::ops::Range;
 use std::collections::BTreeMap;
 
+use basis_prover::collections::sort::sort_by_key;
+
 impl Document {
     /// Reads a text; whatever it is, there is an answer.
     pub fn new(text: impl Into<String>) -> Self {
@@ -399,7 +401,7 @@ impl Reader {
 
     /// Finds what every word names.
     fn names(&mut self) {
-        self.document.entries.sort_by_key(|e| e.whole.start);
+        sort_by_key(&mut self.document.entries, |e| e.whole.start);
         for k in 0..self.code.len() {
             if !self.is_word(k) {
                 continue;

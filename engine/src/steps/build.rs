@@ -4,6 +4,7 @@ use super::{Function, Step, Steps, series};
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
 use basis_prover::collections::map::SortedMap;
+use basis_prover::collections::sort::sort;
 
 /// Steps that are being made: no operation occurs twice, and none changes nothing.
 #[derive(Clone, Debug, Default)]
@@ -247,7 +248,7 @@ impl Builder {
         }
         let mut names: Vec<(usize, String)> =
             self.names.into_iter().filter(|(k, _)| needed[*k]).map(|(k, name)| (places[k], name)).collect();
-        names.sort_unstable();
+        sort(&mut names);
         Steps { steps, names, outputs: outputs.iter().map(|output| places[*output]).collect() }
     }
 }

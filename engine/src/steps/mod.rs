@@ -24,6 +24,7 @@ mod series;
 
 use crate::algebra::rational::Rational;
 use crate::plan::Input;
+use basis_prover::collections::sort::sort;
 
 pub use build::Builder;
 pub use evaluate::Number;
@@ -108,7 +109,7 @@ impl Steps {
             _ => None,
         });
         let mut inputs: Vec<Input> = inputs.collect();
-        inputs.sort_unstable();
+        sort(&mut inputs);
         inputs
     }
 }

@@ -7,6 +7,7 @@
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
+use crate::collections::sort::sort;
 use crate::refusal::{Refusal, fits};
 
 /// The largest matrix.
@@ -21,7 +22,7 @@ pub(super) fn resultant(a: &Poly, b: &Poly, var: Var, work: &mut Work) -> Result
     let others: Vec<Var> = a.variables().into_iter().chain(b.variables()).filter(|v| *v != var).collect();
     let bound = |v: Var| a.degree(v) * b.degree(var) + b.degree(v) * a.degree(var);
     let mut grid: Vec<(Var, u32)> = others.into_iter().map(|v| (v, bound(v) + 1)).collect();
-    grid.sort();
+    sort(&mut grid);
     grid.dedup();
     let points = grid.iter().try_fold(1_u32, |n, (_, c)| n.checked_mul(*c).filter(|n| *n <= MAX_POINTS));
     let points = u64::from(points.ok_or(Refusal::Unfit("a resultant is too large"))?);

@@ -13,6 +13,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::certificate::{Cells, Sample};
+use crate::collections::sort::sort;
 use crate::refusal::{Refusal, fits, shown};
 use crate::statement::Relation;
 
@@ -25,7 +26,7 @@ pub(super) fn projections(
     work: &mut Work,
 ) -> Result<(), Refusal> {
     let mut sorted = order.to_vec();
-    sorted.sort();
+    sort(&mut sorted);
     let same = sorted.iter().eq(claim.ranges.iter().map(|(v, _)| v));
     fits(same, "the order of the variables lacks one or has another")?;
     fits(levels.len() == order.len(), "there is not one level for each variable")?;

@@ -6,7 +6,7 @@ use super::poly::Poly;
 use super::rational::Rational;
 use super::work::{Spent, Work};
 use crate::collections::list::{Listed, Mapped};
-use crate::collections::sort::sort_by;
+use crate::collections::sort::{sort, sort_by};
 
 /// A matrix by rows.
 pub type Rows<T> = Vec<Vec<T>>;
@@ -163,7 +163,7 @@ pub fn nonzero_minors(rows: &[Vec<Poly>], work: &mut Work) -> Option<Vec<Minor>>
     let mut minors = Vec::new();
     for (column, pivot) in &elimination.last_choices {
         let mut columns = [fixed, &[*column]].concat();
-        columns.sort_unstable();
+        sort(&mut columns);
         let value =
             elimination.factors.iter().try_fold(pivot.clone(), |d, f| checked_product(&d, f, work))?;
         minors.push(Minor { columns, value });

@@ -1,5 +1,6 @@
 //! The largest range of one variable on which polynomials stay nonnegative.
 
+use crate::collections::sort::sort_by_key;
 use core::cmp::Ordering;
 
 use crate::algebra::divisors::gcd::square_free;
@@ -40,7 +41,7 @@ pub fn largest_range(polys: &[Poly], var: Var, region: &Region, budget: &mut Bud
     // The smallest first: most of the others narrow nothing then, and to see that is cheaper than to find how far they
     // would reach.
     let mut sorted: Vec<&Poly> = polys.iter().listed();
-    sorted.sort_by_key(|p| p.len());
+    sort_by_key(&mut sorted, |p| p.len());
     for (k, p) in sorted.into_iter().enumerate() {
         if k > 0 && nonnegative_between(p, var, (&low, &high), region, budget) {
             continue;

@@ -4,6 +4,8 @@ mod value;
 
 use std::rc::Rc;
 
+use basis_prover::collections::sort::sort;
+
 use super::read::BOUND;
 use super::scope::{Constants, Reader, Scope};
 use super::{Definition, Term};
@@ -206,7 +208,7 @@ impl TheoremReader<'_, '_> {
                 // The arguments in the order of the variables' numbers, the dependent one last.
                 let mut order: Vec<(usize, usize)> =
                     factor.family.domain_variables().enumerate().map(|(k, p)| (p.var.0, k)).collect();
-                order.sort_unstable();
+                sort(&mut order);
                 let own = order.into_iter().map(|(_, k)| Term::Variable(PARAMETER + k));
                 let arguments: Vec<Term> = shapes.into_iter().chain(own).collect();
                 for (index, f) in factor.functions {

@@ -3,6 +3,7 @@
 //! A family with angles is expanded in tangents of parts of them, which may be irrational where the angle itself has a simple
 //! value: with tan(α/4), at α = π/2. What is claimed there is about the family with π/2 in place of α, expanded anew.
 
+use basis_prover::collections::sort::sort_by_key;
 use proc_macro2::Span;
 
 use super::angles::is_alone;
@@ -134,7 +135,7 @@ pub(super) fn fixed(
     // At α = 1, t = α the point is where the shape value says.
     let is_point = |name: &str| scope.variable(name).is_some_and(|var| scope.is_domain_variable(var));
     let is_determined = |name: &str| scope.determined.iter().any(|(n, _)| n == name);
-    all.sort_by_key(|(_, name)| (is_point(name), is_determined(name)));
+    sort_by_key(&mut all, |(_, name)| (is_point(name), is_determined(name)));
     for (binding, name) in &all {
         let by_assumption = scope.determined.iter().find(|(n, _)| n == name).map(|(_, value)| value.clone());
         if let Some(own) = by_assumption {

@@ -9,6 +9,8 @@ use crate::syntax;
 use basis_prover::collections::list::Listed;
 use core::ops::Range;
 
+use basis_prover::collections::sort::{sort_by, sort_by_key};
+
 /// More functions than this are refused.
 pub(crate) const MAX_FUNCTIONS: usize = 512;
 
@@ -65,7 +67,7 @@ fn other_sum(scope: &Scope<'_>, own: &Range<usize>) -> Option<Diagnostic> {
         return None;
     }
     let mut functions: Vec<_> = scope.defined.iter().listed();
-    functions.sort_by_key(|(_, definition)| definition.place);
+    sort_by_key(&mut functions, |(_, definition)| definition.place);
     let others = |s: i64| functions.iter().filter(|(index, _)| sum(index) == s).count();
     let (most, _) = functions.iter().rev().max_by_key(|(index, _)| others(sum(index)))?;
     let (odd, definition) = functions.iter().find(|(index, _)| sum(index) != sum(most))?;
@@ -118,7 +120,7 @@ fn on_simplex(scope: &Scope<'_>, error: Diagnostic, missing: &[&Vec<i64>], sum: 
     let error = error.label(format!("the indices sum to {sum}"));
     let sorted = |index: &[i64]| {
         let mut index = index.to_vec();
-        index.sort_unstable_by(|a, b| b.cmp(a));
+        sort_by(&mut index, |a, b| b.cmp(a));
         index
     };
     let orbit = missing

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
+use basis_prover::collections::sort::sort_by_key;
+
 use super::build;
 use super::claims::{self, Wanted};
 use super::fixed;
@@ -260,6 +262,6 @@ pub(crate) fn claims<'a>(
         }
         diagnostics.extend(errors.into_list());
     }
-    all.sort_by_key(|claim| claim.statement.number);
+    sort_by_key(&mut all, |claim| claim.statement.number);
     (all, obligations, diagnostics)
 }

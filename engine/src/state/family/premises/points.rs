@@ -2,6 +2,7 @@
 
 use basis_kernel::{Domain, Quotient};
 use basis_prover::collections::list::Listed;
+use basis_prover::collections::sort::sort_by_key;
 use basis_prover::typical;
 
 use crate::algebra::poly::{Poly, PolyExt as _, Var};
@@ -63,7 +64,7 @@ pub(super) fn values(numer: &Poly, denom: &Poly, points: &[Vec<Rational>]) -> Op
 fn on_grid(p: &Poly, points: &[Vec<Rational>]) -> Vec<Rational> {
     let mut variables = p.variables();
     // Those that change least often first.
-    variables.sort_by_key(|v| points.windows(2).filter(|pair| pair[0][v.0] != pair[1][v.0]).count());
+    sort_by_key(&mut variables, |v| points.windows(2).filter(|pair| pair[0][v.0] != pair[1][v.0]).count());
     let mut all = Vec::new();
     put_in_order(p, &variables, points, &mut all);
     all
