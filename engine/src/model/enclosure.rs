@@ -107,19 +107,48 @@ fn pi_from_arctangents() -> (Rational, Rational) {
 /// The bits after the point of bounds of angles.
 const BITS: u32 = 100;
 
-/// Numbers between which arctan z or artanh z lies; `None` where there is no artanh z.
+/// Numbers between which arctan 1/2 lies, and artanh 1/3.
+fn step_bounds(kind: Kind) -> Option<&'static (Rational, Rational)> {
+    const LEVEL: u32 = 40;
+    static BOUNDS: LazyLock<[Option<(Rational, Rational)>; 2]> = LazyLock::new(|| {
+        [(Kind::Circular, 2), (Kind::Hyperbolic, 3)]
+            .map(|(kind, n)| quotient_bounds(kind, &Rational::new(1, n), LEVEL))
+    });
+    BOUNDS[usize::from(kind == Kind::Hyperbolic)].as_ref()
+}
+
+/// Longer numbers are left to the quotients, as far from 0 as they are.
+const LONG: u64 = 400;
+
+/// Numbers between which arctan z or artanh z lies; `None` where there is no artanh z. Far from 0 by the differences from
+/// arctan 1/2, and from artanh 1/3 as often as needed: the quotients are good for small numbers.
 pub(crate) fn inverse(kind: Kind, z: &Rational, n: u32) -> Option<(Rational, Rational)> {
     let square = z * z;
     if kind == Kind::Hyperbolic && square >= Rational::ONE {
         return None;
     }
     if kind == Kind::Circular && square > Rational::ONE {
-        // arctan z = ±π/2 − arctan 1/z, and the quotients below are good for small numbers.
+        // arctan z = ±π/2 − arctan 1/z.
         let ((a, b), (low, high)) = (inverse(kind, &z.recip()?, n)?, pi_bounds());
         let quarter = |pi: &Rational| pi * &Rational::new(1, 2);
         let (low, high) = (quarter(low), quarter(high));
         return Some(if z.is_negative() { (&-&high - &b, &-&low - &a) } else { (&low - &b, &high - &a) });
     }
+    let third = Rational::new(1, 3);
+    if z.abs() > third && kind != Kind::Linear && z.bits() < LONG {
+        let step = if kind == Kind::Circular { Rational::new(1, 2) } else { third };
+        let step = if z.is_negative() { -step } else { step };
+        let product = z * &step;
+        let below = if kind == Kind::Circular { Rational::ONE + product } else { Rational::ONE - product };
+        let (low, high) = inverse(kind, &(z - &step).checked_div(&below)?, n)?;
+        let (a, b) = step_bounds(kind)?;
+        return Some(if z.is_negative() { (&low - b, &high - a) } else { (&low + a, &high + b) });
+    }
+    quotient_bounds(kind, z, n)
+}
+
+/// The same by the quotients themselves.
+fn quotient_bounds(kind: Kind, z: &Rational, n: u32) -> Option<(Rational, Rational)> {
     let (p, q) = (z.numer(), z.denom());
     let (p_square, q_square) = (&p * &p, &q * &q);
     // Σ cᵢ·p²ⁱ·q²⁽ᵐ⁻ⁱ⁾: whole numbers, as common factors of long fractions are not looked for in little time.

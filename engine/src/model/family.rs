@@ -326,6 +326,9 @@ impl Family {
         for angle in &mut family.analytic.angles {
             (angle.low, angle.width) = (put(&angle.low)?, put(&angle.width)?);
             angle.limits = [put(&angle.limits[0])?, put(&angle.limits[1])?];
+            for (_, image) in &mut angle.mirror {
+                *image = put(image)?;
+            }
         }
         family.shapes.retain(|p| !is_fixed(p.var));
         Some(Cow::Owned(family))

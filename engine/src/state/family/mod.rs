@@ -316,6 +316,10 @@ pub(super) fn is_wider(family: &Family, statement: &Statement) -> bool {
 const TOO_LONG: &str =
     "the budget is spent on a common denominator of the functions, or on ranges that depend on one another";
 
+/// Why a claim about functions with variables beside their sines is open.
+const BESIDE: &str = "no proof was found by derivatives and by bounds for what stands beside its sine or exponential, and no point \
+                      where it fails";
+
 /// What is left where a proof for all values is not found.
 const WIDER: &str =
     "it is not seen from bounds for pi, exp, or for a variable beside its sine or exponential";
@@ -447,6 +451,8 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
     let find = |of: &str| labels.iter().find(|(label, ..)| label == of);
     let stronger: Vec<String> =
         said.iter().filter(|s| s.stated.is_stronger).map(|s| s.stated.of.clone()).listed();
+    let open = |s: &&Said| !s.stated.is_stronger && is_wider(family, &s.stated.statement);
+    let beside: Vec<String> = said.iter().filter(open).map(|s| s.stated.of.clone()).listed();
     let stated = said.iter().map(|s| s.stated.clone()).listed();
     match all(stated, family.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown)).by(ways)),
@@ -476,6 +482,9 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
                 // Of an equation simple points come first, which need not be among those that are assumed.
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
                 return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
+            }
+            ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
+                format!("`{of}`: {BESIDE}")
             }
             _ => format!("`{of}`: {left}"),
         }),
@@ -606,9 +615,9 @@ fn witness(
             witness.at.extend(known.map(|c| (p.name.clone(), c)));
         }
     }
-    witness.places = point::places(family, kind.fixed(), &witness.at);
-    witness.notes = identity::notes(family, kind, &witness);
     let point = piece.image(&found.point);
+    witness.places = point::places(family, kind.fixed(), &witness.at, &point);
+    witness.notes = identity::notes(family, kind, &witness);
     let rational = point.iter().filter_map(|(var, c)| match c {
         Coordinate::Rational(x) => Some((*var, x.clone())),
         Coordinate::Algebraic(_) => None,

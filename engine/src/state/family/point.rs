@@ -98,12 +98,13 @@ pub(super) fn named_point(
     all
 }
 
-/// The places of angles whose coordinates say little, as one writes them: what `at` fixes at a value that is no number or
-/// has no short tangent, and an end of a domain where a tangent is measured by that at the end, tan(t/4)/tan(π/12) = 1.
+/// The places of angles as one writes them instead of their tangents: the ends of a domain, t = π/2 and t = α for
+/// tan(t/2) = 1 and tan(t/2) = tan(α/2), its middle, and what `at` fixes at a value that is no number or has no short tangent.
 pub(super) fn places(
     family: &Family,
     fixed: &[(Var, Fraction)],
     at: &[(String, Coordinate)],
+    image: &[(Var, Coordinate)],
 ) -> Vec<(String, String)> {
     const SHORT: u64 = 40;
     let mut all = Vec::new();
@@ -117,14 +118,16 @@ pub(super) fn places(
         let is_scaled = *name == parameter.name && *name != angle.name && *name != angle.tangent_name();
         let is_shifted = !angle.shift.is_zero() && !angle.turns && *name == angle.tangent_name();
         let range = family.region().range(parameter.var);
-        let here = |end: usize| {
-            let y = [&range.low, &range.high][end].value().cloned();
-            let shown = if is_scaled { y } else { y.and_then(|y| tangent_at(angle, &y)) };
-            (is_scaled || is_shifted)
-                && !angle.ends[end].is_empty()
-                && shown.map(Coordinate::Rational).as_ref() == Some(value)
+        let shown = image.iter().find(|(var, _)| *var == angle.var).and_then(|(_, y)| match y {
+            Coordinate::Rational(y) => Some(y),
+            Coordinate::Algebraic(_) => None,
+        });
+        let is_named = is_scaled || *name == angle.tangent_name() && *name != angle.name;
+        let here = |end: &usize| {
+            let y = [&range.low, &range.high][*end].value();
+            is_named && !angle.ends[*end].is_empty() && y.is_some() && y == shown
         };
-        let end = (0..2).find(|end| here(*end)).map(|end| angle.ends[end].clone());
+        let end = (0..2).find(here).map(|end| angle.ends[end].clone());
         let zero = matches!(value, Coordinate::Rational(x) if x.is_zero());
         let middle = (is_shifted && zero).then(|| multiple_of_pi(&angle.shift));
         if let Some(text) = given.filter(|_| long || is_scaled).or(end).or(middle) {
@@ -132,11 +135,6 @@ pub(super) fn places(
         }
     }
     all
-}
-
-/// x where y has a value, if it is rational.
-fn tangent_at(angle: &Angle, y: &Rational) -> Option<Rational> {
-    (&angle.low + &(&angle.width * &Fraction::constant(y.clone()))).as_constant()
 }
 
 /// A value with whole numbers above a common denominator, `pi/6`.

@@ -9,14 +9,19 @@
 //!    and then ≥ 0, and g(b) ≤ 0, the same is true of g. It is true of every g with g′ ≤ 0.
 //! 4. *Positive factors.* g has the signs of g/A where A > 0. With A the coefficient of the highest power of t, one derivative
 //!    of g/A lowers that power. A power of t itself is positive where t is.
-//! 5. *Without t.* A quotient N/D with D > 0 is first ≥ 0 and then ≤ 0 if N/(uʲ·vᵏ), u = y − a, v = b − y, j, k ≥ 0, falls:
+//! 5. *Powers.* If k·g − t·g′ ≥ 0 for t > 0, g/tᵏ falls, and g(b) ≥ 0 shows g ≥ 0; at t = 0 by continuity.
+//! 6. *Without t.* A quotient N/D with D > 0 is first ≥ 0 and then ≤ 0 if N/(uʲ·vᵏ), u = y − a, v = b − y, j, k ≥ 0, falls:
 //!    N′·u·v − N·(j·v − k·u) ≤ 0. This is so if the Bernstein coefficients of N, of degree j + k or less, change their sign once, at j.
 //!
 //! Derivatives are in t; of the last one only signs are asked, so that it may be one in the tangent. Which rule is used where is
 //! guessed from signs at some points.
+//!
+//! On the domain a ≤ t ≤ α with a parameter α above a, g ≥ 0 follows for each t > a from the first rule in α as well, on the way from
+//! α = t on: from g ≥ 0 at t = α and dg/dα ≥ 0. At t = a it follows by continuity, and g > 0 there is shown by itself.
 
 use super::sample::Sample;
-use super::{Half, Step, named};
+use super::{Half, Step, named, parameter};
+use crate::algebra::divisors::gcd::content;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::range::Range;
@@ -37,6 +42,16 @@ pub(super) struct Ladder<'f> {
     pub(super) found: Vec<Step>,
     /// The value of the variable where the angle is 0, if only one side of that is looked at.
     pub(super) zero: Option<(Fraction, Half)>,
+    pub(super) along: Along,
+}
+
+/// What varies on a ladder.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Along {
+    /// The variable of the domain, between its ends.
+    Variable,
+    /// The parameter at the upper end of the domain, from where the variable is on.
+    Parameter,
 }
 
 /// A function with its name.
@@ -86,13 +101,28 @@ fn signs_of(rows: &[Vec<i32>]) -> Signs {
     }
 }
 
-impl Ladder<'_> {
+impl<'f> Ladder<'f> {
+    pub(super) const fn new(
+        family: &'f Family,
+        angle: &'f Angle,
+        range: &'f Range,
+        sample: &'f Sample<'f>,
+    ) -> Self {
+        Self { family, angle, range, sample, found: Vec::new(), zero: None, along: Along::Variable }
+    }
+
     /// What is enough for a function to be ≥ 0, or > 0.
     pub(super) fn start(&mut self, of: &str, value: &Fraction, strict: bool, work: &mut Work) -> Option<()> {
         self.positive(&Named { of: String::from(of), value: value.clone() }, strict, MAX_DEPTH, work)
     }
 
-    fn push(&mut self, step: &Named, strict: bool) {
+    fn push(&mut self, step: &Named, strict: bool, work: &mut Work) {
+        if self.along == Along::Parameter
+            && let Some(steps) = parameter::alone(self.family, &step.of, &step.value, strict, work)
+        {
+            self.found.extend(steps);
+            return;
+        }
         let comparison = if strict { Comparison::Greater } else { Comparison::GreaterEqual };
         self.found.push(Step::new(step.of.clone(), step.value.clone(), comparison));
     }
@@ -104,6 +134,13 @@ impl Ladder<'_> {
 
     /// The value at an end that belongs to the domain, or at which there is one.
     fn at(&self, g: &Named, side: usize, work: &mut Work) -> Option<Named> {
+        if self.along == Along::Parameter {
+            let value = self.family.at_end(&g.value, true, work).filter(|_| side == 0)?;
+            return Some(Named { of: format!("{} at the end", g.of), value });
+        }
+        if self.angle.ends[side].is_empty() {
+            return None;
+        }
         if let Some((zero, half)) = &self.zero
             && side == usize::from(*half == Half::Below)
         {
@@ -116,6 +153,9 @@ impl Ladder<'_> {
     }
 
     fn is_included(&self, side: usize) -> bool {
+        if self.along == Along::Parameter {
+            return self.family.domain.first().is_none_or(|p| p.range.high.is_included());
+        }
         let inner = self.zero.as_ref().is_some_and(|(_, half)| side == usize::from(*half == Half::Below));
         inner || [&self.range.low, &self.range.high][side].is_included()
     }
@@ -141,12 +181,16 @@ impl Ladder<'_> {
     /// g ≥ 0, or g > 0.
     fn positive(&mut self, g: &Named, strict: bool, depth: usize, work: &mut Work) -> Option<()> {
         if !g.value.depends_on(self.angle.itself) {
-            self.push(g, strict);
+            self.push(g, strict, work);
             return Some(());
         }
         let depth = depth.checked_sub(1)?;
         if !self.may_be_nonnegative(g, work) {
             return None;
+        }
+        if self.along == Along::Parameter && parameter::is_alone(self.family, &g.value) {
+            self.push(g, strict, work);
+            return Some(());
         }
         if g.value.denom().depends_on(self.angle.itself) {
             return self.attempt(|ladder| {
@@ -157,16 +201,61 @@ impl Ladder<'_> {
         if let Some((simpler, fine)) = self.without_power(g, strict) {
             return if fine { self.positive(&simpler, strict, depth, work) } else { None };
         }
+        if !strict && let Some([factor, rest]) = self.product(g, work) {
+            self.push(&factor, false, work);
+            return self.positive(&rest, false, depth, work);
+        }
         let done = self.attempt(|ladder| {
             let simpler = ladder.divided(g, work)?;
             ladder.by_slope(&simpler, strict, depth, work)
         });
-        done.or_else(|| self.attempt(|ladder| ladder.by_slope(g, strict, depth, work)))
+        let done = done.or_else(|| self.attempt(|ladder| ladder.by_slope(g, strict, depth, work)));
+        done.or_else(|| self.attempt(|ladder| ladder.by_power(g, strict, depth, work)))
+    }
+
+    /// g ≥ 0 since g falls when it is divided by the highest power of the variable in it, and is ≥ 0 at the upper end.
+    fn by_power(&mut self, g: &Named, strict: bool, depth: usize, work: &mut Work) -> Option<()> {
+        let var = self.angle.itself;
+        let fits = self.along == Along::Variable && self.zero.is_none() && self.angle.limits[0].is_zero();
+        if !fits || strict && self.is_included(0) {
+            return None;
+        }
+        let power = g.value.numer().degree(var);
+        let last = self.at(g, 1, work).filter(|v| self.may_be_nonnegative(v, work))?;
+        let slope = self.slope(g, work)?;
+        let all = g.value.mul_within(&Fraction::constant(Rational::from(i64::from(power))), work)?;
+        let value = all.sub_within(&slope.value.mul_within(&Fraction::var(var), work)?, work)?;
+        let falls = Named { of: format!("{power}*({}) - {}*{}", g.of, self.angle.name, slope.of), value };
+        // Where the power has a factor that varies the next one is higher.
+        if falls.value.numer().degree(var) >= power || self.signs(&falls, work) != Signs::Up {
+            return None;
+        }
+        let open = strict && !self.is_included(1) && last.value.is_zero();
+        self.push(&last, strict && !open, work);
+        self.positive(&falls, open, depth, work)
+    }
+
+    /// The function as a product of a polynomial and of what its terms share, if that depends on the tangent: both ≥ 0, as far
+    /// as some points tell.
+    fn product(&self, g: &Named, work: &mut Work) -> Option<[Named; 2]> {
+        let shared = content(g.value.numer(), self.angle.itself, work)?;
+        if !shared.depends_on(self.angle.var) {
+            return None;
+        }
+        let rest = g.value.numer().div_exact(&shared)?.into();
+        let shared = Fraction::new(shared, g.value.denom().clone())?;
+        let factor = Named { of: format!("a factor of {}", g.of), value: shared };
+        let rest = Named { of: format!("({})/({})", g.of, factor.of), value: rest };
+        match (self.signs(&factor, work), self.signs(&rest, work)) {
+            (Signs::Up, Signs::Up) => Some([factor, rest]),
+            (Signs::Down, Signs::Down) => Some([factor.negated(), rest.negated()]),
+            _ => None,
+        }
     }
 
     fn by_slope(&mut self, g: &Named, strict: bool, depth: usize, work: &mut Work) -> Option<()> {
         if !g.value.depends_on(self.angle.itself) {
-            self.push(g, strict);
+            self.push(g, strict, work);
             return Some(());
         }
         let slope = self.slope(g, work)?;
@@ -181,14 +270,14 @@ impl Ladder<'_> {
             let value = value.filter(|v| self.may_be_nonnegative(v, work))?;
             // Without the end itself it is enough that the derivative is positive.
             let open = strict && !self.is_included(side) && value.value.is_zero();
-            self.push(&value, strict && !open);
+            self.push(&value, strict && !open, work);
             return self.positive(&slope, open, depth, work);
         }
         for value in [first?, last?] {
             if !self.may_be_nonnegative(&value, work) {
                 return None;
             }
-            self.push(&value, strict);
+            self.push(&value, strict, work);
         }
         self.falls(&slope, depth, work)
     }
@@ -203,6 +292,13 @@ impl Ladder<'_> {
             Signs::DownUp | Signs::Other => return None,
         }
         if !g.value.depends_on(self.angle.itself) {
+            // Bounds for a parameter beside its sine go ill with the change of sign, which the slope does without.
+            if parameter::is_beside(self.family, &g.value) {
+                let slope = self.slope(g, work)?;
+                if self.signs(&slope, work) == Signs::Down {
+                    return self.positive(&slope.negated(), false, depth, work);
+                }
+            }
             return self.falls_without(g, work);
         }
         if g.value.denom().depends_on(self.angle.itself) {
@@ -227,7 +323,7 @@ impl Ladder<'_> {
             Signs::Down => self.positive(&slope.negated(), false, depth, work),
             Signs::UpDown => {
                 let first = self.at(g, 0, work).filter(|v| self.may_be_nonnegative(v, work))?;
-                self.push(&first, false);
+                self.push(&first, false, work);
                 self.falls(&slope, depth, work)
             }
             Signs::DownUp => {
@@ -235,7 +331,7 @@ impl Ladder<'_> {
                 if !self.may_be_nonnegative(&last, work) {
                     return None;
                 }
-                self.push(&last, false);
+                self.push(&last, false, work);
                 self.falls(&slope.negated(), depth, work)
             }
             Signs::Up | Signs::Other => None,
@@ -253,7 +349,11 @@ impl Ladder<'_> {
         let value = Fraction::new(above, g.value.denom().clone())?;
         let above = self.zero.as_ref().is_some_and(|(_, half)| *half == Half::Above);
         let from_zero = self.angle.limits[0].is_zero() || above;
-        let fine = from_zero && (!strict || !self.is_included(0));
+        let is_positive = match self.along {
+            Along::Variable => !self.is_included(0),
+            Along::Parameter => !self.range.low.is_included(),
+        };
+        let fine = from_zero && (!strict || is_positive);
         from_zero.then(|| (Named { of: format!("({})/{}", g.of, self.angle.name), value }, fine))
     }
 
@@ -291,7 +391,7 @@ impl Ladder<'_> {
         } else if rows.iter().flatten().any(|s| *s <= 0) {
             return None;
         }
-        self.push(&factor, true);
+        self.push(&factor, true, work);
         let value = g.value.div_within(&factor.value, work).ok()??;
         Some(Named { of: format!("({})/({})", g.of, factor.of), value })
     }
@@ -323,8 +423,12 @@ impl Ladder<'_> {
         work.spend_product(&slope, &uv)?;
         let change = &v.scale(&j) - &u.scale(&k);
         let value = &(&above * &change) - &(&slope * &uv);
-        self.push(&below, true);
-        self.push(&Named { of: format!("that {} changes its sign once", g.of), value: value.into() }, false);
+        self.push(&below, true, work);
+        self.push(
+            &Named { of: format!("that {} changes its sign once", g.of), value: value.into() },
+            false,
+            work,
+        );
         Some(())
     }
 

@@ -4,13 +4,15 @@
 //! certificate holds the number of the one that was successful. All of them lead to polynomials in tangents:
 //!
 //! - for shape parameters in exponentials whose ranges end in numbers, what is enough without these ends;
-//! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves;
+//! - the ladder of derivatives, with bounds for the parameters at the end of the domain in what it leaves, or with ladders in
+//!   these; also with the domain reversed;
 //! - bounds for the variable itself, exact where it is 0, or cell by cell at the nearest end.
 //!
 //! A claim is false where the value is not as claimed whatever the numbers are that its enclosures leave
 //! ([`refute`]).
 
 mod ladder;
+mod parameter;
 mod sample;
 
 use basis_kernel::{Domain, Proof, Statement};
@@ -59,6 +61,11 @@ impl Step {
         Self { of, value, comparison, ranges: Vec::new(), anchor: Anchor::Zero, half: None }
     }
 
+    /// Whether it is about the whole domain, in the variables of the family.
+    const fn is_plain(&self) -> bool {
+        self.ranges.is_empty() && matches!(self.anchor, Anchor::Zero) && self.half.is_none()
+    }
+
     /// The points that it is about, of those that a claim is about.
     pub(super) fn domain(&self, whole: &Rc<Domain>) -> Rc<Domain> {
         let mut domain = (**whole).clone();
@@ -75,20 +82,25 @@ fn named(before: &str, of: &str) -> String {
     if of.contains(' ') { format!("{before}({of})") } else { format!("{before}{of}") }
 }
 
-/// Ways to what is enough: by derivatives or not, and the level of the bounds.
+/// Ways to what is enough: by derivatives or not, also in a shape parameter, and the level of the bounds.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
     Wider,
     Ladder(u32),
     Halves(u32),
+    Parameter(u32),
+    /// The same with the domain reversed.
+    Mirrored(u32),
     Whole(u32),
     Cells(u32),
 }
 
-const WAYS: [Way; 8] = [
+const WAYS: [Way; 10] = [
     Way::Wider,
     Way::Ladder(5),
     Way::Halves(5),
+    Way::Parameter(5),
+    Way::Mirrored(5),
     Way::Whole(3),
     Way::Cells(4),
     Way::Ladder(10),
@@ -150,9 +162,19 @@ pub(super) fn steps(
     }
     let sample = sample?;
     let (found, level) = match (way, own) {
-        (Way::Ladder(level), Some(angle)) => {
-            let mut ladder = Ladder { family, angle, range, sample, found: Vec::new(), zero: None };
+        (Way::Ladder(level) | Way::Parameter(level), Some(angle)) => {
+            let mut ladder = Ladder::new(family, angle, range, sample);
             ladder.start(&of, &value, strict, work)?;
+            (ladder.found, *level)
+        }
+        (Way::Mirrored(level), Some(angle)) => {
+            let mut ladder = Ladder::new(family, angle, range, sample);
+            ladder.start(
+                &format!("{of} reversed"),
+                &mirrored(family, angle, range, &value)?,
+                strict,
+                work,
+            )?;
             (ladder.found, *level)
         }
         (Way::Halves(level), Some(angle)) => {
@@ -160,22 +182,42 @@ pub(super) fn steps(
             let mut all = Vec::new();
             for half in [Half::Below, Half::Above] {
                 let sample = sample.half(angle, half, work)?;
-                let zero = Some((at.clone(), half));
-                let mut ladder = Ladder { family, angle, range, sample: &sample, found: Vec::new(), zero };
+                let mut ladder = Ladder::new(family, angle, range, &sample);
+                ladder.zero = Some((at.clone(), half));
                 ladder.start(&of, &value, strict, work)?;
                 all.extend(ladder.found.into_iter().map(|step| Step { half: Some(half), ..step }));
             }
             (all, *level)
         }
         (Way::Cells(level), Some(angle)) => (cells(angle, range, sample, &whole)?, *level),
-        (Way::Ladder(level) | Way::Whole(level), _) => (vec![whole], *level),
-        (Way::Wider, _) | (Way::Cells(_) | Way::Halves(_), None) => return None,
+        (Way::Ladder(level) | Way::Whole(level) | Way::Parameter(level), _) => (vec![whole], *level),
+        (Way::Wider, _) | (Way::Cells(_) | Way::Halves(_) | Way::Mirrored(_), None) => return None,
     };
-    let mut all = Vec::new();
+    let (mut all, mut changed) = (Vec::new(), false);
     for step in found {
-        all.extend(bounded(family, step, level, sample, work)?);
+        let other = matches!(way, Way::Parameter(_) | Way::Mirrored(_))
+            .then(|| parameter::instead(family, &step, sample, work));
+        let steps = other.flatten().inspect(|_| changed = true).unwrap_or_else(|| vec![step]);
+        for step in steps {
+            all.extend(bounded(family, step, level, sample, work)?);
+        }
     }
-    Some(all)
+    // Without a ladder along a parameter it is what was tried before.
+    (changed || !matches!(way, Way::Parameter(_))).then_some(all)
+}
+
+/// A function with the variable running from the upper to the lower end of the domain, where both belong to it or neither does.
+fn mirrored(family: &Family, angle: &Angle, range: &Range, value: &Fraction) -> Option<Fraction> {
+    let [(y, reversed), (s, place)] = angle.mirror.as_slice() else { return None };
+    // What takes the place of one contains only that one, and shape parameters.
+    let fits = range.low.is_included() == range.high.is_included()
+        && family.constraints.is_empty()
+        && !reversed.depends_on(*s)
+        && !place.depends_on(*y);
+    if !fits {
+        return None;
+    }
+    value.substitute(*y, reversed)?.substitute(*s, place)
 }
 
 /// What is enough by the ladder of derivatives where the shape parameters in exponentials have no largest values.
@@ -239,8 +281,8 @@ fn cells(angle: &Angle, range: &Range, sample: &Sample<'_>, whole: &Step) -> Opt
     Some(cells.into_iter().enumerate().map(step).listed())
 }
 
-/// A value with functions of their tangents, as [`Angle::along`] has them, in place of shape parameters that stand in it, and not in sines or exponentials. Those with
-/// a range that depends on others, or that a condition restricts, stay.
+/// A value with functions of their tangents, as [`Angle::along`] has them, in place of shape parameters that stand in it, and not
+/// in sines or exponentials. Those with a range that depends on others, or that a condition restricts, stay.
 fn parameters_alone(family: &Family, value: Fraction) -> Option<Fraction> {
     let mut value = value;
     for p in &family.shapes {
@@ -381,7 +423,7 @@ pub(super) fn refute(
 ) -> Option<(Counterexample, Proof)> {
     let sample = Sample::new(family, work)?;
     let points = sample.lowest(value, work)?;
-    points.into_iter().take(16).find_map(|point| sample::refuted_at(family, statement, &point, work))
+    points.into_iter().take(24).find_map(|point| sample::refuted_at(family, statement, &point, work))
 }
 
 /// The coordinates of a point that are no angles themselves, and no numbers such as π.

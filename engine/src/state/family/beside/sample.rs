@@ -22,18 +22,22 @@ use basis_prover::collections::sort::sort_by;
 /// The level of the continued fractions from which the values of angles come.
 const LEVEL: u32 = 12;
 
-/// The same for tangents near 1, for which they are not as good.
-const FAR: u32 = 28;
-
 /// Combinations of shape values, at most.
 const MAX_SHAPES: usize = 16;
 
-/// Places in the domain between its ends.
+/// Places in the domain between its ends, and values of a parameter.
 const PLACES: i64 = 16;
+const SHAPES: i64 = 8;
 
 /// Units of work for the numbers between which an angle lies, and for a product of two pairs of such numbers.
 const ENCLOSURE: u64 = 1000;
 const PRODUCT: u64 = 20;
+
+/// Work above which the signs of a function are looked at in fewer places.
+const LOOKING: u64 = 150_000;
+
+/// Of points at which a function is looked at anyway, how many are tried first where it may be below 0.
+const SIMPLE: usize = 8;
 
 /// How often the distance to a place where a function is small is halved.
 const NEARER: u32 = 6;
@@ -76,8 +80,7 @@ fn enclosures(family: &Family, point: &Values) -> Option<Enclosures> {
         if low != high {
             (low, high) = (rounded(&low, false), rounded(&high, true));
         }
-        let level = if high.abs().max(low.abs()) > Rational::new(7, 8) { FAR } else { LEVEL };
-        let (low, high) = (inverse(angle.kind, &low, level)?.0, inverse(angle.kind, &high, level)?.1);
+        let (low, high) = (inverse(angle.kind, &low, LEVEL)?.0, inverse(angle.kind, &high, LEVEL)?.1);
         let unit = &(Rational::ONE, Rational::ONE);
         let pi = found.between.iter().find(|(v, _)| Some(*v) == family.analytic.pi).map(|(_, i)| i.clone());
         let scale = if angle.turns { pi.as_ref()? } else { unit };
@@ -262,23 +265,22 @@ impl<'f> Sample<'f> {
         let own = |range: &Range| {
             let mut all: Vec<Rational> = match range.finite() {
                 Some((a, b)) => {
-                    [0, 1, 4, 7, 8].into_iter().map(|k| a + &(&(b - a) * &Rational::new(k, 8))).listed()
+                    [0, 1, 4, 7, 8].into_iter().map(|k| a + &(&(b - a) * &Rational::new(k, SHAPES))).listed()
                 }
                 None => candidates(range, 4),
             };
-            // Where exponentials have no largest value, far out as well: tanh(a/2) = 63/64 at a = 4.84.
+            all.retain(|x| range.contains(x));
+            // The middle first.
+            let middle = all.len() / 2;
+            all.rotate_left(middle);
+            // Where exponentials have no largest value, far out as well: tanh(a/2) = 63/64 at a = 4.84, and a = 13.9.
             let far = family.analytic.angles.iter().any(|angle| {
                 let fits = angle.kind == Kind::Hyperbolic && range.high == End::Excluded(Rational::ONE);
                 fits && angle.ends[1].is_empty() && family.region().range(angle.var) == *range
             });
             if far {
-                all.extend([15, 63].map(|k| Rational::new(k, k + 1)));
-                sort_by(&mut all, Ord::cmp);
+                all.extend([15, 63, (1 << 20) - 1].map(|k| Rational::new(k, k + 1)));
             }
-            all.retain(|x| range.contains(x));
-            // The middle first.
-            let middle = all.len() / 2;
-            all.rotate_left(middle);
             all
         };
         let mut shapes: Vec<Values> = vec![Vec::new()];
@@ -336,9 +338,12 @@ impl<'f> Sample<'f> {
         some.then_some(Self { family: self.family, rows })
     }
 
-    /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out.
+    /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out. Long functions
+    /// are looked at in fewer places.
     pub(super) fn signs(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Vec<i32>>> {
-        self.look_at(f, work)?;
+        let (points, each) = (self.rows.iter().map(Vec::len).sum::<usize>() as u64, cost(f));
+        let stride = [1, 2, 4].into_iter().find(|n| points / n * each <= LOOKING).unwrap_or(4);
+        work.spend(points / stride * each)?;
         let sign = |(point, found): &(Values, Enclosures)| {
             let f = found.exact.iter().rev().try_fold(f.clone(), |f, (var, x)| {
                 if f.depends_on(*var) { put(&f, *var, x) } else { Some(f) }
@@ -351,7 +356,7 @@ impl<'f> Sample<'f> {
                 _ => None,
             }
         };
-        Some(self.rows.mapped(|row| row.iter().filter_map(sign).listed()))
+        Some(self.rows.mapped(|row| row.iter().step_by(stride as usize).filter_map(sign).listed()))
     }
 
     /// By shape values the signs of the Bernstein coefficients of a polynomial, raised to a degree; 0 for what is not seen.
@@ -393,55 +398,68 @@ impl<'f> Sample<'f> {
         Some(all)
     }
 
-    /// The points at which a function may be smallest: by shape values the one with the smallest value, then places nearer
-    /// and nearer to it.
+    /// The points at which a function may be smallest: by shape values the one with the smallest value if that may be below
+    /// 0, then points nearer and nearer to one with a smaller value.
     pub(super) fn lowest(&self, f: &Fraction, work: &mut Work) -> Option<Vec<Values>> {
         self.look_at(f, work)?;
         let nearer = ENCLOSURE * self.family.analytic.angles.len() as u64 + cost(f);
+        // Along the domain variable, and along the parameters between numbers.
+        let region = self.family.region();
+        let along = |(k, (var, _)): (usize, &(Var, Rational))| {
+            let range = region.range(*var);
+            let (low, high) = range.finite()?;
+            let own = self.family.domain.iter().any(|p| p.var == *var);
+            let width = &(high - low) * &Rational::new(1, if own { 2 * PLACES } else { 2 * SHAPES });
+            Some((k, range.clone(), width))
+        };
+        let point = self.rows.iter().flatten().next().map(|(point, _)| point.as_slice()).unwrap_or_default();
+        let ways = point.iter().enumerate().rev().filter_map(along).listed();
         // As often as half of the work that is left allows; the other half is for the proof.
-        let round = 2 * self.rows.len() as u64 * nearer;
+        let round = 2 * (self.rows.len() * ways.len().max(1)) as u64 * nearer;
         let rounds = u64::from(NEARER).min(work.left() / 2 / round.max(1));
         work.spend(rounds * round)?;
         let value = |point: &Values, found: &Enclosures| {
             let (low, high) = between(f, point, &found.between)?;
-            Some(&low + &high)
+            Some((&low + &high, low.is_positive()))
         };
+        let mut first: Vec<(Rational, Values)> = Vec::new();
         let mut all: Vec<(Rational, Values)> = Vec::new();
         for row in &self.rows {
-            let mut best: Option<(Rational, Values)> = None;
+            let mut best: Option<(Rational, Values, bool)> = None;
             for (point, found) in row {
-                let Some(x) = value(point, found) else { continue };
-                if best.as_ref().is_none_or(|(least, _)| x < *least) {
-                    best = Some((x, point.clone()));
+                let Some((x, is_above)) = value(point, found) else { continue };
+                if best.as_ref().is_none_or(|(least, ..)| x < *least) {
+                    best = Some((x, point.clone(), is_above));
                 }
             }
-            let Some((mut least, mut point)) = best else { continue };
+            let Some((mut least, mut point, is_above)) = best else { continue };
             // What seems to be lower next to an end may be so by the width of its enclosure only.
-            all.push((least.clone(), point.clone()));
-            let Some(range) = self.family.domain.first().map(|p| &p.range) else { continue };
-            let Some((low, high)) = range.finite() else { continue };
-            let mut step = &(high - low) * &Rational::new(1, 2 * PLACES);
-            let Some(last) = point.len().checked_sub(1) else { continue };
-            for _ in 0..rounds {
-                for sign in [-1, 1] {
-                    let mut next = point.clone();
-                    next[last].1 += &(&step * &Rational::from(sign));
-                    if !range.contains(&next[last].1) {
-                        continue;
-                    }
-                    let Some(found) = enclosures(self.family, &next) else { continue };
-                    if let Some(x) = value(&next, &found).filter(|x| *x < least) {
-                        (least, point) = (x, next);
+            if !is_above {
+                first.push((least.clone(), point.clone()));
+            }
+            for halved in 0..rounds {
+                for (k, range, width) in &ways {
+                    let step = width * &Rational::new(1, 1 << halved);
+                    for sign in [-1, 1] {
+                        let mut next = point.clone();
+                        next[*k].1 += &(&step * &Rational::from(sign));
+                        if !range.contains(&next[*k].1) {
+                            continue;
+                        }
+                        let Some(found) = enclosures(self.family, &next) else { continue };
+                        if let Some((x, _)) = value(&next, &found).filter(|(x, _)| *x < least) {
+                            (least, point) = (x, next);
+                        }
                     }
                 }
-                step = &step * &Rational::new(1, 2);
             }
-            if all.last().is_some_and(|(_, known)| *known != point) {
-                all.push((least, point));
-            }
+            all.push((least, point));
         }
+        // Those with short coordinates first.
+        let bits = |point: &Values| point.iter().map(|(_, x)| x.bits()).sum::<u64>();
+        sort_by(&mut first, |a, b| (bits(&a.1), &a.0).cmp(&(bits(&b.1), &b.0)));
         sort_by(&mut all, |a, b| a.0.cmp(&b.0));
-        Some(all.into_iter().map(|(_, point)| point).listed())
+        Some(first.into_iter().take(SIMPLE).chain(all).map(|(_, point)| point).listed())
     }
 
     /// A point of the domain.
