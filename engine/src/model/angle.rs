@@ -9,6 +9,8 @@
 //! holds if and only if it holds for all values of these variables, as is so for s itself beside x. The number tan(π/n) is
 //! algebraic: an equation that contains it is divided by its minimal polynomial before it is looked at.
 
+use std::collections::BTreeSet;
+
 use basis_prover::collections::list::Listed;
 
 use crate::algebra::divisors::factor::checked_factor;
@@ -25,6 +27,16 @@ const CONTENT: u64 = 100_000;
 
 /// Shape parameters that have a value, as multiples of π.
 pub(crate) type Given = Vec<(String, Rational)>;
+
+/// With what a family is expanded anew for some of its claims.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Anew {
+    /// Shape parameters that have a value.
+    pub(crate) given: Given,
+    /// The numbers of the statements whose claims ask for smaller parts of the angles than the functions; those of the family
+    /// as it is, if there are none.
+    pub(crate) statements: BTreeSet<usize>,
+}
 
 /// Which functions a variable stands in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,6 +192,8 @@ pub struct Analytic {
     pub roots: Vec<Root>,
     /// Ranges in which the numbers lie, and the variables of the angles themselves.
     pub ranges: Vec<(Var, Range)>,
+    /// The numbers of the statements for which the family is expanded anew, together where they need the same.
+    pub(crate) finer: Vec<BTreeSet<usize>>,
 }
 
 impl Analytic {

@@ -57,7 +57,7 @@ fn values_at_parts_of_a_turn() {
             refute b[1] >= 87/100;
         }",
     );
-    assert_eq!(found[1], "about -0.002453 at t = 1/2");
+    assert_eq!(found[1], "-5/12 + tan(pi/8) at t = 1/2");
     assert_eq!(found[3], "-1/56*pi^2 at t = 1/2");
     assert_eq!(found.len(), 6, "{found:?}");
 }

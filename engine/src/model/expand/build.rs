@@ -8,7 +8,7 @@ use crate::algebra::fraction::{Fraction, set_known_factors};
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::diagnostic::{Diagnostics, Place};
-use crate::model::angle::Given;
+use crate::model::angle::Anew;
 use crate::model::formula::numbers::budget_value;
 use crate::model::scope::{Scope, Stage};
 use crate::model::{Family, Function, Library};
@@ -16,17 +16,17 @@ use crate::source::SourceId;
 use crate::syntax::{self, Factor, StatementKind};
 use basis_prover::collections::list::Listed;
 
-/// Expands a family of one order on one span; `span` is its number among how many, `given` what shape parameters are.
+/// Expands a family of one order on one span; `span` is its number among how many, `anew` with what it is expanded anew.
 pub(super) fn piece<'a>(
     library: &'a Library<'a>,
     (unit, source): (usize, SourceId),
     written: &'a syntax::Family,
     order: &[i64],
     span: Option<(usize, usize)>,
-    given: &Given,
+    anew: &Anew,
 ) -> (Option<Family>, Diagnostics) {
     let mut scope = Scope::new(library, unit, source);
-    scope.given.clone_from(given);
+    scope.anew.clone_from(anew);
     scope.span = span;
     scope.constants = written.orders.iter().zip(order).map(|(g, v)| (g.name.text.clone(), *v)).listed();
     scope.order = scope.constants.len();

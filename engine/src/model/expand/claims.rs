@@ -12,7 +12,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Difference, Joint, Statement};
 use crate::diagnostic::Diagnostics;
-use crate::model::angle::Given;
+use crate::model::angle::Anew;
 use crate::model::formula::Value;
 use crate::model::formula::print::{Component, Printer};
 use crate::model::obligation::Obligation;
@@ -25,8 +25,8 @@ use basis_prover::collections::list::Mapped;
 pub(super) struct Wanted<'g> {
     /// Their numbers.
     pub(super) numbers: BTreeSet<usize>,
-    /// The shape parameters that have a value in the family.
-    pub(super) given: &'g Given,
+    /// With what the family is expanded.
+    pub(super) anew: &'g Anew,
 }
 
 /// The claims of a family on one span, which has a number among those of all.
@@ -40,7 +40,7 @@ pub(super) fn on_span<'a>(
     wanted: &mut Wanted<'_>,
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut scope = Scope::of_family(library, unit, family);
-    scope.given.clone_from(wanted.given);
+    scope.anew.clone_from(wanted.anew);
     scope.span = spans.map(|(k, all)| (k, all.len()));
     scope.siblings = spans.map(|(_, all)| (all.to_vec(), written));
     set_known_factors(family.analytic.denominators());
@@ -83,11 +83,20 @@ pub(super) fn on_span<'a>(
 
 /// Reports what is wrong with the claims of a family that has errors already.
 pub(crate) fn look_for_mistakes(scope: &mut Scope<'_>, written: &syntax::Family, family: &Family) {
-    for statement in &written.statements {
-        if let StatementKind::Claim(claim) = &statement.kind {
+    for (number, statement) in written.statements.iter().enumerate() {
+        if let StatementKind::Claim(claim) = &statement.kind
+            && is_about(scope, family, number)
+        {
             one(scope, family, claim, (0, statement), &mut Vec::new());
         }
     }
+}
+
+/// Whether a statement is about a family as it is expanded, and not about one that is expanded anew.
+fn is_about(scope: &Scope<'_>, family: &Family, number: usize) -> bool {
+    let own = &scope.anew.statements;
+    let mut others = family.analytic.finer.iter();
+    own.contains(&number) || own.is_empty() && others.all(|group| !group.contains(&number))
 }
 
 /// Appends the claims that one statement makes, which has a number in the family.

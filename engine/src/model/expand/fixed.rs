@@ -6,7 +6,7 @@
 use basis_prover::collections::sort::sort_by_key;
 use proc_macro2::Span;
 
-use super::angles::is_alone;
+use super::angles::{are_ordered, is_alone};
 use super::names;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
@@ -121,7 +121,7 @@ pub(super) fn fixed(
     let mut all: Vec<(&Binding, String)> = Vec::new();
     for binding in bindings {
         let name = bound_name(scope, binding)?;
-        if scope.given.iter().any(|(given, _)| *given == name) {
+        if scope.anew.given.iter().any(|(given, _)| *given == name) {
             continue; // the family is expanded with this value
         }
         if binding.indices.is_empty() && scope.variable(&name).is_none() && scope.is_list_of_shapes(&name) {
@@ -154,7 +154,7 @@ pub(super) fn fixed(
                 );
                 return None;
             };
-            fix(scope, parameter, &parameter.name, (value, binding), &mut fixed)?;
+            fix(scope, (family, parameter), &parameter.name, (value, binding), &mut fixed)?;
             continue;
         }
         let Some(var) = scope.variable(name) else {
@@ -185,7 +185,7 @@ pub(super) fn fixed(
             scope.report(scope.error(binding.name.span, format!("`{name}` is a number")));
             return None;
         };
-        fix(scope, parameter, name, (value, binding), &mut fixed)?;
+        fix(scope, (family, parameter), name, (value, binding), &mut fixed)?;
     }
     let span = bindings.first().map_or_else(Span::call_site, |b| b.value.span);
     let simplices = scope.simplices.clone();
@@ -218,21 +218,23 @@ pub(super) fn fixed(
 /// Fixes a parameter that is no angle to a value in its range.
 fn fix(
     scope: &mut Scope<'_>,
-    parameter: &Parameter,
+    (family, parameter): (&Family, &Parameter),
     name: &str,
     (value, binding): (Fraction, &Binding),
     fixed: &mut Vec<(Var, Fraction)>,
 ) -> Option<()> {
+    let is_point = scope.is_domain_variable(parameter.var);
+    let range = scope.between_knots(&parameter.range, !is_point || value.as_constant().is_some());
     let inside = Inside {
         value: value.clone(),
         name: name.to_owned(),
-        range: parameter.range.clone(),
+        range,
         family: None,
         assumable: false,
         written: None,
     };
     let (var, place) = (parameter.var, scope.place(binding.value.span));
-    if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range) {
+    if scope.is_domain_variable(var) && scope.lies_elsewhere(&value, &parameter.range, family) {
         return None;
     }
     match value.as_constant() {
@@ -290,7 +292,7 @@ fn fixed_angle(
     let declared = family.declared(parameter);
     if scope.is_domain_variable(angle.var) {
         y = put(scope, y, fixed, span)?;
-        if scope.lies_elsewhere(&y, &parameter.range) {
+        if scope.lies_elsewhere(&y, &parameter.range, family) {
             return None;
         }
     }
@@ -306,11 +308,12 @@ fn fixed_angle(
         scope.report(scope.error(span, message).help(help));
         return None;
     }
-    if y.as_constant().is_none() {
+    let is_number = scope.analytic.number(&y).is_some();
+    if y.as_constant().is_none() && !is_between_ends(scope, family, angle, &value) {
         let inside = Inside {
             value: y.clone(),
             name: parameter.name.clone(),
-            range: parameter.range.clone(),
+            range: scope.between_knots(&parameter.range, !scope.is_domain_variable(angle.var) || is_number),
             family: None,
             assumable: false,
             written: Some((written, declared)),
@@ -321,6 +324,17 @@ fn fixed_angle(
     fixed.push((angle.var, y));
     fixed.push((angle.itself, value));
     Some(())
+}
+
+/// Whether a value, a sum of multiples of parameters, is seen to lie between the ends of an angle, and at neither.
+fn is_between_ends(scope: &Scope<'_>, family: &Family, angle: &Angle, value: &Fraction) -> bool {
+    let linear = |f: &Fraction| Linear::of(f, scope.analytic.pi);
+    let [Some(low), Some(high), Some(value)] = [&angle.limits[0], &angle.limits[1], value].map(linear) else {
+        return false;
+    };
+    angle.ends.iter().all(|end| !end.is_empty())
+        && are_ordered(scope, &low, &value, &family.shapes)
+        && are_ordered(scope, &value, &high, &family.shapes)
 }
 
 /// Whether a number lies beyond the ends of a range that are numbers.

@@ -4,10 +4,14 @@
 use std::rc::Rc;
 
 use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
+use crate::algebra::range::{End, Range};
 use crate::model::Family;
 use crate::model::angle::Kind;
 use crate::model::scope::Scope;
 use crate::syntax::{self, RangeDecl, StatementKind};
+use basis_prover::collections::list::Listed;
+use basis_prover::{Coordinate, typical};
 
 /// The ranges of a domain of several spans: those of one variable that is named more than once.
 pub(super) fn spans(written: &syntax::Family) -> Option<&[RangeDecl]> {
@@ -49,9 +53,35 @@ pub(super) fn are_symmetric(pieces: &[Rc<Family>]) -> bool {
 }
 
 impl Scope<'_> {
-    /// Whether a value of the domain variable lies in another span than this one; of two that share a knot in neither.
-    pub(super) fn lies_elsewhere(&self, y: &Fraction, range: &crate::algebra::range::Range) -> bool {
+    /// Whether a value of the domain variable lies in another span than this one; of two that share a knot in neither. Where it
+    /// depends on shape parameters it is looked at with typical values of these: that it stays in the span is then to be shown.
+    pub(super) fn lies_elsewhere(&self, y: &Fraction, range: &Range, family: &Family) -> bool {
+        if self.span.is_none() {
+            return false;
+        }
+        if let Some(y) = self.analytic.number(y) {
+            return !range.contains(&y);
+        }
         // A number that is irrational is no end of a span where that end is rational, nor where it is none.
-        self.span.is_some() && self.analytic.number(y).is_none_or(|y| !range.contains(&y))
+        let Some(piece) = family.pieces(&[], &[], true).into_iter().next() else { return true };
+        let point =
+            piece.ranges.iter().map(|(var, range)| (*var, Coordinate::Rational(typical(range)))).listed();
+        let put = |y: Fraction, (var, value): (Var, Coordinate)| match value {
+            Coordinate::Rational(value) => y.substitute(var, &Fraction::constant(value)),
+            Coordinate::Algebraic(_) => None,
+        };
+        let y = piece.image(&point).into_iter().try_fold(y.clone(), put);
+        y.and_then(|y| self.analytic.number(&y)).is_none_or(|y| !range.contains(&y))
+    }
+
+    /// The range of the domain variable on a span for a value that depends on shape parameters: without inner knots, at which
+    /// a claim would be about two spans.
+    pub(super) fn between_knots(&self, range: &Range, is_constant: bool) -> Range {
+        let Some((k, count)) = self.span.filter(|_| !is_constant) else { return range.clone() };
+        let open = |end: &End, is_knot: bool| match end.value().filter(|_| is_knot) {
+            Some(x) => End::Excluded(x.clone()),
+            None => end.clone(),
+        };
+        Range { low: open(&range.low, k > 0), high: open(&range.high, k + 1 < count) }
     }
 }

@@ -11,7 +11,7 @@ use super::fixed;
 use super::spans::{self, ends};
 use crate::claim::{Claim, ClaimKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::model::angle::Given;
+use crate::model::angle::{Anew, Given};
 use crate::model::obligation::Obligation;
 use crate::model::{Family, Library};
 use crate::source::SourceId;
@@ -26,20 +26,20 @@ pub(crate) fn family<'a>(
     written: &'a syntax::Family,
     order: &[i64],
 ) -> (Option<Family>, Diagnostics) {
-    with_values(library, (unit, source), written, order, &Given::new())
+    anew(library, (unit, source), written, order, &Anew::default())
 }
 
-/// Expands a family of one order with values of shape parameters.
-fn with_values<'a>(
+/// Expands a family of one order with values of shape parameters, or for some claims.
+fn anew<'a>(
     library: &'a Library<'a>,
     (unit, source): (usize, SourceId),
     written: &'a syntax::Family,
     order: &[i64],
-    given: &Given,
+    with: &Anew,
 ) -> (Option<Family>, Diagnostics) {
     match spans::spans(written) {
-        Some(decls) => on_spans(library, (unit, source), written, order, (decls, given)),
-        None => build::piece(library, (unit, source), written, order, None, given),
+        Some(decls) => on_spans(library, (unit, source), written, order, (decls, with)),
+        None => build::piece(library, (unit, source), written, order, None, with),
     }
 }
 
@@ -52,7 +52,7 @@ fn on_spans<'a>(
     (unit, source): (usize, SourceId),
     written: &'a syntax::Family,
     order: &[i64],
-    (decls, given): (&[RangeDecl], &Given),
+    (decls, with): (&[RangeDecl], &Anew),
 ) -> (Option<Family>, Diagnostics) {
     let mut diagnostics = Diagnostics::default();
     let wrong = |span, message: String, help: &str| {
@@ -107,7 +107,7 @@ fn on_spans<'a>(
     let mut pieces: Vec<Rc<Family>> = Vec::new();
     for k in 0..decls.len() {
         let span = Some((k, decls.len()));
-        let (piece, errors) = build::piece(library, (unit, source), written, order, span, given);
+        let (piece, errors) = build::piece(library, (unit, source), written, order, span, with);
         let Some(piece) = piece.filter(|_| errors.is_empty()) else { return (None, errors) };
         pieces.push(Rc::new(piece));
     }
@@ -197,14 +197,16 @@ fn claims_of<'a>(
     }
 }
 
-/// A family with values of shape parameters, and the numbers of the statements that are about it.
+/// A family that is expanded anew, and the numbers of the statements that are about it.
 struct Apart {
-    given: Given,
+    with: Anew,
     family: Option<Rc<Family>>,
+    errors: Diagnostics,
     numbers: BTreeSet<usize>,
 }
 
-/// The statements about values of shape parameters with which the family has to be expanded anew.
+/// The statements about values of shape parameters, or about smaller parts of the angles, with which the family has to be
+/// expanded anew.
 fn apart<'a>(
     library: &'a Library<'a>,
     unit: usize,
@@ -213,23 +215,26 @@ fn apart<'a>(
 ) -> Vec<Apart> {
     let mut all: Vec<Apart> = Vec::new();
     for (number, statement) in written.statements.iter().enumerate() {
-        let StatementKind::Claim(syntax::Claim { kind: syntax::ClaimKind::At(bindings, _), .. }) =
-            &statement.kind
-        else {
-            continue;
+        let StatementKind::Claim(syntax::Claim { kind, .. }) = &statement.kind else { continue };
+        let given = match kind {
+            syntax::ClaimKind::At(bindings, _) => {
+                fixed::without_tangents(library, unit, written, family, bindings)
+            }
+            _ => Given::new(),
         };
-        let given = fixed::without_tangents(library, unit, written, family, bindings);
-        if given.is_empty() {
+        let finer = family.analytic.finer.iter().find(|group| group.contains(&number) && given.is_empty());
+        let with = Anew { given, statements: finer.cloned().unwrap_or_default() };
+        if with == Anew::default() {
             continue;
         }
-        if !all.iter().any(|a| a.given == given) {
+        if !all.iter().any(|a| a.with == with) {
             let order = family.order.iter().map(|(_, value)| *value).listed();
             let at = (unit, family.source);
-            let (there, errors) = with_values(library, at, written, &order, &given);
+            let (there, errors) = anew(library, at, written, &order, &with);
             let family = there.filter(|_| errors.is_empty()).map(Rc::new);
-            all.push(Apart { given: given.clone(), family, numbers: BTreeSet::new() });
+            all.push(Apart { with: with.clone(), family, errors, numbers: BTreeSet::new() });
         }
-        if let Some(same) = all.iter_mut().find(|a| a.given == given) {
+        if let Some(same) = all.iter_mut().find(|a| a.with == with) {
             same.numbers.insert(number);
         }
     }
@@ -245,14 +250,21 @@ pub(crate) fn claims<'a>(
 ) -> (Vec<Claim>, Vec<Obligation>, Diagnostics) {
     let mut numbers: BTreeSet<usize> = (0..written.statements.len()).collect();
     let apart = apart(library, unit, written, family);
-    for of in apart.iter().filter(|of| of.family.is_some()) {
+    // With a value that goes wrong they are about the family as it is.
+    let is_apart = |of: &&Apart| of.family.is_some() || !of.with.statements.is_empty();
+    for of in apart.iter().filter(is_apart) {
         numbers.retain(|number| !of.numbers.contains(number));
     }
-    let mut wanted = Wanted { numbers, given: &Given::new() };
+    let mut wanted = Wanted { numbers, anew: &Anew::default() };
     let (mut all, mut obligations, mut diagnostics) = claims_of(library, unit, written, family, &mut wanted);
-    for Apart { given, family, numbers } in apart {
-        let Some(family) = family else { continue };
-        let mut wanted = Wanted { numbers, given: &given };
+    for Apart { with, family, errors, numbers } in apart {
+        let Some(family) = family else {
+            if !with.statements.is_empty() {
+                diagnostics.extend(errors.into_list());
+            }
+            continue;
+        };
+        let mut wanted = Wanted { numbers, anew: &with };
         let (own, more, errors) = claims_of(library, unit, written, &family, &mut wanted);
         all.extend(own.into_iter().map(|claim| Claim { about: Some(Rc::clone(&family)), ..claim }));
         for obligation in more {

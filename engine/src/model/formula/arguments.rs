@@ -215,6 +215,9 @@ impl Scope<'_> {
             return None;
         }
         let (mut vars, mut values) = (Vec::new(), Vec::new());
+        if let Some(recorded) = &mut self.recorded {
+            recorded.places.extend(self.domain.iter().copied().zip(by.iter().cloned()));
+        }
         for (var, value) in self.domain.iter().zip(by) {
             let Some(angle) = self.analytic.angle(*var) else {
                 vars.push(*var);

@@ -276,7 +276,7 @@ impl Scope<'_> {
         if let Some(recorded) = &mut self.recorded {
             // tan(ψ) itself is one of the tangents.
             let value = if is_tangent(name) { &value + &value } else { value };
-            recorded.push(Argument { name: name.to_owned(), value, span: argument.span });
+            recorded.arguments.push(Argument { name: name.to_owned(), value, span: argument.span });
             return Some(Fraction::var(Var(self.names.len())));
         }
         let Some(linear) = Linear::of(&value, self.analytic.pi) else {

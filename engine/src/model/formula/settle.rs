@@ -285,7 +285,7 @@ impl Scope<'_> {
         {
             return None;
         }
-        let goal = goal.map(|(p, domain)| Goal::Nonzero(p, domain));
+        let goal = goal.map(|(p, domain)| Goal::Nonzero(without_positive(p, &domain), domain));
         let mut judged = self.judge(format!("{shown} != 0"), goal, budget);
         if matches!(judged, Err(Open::Fails(_))) && beside_itself {
             // The point need not be one: the variable and its tangent were taken apart.
@@ -537,6 +537,19 @@ fn terms(text: &str) -> Option<Vec<(bool, Vec<String>)>> {
         factors
     };
     Some(all.iter().map(|(negative, term)| (*negative, factors(term))).listed())
+}
+
+/// A polynomial without the factors that are positive at all points that count, because a premise says so: it vanishes where the
+/// rest does.
+fn without_positive(mut p: Poly, domain: &Domain) -> Poly {
+    for (g, _) in
+        domain.premises.iter().filter(|(g, sign)| *sign == Relation::Positive && g.as_constant().is_none())
+    {
+        while let Some(rest) = p.div_exact(g).filter(|_| !p.is_zero()) {
+            p = rest;
+        }
+    }
+    p
 }
 
 #[cfg(test)]

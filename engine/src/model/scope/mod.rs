@@ -6,7 +6,7 @@ use core::ops::Range;
 
 use proc_macro2::Span;
 
-use super::angle::{Analytic, Given};
+use super::angle::{Analytic, Anew};
 use super::budget::{Budget, SPLIT, TooLarge};
 use super::formula::Value;
 use super::obligation::Obligation;
@@ -60,6 +60,14 @@ pub(crate) struct Argument {
     pub(crate) span: Span,
 }
 
+/// What formulas contain.
+#[derive(Default)]
+pub(crate) struct Recorded {
+    pub(crate) arguments: Vec<Argument>,
+    /// What takes the place of domain variables, as in `b[0](α/2)`.
+    pub(crate) places: Vec<(Var, Fraction)>,
+}
+
 /// Where a function is defined.
 pub(crate) struct Definition {
     /// Its place in the order of the definitions.
@@ -106,8 +114,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) constants: Vec<(String, i64)>,
     /// Shape parameters that an assumed equation determines, with their values.
     pub(crate) determined: Vec<(String, Fraction)>,
-    /// Shape parameters that have a value, as multiples of π.
-    pub(crate) given: Given,
+    /// With what the family is expanded anew for some of its claims.
+    pub(crate) anew: Anew,
     /// Where something is assumed that holds for no shape values.
     pub(crate) impossible: Option<Span>,
     /// The number of those that are the index parameters of the family.
@@ -141,7 +149,7 @@ pub(crate) struct Scope<'a> {
     /// The families on all spans, once they are expanded, with the text of the family.
     pub(crate) siblings: Option<(Vec<std::rc::Rc<Family>>, &'a crate::syntax::Family)>,
     /// The arguments of sin, cos, exp and the like, while only these are looked for.
-    pub(crate) recorded: Option<Vec<Argument>>,
+    pub(crate) recorded: Option<Recorded>,
     pub(crate) function_name: String,
     /// The functions so far; `None` when the formula went wrong.
     pub(crate) functions: SortedMap<Vec<i64>, Option<Fraction>>,
@@ -471,7 +479,7 @@ impl Scope<'_> {
             subject: Subject::Family,
             constants: Vec::new(),
             determined: Vec::new(),
-            given: Given::new(),
+            anew: Anew::default(),
             impossible: None,
             order: 0,
             lets: SortedMap::new(),

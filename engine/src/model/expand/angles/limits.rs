@@ -181,8 +181,18 @@ pub(super) fn of_end(angle: &Angle, end: &Bound) -> String {
 /// Whether the upper of two ends is above the lower one for all values of the parameters.
 pub(super) fn ordered(scope: &Scope<'_>, ends: &[&Bound], known: &[Parameter]) -> bool {
     let [low, high] = ends else { return false };
-    let mut width = high.value.clone();
-    let turned = low.value.scaled(&Rational::from(-1));
+    are_ordered(scope, &low.value, &high.value, known)
+}
+
+/// Whether one sum is seen to be less than another for all values of the parameters.
+pub(in crate::model::expand) fn are_ordered(
+    scope: &Scope<'_>,
+    low: &Linear,
+    high: &Linear,
+    known: &[Parameter],
+) -> bool {
+    let mut width = high.clone();
+    let turned = low.scaled(&Rational::from(-1));
     width.pi += &turned.pi;
     width.number += &turned.number;
     for (var, factor, _) in &turned.parts {

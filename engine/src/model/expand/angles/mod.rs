@@ -13,6 +13,7 @@ mod tangent;
 use proc_macro2::Span;
 
 use super::domain::{self, Domain, variable};
+pub(super) use limits::are_ordered;
 pub(super) use survey::occur;
 
 use super::shapes::Shapes;
@@ -51,7 +52,8 @@ pub(super) fn declare<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) ->
         }
     }
     let names = shapes.iter().chain(&domain).map(|(d, _)| d.name.text.clone()).listed();
-    let mut uses = survey(scope, written, &names, shapes.len());
+    let (mut uses, finer) = survey(scope, written, &names, shapes.len());
+    scope.analytic.finer = finer;
     if let Some((parameter, t, function, span)) = uses.frequencies.first() {
         let error = scope.error(*span, format!("the argument of `{function}` is not linear in one variable"));
         scope.report(error.help(as_end_of_domain(function, &names[parameter.0], &names[t.0])));
@@ -189,7 +191,7 @@ pub(super) fn is_alone(decl: &syntax::ShapeDecl, name: &str) -> bool {
 
 /// Gives the shape parameters their values that have one.
 pub(super) fn given(scope: &mut Scope<'_>) {
-    for (name, turns) in scope.given.clone() {
+    for (name, turns) in scope.anew.given.clone() {
         let pi = scope.analytic.pi.map_or_else(Fraction::zero, Fraction::var);
         scope.determined.push((name, &Fraction::constant(turns) * &pi));
     }
@@ -208,7 +210,7 @@ fn chains<'a>(scope: &Scope<'_>, written: &'a syntax::Family) -> Option<(Vec<Doc
     for statement in &written.statements {
         let StatementKind::Shape(decls) = &statement.kind else { continue };
         for decl in decls {
-            if scope.given.iter().any(|(name, _)| is_alone(decl, name)) {
+            if scope.anew.given.iter().any(|(name, _)| is_alone(decl, name)) {
                 continue;
             }
             let is_name = |e: &Expr| matches!(e.kind, ExprKind::Name(_));

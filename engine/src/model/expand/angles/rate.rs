@@ -72,7 +72,7 @@ impl Declared<'_> {
         let is_proper = |l: &&Bound| match (l.value.number.is_zero(), l.value.pi.is_zero()) {
             (true, _) => {
                 // With a value of a shape parameter it may be any multiple.
-                let any = !is_domain || !scope.given.is_empty();
+                let any = !is_domain || !scope.anew.given.is_empty();
                 l.value.pi.abs() <= Rational::ONE && (any || (&l.value.pi + &l.value.pi).is_integer())
             }
             (false, true) => !is_domain && l.value.number.abs() < pi_bounds().0,

@@ -2,14 +2,15 @@
 //! names in place of sines, and their arguments are looked at.
 
 use proc_macro2::Span;
+use std::collections::BTreeSet;
 
 use super::super::{functions, names};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
-use crate::model::angle::Kind;
+use crate::model::angle::{Anew, Kind};
 use crate::model::formula::phase::{Linear, frequency, special};
-use crate::model::scope::{Argument, Scope, Stage};
+use crate::model::scope::{Argument, Recorded, Scope, Stage};
 use crate::model::words::{CIRCULAR, PI, is_transcendental};
 use crate::syntax::{self, Binding, ClaimKind, Expr, ExprKind, Factor, RangeDecl, StatementKind};
 use basis_prover::collections::list::Listed;
@@ -167,12 +168,15 @@ impl Uses {
 
 /// All uses in a family. It is expanded with all variables themselves and one more for every sine; errors are those of
 /// the expansion proper.
+///
+/// Where a claim needs smaller parts of an angle than the functions, or numbers that they do not contain, the family is expanded
+/// anew for it: the statements that stand apart come second.
 pub(super) fn survey<'a>(
     scope: &Scope<'a>,
     written: &'a syntax::Family,
     names: &[String],
     shapes: usize,
-) -> Uses {
+) -> (Uses, Vec<BTreeSet<usize>>) {
     let mut probe = Scope::new(scope.library, scope.unit, scope.source);
     probe.constants.clone_from(&scope.constants);
     probe.order = scope.order;
@@ -180,10 +184,10 @@ pub(super) fn survey<'a>(
     probe.domain = (shapes..names.len()).map(Var).listed();
     probe.analytic.pi = Some(Var(names.len()));
     probe.names.push(String::from(PI[0]));
-    probe.given.clone_from(&scope.given);
+    probe.anew.clone_from(&scope.anew);
     super::given(&mut probe);
-    probe.recorded = Some(Vec::new());
-    let (mut places, mut beside) = (Vec::new(), Vec::new());
+    probe.recorded = Some(Recorded::default());
+    let mut seen = Seen::default();
     // The angles are the same on all spans, so that their tangents can be compared.
     for k in 0..scope.span.map_or(1, |(_, count)| count) {
         probe.span = scope.span.map(|(_, count)| (k, count));
@@ -191,75 +195,160 @@ pub(super) fn survey<'a>(
         probe.planned_functions = SortedMap::new();
         probe.defined = SortedMap::new();
         probe.lets = SortedMap::new();
-        probe_claims(&mut probe, written, &mut places);
+        probe_claims(&mut probe, written, &mut seen);
         for var in (0..shapes).map(Var) {
             if probe.functions.values().flatten().any(|f| f.depends_on(var)) {
-                beside.push(var);
+                seen.beside.push(var);
             }
         }
     }
-    let mut uses = Uses { beside, ..Uses::default() };
-    for Argument { name, value, span } in probe.recorded.unwrap_or_default() {
-        let Some(linear) = Linear::of(&value, probe.analytic.pi) else {
-            let pair = frequency(&value, |v| v.0 < shapes, |v| (shapes..names.len()).contains(&v.0));
-            if let Some((parameter, t)) = pair {
-                uses.frequencies.push((parameter, t, name, span));
-            }
-            continue;
+    let variables = Variables { names, shapes, pi: probe.analytic.pi };
+    let all: BTreeSet<usize> = seen
+        .arguments
+        .iter()
+        .map(|(by, _)| *by)
+        .chain(seen.places.iter().map(|(by, ..)| *by))
+        .flatten()
+        .collect();
+    if scope.anew != Anew::default() {
+        return (seen.uses(&all, &variables), Vec::new());
+    }
+    // Of a variable that is an angle in claims alone those are together that come first.
+    let (mut together, mut apart): (BTreeSet<usize>, Vec<usize>) = (BTreeSet::new(), Vec::new());
+    for number in all {
+        let with =
+            |more: Option<usize>| seen.uses(&together.iter().copied().chain(more).collect(), &variables);
+        if with(Some(number)).are_finer(&with(None)) {
+            apart.push(number);
+        } else {
+            together.insert(number);
+        }
+    }
+    let mut groups: Vec<(Uses, BTreeSet<usize>)> = Vec::new();
+    for number in apart {
+        let with = |more: &[usize]| {
+            seen.uses(&more.iter().copied().chain(together.iter().copied()).collect(), &variables)
         };
-        // Not of a sine of a sine.
-        if linear.parts.iter().any(|(var, ..)| var.0 >= names.len()) {
-            continue;
-        }
-        let circular = CIRCULAR.contains(&name.as_str());
-        let kind = if circular { Kind::Circular } else { Kind::Hyperbolic };
-        for (var, factor, turns) in &linear.parts {
-            uses.add(*var, Use { kind, turns: *turns, unit: factor.abs(), torn: None, beside: false, span });
-        }
-        if !circular && !linear.number.is_zero() {
-            uses.numbers.push(linear.number.abs());
-        }
-        if circular && !linear.pi.is_zero() && special(&name, &linear).is_none() {
-            uses.turns.push(&linear.pi * &Rational::new(1, 2));
+        let own = with(&[number]);
+        match groups.iter_mut().find(|(known, _)| !own.are_finer(known) && !known.are_finer(&own)) {
+            Some((_, group)) => {
+                group.insert(number);
+            }
+            None => groups.push((own, BTreeSet::from([number]))),
         }
     }
-    for (var, value) in places {
-        let Some(of) = uses.of(var).cloned() else { continue };
-        if let Some(linear) = Linear::of(&value, probe.analytic.pi).filter(|value| value.parts.is_empty()) {
-            uses.places.push((var, linear));
-        }
-        if let Some(number) = value.as_constant() {
-            if of.kind == Kind::Hyperbolic && !number.is_zero() {
-                uses.numbers.push(&number.abs() * &of.unit);
-            }
-        } else if let Some(linear) = Linear::of(&value, probe.analytic.pi) {
-            // In the middle of the domain, at t = α/2, the angle of α is half of that of t.
-            for (shape, factor, _) in linear.parts.iter().filter(|(shape, ..)| shape.0 < shapes) {
-                uses.add(*shape, Use { unit: &of.unit * &factor.abs(), ..of.clone() });
-            }
-        }
-    }
-    uses
+    (seen.uses(&together, &variables), groups.into_iter().map(|(_, group)| group).listed())
 }
 
-/// Evaluates the functions and the claims of a family; the values that `at` gives to variables.
-pub(super) fn probe_claims<'a>(
-    probe: &mut Scope<'a>,
-    written: &'a syntax::Family,
-    places: &mut Vec<(Var, Fraction)>,
-) {
+/// What the functions and the claims of a family contain, with the statement of a claim.
+#[derive(Default)]
+struct Seen {
+    arguments: Vec<(Option<usize>, Argument)>,
+    places: Vec<(Option<usize>, Var, Fraction)>,
+    beside: Vec<Var>,
+}
+
+/// The variables of a family: its shape parameters, those of its domain, and π.
+struct Variables<'n> {
+    names: &'n [String],
+    shapes: usize,
+    pi: Option<Var>,
+}
+
+impl Seen {
+    /// The uses in the functions, and in the claims of some statements.
+    fn uses(&self, claims: &BTreeSet<usize>, Variables { names, shapes, pi }: &Variables<'_>) -> Uses {
+        let mut uses = Uses { beside: self.beside.clone(), ..Uses::default() };
+        let wanted = |by: &Option<usize>| by.is_none_or(|number| claims.contains(&number));
+        for (_, Argument { name, value, span }) in self.arguments.iter().filter(|(by, _)| wanted(by)) {
+            let span = *span;
+            let Some(linear) = Linear::of(value, *pi) else {
+                let pair = frequency(value, |v| v.0 < *shapes, |v| (*shapes..names.len()).contains(&v.0));
+                if let Some((parameter, t)) = pair {
+                    uses.frequencies.push((parameter, t, name.clone(), span));
+                }
+                continue;
+            };
+            // Not of a sine of a sine.
+            if linear.parts.iter().any(|(var, ..)| var.0 >= names.len()) {
+                continue;
+            }
+            let circular = CIRCULAR.contains(&name.as_str());
+            let kind = if circular { Kind::Circular } else { Kind::Hyperbolic };
+            for (var, factor, turns) in &linear.parts {
+                let of = Use { kind, turns: *turns, unit: factor.abs(), torn: None, beside: false, span };
+                uses.add(*var, of);
+            }
+            if !circular && !linear.number.is_zero() {
+                uses.numbers.push(linear.number.abs());
+            }
+            if circular && !linear.pi.is_zero() && special(name, &linear).is_none() {
+                uses.turns.push(&linear.pi * &Rational::new(1, 2));
+            }
+        }
+        for (_, var, value) in self.places.iter().filter(|(by, ..)| wanted(by)) {
+            let Some(of) = uses.of(*var).cloned() else { continue };
+            let Some(linear) = Linear::of(value, *pi) else { continue };
+            // In the middle of the domain, at t = α/2, the angle of α is half of that of t.
+            for (shape, factor, _) in linear.parts.iter().filter(|(shape, ..)| shape.0 < *shapes) {
+                uses.add(*shape, Use { unit: &of.unit * &factor.abs(), ..of.clone() });
+            }
+            if of.kind == Kind::Hyperbolic && !linear.number.is_zero() {
+                uses.numbers.push(&linear.number.abs() * &of.unit);
+            }
+            uses.places.push((*var, Linear { parts: Vec::new(), ..linear }));
+        }
+        uses
+    }
+}
+
+impl Uses {
+    /// Whether an angle or a number that others have, too, is needed in smaller parts than there, or a tangent that is
+    /// irrational and that they do not need.
+    fn are_finer(&self, others: &Self) -> bool {
+        let is_finer = |(var, of): &(Var, Use)| {
+            others.of(*var).is_some_and(|known| of.torn.is_none() && of.unit != known.unit)
+        };
+        let unit = |uses: &Self| uses.numbers.iter().fold(Rational::ZERO, |unit, number| unit.gcd(number));
+        let parts = |uses: &Self| {
+            let half = Rational::new(1, 2);
+            let at = |(var, value): &(Var, Linear)| {
+                let of = uses.of(*var).filter(|of| of.kind == Kind::Circular)?;
+                Some(&(if of.turns { &value.number } else { &value.pi } * &of.unit) * &half)
+            };
+            let turns = uses.turns.iter().cloned().chain(uses.places.iter().filter_map(at));
+            turns.fold(Rational::new(1, 4), |unit, psi| unit.gcd(&psi))
+        };
+        self.by_var.iter().any(is_finer)
+            || !others.numbers.is_empty() && unit(self) != unit(others)
+            || parts(self) != parts(others)
+    }
+}
+
+/// Evaluates the functions and the claims of a family.
+fn probe_claims<'a>(probe: &mut Scope<'a>, written: &'a syntax::Family, seen: &mut Seen) {
     probe.stage = Stage::Defining;
     names::plan(probe, written);
     functions::define(probe, written);
     probe.stage = Stage::Complete;
-    for statement in &written.statements {
+    let take = |probe: &mut Scope<'a>, by: Option<usize>, seen: &mut Seen| {
+        let recorded = probe.recorded.replace(Recorded::default()).unwrap_or_default();
+        seen.arguments.extend(recorded.arguments.into_iter().map(|argument| (by, argument)));
+        seen.places.extend(recorded.places.into_iter().map(|(var, value)| (by, var, value)));
+    };
+    take(probe, None, seen);
+    for (number, statement) in written.statements.iter().enumerate() {
         let StatementKind::Claim(claim) = &statement.kind else { continue };
+        let Anew { given, statements } = &probe.anew;
+        let is_about = |number| statements.is_empty() || statements.contains(&number);
         match &claim.kind {
-            ClaimKind::Relation(relation) if probe.given.is_empty() => probe_relation(probe, relation),
-            ClaimKind::At(bindings, relations) if is_about_given(probe, bindings) => {
+            ClaimKind::Relation(relation) if given.is_empty() && is_about(number) => {
+                probe_relation(probe, relation);
+            }
+            ClaimKind::At(bindings, relations) if is_about(number) && is_about_given(probe, bindings) => {
                 for Binding { name, value, .. } in bindings {
-                    let var = probe.variable(&name.text);
-                    places.extend(var.zip(probe.scalar(value)));
+                    let place = probe.variable(&name.text).zip(probe.scalar(value));
+                    seen.places.extend(place.map(|(var, value)| (Some(number), var, value)));
                 }
                 for relation in relations {
                     probe_relation(probe, relation);
@@ -267,12 +356,13 @@ pub(super) fn probe_claims<'a>(
             }
             _ => {}
         }
+        take(probe, Some(number), seen);
     }
 }
 
 /// Whether a block gives all shape parameters their values that have one.
 fn is_about_given(probe: &mut Scope<'_>, bindings: &[Binding]) -> bool {
-    let given = probe.given.clone();
+    let given = probe.anew.given.clone();
     given.iter().all(|(name, turns)| {
         let own = bindings.iter().find(|b| b.name.text == *name && b.indices.is_empty());
         let value = own.and_then(|b| names::attempt(probe, &mut |probe| probe.scalar(&b.value)));

@@ -11,6 +11,7 @@
 //! c·m·g ≤ f at all points; what some points say of it leaves an interval, from which it is chosen. That it is right is for
 //! the kernel to see.
 
+mod ends;
 mod points;
 mod search;
 mod touching;
@@ -137,6 +138,7 @@ impl Sign<'_> {
         }
         let divided = |exactly| self.divided(depth, exactly);
         divided(true)
+            .or_else(|| self.at_irrational_ends())
             .or_else(|| divided(false))
             .or_else(|| self.by_factors())
             .or_else(|| self.by_number(seen))
