@@ -9,9 +9,11 @@ use super::code::shell::Shell;
 use super::code::tokens::{doc, float, number, site};
 use super::formula::factored;
 use super::rust::Body;
+use crate::algebra::fraction::Fraction;
+use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
-use crate::model::Family;
+use crate::model::{Family, Parameter};
 use crate::model::angle::{Analytic, Angle, Kind};
 use crate::plan::form::RationalForm;
 use crate::plan::{Input, Plan, rational};
@@ -315,6 +317,7 @@ impl OnSpan<'_> {
                     let (floats, rests) = (known.each_ref().map(float), missing.each_ref().map(literal));
                     quote_spanned!(site()=> .with_exact_ends([#(#floats),*], [#(#rests),*]))
                 });
+                let exact = exact.or_else(|| self.sums_as_ends(angle));
                 return quote_spanned!(site()=> #lets #runtime::Chart::affine([#(#ends),*]) #exact);
             }
             Kind::Circular => quote_spanned!(site()=> circular),
@@ -350,10 +353,53 @@ impl OnSpan<'_> {
             }
             _ => None,
         };
+        let missing = missing.or_else(|| self.sums_as_ends(angle));
         let rate = number(&rate);
         quote_spanned! {site()=>
             #lets #runtime::Chart::#map([#(#ends),*], #rate, [#(#turn),*]) #missing
         }
+    }
+
+    /// That the ends of the domain are sums of multiples of shape parameters, where these are not floats themselves.
+    fn sums_as_ends(&self, angle: &Angle) -> Option<TokenStream> {
+        let Self { family, shell, .. } = self;
+        // Factors that are floats.
+        let dyadic = |c: &Rational| split(c, 24).1.is_zero();
+        let terms = |end: &Fraction| {
+            let mut all: Vec<(Rational, TokenStream)> = Vec::new();
+            for (monomial, c) in end.as_poly()?.terms() {
+                let of = match (0..monomial.width()).map(Var).find(|var| monomial.exponent(*var) > 0) {
+                    None => quote_spanned!(site()=> S::ONE),
+                    Some(var) => {
+                        let is_own = |p: &Parameter| {
+                            p.var == var || family.analytic.angle(p.var).is_some_and(|a| a.itself == var)
+                        };
+                        let field = &shell.fields[family.shapes.iter().position(is_own)?];
+                        quote_spanned!(site()=> self.#field)
+                    }
+                };
+                if !dyadic(c) || monomial.total_degree() > 1 {
+                    return None;
+                }
+                all.push((c.clone(), of));
+            }
+            Some(all)
+        };
+        let [low, high] = [terms(&angle.limits[0])?, terms(&angle.limits[1])?];
+        let is_float = |terms: &Vec<(Rational, TokenStream)>| {
+            terms.len() < 2 && terms.iter().all(|(c, _)| split(c, 1).1.is_zero())
+        };
+        if is_float(&low) && is_float(&high) {
+            return None;
+        }
+        let [low, high] = [low, high].map(|terms| {
+            let terms = terms.iter().map(|(c, of)| {
+                let c = literal(c);
+                quote_spanned!(site()=> (#c, #of))
+            });
+            quote_spanned!(site()=> &[#(#terms),*])
+        });
+        Some(quote_spanned!(site()=> .with_sums_as_ends([#low, #high])))
     }
 
     /// The code of a plan in a method with the parameter `t`, or the coordinates `s` and `x`.

@@ -197,6 +197,7 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
         return Ok(base);
     }
     input.parse::<Token![^]>()?;
+    power_before_argument(input, &base)?;
     let start = input.span();
     let exponent = if input.peek(Token![-]) {
         input.parse::<Token![-]>()?;
@@ -207,6 +208,21 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
     };
     let span = join(base.span, exponent.span);
     Ok(Expr { span, kind: ExprKind::Power(Box::new(base), Box::new(exponent)) })
+}
+
+/// sin^2(θ), as papers write it, is an error with the power at its place.
+fn power_before_argument(input: ParseStream<'_>, base: &Expr) -> Result<()> {
+    let ExprKind::Name(name) = &base.kind else { return Ok(()) };
+    let Some((number, after)) = input.cursor().literal().filter(|_| FUNCTIONS.contains(&name.as_str()))
+    else {
+        return Ok(());
+    };
+    let Some((TokenTree::Group(argument), _)) = after.token_tree() else { return Ok(()) };
+    if argument.delimiter() != Delimiter::Parenthesis {
+        return Ok(());
+    }
+    let message = format!("the power of `{name}` stands before its argument");
+    Err(error(number.span(), message, format!("write `{name}({})^{number}`", argument.stream())))
 }
 
 fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {

@@ -78,7 +78,9 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
                 repaired.replace(at, c.len_utf8(), "");
             }
             _ => {
-                if let Some((message, help, mut instead)) = wrong_glyph(c, &text[..at]) {
+                if let Some((message, help, mut instead)) =
+                    wrong_glyph(c, &text[..at], &text[at + c.len_utf8()..])
+                {
                     // A digit would make one word with a letter that follows.
                     let next = text[at + c.len_utf8()..].chars().next();
                     let joined =
@@ -275,9 +277,22 @@ fn ends_with_function(before: &str) -> bool {
     FUNCTIONS.iter().any(|f| before.ends_with(f))
 }
 
+/// The name or the brackets after a function, without the brackets; `t` for anything else.
+fn argument(after: &str) -> &str {
+    let after = after.trim_start_matches(' ');
+    let name = after.find(|c: char| !c.is_alphabetic()).map_or(after, |end| &after[..end]);
+    let plain = |c: char| c.is_alphanumeric() || " +-*/.".contains(c);
+    let inner = after.strip_prefix('(').and_then(|rest| rest.split_once(')')).map(|(inner, _)| inner);
+    match inner {
+        Some(inner) if !inner.is_empty() && inner.chars().all(plain) => inner,
+        _ if name.is_empty() => "t",
+        _ => name,
+    }
+}
+
 /// What is wrong with a character outside of comments and strings, what to write instead, and Rust tokens
 /// that stand for it while the rest of the text is read (no longer than the character in bytes).
-fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
+fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, String)> {
     // Nearly all characters are these; the check runs unoptimised on every build.
     if c.is_ascii() && !matches!(c, '\'' | '`' | '\0') {
         return None;
@@ -286,7 +301,7 @@ fn wrong_glyph(c: char, before: &str) -> Option<(String, String, String)> {
     if let Some(d) = digit(SUPERSCRIPTS) {
         let message = format!("the superscript `{c}` is not allowed in a spec");
         let help = match FUNCTIONS.iter().find(|f| before.ends_with(**f)) {
-            Some(function) => format!("write `{function}(t)^{d}`"),
+            Some(function) => format!("write `{function}({})^{d}`", argument(after)),
             None => format!("write `^{d}` for a power, such as `t^{d}`"),
         };
         return Some((message, help, format!("^{d}")));

@@ -180,7 +180,7 @@ impl ShapeDecl {
 }
 
 /// A chain that declares shape parameters, such as `0 < q < p <= 1`.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ShapeDecl {
     /// What stands in the chain, in ascending order: names, perhaps with an index, and ends of ranges.
     pub parts: Vec<Expr>,
@@ -572,6 +572,32 @@ impl Expr {
             }
             ExprKind::List(all) | ExprKind::Tuple(all) => all.iter().collect(),
         }
+    }
+
+    /// The expression with numbers in place of index variables.
+    pub fn with_indices(&self, constants: &[(String, i64)]) -> Self {
+        let put = |e: &Self| e.with_indices(constants);
+        let boxed = |e: &Self| Box::new(put(e));
+        let all = |list: &[Self]| list.iter().map(put).collect();
+        let kind = match &self.kind {
+            ExprKind::Name(name) => match constants.iter().rev().find(|(n, _)| n == name) {
+                Some((_, value)) => ExprKind::Number(Rational::from(*value)),
+                None => ExprKind::Name(name.clone()),
+            },
+            ExprKind::Neg(inner) => ExprKind::Neg(boxed(inner)),
+            ExprKind::Sum(terms) => ExprKind::Sum(terms.iter().map(|(sign, e)| (*sign, put(e))).collect()),
+            ExprKind::Product(factors) => {
+                ExprKind::Product(factors.iter().map(|(role, e)| (*role, put(e))).collect())
+            }
+            ExprKind::Power(base, exponent) => ExprKind::Power(boxed(base), boxed(exponent)),
+            ExprKind::Index(base, rest) => ExprKind::Index(base.clone(), all(rest)),
+            ExprKind::Call(base, rest) => ExprKind::Call(base.clone(), all(rest)),
+            ExprKind::List(list) => ExprKind::List(all(list)),
+            ExprKind::Tuple(list) => ExprKind::Tuple(all(list)),
+            // Loops inside of an end of a range have index variables of their own.
+            ExprKind::Number(_) | ExprKind::Each(..) => self.kind.clone(),
+        };
+        Self { kind, ..self.clone() }
     }
 
     /// Whether one of some names stands in it.

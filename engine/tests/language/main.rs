@@ -2,6 +2,7 @@
 
 mod assumed;
 mod beside;
+mod finer_parts;
 mod integrals;
 mod language_reference;
 mod library_of_specs;

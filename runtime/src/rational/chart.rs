@@ -37,6 +37,27 @@ struct Turn<S> {
     slopes: [S; 3],
 }
 
+/// The sum of `c p` minus `end`, in twice the precision: by the sums of Knuth and the products of Dekker, each with its error.
+fn lost<S: Scalar>(end: f64, terms: &[(f64, S)]) -> f64 {
+    let halves = |x: f64| {
+        let large = 134_217_729.0 * x; // 2²⁷ + 1
+        let high = large - (large - x);
+        (high, x - high)
+    };
+    let (mut high, mut low) = (-end, 0.0);
+    for &(c, p) in terms {
+        let p = p.to_f64();
+        let product = c * p;
+        let ((c0, c1), (p0, p1)) = (halves(c), halves(p));
+        let error = ((c0 * p0 - product) + c0 * p1 + c1 * p0) + c1 * p1;
+        let sum = high + product;
+        let own = sum - high;
+        low += ((high - (sum - own)) + (product - own)) + error;
+        high = sum;
+    }
+    high + low
+}
+
 impl<S: Scalar> Chart<S> {
     /// The affine map, `x = (t - lo) / (hi - lo)`.
     #[inline]
@@ -94,6 +115,18 @@ impl<S: Scalar> Chart<S> {
     pub fn with_exact_ends(mut self, ends: [f64; 2], missing: [f64; 2]) -> Self {
         for k in 0..2 {
             self.tails[k] = S::of(ends[k] - self.domain[k].to_f64() + missing[k]);
+        }
+        self
+    }
+
+    /// The same map where the ends of the domain are sums of multiples `c p` of numbers, such as a knot that is the sum of the
+    /// lengths before it: what is lost by rounding them counts next to these ends.
+    #[inline]
+    #[must_use]
+    pub fn with_sums_as_ends(mut self, sums: [&[(f64, S)]; 2]) -> Self {
+        for k in 0..2 {
+            let rest = lost(self.domain[k].to_f64(), sums[k]);
+            self.tails[k] = if rest.is_finite() { S::of(rest) } else { S::ZERO };
         }
         self
     }

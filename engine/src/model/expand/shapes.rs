@@ -19,7 +19,7 @@ use crate::model::obligation::Goal;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
 use crate::syntax::{
-    self, Comparison, Expr, ExprKind, Factor, Name, Relation as Written, ShapeDecl, StatementKind,
+    self, Comparison, Expr, ExprKind, Factor, Loops, Name, Relation as Written, ShapeDecl, StatementKind,
 };
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
@@ -89,14 +89,8 @@ pub(super) fn has_values(scope: &mut Scope<'_>, shapes: &Shapes, span: Span) -> 
     false
 }
 
-/// Declares what a chain declares, for all values of its index variables; whether all went well.
-fn declare(
-    scope: &mut Scope<'_>,
-    decl: &ShapeDecl,
-    doc: &[String],
-    others: &Others,
-    shapes: &mut Shapes,
-) -> bool {
+/// The values of the index variables of a chain; `None` with an error if there are none, or a bound went wrong.
+fn rounds(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option<Vec<Vec<(String, i64)>>> {
     let mut rounds = None;
     let depth = scope.constants.len();
     attempt(scope, &mut |scope| {
@@ -105,16 +99,52 @@ fn declare(
             all.push(scope.constants[depth..].to_vec());
             true
         });
-        rounds = Some((all, fine));
+        rounds = fine.then_some(all);
         Some(())
     });
-    let Some((rounds, mut fine)) = rounds else { return false };
-    if fine && rounds.is_empty() && scope.constants.is_empty() {
+    let rounds = rounds?;
+    if rounds.is_empty() && scope.constants.is_empty() {
         let span = decl.parts.first().map_or_else(Span::call_site, |part| part.span);
         let error = scope.error(span, "the loop is empty: no shape parameter is declared");
         scope.report(error.help("write the smaller bound first, `1..=n` includes n"));
-        return false;
+        return None;
     }
+    Some(rounds)
+}
+
+/// The chains that one with index variables stands for: names such as `w[0]` in place of indices.
+pub(super) fn without_indices(scope: &mut Scope<'_>, decl: &ShapeDecl) -> Option<Vec<ShapeDecl>> {
+    let is_indexed = |e: &Expr| matches!(e.kind, ExprKind::Index(..));
+    if decl.loops.generators.is_empty() && !decl.parts.iter().any(is_indexed) {
+        return Some(vec![decl.clone()]);
+    }
+    let mut all = Vec::new();
+    for constants in rounds(scope, decl)? {
+        let mut one = ShapeDecl { loops: Loops::default(), ..decl.clone() };
+        for part in &mut one.parts {
+            *part = part.with_indices(&constants);
+            if is_indexed(part)
+                && let Some(name) = name_of(scope, part)?
+            {
+                part.kind = ExprKind::Name(name.text);
+            }
+        }
+        all.push(one);
+    }
+    Some(all)
+}
+
+/// Declares what a chain declares, for all values of its index variables; whether all went well.
+fn declare(
+    scope: &mut Scope<'_>,
+    decl: &ShapeDecl,
+    doc: &[String],
+    others: &Others,
+    shapes: &mut Shapes,
+) -> bool {
+    let depth = scope.constants.len();
+    let Some(rounds) = rounds(scope, decl) else { return false };
+    let mut fine = true;
     for constants in rounds {
         scope.constants.extend(constants);
         let done = one(scope, decl, doc, others, shapes);

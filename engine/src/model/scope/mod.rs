@@ -439,6 +439,13 @@ impl Scope<'_> {
             if let Some(rest) = name.strip_prefix(function).filter(|rest| known(rest)) {
                 return Some(format!("write `{function}({rest})`"));
             }
+            // sin2t
+            let number =
+                |rest: &str| rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+            let parts = name.strip_prefix(function).map(|rest| rest.split_at(number(rest)));
+            if let Some((number, rest)) = parts.filter(|(number, rest)| !number.is_empty() && known(rest)) {
+                return Some(format!("write `{function}({number}*{rest})`"));
+            }
         }
         let rest = PI.iter().find_map(|pi| name.strip_prefix(pi)).filter(|rest| known(rest))?;
         Some(format!("write `pi*{rest}`"))

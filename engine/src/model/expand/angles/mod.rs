@@ -205,21 +205,22 @@ type Order = (usize, usize, bool, String);
 type Documented<'a> = (RangeDecl, &'a [String]);
 
 /// The ranges of the shape parameters, each alone, with the order of those in one chain.
-fn chains<'a>(scope: &Scope<'_>, written: &'a syntax::Family) -> Option<(Vec<Documented<'a>>, Vec<Order>)> {
+fn chains<'a>(
+    scope: &mut Scope<'_>,
+    written: &'a syntax::Family,
+) -> Option<(Vec<Documented<'a>>, Vec<Order>)> {
     let (mut all, mut order): (Vec<Documented<'a>>, Vec<Order>) = (Vec::new(), Vec::new());
     for statement in &written.statements {
         let StatementKind::Shape(decls) = &statement.kind else { continue };
+        let mut single = Vec::new();
         for decl in decls {
+            single.extend(super::shapes::without_indices(scope, decl)?);
+        }
+        for decl in &single {
             if scope.anew.given.iter().any(|(name, _)| is_alone(decl, name)) {
                 continue;
             }
             let is_name = |e: &Expr| matches!(e.kind, ExprKind::Name(_));
-            let indexed = |e: &&Expr| matches!(&e.kind, ExprKind::Index(base, _) if matches!(&base.kind, ExprKind::Name(_)));
-            if let Some(part) = decl.parts.iter().find(indexed) {
-                let error = scope.error(part.span, "a shape parameter with an index stands beside angles, or ends of the domain that are parameters");
-                scope.report(error.help("give each of them a name of its own"));
-                return None;
-            }
             let end = |from: usize, above: bool| {
                 let mut included = true;
                 let mut k = from;
