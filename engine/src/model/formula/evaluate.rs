@@ -41,6 +41,13 @@ impl Scope<'_> {
                         let entry = part.map(|name| label(name, first)).unwrap_or_default();
                         error.help(format!("pick one of them with an index, such as `{entry}`"))
                     }
+                    // Brackets around a part of a formula, as papers have them.
+                    ExprKind::Product(parts) if parts.iter().any(|(_, part)| is_bracketed(part)) => {
+                        error.help("write parentheses, `(…)`: square brackets make a list")
+                    }
+                    _ if is_bracketed(expr) => {
+                        error.help("write parentheses, `(…)`: square brackets make a list")
+                    }
                     ExprKind::List(_) => error.help(
                         "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, or a family for each component",
                     ),
@@ -536,4 +543,9 @@ fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
         format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
         "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
     ))
+}
+
+/// Whether an expression is a list of one entry, as square brackets around a part of a formula make it.
+fn is_bracketed(expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::List(entries) if entries.len() == 1)
 }
