@@ -2,7 +2,6 @@
 
 use basis_engine::Family;
 use basis_engine::Theorem;
-use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::model::Factor;
 
 /// The domain, such as `0 <= t <= 1` or `triangle (u, v, w)`.
@@ -22,8 +21,7 @@ pub(crate) fn assumptions(family: &Family) -> Vec<String> {
 pub(crate) fn theorem_heading(theorem: &Theorem, title: &str) -> String {
     let patches: Vec<String> =
         theorem.patches.iter().map(|p| format!("{} = {}", p.name, p.written)).collect();
-    let scalars: Vec<String> = theorem.scalars.iter().map(|p| p.range.display(&p.name).to_string()).collect();
-    let mut facts = vec![patches.join(", "), scalars.join(", ")];
+    let mut facts = vec![patches.join(", "), theorem.conditions().join(", ")];
     facts.retain(|fact| !fact.is_empty());
     format!("{title}: {}\n", facts.join("; "))
 }

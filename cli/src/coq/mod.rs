@@ -72,6 +72,11 @@ impl Export {
             let family = match &decided.subject {
                 Subject::Family(family) => family,
                 Subject::Theorem(theorem) => {
+                    if !theorem.relations.is_empty() {
+                        let why = "a theorem whose scalars are related to one another";
+                        self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));
+                        continue;
+                    }
                     let Some(formulas) = &decided.points else {
                         let why = "a curve or a `let` of the theorem cannot be stated in Coq yet";
                         self.missing.extend(decided.claims.iter().map(|c| missing(c, why)));

@@ -1,6 +1,5 @@
 //! What `basis explain` says, as data: the text, the JSON and the LaTeX are three ways to print it.
 
-use basis_engine::algebra::range::DisplayRange as _;
 use basis_engine::claim::ClaimKind;
 use basis_engine::query::{FunctionFacts, function_facts, latex};
 use basis_engine::state::as_declared;
@@ -145,7 +144,7 @@ pub(super) struct TheoremFacts {
     pub(super) doc: Vec<String>,
     /// Its curves and surfaces, such as `P = Quadratic(λ)`.
     pub(super) patches: Vec<String>,
-    /// The ranges of its scalars.
+    /// The ranges of its scalars, and how they are related.
     pub(super) scalars: Vec<String>,
     /// The control points that it determines.
     pub(super) points: Vec<Equation>,
@@ -265,7 +264,7 @@ impl Facts {
             name: theorem.name.clone(),
             doc: theorem.doc.clone(),
             patches: theorem.patches.iter().map(patch).collect(),
-            scalars: theorem.scalars.iter().map(|p| p.range.display(&p.name).to_string()).collect(),
+            scalars: theorem.conditions(),
             points: explain::determined_points(theorem).into_iter().map(equation).collect(),
             claims: claims(checked),
             heading: domain::theorem_heading(theorem, &theorem.title()),

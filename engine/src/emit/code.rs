@@ -366,6 +366,11 @@ impl<'a> JoinCode<'a> {
     /// Why there is no function for it.
     pub fn new(theorem: &'a Theorem, wanted: &Wanted, language: &dyn Language) -> Result<Self, Diagnostic> {
         let Some(steps) = JoinSteps::new(theorem) else { return Err(generate::join::products(theorem)) };
+        if let Some(c) = generate::join::related(theorem, &steps.scalars).next() {
+            let message = format!("the scalars of `{}` are related by `{}`", theorem.name, c.text);
+            let help = "only the functions that Rust's macro makes check that; state ranges that are numbers";
+            return Err(Diagnostic::error(theorem.place.clone(), message).help(help));
+        }
         let message = |number: &Rational| {
             format!("`{}` has the number {number}, which is beyond what f32 holds", theorem.name)
         };

@@ -1,5 +1,6 @@
 //! From a join to a function that computes the control points that it determines.
 
+use crate::algebra::poly::Var;
 use crate::algebra::range::DisplayRange as _;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote_spanned;
@@ -10,6 +11,7 @@ use super::code::{docs, floats, names, shell};
 use super::rust::{self, Body, Surroundings};
 use crate::claim::Claim;
 use crate::diagnostic::Diagnostic;
+use crate::model::chart::Constraint;
 use crate::model::{Parameter, label};
 use crate::plan::Input;
 use crate::plan::join::{self as plan, Determined};
@@ -84,7 +86,11 @@ pub(crate) fn join(
             #runtime::__private::check_shape(#title, #shown, #value, #low, #high, #range)?;
         }
     });
-    let checks = checks.fold(TokenStream::new(), |all, check| quote_spanned!(site()=> #all #check));
+    let known: Vec<(Var, TokenStream)> = values.iter().map(|(p, value)| (p.var, value.clone())).listed();
+    let related = related(theorem, &values.mapped(|(parameter, _)| *parameter));
+    let related = related.map(|c| shell::check_assumed(runtime, title, c, &theorem.names, &known));
+    let checks =
+        checks.chain(related).fold(TokenStream::new(), |all, check| quote_spanned!(site()=> #all #check));
     let given: Vec<TokenStream> = used.mapped(|k| given(&points, &theorem.points[*k]));
     let points_plan = plan::points(&values.mapped(|(parameter, _)| *parameter), &used, forms());
     let input = |input: Input| match input {
@@ -127,6 +133,15 @@ pub(crate) fn join(
             #core::result::Result::Ok(#value)
         }
     })
+}
+
+/// What is assumed of several of some scalars; what is said of others does not matter to the points.
+pub(crate) fn related<'t>(
+    theorem: &'t Theorem,
+    scalars: &[&Parameter],
+) -> impl Iterator<Item = &'t Constraint> + use<'t> {
+    let vars = scalars.mapped(|p| p.var);
+    theorem.relations.iter().filter(move |c| c.value.variables().iter().all(|v| vars.contains(v)))
 }
 
 /// The error for a join whose points depend on dot products.
@@ -322,9 +337,17 @@ fn documentation(
         let about = if about.is_empty() { String::new() } else { format!(": {}", about.join(" ")) };
         lines.push(format!("- `{}`: {}{about}", argument.name, ranges.join(", ")));
     }
+    let used = scalars.iter().flat_map(|argument| &argument.scalars).copied().listed();
+    let texts = related(theorem, &used).map(|c| format!("`{}`", c.text)).listed();
+    if !texts.is_empty() {
+        lines.extend([String::new(), format!("They satisfy {}.", texts.join(", "))]);
+    }
     lines.extend(result(theorem, determined));
-    let errors =
-        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite.";
+    let errors = if texts.is_empty() {
+        "When a scalar is outside of its range, infinite, or NaN, and when a computed point is not finite."
+    } else {
+        "When a scalar is outside of its range, infinite, or NaN, when they are not related as they have to be, and when a computed point is not finite."
+    };
     lines.extend(["", "# Errors", "", errors].map(String::from));
     lines.extend(docs::claims(verdicts, decided));
     lines

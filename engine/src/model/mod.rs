@@ -23,6 +23,8 @@ pub(crate) mod tuples;
 mod unused;
 pub(crate) mod words;
 
+#[cfg(feature = "joins")]
+pub(crate) use expand::shapes::is_empty;
 pub(crate) use family::label;
 pub use family::{Barycentric, Factor, Family, Function, Parameter};
 pub use library::{Library, Selected};

@@ -52,7 +52,7 @@ fn about<'a>(family: &'a Family, claim: &'a Claim) -> &'a Family {
 pub fn statements(subject: &Subject, claim: &Claim, ways: &[usize]) -> Option<Vec<Stated>> {
     match subject {
         Subject::Family(family) => family::statements(about(family, claim), claim, ways),
-        Subject::Theorem(theorem) => Some(theorem::statements(theorem, claim)),
+        Subject::Theorem(theorem) => theorem::statements(theorem, claim),
     }
 }
 

@@ -312,7 +312,7 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
     let single = first.ident();
     let left = expr(input)?;
     let Some(comparison) = comparison(input)? else {
-        if let Some((word, _)) = single
+        if let Some((word, _)) = &single
             && input.peek(Token![;])
         {
             let text = word.to_string();
@@ -328,11 +328,16 @@ pub(super) fn relation(input: ParseStream<'_>) -> Result<Relation> {
             let help = of_papers(&text).unwrap_or_else(|| did_you_mean(&text, &PROPERTIES, &properties));
             return Err(error(word.span(), format!("`{text}` is not a property"), help));
         }
-        return Err(error(
-            input.span(),
-            unexpected(input, "`=`, `<=`, `>=`, `<` or `>`").to_string(),
-            "a claim is an equation or an inequality",
-        ));
+        let word =
+            single.map(|(word, _)| word.to_string()).filter(|word| PROPERTIES.contains(&word.as_str()));
+        let help = match word {
+            Some(word) if input.peek(Token![,]) || input.peek(Token![&&]) => {
+                format!("write a statement for each claim: `prove {word};` and the next one by itself")
+            }
+            _ => String::from("a claim is an equation or an inequality"),
+        };
+        let found = unexpected(input, "`=`, `<=`, `>=`, `<` or `>`").to_string();
+        return Err(error(input.span(), found, help));
     };
     let right = expr(input)?;
     let mut chain = Vec::new();

@@ -22,6 +22,9 @@ pub(super) const MAX_INDICES: usize = 16;
 /// Functions that papers write without parentheses.
 const FUNCTIONS: [&str; 7] = ["sin", "cos", "tan", "sinh", "cosh", "tanh", "exp"];
 
+/// Longer arguments are not repeated in messages.
+const LONGEST_SHOWN: usize = 20;
+
 /// Names with more letters than this are refused.
 const MAX_LETTERS: usize = 200;
 
@@ -149,6 +152,7 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         return Err(error(input.span(), message, format!("write `{name}({argument}){power}`")));
     }
     let help = match found.as_str() {
+        _ if found.starts_with('d') && found.chars().count() == 2 && is_integral(before) => NO_DIFFERENTIAL,
         "and" | "or" => {
             "write two claims, `,` between the members of a list, `&&` or `||` between conditions"
         }
@@ -163,6 +167,14 @@ fn missing_operator(input: ParseStream<'_>, before: &Expr) -> Result<()> {
         _ => "write `*` between the factors of a product",
     };
     Err(error(input.span(), format!("an operator is missing before `{found}`"), help))
+}
+
+/// Of `integral(…) dt` what is meant by `dt` goes without saying.
+const NO_DIFFERENTIAL: &str = "leave the differential out: `integral(x)` is over the whole domain, `integral(x, t, a, b)` between bounds";
+
+/// Whether an expression is a call of `integral`.
+fn is_integral(expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::Call(callee, _) if matches!(&callee.kind, ExprKind::Name(n) if n == "integral"))
 }
 
 /// −x binds looser than x^2 and may be repeated.
@@ -197,7 +209,7 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
         return Ok(base);
     }
     input.parse::<Token![^]>()?;
-    power_before_argument(input, &base)?;
+    power_of_function(input, &base)?;
     let start = input.span();
     let exponent = if input.peek(Token![-]) {
         input.parse::<Token![-]>()?;
@@ -210,19 +222,18 @@ fn power(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
     Ok(Expr { span, kind: ExprKind::Power(Box::new(base), Box::new(exponent)) })
 }
 
-/// sin^2(θ), as papers write it, is an error with the power at its place.
-fn power_before_argument(input: ParseStream<'_>, base: &Expr) -> Result<()> {
+/// `sin^2(t)`, as papers write it, is an error with what to write in its place.
+fn power_of_function(input: ParseStream<'_>, base: &Expr) -> Result<()> {
     let ExprKind::Name(name) = &base.kind else { return Ok(()) };
-    let Some((number, after)) = input.cursor().literal().filter(|_| FUNCTIONS.contains(&name.as_str()))
-    else {
-        return Ok(());
-    };
-    let Some((TokenTree::Group(argument), _)) = after.token_tree() else { return Ok(()) };
-    if argument.delimiter() != Delimiter::Parenthesis {
+    if !FUNCTIONS.contains(&name.as_str()) {
         return Ok(());
     }
-    let message = format!("the power of `{name}` stands before its argument");
-    Err(error(number.span(), message, format!("write `{name}({})^{number}`", argument.stream())))
+    let Some((TokenTree::Literal(exponent), after)) = input.cursor().token_tree() else { return Ok(()) };
+    let Some((TokenTree::Group(g), _)) = after.token_tree() else { return Ok(()) };
+    let argument = g.stream().to_string();
+    let argument = if argument.chars().count() > LONGEST_SHOWN { "…" } else { &argument };
+    let message = format!("the exponent stands between `{name}` and its argument");
+    Err(error(exponent.span(), message, format!("write `{name}({argument})^{exponent}`")))
 }
 
 fn postfix(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
@@ -332,8 +343,12 @@ fn atom(input: ParseStream<'_>, depth: usize) -> Result<Expr> {
         Some((TokenTree::Punct(p), _)) if p.as_char() == '|' => Err(error(
             span,
             "bars have no meaning around an expression",
-            "a range is written `-1 <= λ <= 1`; the square of a length, in theorems, is `dot(x, x)`",
+            "write `-1 <= x <= 1` for |x| <= 1; the square of a length, in theorems, is `dot(x, x)`",
         )),
+        Some((TokenTree::Punct(p), _)) if p.as_char() == ':' => {
+            let found = unexpected(input, "a number, a name or `(`").to_string();
+            Err(error(span, found, "leave the `:` out"))
+        }
         Some((TokenTree::Punct(p), after)) if p.as_char() == '.' && after.literal().is_some() => {
             let found = unexpected(input, "a number, a name or `(`").to_string();
             Err(error(span, found, "a number begins with a digit: write `0.5`"))

@@ -70,6 +70,16 @@ pub(super) fn check(text: &str) -> (Vec<SyntaxError>, Option<Readable<'_>>) {
                 }
             }
             ')' | ']' | '}' => balanced &= close(text, c, at, &mut open, &mut errors),
+            '#' | '%' if begins_comment(text, at) => {
+                let len = text[at..].find('\n').unwrap_or(text.len() - at);
+                if !seen.iter().any(|(known, ..)| *known == c) {
+                    seen.push((c, errors.len(), 0));
+                    let message = format!("`{c}` does not begin a comment");
+                    errors.push(new(text, at, &message, "write `// …`"));
+                }
+                repaired.replace(at, len, "");
+                rest.at = at + len;
+            }
             _ if QUOTES.contains(c) && is_path(text, at) => {
                 errors.push(quoted(text, at, &mut rest, &mut repaired));
             }
@@ -150,6 +160,15 @@ impl<'a> Repaired<'a> {
 
 fn never_closed(text: &str, open: char, at: usize) -> SyntaxError {
     new(text, at, &format!("this `{open}` is never closed"), &format!("add the missing `{}`", partner(open)))
+}
+
+/// Whether what begins here is meant as a comment, as other languages have it: at the beginning of a line or behind the end
+/// of a statement, and no attribute of Rust.
+fn begins_comment(text: &str, at: usize) -> bool {
+    let line = text[..at].rfind('\n').map_or(0, |k| k + 1);
+    let before = text[line..at].trim_end();
+    let attribute = text[at + 1..].starts_with(['[', '!']);
+    !attribute && (before.is_empty() || before.ends_with([';', '{', '}']))
 }
 
 /// Marks that are meant as quotation marks around a path.
@@ -294,7 +313,7 @@ fn argument(after: &str) -> &str {
 /// that stand for it while the rest of the text is read (no longer than the character in bytes).
 fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, String)> {
     // Nearly all characters are these; the check runs unoptimised on every build.
-    if c.is_ascii() && !matches!(c, '\'' | '`' | '\0') {
+    if c.is_ascii() && !matches!(c, '\'' | '`' | '\0' | '$') {
         return None;
     }
     let digit = |set: &str| set.chars().position(|d| d == c);
@@ -356,6 +375,7 @@ fn wrong_glyph(c: char, before: &str, after: &str) -> Option<(String, String, St
         ),
         '“' | '”' | '„' | '«' | '»' => ("write the straight quotation mark `\"`", ""),
         '\u{a0}' | '\u{2009}' | '\u{202f}' | '\u{3000}' => ("write an ordinary space", ""),
+        '$' => ("leave it out: formulas stand without marks around them", ""),
         '`' | '\0' => ("remove it", ""),
         _ if c.is_alphanumeric() || c.is_whitespace() || is_name_part(c) => return None,
         _ => ("names are letters and digits; operators are `+ - * / ^`", ""),

@@ -16,8 +16,6 @@ mod words;
 pub use error::{SyntaxError, SyntaxErrors, SyntaxPlace};
 pub use latex::GREEK;
 pub use parse::{parse_text, parse_tokens};
-#[cfg(feature = "joins")]
-pub(crate) use theorems::ASSUME_HELP;
 
 use std::rc::Rc;
 
@@ -246,8 +244,8 @@ pub enum TheoremStatementKind {
     Patch(PatchKind, Name, Expr),
     /// `scalar 0 < δ;`
     Scalar(Bounds, Loops),
-    /// `assume λ > -2;`: a range is narrowed.
-    Assume(Bounds, Loops),
+    /// `assume λ > -2;` or `assume a + b <= 1;`: a range is narrowed, or scalars are related to one another.
+    Assume(Relation),
     /// `let c = …;` or `let Q[1] = … for …;`
     Let(Expr, Expr, Loops),
     /// `dimension 2;`: the number of coordinates of points.

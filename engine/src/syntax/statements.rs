@@ -9,7 +9,10 @@ use super::error::{error, is_missing_semicolon};
 use super::expr::{MAX_INDICES, expr, index_range, join, loops, name, unexpected};
 use super::ranges::{self, range};
 use super::words::{Doc, at_word, doc, equals, names_between, skip_statement, take_word};
-use super::{Binding, Factor, Family, FunctionDef, Name, NameDef, Statement, StatementKind, SyntaxErrors};
+use super::{
+    Binding, Expr, ExprKind, Factor, Family, FunctionDef, Name, NameDef, Statement, StatementKind,
+    SyntaxErrors,
+};
 use crate::advice::{did_you_mean, translated};
 use basis_prover::collections::sort::sort_unique;
 
@@ -247,10 +250,35 @@ fn semicolon(input: ParseStream<'_>, kind: Option<&StatementKind>) -> Result<Spa
         Some(StatementKind::Let(..)) if input.peek(Token![|]) => {
             "a name has one formula for all spans; write those of the spans in the functions"
         }
+        Some(StatementKind::Assume(_)) if input.peek(Token![,]) || input.peek(Token![&&]) => {
+            "write an `assume` for each: `assume a + b <= 1; assume a <= b;`"
+        }
+        Some(
+            StatementKind::Function(FunctionDef { value, .. }) | StatementKind::Let(NameDef { value, .. }),
+        ) if input.peek(Token![,]) && ends_in_number(value) && begins_digits(input) => {
+            "a number has a decimal point: write `0.5`"
+        }
         _ if input.peek(Token![!]) => "write `factorial(n)`",
         _ => "a statement ends with `;`",
     };
     Err(error(input.span(), unexpected(input, "`;` or an operator").to_string(), help))
+}
+
+/// Whether an expression ends in a number.
+fn ends_in_number(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number(_) => true,
+        ExprKind::Neg(inner) => ends_in_number(inner),
+        ExprKind::Sum(parts) => parts.last().is_some_and(|(_, last)| ends_in_number(last)),
+        ExprKind::Product(parts) => parts.last().is_some_and(|(_, last)| ends_in_number(last)),
+        _ => false,
+    }
+}
+
+/// Whether a comma and a number follow, as in `0,5`.
+fn begins_digits(input: ParseStream<'_>) -> bool {
+    let after = input.cursor().punct().map(|(_, after)| after);
+    after.and_then(|after| after.literal()).is_some()
 }
 
 /// `c = …` or `h(x, y) = …` after `let`.

@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Span, TokenTree};
 use syn::parse::ParseStream;
 use syn::{Result, Token};
 
+use super::claims::assumption;
 use super::error::{error, is_missing_semicolon};
 use super::expr::{comparison, expr, join, loops, name, unexpected};
 use super::ranges::{SHAPE_HELP, bounds};
@@ -29,9 +30,6 @@ const STATEMENTS: [&str; 11] = [
     "conjecture",
     "budget",
 ];
-
-/// What can be assumed.
-pub(crate) const ASSUME_HELP: &str = "`assume` narrows the range of one scalar by numbers, `assume a > 0;`; where a > b is meant, let their difference be the scalar: `scalar 0 < d;` and `let a = b + d;`";
 
 /// `theorem Name { … }` or `join Name { … }`, after its doc comment.
 pub(super) fn theorem(
@@ -115,14 +113,11 @@ fn statement(input: ParseStream<'_>) -> Result<TheoremStatement> {
     }
     take_word(input)?;
     let kind = match word.as_str() {
-        "scalar" | "assume" => {
-            let bounds = bounds(input, if word == "assume" { ASSUME_HELP } else { SHAPE_HELP })?;
-            let loops = loops(input)?;
-            match word.as_str() {
-                "scalar" => TheoremStatementKind::Scalar(bounds, loops),
-                _ => TheoremStatementKind::Assume(bounds, loops),
-            }
+        "scalar" => {
+            let bounds = bounds(input, SHAPE_HELP)?;
+            TheoremStatementKind::Scalar(bounds, loops(input)?)
         }
+        "assume" => TheoremStatementKind::Assume(assumption(input)?),
         "let" => {
             let target = target(input)?;
             let sign = input.span();

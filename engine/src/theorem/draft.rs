@@ -8,6 +8,7 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::range::{DisplayRange as _, End, Range};
 use crate::model::budget::TooLarge;
+use crate::model::chart::Constraint;
 use crate::model::scope::Scope;
 use crate::model::{Parameter, label};
 use crate::syntax::{self, Expr, ExprKind, Loops, PatchKind};
@@ -31,6 +32,8 @@ pub(super) struct Elaboration<'a> {
     pub(super) scope: Scope<'a>,
     pub(super) kind: TheoremKind,
     pub(super) scalars: Vec<Parameter>,
+    /// What is assumed of several of them, and where.
+    pub(super) relations: Vec<(Constraint, Span)>,
     /// Parameters of patches that are scalars only if something mentions them.
     pub(super) implicit: Vec<Implicit>,
     /// Scalars that were introduced as shape values: their ranges are those of all shape parameters that they stand

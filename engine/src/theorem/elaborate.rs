@@ -2,7 +2,6 @@
 
 use std::rc::Rc;
 
-use basis_kernel::Domain;
 use proc_macro2::Span;
 
 use super::draft::{Elaboration, OWN, PatchDef, Value, kind};
@@ -15,14 +14,12 @@ use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side, Statement};
 use crate::diagnostic::Diagnostics;
 use crate::model::Library;
 use crate::model::chart::Piece;
-use crate::model::formula::numbers::{budget_value, range_of};
+use crate::model::formula::numbers::budget_value;
 use crate::model::formula::print::Printer;
 use crate::model::scope::{Scope, Subject};
 use crate::source::SourceId;
 use crate::subject::{Item, Subject as About};
-use crate::syntax::{
-    self, ASSUME_HELP, Assertion, Bounds, Expr, ExprKind, Limit, TheoremStatement, TheoremStatementKind,
-};
+use crate::syntax::{self, Assertion, Expr, ExprKind, TheoremStatement, TheoremStatementKind};
 use basis_prover::collections::list::{Listed, Mapped};
 
 /// The most coordinates of a point.
@@ -56,6 +53,7 @@ fn theorem(
         scope,
         kind: written.kind,
         scalars: Vec::new(),
+        relations: Vec::new(),
         implicit: Vec::new(),
         shape_values: Vec::new(),
         vectors: Vec::new(),
@@ -96,7 +94,6 @@ impl Elaboration<'_> {
         if written.incomplete {
             return None;
         }
-        let region = Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) };
         for (number, statement) in written.statements.iter().enumerate() {
             if let TheoremStatementKind::Claim(assertion) = &statement.kind {
                 self.scope.budget.refill();
@@ -115,10 +112,17 @@ impl Elaboration<'_> {
         if !fine {
             return None;
         }
-        let whole = Rc::new(Domain::of(region.clone()));
-        self.scope.settle(&|_| vec![(Piece::default(), Rc::clone(&whole))], budget);
         let silent: Vec<Var> = self.implicit.iter().filter(|p| !p.mentioned).map(|p| p.var).listed();
+        let region = Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) };
+        let with_domain = |piece: Piece| {
+            let domain = Rc::new(piece.domain());
+            (piece, domain)
+        };
+        let whole: Vec<_> = self.parts(&region)?.into_iter().map(with_domain).listed();
+        self.scope.settle(&|_| whole.clone(), budget);
         self.scalars.retain(|p| !silent.contains(&p.var));
+        let region = Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) };
+        let parts = if self.relations.is_empty() { Vec::new() } else { self.parts(&region)? };
         let theorem = Theorem {
             kind: written.kind,
             name: written.name.text.clone(),
@@ -127,6 +131,9 @@ impl Elaboration<'_> {
             place: self.scope.place(written.name.span),
             names: self.scope.names.clone(),
             scalars: core::mem::take(&mut self.scalars),
+            relations: self.relations.iter().map(|(c, _)| c.clone()).listed(),
+            parts,
+            part: Piece::default(),
             dimension: self.dimension,
             products: core::mem::take(&mut self.products),
             patches: core::mem::take(&mut self.patches).into_iter().map(PatchDef::finish).listed(),
@@ -197,13 +204,12 @@ impl Elaboration<'_> {
                 }
                 done
             }
-            TheoremStatementKind::Scalar(bounds, loops) => self.each(loops, &mut |all| {
-                let range = all.range(bounds);
-                let shown = range.clone().unwrap_or(Range::all());
-                all.declare(&bounds.target, shown, &statement.doc)?;
-                range.map(|_| ())
-            }),
-            TheoremStatementKind::Assume(bounds, loops) => self.each(loops, &mut |all| all.assume(bounds)),
+            TheoremStatementKind::Scalar(bounds, loops) => {
+                self.each(loops, &mut |all| all.declared(bounds, &statement.doc))
+            }
+            TheoremStatementKind::Assume(written) => {
+                self.each(&written.loops, &mut |all| all.assume(written))
+            }
             TheoremStatementKind::Let(target, value, loops) => {
                 self.each(loops, &mut |all| all.define(target, value))
             }
@@ -216,7 +222,7 @@ impl Elaboration<'_> {
     }
 
     /// `scalar …;`
-    fn declare(&mut self, target: &Expr, range: Range, doc: &[String]) -> Option<()> {
+    pub(super) fn declare(&mut self, target: &Expr, range: Range, doc: &[String]) -> Option<()> {
         let name = self.target_name(target)?;
         // The parameter of a patch may be declared, with a range of its own.
         if let Some(var) = self.scope.variable(&name)
@@ -231,39 +237,6 @@ impl Elaboration<'_> {
         self.check_free(&name, target.span)?;
         self.new_scalar(&name, range, doc, target.span);
         Some(())
-    }
-
-    /// `assume …;`: the scalar lies in both ranges.
-    fn assume(&mut self, bounds: &Bounds) -> Option<()> {
-        let name = self.target_name(&bounds.target)?;
-        let range = self.range(bounds)?;
-        let Some(at) = self.scope.variable(&name).and_then(|v| self.scalars.iter().position(|p| p.var == v))
-        else {
-            if self.taken(&name).is_some() {
-                let error = self.scope.error(bounds.target.span, format!("`{name}` is not a scalar"));
-                self.scope.report(error.help("`assume` narrows the range of one scalar"));
-            } else {
-                self.unknown(&name, bounds.target.span);
-            }
-            return None;
-        };
-        // A parameter that was narrowed is known: it cannot be declared again.
-        let var = self.scalars[at].var;
-        self.implicit.retain(|p| p.var != var);
-        self.narrow(at, &range, bounds.target.span)
-    }
-
-    fn range(&mut self, bounds: &Bounds) -> Option<Range> {
-        for Limit { value: end, .. } in bounds.low.iter().chain(&bounds.high) {
-            if self.scope.mentions_variable(end) {
-                let error = self.scope.error(end.span, "the end of a range must be a number");
-                self.scope.report(error.label("this contains a variable").help(ASSUME_HELP));
-                return None;
-            }
-        }
-        range_of(&mut self.scope, bounds.target.span, bounds.low.as_ref(), bounds.high.as_ref(), &|| {
-            Printer { constants: &[], component: None }.print(&bounds.target)
-        })
     }
 
     /// `let name = …;` or `let P[i] = …;`

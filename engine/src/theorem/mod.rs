@@ -14,6 +14,8 @@ mod maps;
 mod off;
 #[cfg(feature = "joins")]
 mod patch;
+#[cfg(feature = "joins")]
+mod relations;
 
 #[cfg(feature = "joins")]
 pub use elaborate::theorems;
@@ -23,11 +25,16 @@ pub use off::theorems;
 #[cfg(all(feature = "joins", any(test, feature = "tools")))]
 pub(crate) use patch::split_points;
 
+use std::rc::Rc;
+
+use basis_kernel::Domain;
+
 use crate::algebra::poly::Var;
-use crate::algebra::range::{End, Range, Region};
+use crate::algebra::range::{DisplayRange as _, End, Range, Region};
 use crate::algebra::rational::Rational;
 use crate::diagnostic::Place;
 use crate::model::Parameter;
+use crate::model::chart::{Constraint, Piece};
 use crate::source::SourceId;
 pub use crate::syntax::{PatchKind, TheoremKind, TheoremRelation};
 use basis_prover::collections::list::{Listed, Mapped};
@@ -49,6 +56,12 @@ pub struct Theorem {
     pub names: Vec<String>,
     /// The scalars with their ranges: shape values, parameters at which curves are evaluated, factors.
     pub scalars: Vec<Parameter>,
+    /// What is assumed of several scalars.
+    pub relations: Vec<Constraint>,
+    /// The values of the scalars that satisfy these, in parts that are images of boxes; none without relations.
+    pub parts: Vec<Piece>,
+    /// Of a theorem about one of the parts this part: the ranges of the scalars are those of its box.
+    pub part: Piece,
     /// The number of coordinates of points; `None` when the claims are about points of any space.
     pub dimension: Option<usize>,
     /// Variables that stand for the dot products of two given points, in a space of any dimension.
@@ -121,6 +134,12 @@ impl Theorem {
         format!("{} {}", self.kind.keyword(), self.name)
     }
 
+    /// What holds of the scalars, as text: their ranges, and how they are related.
+    pub fn conditions(&self) -> Vec<String> {
+        let ranges = self.scalars.iter().map(|p| p.range.display(&p.name).to_string());
+        ranges.chain(self.relations.iter().map(|c| c.text.clone())).listed()
+    }
+
     /// The ranges of the scalars, and of the dot products of points with themselves; all other variables are unbounded.
     pub fn region(&self) -> Region {
         let scalars = self.scalars.iter().map(|p| (p.var, p.range.clone()));
@@ -132,6 +151,16 @@ impl Theorem {
     /// The ranges of the scalars alone.
     pub fn scalar_region(&self) -> Region {
         Region { ranges: self.scalars.mapped(|p| (p.var, p.range.clone())) }
+    }
+
+    /// The values of the scalars, and of dot products of points with themselves; all other variables are unbounded.
+    pub fn domain(&self) -> Rc<Domain> {
+        Rc::new(Domain { premises: self.part.domain().premises, ..Domain::of(self.region()) })
+    }
+
+    /// The values of the scalars alone.
+    pub fn scalar_domain(&self) -> Rc<Domain> {
+        Rc::new(Domain { premises: self.part.domain().premises, ..Domain::of(self.scalar_region()) })
     }
 
     /// The range of a variable.

@@ -330,7 +330,7 @@ impl Elaboration<'_> {
             values.push(value);
         }
         let span = factor.shapes.first().map_or_else(Span::call_site, |expr| expr.span);
-        self.scope.must_satisfy(&factor.family, &values, span)?;
+        self.inherit(&factor.family, &values, span)?;
         Some(values)
     }
 

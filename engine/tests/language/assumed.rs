@@ -242,3 +242,111 @@ fn total_positivity_is_refuted_by_minors_only() {
     assert!(found.iter().all(|v| !v.contains("step") && *v != "="), "{found:?}");
     assert!(found[1].contains(" at a = "), "{found:?}");
 }
+
+/// What is zero at points that are not assumed only is positive.
+#[test]
+fn strict_inequalities_on_a_border_that_is_left_out() {
+    let refuted = refuted(
+        "family Hyperbola {
+            domain 0 <= t <= 1;
+            shape 0 <= r <= 2, 0 <= s <= 2;
+            assume 1 <= r*s <= 2;
+            b[0] = r + s*t;
+            b[1] = r*t + s*(1 - t);
+            prove b > 0;
+            prove r > 0;
+            prove r + s >= 2;
+            refute r + s > 2;
+            refute b[0] > 1/2;
+        }
+        family Independent {
+            domain 0 <= u <= 1, 0 <= v <= 1;
+            shape 0 <= a <= 4, 0 <= c <= 4;
+            assume a*c >= 1;
+            b[0] = a*u + c*(1 - u);
+            b[1] = a + c - 2*v;
+            b[2] = a^2 + c^2 - 2*u*v;
+            prove independent;
+            prove b[0] > 0;
+            refute b[1] > 0;
+        }",
+    );
+    assert_eq!(refuted.len(), 3);
+}
+
+/// Where a minor is negative is found by the step of the elimination that is.
+#[test]
+fn minors_under_assumptions() {
+    let refuted = refuted(
+        "family Total {
+            domain 0 <= t <= 1;
+            shape 0 <= a <= 2, 0 <= c <= 2;
+            assume a*c <= 1;
+            b[0] = 1 + a*t;
+            b[1] = c + t;
+            prove totally_positive;
+        }
+        family Beyond {
+            domain 0 <= t <= 1;
+            shape 0 <= a <= 2, 0 <= c <= 2;
+            assume a*c <= 11/10;
+            b[0] = 1 + a*t;
+            b[1] = c + t;
+            refute totally_positive;
+        }
+        family Narrow {
+            domain 0 <= t <= 1;
+            shape 0 <= λ <= 1;
+            b[0] = 1 + t/2;
+            b[1] = 2 - (λ - 3/10)^2*100 + t;
+            refute totally_positive;
+        }",
+    );
+    assert_eq!(refuted.len(), 2);
+}
+
+/// With π in the value: false whatever it is between its bounds.
+#[test]
+fn numbers_beside_assumptions() {
+    let refuted = refuted(
+        "family Angles {
+            domain 0 <= θ <= pi/2;
+            shape -1 <= a <= 1, -1 <= c <= 1;
+            assume a^2 + c^2 <= 1;
+            b[0] = 1 + a*sin(θ);
+            prove integral(b[0]) >= 1/2;
+            prove integral(b[0]) = pi/2 + a;
+            refute integral(b[0]) >= 3/5;
+            refute integral(b[0]) + c <= 29/10;
+        }",
+    );
+    assert!(refuted.iter().all(|v| v.contains("a = ")), "{refuted:?}");
+}
+
+/// Beside the coordinates of triangles and boxes: multiples that touch, and counterexamples downhill along the border.
+#[test]
+fn assumptions_beside_several_coordinates() {
+    let refuted = refuted(
+        "family Triangle {
+            domain triangle (u, v, w);
+            shape -2 <= a <= 2, -2 <= c <= 2;
+            assume a^2 + c^2 <= 1;
+            b[0] = u + a*u*v;
+            prove b[0] >= 0;
+            prove a*u + c*v <= 1;
+            prove integral(b[0]) >= 1/8;
+            refute a*u + c*v < 1;
+            refute integral(b[0]) > 1/8;
+        }
+        family Square {
+            domain 0 <= u <= 1, 0 <= v <= 1;
+            shape -1 <= a <= 1, -1 <= c <= 1;
+            assume a^2 + c^2 <= 1;
+            b[0] = a*u + c*v;
+            prove b[0] <= 3/2;
+            prove a*u*(1 - u) + c*v*(1 - v) <= 1/2;
+            refute b[0] <= 7/5;
+        }",
+    );
+    assert_eq!(refuted.len(), 3);
+}

@@ -9,6 +9,7 @@ mod library_of_specs;
 mod one_mistake;
 mod parts_of_a_turn;
 mod rechecked;
+mod related;
 mod rendering;
 #[path = "../support/mod.rs"]
 mod support;

@@ -820,3 +820,32 @@ fn values_that_assumptions_leave() {
     );
     assert_eq!(found.len(), 12);
 }
+
+/// Negative powers and quotients in a product leave what is left in lowest terms.
+#[test]
+fn products_in_lowest_terms() {
+    let found = verdicts(
+        "family AlphaBernstein(n in 2..=4) {
+            domain 0 <= x <= 1;
+            shape 0 <= α <= 1;
+            b[i] = (binomial(n - 2, i)*(1 - α)*x + binomial(n - 2, i - 2)*(1 - α)*(1 - x)
+                + binomial(n, i)*α*x*(1 - x))*x^(i - 1)*(1 - x)^(n - i - 1) for i in 0..=n;
+            prove partition_of_unity;
+            prove nonnegative;
+            prove at α = 1 { b = Bernstein(n); }
+            refute independent;
+        }
+        family Powers {
+            domain 0 <= t <= 1;
+            b[0] = t^-1*t^2;
+            b[1] = t^2/(1 + t)/t;
+            b[2] = (1 - t)/(2*t - 1)*(2*t - 1)^2;
+            prove b[0] = t;
+            prove b[1] <= 1/2;
+            refute b[2] >= -1/10;
+        }",
+    );
+    let refuted: Vec<&String> = found.iter().filter(|verdict| *verdict != "=").collect();
+    assert_eq!(refuted.len(), 4, "{found:?}");
+    assert_eq!(refuted[3], "-9/10 at t = 0");
+}

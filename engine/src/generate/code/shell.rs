@@ -6,6 +6,7 @@ use quote::quote_spanned;
 
 use super::names::arguments;
 use super::tokens::{doc, float, number, site};
+use crate::algebra::poly::Var;
 use crate::algebra::range::End;
 use crate::algebra::rational::Rational;
 use crate::generate::rust::{self, Body, Surroundings};
@@ -146,7 +147,7 @@ impl Shell<'_> {
             "The family `{title}` with shape values in the declared ranges: `{}`.",
             ranges.join("`, `")
         ));
-        let (assumed, assumptions) = self.assumptions(core);
+        let (assumed, assumptions) = self.assumptions();
         let accessors = all.iter().map(|argument| {
             let (field, p) = (&argument.name, &family.shapes[argument.places.start]);
             let own = ranges[argument.places.clone()].join("`, `");
@@ -202,7 +203,7 @@ impl Shell<'_> {
     }
 
     /// What is assumed of the shape values, as documentation, and its checks.
-    fn assumptions(&self, core: &TokenStream) -> (TokenStream, Vec<TokenStream>) {
+    fn assumptions(&self) -> (TokenStream, Vec<TokenStream>) {
         let Self { fields, runtime, family, .. } = self;
         let title = family.title();
         let mut docs = TokenStream::new();
@@ -211,25 +212,40 @@ impl Shell<'_> {
             let line = doc(&format!("They satisfy `{}`.", texts.join("`, `")));
             docs = quote_spanned!(site()=> #[doc = ""] #line);
         }
-        let check = |c: &Constraint| {
-            let terms = c.value.terms().map(|(m, coefficient)| {
-                let mut term = number(coefficient);
-                for (shape, field) in family.shapes.iter().zip(fields) {
-                    for _ in 0..m.exponent(shape.var) {
-                        term = quote_spanned!(site()=> #term * #field);
-                    }
-                }
-                term
-            });
-            let (of, text) = (c.value.display(&family.names).to_string(), &c.text);
-            let zero = End::Included(Rational::ZERO);
-            let low = if c.relation == Relation::Positive { End::Excluded(Rational::ZERO) } else { zero };
-            let (low, high) = (bound(&low, core), bound(&End::Infinite, core));
-            quote_spanned! {site()=>
-                #runtime::__private::check_shape(#title, #of, #(#terms)+*, #low, #high, #text)?;
-            }
-        };
+        let values = family.shapes.iter().zip(fields).map(|(shape, field)| {
+            let value = quote_spanned!(site()=> #field);
+            (shape.var, value)
+        });
+        let values: Vec<(Var, TokenStream)> = values.collect();
+        let check = |c: &Constraint| check_assumed(runtime, &title, c, &family.names, &values);
         (docs, family.assumed().map(check).collect())
+    }
+}
+
+/// The check that a polynomial in some values has its sign.
+pub(crate) fn check_assumed(
+    runtime: &TokenStream,
+    title: &str,
+    c: &Constraint,
+    names: &[String],
+    values: &[(Var, TokenStream)],
+) -> TokenStream {
+    let core = quote_spanned!(site()=> #runtime::__private::core);
+    let terms = c.value.terms().map(|(m, coefficient)| {
+        let mut term = number(coefficient);
+        for (var, value) in values {
+            for _ in 0..m.exponent(*var) {
+                term = quote_spanned!(site()=> #term * #value);
+            }
+        }
+        term
+    });
+    let (of, text) = (c.value.display(names).to_string(), &c.text);
+    let zero = End::Included(Rational::ZERO);
+    let low = if c.relation == Relation::Positive { End::Excluded(Rational::ZERO) } else { zero };
+    let (low, high) = (bound(&low, &core), bound(&End::Infinite, &core));
+    quote_spanned! {site()=>
+        #runtime::__private::check_shape(#title, #of, #(#terms)+*, #low, #high, #text)?;
     }
 }
 

@@ -65,7 +65,8 @@ fn build<'a>(scope: &mut Scope<'a>, written: &'a syntax::Family) -> Option<Famil
     scope.cut_short |= written.incomplete;
     functions::define(scope, written);
     if scope.functions.is_empty() {
-        if scope.cut_short {
+        // Loops and conditions that were reported leave no functions over.
+        if scope.cut_short || !scope.diagnostics.borrow().is_empty() {
             return None;
         }
         let error =

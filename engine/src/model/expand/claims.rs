@@ -327,7 +327,8 @@ fn neighbour(
             return None;
         };
         if given.iter().any(|(v, _)| *v == shape.var) {
-            scope.report(scope.error(binding.name.span, format!("`{name}` is given twice")));
+            let error = scope.error(binding.name.span, format!("`{name}` is given twice"));
+            scope.report(error.help("on the left stands each shape parameter of the next segment once"));
             return None;
         }
         let value = scope.scalar(&binding.value)?;

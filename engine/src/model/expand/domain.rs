@@ -58,6 +58,8 @@ pub(super) fn domain(scope: &mut Scope<'_>, written: &syntax::Family) -> Option<
             let error =
                 scope.error(written.name.span, format!("the family `{}` has no domain", written.name.text));
             scope.report(error.help("write `domain 0 <= t <= 1;`"));
+            // Names without a meaning are most likely those of its variables.
+            scope.cut_short = true;
             None
         }
     }
@@ -81,9 +83,14 @@ fn intervals(scope: &mut Scope<'_>, decls: &[RangeDecl], doc: &[String]) -> Opti
                             end.value().map_or_else(|| String::from(other), Rational::to_string)
                         };
                         let (a, b) = (end(&range.low, "0"), end(&range.high, "1"));
+                        let parameter = if scope.coming.len() == 1 && range.low.value().is_some() {
+                            format!(", or let a shape parameter be the end: `shape {a} < c; domain {a} <= {name} <= c;`")
+                        } else {
+                            String::new()
+                        };
                         scope
                             .error(decl.name.span, format!("the domain of `{name}` has no end on one side"))
-                            .help(format!("write both ends, such as `domain {a} <= {name} <= {b};`"))
+                            .help(format!("write both ends, such as `domain {a} <= {name} <= {b};`{parameter}"))
                     }
                 };
                 scope.report(error);

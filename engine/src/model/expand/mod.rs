@@ -13,6 +13,6 @@ mod function;
 mod functions;
 mod indices;
 pub(crate) mod names;
-mod shapes;
+pub(super) mod shapes;
 pub(crate) mod spans;
 pub(crate) mod whole;

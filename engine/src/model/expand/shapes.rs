@@ -537,7 +537,7 @@ fn determine(
 }
 
 /// Whether it is known that a part of the values has no points: one of its premises is false everywhere.
-fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
+pub(crate) fn is_empty(scope: &Scope<'_>, piece: &Piece) -> bool {
     let domain =
         Rc::new(basis_kernel::Domain::of(crate::algebra::range::Region { ranges: piece.ranges.clone() }));
     piece.premises.iter().any(|(p, relation)| {

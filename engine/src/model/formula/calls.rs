@@ -6,6 +6,7 @@ use proc_macro2::Span;
 use super::Value;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
+use crate::model::chart::Constraint;
 use crate::model::scope::{Condition, Duty, Inside, Pending, Scope};
 use crate::model::{Barycentric, Family};
 use crate::plural::{count, here, list};
@@ -68,7 +69,18 @@ impl Scope<'_> {
 
     /// Notes that shape values must satisfy what a family assumes of them.
     pub(crate) fn must_satisfy(&mut self, family: &Family, by: &[Fraction], span: Span) -> Option<()> {
-        for constraint in &family.constraints {
+        self.must_hold(family, &family.constraints.iter().listed(), by, span)
+    }
+
+    /// The same of some of what it assumes.
+    pub(crate) fn must_hold(
+        &mut self,
+        family: &Family,
+        constraints: &[&Constraint],
+        by: &[Fraction],
+        span: Span,
+    ) -> Option<()> {
+        for constraint in constraints {
             let value = Fraction::from(constraint.value.clone());
             let vars: Vec<Var> = family.shapes.mapped(|p| p.var);
             let value = self.put(&value, &vars, by, span)?;

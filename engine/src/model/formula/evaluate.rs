@@ -41,6 +41,13 @@ impl Scope<'_> {
                         let entry = part.map(|name| label(name, first)).unwrap_or_default();
                         error.help(format!("pick one of them with an index, such as `{entry}`"))
                     }
+                    // Brackets around a part of a formula, as papers have them.
+                    ExprKind::Product(parts) if parts.iter().any(|(_, part)| is_bracketed(part)) => {
+                        error.help("write parentheses, `(…)`: square brackets make a list")
+                    }
+                    _ if is_bracketed(expr) => {
+                        error.help("write parentheses, `(…)`: square brackets make a list")
+                    }
                     ExprKind::List(_) => error.help(
                         "a function has one value, and the entries of a list cannot be lists; write a function or a name for each entry, or a family for each component",
                     ),
@@ -71,21 +78,15 @@ impl Scope<'_> {
                 }
                 sum
             }
-            ExprKind::Product(parts) => {
-                let mut product: Option<Value> = None;
-                for (role, part) in parts {
-                    let value = self.value(part)?;
-                    product = Some(match product {
-                        None => value,
-                        Some(product) if *role == Role::Divisor => {
-                            self.quotient(product, value, part.span)?
-                        }
-                        Some(product) => self.product(product, value, part.span)?,
-                    });
+            ExprKind::Product(parts) => self.whole_product(parts),
+            ExprKind::Power(base, exponent) => {
+                let (power, is_inverse) = self.power(base, exponent, expr.span)?;
+                if !is_inverse {
+                    return Some(Value::Scalar(power));
                 }
-                product
+                let one = Fraction::constant(Rational::ONE);
+                Some(Value::Scalar(self.divided(&one, &power, base.span)?))
             }
-            ExprKind::Power(base, exponent) => self.power(base, exponent, expr.span),
             ExprKind::Index(base, indices) => self.indexed(base, indices, expr.span),
             ExprKind::Call(callee, arguments) => self.call(callee, arguments, None, expr.span),
             ExprKind::List(parts) => {
@@ -251,22 +252,65 @@ impl Scope<'_> {
         }
     }
 
-    fn quotient(&mut self, a: Value, b: Value, span: Span) -> Option<Value> {
-        let Value::Scalar(divisor) = b else {
-            self.report(self.error(span, "a list cannot be a denominator"));
-            return None;
-        };
-        self.check_divisor(&divisor, span)?;
-        match a {
-            Value::Scalar(f) => Some(Value::Scalar(self.divided(&f, &divisor, span)?)),
-            Value::List(list) => {
-                let mut result = Vec::new();
-                for (index, f) in list {
-                    result.push((index, self.divided(&f, &divisor, span)?));
+    /// A product and quotient, in lowest terms as a whole: only what is left below the fraction line in the end must not
+    /// vanish, so that `x^(i - 1)*y` is fine for i = 0 where y is a multiple of x.
+    fn whole_product(&mut self, parts: &[(Role, Expr)]) -> Option<Value> {
+        let mut product: Option<Value> = None;
+        let mut divisors: Vec<(Fraction, Span)> = Vec::new();
+        for (role, part) in parts {
+            let (value, is_inverse, span) = match &part.kind {
+                ExprKind::Power(base, exponent) => {
+                    let (power, is_inverse) = self.power(base, exponent, part.span)?;
+                    (Value::Scalar(power), is_inverse, base.span)
                 }
-                Some(Value::List(result))
+                _ => (self.value(part)?, false, part.span),
+            };
+            let by = |product: Option<Value>| {
+                product.unwrap_or_else(|| Value::Scalar(Fraction::constant(Rational::ONE)))
+            };
+            if is_inverse == (*role == Role::Divisor) {
+                product = Some(match product {
+                    None => value,
+                    Some(product) => self.product(product, value, part.span)?,
+                });
+                continue;
+            }
+            let span = if is_inverse { span } else { part.span };
+            let Value::Scalar(divisor) = value else {
+                self.report(self.error(part.span, "a list cannot be a denominator"));
+                return None;
+            };
+            if !is_inverse {
+                self.check_divisor(&divisor, span)?;
+            }
+            product = Some(match by(product) {
+                Value::Scalar(f) => Value::Scalar(self.fits(self.budget.div(&f, &divisor), span)?),
+                Value::List(list) => {
+                    let mut result = Vec::new();
+                    for (index, f) in list {
+                        result.push((index, self.fits(self.budget.div(&f, &divisor), span)?));
+                    }
+                    Value::List(result)
+                }
+            });
+            if self.is_over_domain(&divisor) {
+                divisors.push((divisor, span));
             }
         }
+        let whole = product.as_ref()?;
+        let values = match whole {
+            Value::Scalar(f) => vec![f],
+            Value::List(list) => list.iter().map(|(_, f)| f).listed(),
+        };
+        if let Some((_, first)) = divisors.first() {
+            for f in values.into_iter().filter(|f| f.denom().as_constant().is_none()) {
+                // Where one of several divisors is what is left.
+                let own = |d: &Fraction| d.numer().div_exact(f.denom()).is_some();
+                let span = divisors.iter().find(|(d, _)| own(d)).map_or(*first, |(_, span)| *span);
+                self.must_be_defined(f, span);
+            }
+        }
+        product
     }
 
     /// A quotient in lowest terms, by a divisor that is checked: what a domain variable leaves below the fraction line
@@ -301,7 +345,8 @@ impl Scope<'_> {
         Some(())
     }
 
-    fn power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Option<Value> {
+    /// A power with the exponent without its sign, and whether that is negative; the base of such a power is checked.
+    fn power(&mut self, base: &Expr, exponent: &Expr, span: Span) -> Option<(Fraction, bool)> {
         let value = self.scalar(base)?;
         let Some(e) = self.scalar(exponent)?.as_constant() else {
             let error =
@@ -326,11 +371,7 @@ impl Scope<'_> {
             self.check_divisor(&value, base.span)?;
         }
         let power = self.fits(self.budget.pow(&value, magnitude), span)?;
-        if !e.is_negative() {
-            return Some(Value::Scalar(power));
-        }
-        let one = Fraction::constant(Rational::ONE);
-        Some(Value::Scalar(self.divided(&one, &power, base.span)?))
+        Some((power, e.is_negative()))
     }
 
     fn indexed(&mut self, base: &Expr, indices: &[Expr], span: Span) -> Option<Value> {
@@ -536,4 +577,9 @@ fn gap(scope: &Scope<'_>, index: &[i64]) -> Option<(String, &'static str)> {
         format!("the indices of `{wanted}` sum to {sum}, those of the order before to {before}"),
         "lower one index by one in every term: `b[i-1,j,k]`, `b[i,j-1,k]`, `b[i,j,k-1]`",
     ))
+}
+
+/// Whether an expression is a list of one entry, as square brackets around a part of a formula make it.
+fn is_bracketed(expr: &Expr) -> bool {
+    matches!(&expr.kind, ExprKind::List(entries) if entries.len() == 1)
 }

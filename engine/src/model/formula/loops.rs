@@ -56,7 +56,7 @@ impl Scope<'_> {
         if value.as_constant().is_none() {
             let error = self.error(side.span, "a side of a condition must be a number");
             self.report(error.label("this contains a variable").help(
-                "conditions choose among the values of index variables; `at λ = μ { … }` fixes shape values, and a formula has no cases on parts of the domain",
+                "conditions choose among the values of index variables; `at λ = μ { … }` fixes shape values; on parts of the domain a function is given in spans, `domain 0 <= t <= 1, 1 <= t <= 2; b[0] = t | 2 - t;`",
             ));
         }
         value.as_constant()

@@ -38,7 +38,10 @@ impl Scope<'_> {
 
     /// The whole number that an expression is; reports anything else.
     pub(crate) fn whole(&mut self, expr: &Expr, what: &str) -> Option<i64> {
-        let value = self.number(expr, what)?;
+        let counts = core::mem::replace(&mut self.counts, true);
+        let value = self.number(expr, what);
+        self.counts = counts;
+        let value = value?;
         match value.to_i64() {
             Some(n) => Some(n),
             None => {

@@ -165,6 +165,8 @@ pub(crate) struct Scope<'a> {
     pub(crate) undeclared: RefCell<Vec<String>>,
     /// Whether an error has ended a loop over functions early.
     pub(crate) cut_short: bool,
+    /// Whether what is evaluated has to be a number, such as the end of a loop.
+    pub(crate) counts: bool,
     pub(crate) stage: Stage,
     pub(crate) budget: Budget,
     /// What is still to be proved for the formulas to mean something.
@@ -393,7 +395,16 @@ impl Scope<'_> {
         let families = self.library.visible(self.unit);
         known.extend(families.iter().map(String::as_str));
         let glued = self.glued(name);
+        let derivative =
+            name.strip_prefix('d').filter(|rest| *rest == self.function_name && !rest.is_empty());
         let help = match name {
+            "abs" => String::from("write `-1 <= x <= 1` for |x| <= 1"),
+            "sqrt" => String::from(
+                "roots are not in the language: claim something about the square, `x^2 = 2`, or let the root be a shape parameter",
+            ),
+            _ if derivative.is_some() => {
+                format!("write `D({}[0])` for the derivative of `{0}[0]`", self.function_name)
+            }
             _ if ELSEWHERE.contains(&name) => String::from(
                 "functions are quotients of polynomials, `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh` and `exp`",
             ),
@@ -419,7 +430,11 @@ impl Scope<'_> {
                         "indices and orders are numbers, or index variables: `for {name} in 0..=3`"
                     );
                 }
-                if name.starts_with(|c: char| c.is_ascii_uppercase()) {
+                if self.counts {
+                    format!(
+                        "write a whole number, or declare an index parameter: `family Name({name} in 1..=8)`"
+                    )
+                } else if name.starts_with(|c: char| c.is_ascii_uppercase()) {
                     format!("families here are {}", crate::plural::list(&families))
                 } else {
                     format!(
@@ -512,6 +527,7 @@ impl Scope<'_> {
             unread: Vec::new(),
             undeclared: RefCell::default(),
             cut_short: false,
+            counts: false,
             stage: Stage::Defining,
             budget: Budget::new(library.run()),
             pending: Vec::new(),

@@ -31,6 +31,8 @@ use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::within;
 use beside::Sample;
 use point::{domain_names, named_point};
+#[cfg(feature = "joins")]
+pub(in crate::state) use premises::{counterexample as premises_counterexample, without as without_premises};
 
 #[cfg(any(test, feature = "tools"))]
 pub(crate) use identity::moves;
@@ -244,7 +246,7 @@ fn by_a_way<'f>(
 }
 
 /// The label of a statement about one of several parts of the points.
-fn on_part(of: &str, number: usize, parts: usize) -> String {
+pub(in crate::state) fn on_part(of: &str, number: usize, parts: usize) -> String {
     if parts == 1 { String::from(of) } else { format!("{of} [part {}]", number + 1) }
 }
 
@@ -481,6 +483,7 @@ pub(super) fn decide(family: &Family, claim: &Claim) -> Verdict {
             _ if assumed => {
                 // Of an equation simple points come first, which need not be among those that are assumed.
                 let verdict = refuted_under_premises(family, claim, &said.iter().listed());
+                let verdict = verdict.or_else(|| refuted_beside(family, claim, false));
                 return verdict.unwrap_or_else(|| Verdict::Undecided(format!("`{of}`: {ASSUMED}")));
             }
             ClaimKind::Relation { .. } | ClaimKind::Nonnegative if beside.contains(&of) => {
@@ -508,11 +511,23 @@ fn refuted_under_premises(family: &Family, claim: &Claim, said: &[&Said]) -> Opt
         let mut own = said.iter().filter(|s| !s.stated.is_stronger);
         own.find_map(|s| Some((s, premises::counterexample(&s.stated.statement, work)?)))
     })?;
-    if is_wider(family, found.refutation.statement()) {
-        return None;
-    }
-    let about = (s.of.clone(), found.refutation.statement());
-    let witness = witness(family, &claim.kind, about, &found, &s.piece);
+    let witness = if is_wider(family, found.refutation.statement()) {
+        // The same point, whatever π and exp(r) are between their bounds.
+        let there = family.where_fixed(claim.kind.fixed())?;
+        let rational = |(var, c): &(Var, Coordinate)| match c {
+            Coordinate::Rational(x) => Some((*var, x.clone())),
+            Coordinate::Algebraic(_) => None,
+        };
+        let point: Option<Vec<_>> = found.point.iter().map(rational).collect();
+        let point = beside::rational_part(family, &point?);
+        let (found, proof) = basis_prover::working(family.budget, &mut |work| {
+            beside::refuted_at(&there, &s.stated.statement, &point, work)
+        })?;
+        witness(family, &claim.kind, (s.of.clone(), &s.stated.statement), &found, &s.piece).whatever(proof)
+    } else {
+        let about = (s.of.clone(), found.refutation.statement());
+        witness(family, &claim.kind, about, &found, &s.piece)
+    };
     let whole = s.of == s.stated.of;
     Some(Verdict::Refuted(Box::new(if whole { witness } else { witness.about(&s.stated.of) })))
 }

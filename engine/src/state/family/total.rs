@@ -14,7 +14,7 @@ use std::rc::Rc;
 
 use basis_kernel::{Relation, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
-use basis_prover::{Coordinate, candidates, refute};
+use basis_prover::{Coordinate, Failure, Symmetries, candidates, decide, refute};
 
 use super::Said;
 use super::point::{domain_names, named_point};
@@ -41,20 +41,40 @@ pub(super) const OPEN: &str = "no conversion matrix to a Bernstein basis was fou
 /// What is said of more functions than are looked at.
 pub(super) const TOO_MANY: &str = "there are more minors than the budget allows";
 
+/// A step of the elimination on a part of the shape values: what has to be ≥ 0.
+struct Step {
+    /// The number of the part.
+    number: usize,
+    piece: Piece,
+    of: String,
+    statement: Statement,
+}
+
 /// The statements from which total positivity follows; `None` when the work is spent or there is no elimination.
 pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
+    let parts = family.pieces(&[], &[], true).len();
+    let mut all = Vec::new();
+    for Step { number, piece, of, statement } in steps(family, work)? {
+        let enough = premises::without(&statement).unwrap_or_else(|| vec![statement]);
+        for statement in enough {
+            // A matrix in another basis may have a step below 0.
+            let stated = Stated::new(super::on_part(&of, number, parts), statement);
+            let stated = Stated { is_stronger: true, ..stated };
+            all.push(Said { stated, of: of.clone(), piece: piece.clone() });
+        }
+    }
+    Some(all)
+}
+
+/// The steps of the elimination on all parts.
+fn steps(family: &Family, work: &mut Work) -> Option<Vec<Step>> {
     let table = bernstein_table(family)?;
     let pieces = family.pieces(&[], &[], true);
     let mut all = Vec::new();
     for (number, piece) in pieces.iter().enumerate() {
         let domain = Rc::new(piece.domain());
-        let counts = |point: &Vec<(Var, Rational)>| {
-            let at = |p: &Poly| point.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x)).as_constant();
-            let holds = |(g, sign): &(Poly, Relation)| at(g).is_none_or(|value| sign.holds(&value));
-            domain.premises.iter().all(holds)
-        };
         let mut points = samples(piece);
-        points.retain(counts);
+        points.retain(|point| counts(point, &domain.premises));
         let mut rows = signed(family, piece, &table, points.first()?)?;
         for row in &mut rows {
             for entry in row.iter_mut() {
@@ -73,20 +93,19 @@ pub(super) fn said(family: &Family, work: &mut Work) -> Option<Vec<Said>> {
             rows = rows.mapped(|row| raise(row));
         }
         for (k, value) in elimination(best, work)?.into_iter().enumerate() {
-            let value = value.quotient();
             let (relation, domain) = (Relation::NonNegative, Rc::clone(&domain));
+            let statement = Statement::Sign { value: value.quotient(), relation, domain };
             let of = format!("step {} of the elimination", k + 1);
-            let statement = Statement::Sign { value, relation, domain };
-            let enough = premises::without(&statement).unwrap_or_else(|| vec![statement]);
-            for statement in enough {
-                // A matrix in another basis may have a step below 0.
-                let stated = Stated::new(super::on_part(&of, number, pieces.len()), statement);
-                let stated = Stated { is_stronger: true, ..stated };
-                all.push(Said { stated, of: of.clone(), piece: piece.clone() });
-            }
+            all.push(Step { number, piece: piece.clone(), of, statement });
         }
     }
     Some(all)
+}
+
+/// Whether premises hold at a point of a box.
+fn counts(point: &[(Var, Rational)], premises: &[(Poly, Relation)]) -> bool {
+    let at = |p: &Poly| point.iter().fold(p.clone(), |p, (v, x)| p.at(*v, x)).as_constant();
+    premises.iter().all(|(g, sign)| at(g).is_none_or(|value| sign.holds(&value)))
 }
 
 /// The rows of a table of numerators, each with the sign of what stands below it.
@@ -278,54 +297,91 @@ fn label(family: &Family, functions: &[usize], points: &[Rational]) -> String {
     format!("minor of {} at {name} = {}", functions.join(", "), points.join(", "))
 }
 
-/// A negative minor at some rational points and shape values.
+/// A negative minor at some rational points and shape values: at some of these, then where a step of the elimination is
+/// negative.
 pub(super) fn refutation(family: &Family, work: &mut Work) -> Option<Witness> {
+    let pieces = family.pieces(&[], &[], true);
+    let at_samples = |(number, piece): (usize, &Piece), work: &mut Work| {
+        let points = [samples(piece), corners(piece)].concat();
+        refutation_at(family, (number, piece), &points, work)
+    };
+    let first = pieces.iter().enumerate().find_map(|part| at_samples(part, work));
+    first.or_else(|| {
+        let steps = steps(family, work)?;
+        steps.iter().find_map(|Step { number, statement, .. }| {
+            let point = negative_step(family, statement, work)?;
+            refutation_at(family, (*number, pieces.get(*number)?), &[point], work)
+        })
+    })
+}
+
+/// Shape values at which a step of the elimination is negative.
+fn negative_step(family: &Family, statement: &Statement, work: &mut Work) -> Option<Vec<(Var, Rational)>> {
+    let Statement::Sign { domain, .. } = statement else { return None };
+    let found = if domain.premises.is_empty() {
+        match decide(statement.clone(), &Symmetries::new(), family.budget) {
+            Err(Failure::Refuted(found)) => *found,
+            _ => return None,
+        }
+    } else {
+        premises::counterexample(statement, work)?
+    };
+    let rational = |(var, c): (Var, Coordinate)| match c {
+        Coordinate::Rational(x) => Some((var, x)),
+        Coordinate::Algebraic(_) => None,
+    };
+    found.point.into_iter().map(rational).collect()
+}
+
+/// A negative minor at one of some shape values, given as points of the box of a part of them.
+fn refutation_at(
+    family: &Family,
+    (number, piece): (usize, &Piece),
+    points: &[Vec<(Var, Rational)>],
+    work: &mut Work,
+) -> Option<Witness> {
     let range = &family.domain.first()?.range;
     let (low, high) = range.finite()?;
     let len = family.functions.len().min(MAX_FUNCTIONS);
-    for (number, piece) in family.pieces(&[], &[], true).iter().enumerate() {
-        for sample in samples(piece).iter().chain(corners(piece).iter()) {
-            let shapes = piece.image(&sample.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone()))));
-            let mut values = family.functions.mapped(|f| Some(f.value.clone()));
-            for (var, c) in &shapes {
-                if let Coordinate::Rational(x) = c {
-                    for value in &mut values {
-                        let put =
-                            value.as_ref().and_then(|f| f.substitute(*var, &Fraction::constant(x.clone())));
-                        *value = put;
-                    }
+    for sample in points {
+        let shapes = piece.image(&sample.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone()))));
+        let mut values = family.functions.mapped(|f| Some(f.value.clone()));
+        for (var, c) in &shapes {
+            if let Coordinate::Rational(x) = c {
+                for value in &mut values {
+                    let put = value.as_ref().and_then(|f| f.substitute(*var, &Fraction::constant(x.clone())));
+                    *value = put;
                 }
             }
-            let values: Option<Vec<Fraction>> = values.into_iter().collect();
-            let Some(values) = values else { continue };
-            for steps in [len as i64 + 1, 12, 29] {
-                let points: Vec<Rational> = (0..=steps)
-                    .map(|k| low + &(&(high - low) * &Rational::new(k, steps)))
-                    .filter(|t| range.contains(t))
-                    .listed();
-                let Some(table) = table(family, &values, &points, work) else { continue };
-                let Some((functions, places)) = negative(&table, work) else { continue };
-                let own = places.mapped(|k| points[*k].clone());
-                let given = vec![own, functions.mapped(|k| Rational::from(*k as i64))];
-                let Ok(all) = instances(family, &given) else { continue };
-                let Some(stated) = all.into_iter().nth(number) else { continue };
-                let statement = Rc::new(stated.statement);
-                let point = sample.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone())));
-                let Some(found) = refute(&statement, &point, &mut Work::usual(family.budget)) else {
-                    continue;
-                };
-                let at = named_point(family, &found, &[], piece);
-                let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
-                let of = label(family, &functions, &given[0]);
-                let mut witness =
-                    Witness::new(of.clone(), at, value, found.refutation.clone()).about(&stated.of);
-                witness.given = given;
-                witness.idle = domain_names(family);
-                let here = witness.point();
-                let here = if here.is_empty() { here } else { format!(" where {here}") };
-                witness.notes = vec![format!("the {of} is {}{here}", witness.value)];
-                return Some(witness);
-            }
+        }
+        let values: Option<Vec<Fraction>> = values.into_iter().collect();
+        let Some(values) = values else { continue };
+        for steps in [len as i64 + 1, 12, 29] {
+            let points: Vec<Rational> = (0..=steps)
+                .map(|k| low + &(&(high - low) * &Rational::new(k, steps)))
+                .filter(|t| range.contains(t))
+                .listed();
+            let Some(table) = table(family, &values, &points, work) else { continue };
+            let Some((functions, places)) = negative(&table, work) else { continue };
+            let own = places.mapped(|k| points[*k].clone());
+            let given = vec![own, functions.mapped(|k| Rational::from(*k as i64))];
+            let Ok(all) = instances(family, &given) else { continue };
+            let Some(stated) = all.into_iter().nth(number) else { continue };
+            let statement = Rc::new(stated.statement);
+            let point = sample.mapped(|(v, x)| (*v, Coordinate::Rational(x.clone())));
+            let Some(found) = refute(&statement, &point, &mut Work::usual(family.budget)) else {
+                continue;
+            };
+            let at = named_point(family, &found, &[], piece);
+            let value = found.refutation.value().cloned().unwrap_or(Rational::ZERO);
+            let of = label(family, &functions, &given[0]);
+            let mut witness = Witness::new(of.clone(), at, value, found.refutation.clone()).about(&stated.of);
+            witness.given = given;
+            witness.idle = domain_names(family);
+            let here = witness.point();
+            let here = if here.is_empty() { here } else { format!(" where {here}") };
+            witness.notes = vec![format!("the {of} is {}{here}", witness.value)];
+            return Some(witness);
         }
     }
     None

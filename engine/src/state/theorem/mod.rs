@@ -2,25 +2,27 @@
 
 mod net;
 mod parallel;
+mod parts;
 mod products;
 mod witness;
 
 use basis_prover::collections::list::Listed;
-use core::convert::Infallible;
 use std::rc::Rc;
 
 use basis_kernel::{Domain, Relation, Statement};
 use basis_prover::{Coordinate, Failure, Shown, Symmetries, decide as decide_statement, typical};
 
+use super::family::{on_part, premises_counterexample};
 use super::inequality::{self, Said, compared};
 use super::proofs::{all, steps};
 use super::verdict::{Evidence, Stated, Verdict};
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{PolyExt, Var};
 use crate::algebra::rational::Rational;
-use crate::claim::{Claim, ClaimKind, Comparison, Difference, Side};
-use crate::theorem::{Form, Theorem, Unit};
-use net::{Net, nets, on_net, parts};
+use crate::claim::{Claim, ClaimKind, Comparison, Difference};
+use crate::theorem::{Theorem, Unit};
+use net::{Net, nets, on_net, parts as parts_of};
+use parts::{Part, settled};
 use witness::{explained, witness, witness_nets};
 
 /// Nets that are tried where an inequality between coordinates stays undecided.
@@ -30,12 +32,26 @@ const ATTEMPTS: usize = 16;
 const NO_WITNESS: &str =
     "the two sides are different expressions, but no point was found at which they differ";
 
-/// What a claim says.
-pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
+/// What a claim says; `None` where the relations of the scalars make it too long.
+pub(super) fn statements(theorem: &Theorem, claim: &Claim) -> Option<Vec<Stated>> {
+    if theorem.parts.is_empty() {
+        return Some(own_statements(theorem, claim));
+    }
+    let parts = parts::parts(theorem, claim)?;
+    let count = parts.len();
+    let of_part = |(k, part): (usize, Part)| {
+        let stated = parts::enough(own_statements(&part.theorem, &part.claim));
+        stated.into_iter().map(move |s| Stated { of: on_part(&s.of, k, count), ..s }).listed()
+    };
+    Some(parts.into_iter().enumerate().flat_map(of_part).listed())
+}
+
+/// What a claim says of scalars that are not related.
+fn own_statements(theorem: &Theorem, claim: &Claim) -> Vec<Stated> {
     match &settled(theorem, &claim.kind) {
         ClaimKind::Scalar { comparison, difference } => scalar(theorem, *comparison, difference),
         ClaimKind::Vector { text, value } => {
-            let domain = Rc::new(Domain::of(theorem.scalar_region()));
+            let domain = theorem.scalar_domain();
             let zero = |f: &Fraction| compared(f, Comparison::Equal, &domain);
             let mut all = Vec::new();
             for (unit, coefficient) in &value.terms {
@@ -77,33 +93,55 @@ fn scalar(theorem: &Theorem, comparison: Comparison, difference: &Difference) ->
             let mut all = vec![Stated::new(text.clone(), statement)];
             if value.denom().as_constant().is_none() {
                 let denominator = if below { -value.denom() } else { value.denom().clone() };
-                let domain = Rc::new(Domain::of(theorem.scalar_region()));
+                let domain = theorem.scalar_domain();
                 let of = denominator.display(&theorem.names).to_string();
                 all.push(Stated::new(of, parallel::sign(&denominator, Relation::NonNegative, &domain)));
             }
             return all;
         }
     }
-    let domain = Rc::new(Domain::of(theorem.region()));
+    let domain = theorem.domain();
     vec![Stated::new(text.clone(), compared(value, comparison, &domain))]
 }
 
 /// What a claim says of definite points.
+///
+/// # Errors
+/// When there is not one place for each given point, or they have different dimensions.
 pub(super) fn instances(
+    theorem: &Theorem,
+    claim: &Claim,
+    given: &[Vec<Rational>],
+) -> Result<Vec<Stated>, &'static str> {
+    if theorem.parts.is_empty() {
+        return own_instances(theorem, claim, given);
+    }
+    let parts = parts::parts(theorem, claim).ok_or("the claim is too long")?;
+    let count = parts.len();
+    let mut all = Vec::new();
+    for (k, part) in parts.iter().enumerate() {
+        let own = own_instances(&part.theorem, &part.claim, given)?;
+        all.extend(own.into_iter().map(|s| Stated { of: on_part(&s.of, k, count), ..s }));
+    }
+    Ok(all)
+}
+
+/// The same of scalars that are not related.
+fn own_instances(
     theorem: &Theorem,
     claim: &Claim,
     given: &[Vec<Rational>],
 ) -> Result<Vec<Stated>, &'static str> {
     let net = &Net::given(theorem, given)?;
     let kind = settled(theorem, &claim.kind);
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     let vague = theorem.products.iter().any(|(var, _)| kind.depends_on(*var));
     if net.places().is_empty() {
         // Without points, or with coordinates as variables; but dot products are not any numbers.
         return match &kind {
             ClaimKind::Scalar { .. } if vague => Err("the claim is about points, and none are given"),
             ClaimKind::Scalar { comparison, difference } => {
-                let domain = Rc::new(Domain::of(theorem.region()));
+                let domain = theorem.domain();
                 let statement = compared(&difference.value, *comparison, &domain);
                 Ok(vec![Stated::new(difference.text.clone(), statement)])
             }
@@ -126,21 +164,61 @@ fn on_points(theorem: &Theorem, kind: &ClaimKind, net: &Net, domain: &Rc<Domain>
                 let of = if label.is_empty() { text.clone() } else { format!("({text}){label}") };
                 Stated::new(of, compared(&value, Comparison::Equal, domain))
             };
-            parts(theorem, value, net).into_iter().map(zero).listed()
+            parts_of(theorem, value, net).into_iter().map(zero).listed()
         }
         ClaimKind::Parallel { left, right } => parallel::on_points(theorem, [left, right], net, domain),
         _ => Vec::new(),
     }
 }
 
-/// Decides a claim.
+/// Decides a claim: on each part of the values of the scalars.
 pub(super) fn decide(theorem: &Theorem, claim: &Claim) -> Verdict {
-    if let ClaimKind::Parallel { left, right } = &settled(theorem, &claim.kind) {
-        return parallel::decide(theorem, claim, left, right);
+    if theorem.parts.is_empty() {
+        return own_verdict(theorem, claim, None);
     }
-    match all(statements(theorem, claim), theorem.budget) {
+    // In the scalars themselves, not in the variables of a box.
+    let factor = match &claim.kind {
+        ClaimKind::Parallel { left, right } => parallel::factor_text(theorem, left, right),
+        _ => None,
+    };
+    let Some(parts) = parts::parts(theorem, claim) else {
+        return Verdict::Undecided(String::from("the relations of the scalars make the claim too long"));
+    };
+    let count = parts.len();
+    let (mut methods, mut all, mut open) = (Vec::new(), Vec::new(), None);
+    for (k, part) in parts.iter().enumerate() {
+        match own_verdict(&part.theorem, &part.claim, factor.as_deref()) {
+            Verdict::Proved(evidence) => {
+                let (method, steps) = evidence.into_parts();
+                all.extend(steps.into_iter().map(|(of, proof)| (on_part(&of, k, count), proof)));
+                methods.push(method);
+            }
+            Verdict::Refuted(witness) => {
+                let of = on_part(witness.of_statement(), k, count);
+                return Verdict::Refuted(Box::new(witness.about(&of)));
+            }
+            Verdict::Undecided(left) => open = open.or(Some(left)),
+        }
+    }
+    match open {
+        Some(left) => Verdict::Undecided(left),
+        None => Verdict::Proved(Evidence::new(methods.pop().unwrap_or_default(), all)),
+    }
+}
+
+/// The verdict on a claim about scalars that are not related.
+fn own_verdict(theorem: &Theorem, claim: &Claim, factor: Option<&str>) -> Verdict {
+    if let ClaimKind::Parallel { left, right } = &settled(theorem, &claim.kind) {
+        return parallel::decide(theorem, claim, [left, right], factor);
+    }
+    let stated = own_statements(theorem, claim);
+    let assumed = stated.iter().any(parts::has_premises);
+    match all(parts::enough(stated.clone()), theorem.budget) {
         Ok(shown) => Verdict::Proved(Evidence::new(method(&claim.kind, &shown), steps(shown))),
         Err((of, decision)) => match &claim.kind {
+            ClaimKind::Scalar { comparison, .. } if assumed && *comparison != Comparison::Equal => {
+                under_premises(theorem, claim, &stated)
+            }
             ClaimKind::Scalar { comparison, difference } if *comparison != Comparison::Equal => {
                 inequality(theorem, claim, difference, of, decision)
             }
@@ -165,7 +243,7 @@ fn method(kind: &ClaimKind, shown: &[(String, Shown)]) -> String {
 
 /// An equation that does not hold: a net on which a part of it fails.
 fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     let kind = settled(theorem, &claim.kind);
     for net in witness_nets(theorem, claim) {
         for Stated { of, statement, .. } in on_points(theorem, &kind, &net, &domain) {
@@ -180,6 +258,38 @@ fn equation(theorem: &Theorem, claim: &Claim) -> Verdict {
     Verdict::Undecided(String::from(NO_WITNESS))
 }
 
+/// An inequality that is not derived from premises that are no part of a box: a point at which they hold and it fails, of
+/// the coordinates of points, too.
+fn under_premises(theorem: &Theorem, claim: &Claim, stated: &[Stated]) -> Verdict {
+    const OPEN: &str = "it could not be derived from what is assumed";
+    let ClaimKind::Scalar { comparison, .. } = &claim.kind else {
+        return Verdict::Undecided(String::from(OPEN));
+    };
+    let kind = settled(theorem, &claim.kind);
+    let vague = theorem.products.iter().any(|(var, _)| kind.depends_on(*var));
+    let refuted = |stated: &[Stated], net: Option<&Net>| {
+        stated.iter().find_map(|s| {
+            let found = basis_prover::working(theorem.budget, &mut |work| {
+                premises_counterexample(&s.statement, work)
+            })?;
+            let witness = witness(theorem, s.of.clone(), net, &found, inequality::is_negated(*comparison));
+            Some(explained(theorem, claim, witness, "the value is"))
+        })
+    };
+    // Dot products are not any numbers: the claim must fail for a net.
+    let found = if vague || stated.iter().any(|s| matches!(s.statement, Statement::Products { .. })) {
+        nets(theorem)
+            .take(ATTEMPTS)
+            .find_map(|net| refuted(&on_points(theorem, &kind, &net, &theorem.scalar_domain()), Some(&net)))
+    } else {
+        refuted(stated, None)
+    };
+    found.unwrap_or_else(|| {
+        let of = stated.first().map_or("", |s| s.of.as_str());
+        Verdict::Undecided(format!("`{of}`: {OPEN}"))
+    })
+}
+
 /// An inequality that is not proved.
 fn inequality(
     theorem: &Theorem,
@@ -190,7 +300,7 @@ fn inequality(
 ) -> Verdict {
     let ClaimKind::Scalar { comparison, .. } = &claim.kind else { return Verdict::Undecided(of) };
     let negate = inequality::is_negated(*comparison);
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     let kind = settled(theorem, &claim.kind);
     let on_net = |net: &Net, at: Option<&[(Var, Coordinate)]>| -> Option<Verdict> {
         for Stated { of, statement, .. } in on_points(theorem, &kind, net, &domain) {
@@ -251,34 +361,3 @@ fn inequality(
 
 /// The work for making a counterexample explicit.
 const EXPLICIT: u64 = 20_000_000;
-
-/// What is claimed, with a number in place of every scalar whose range is a single number.
-fn settled(theorem: &Theorem, kind: &ClaimKind) -> ClaimKind {
-    let single = theorem.scalars.iter().any(|p| p.range.finite().is_some_and(|(low, high)| low == high));
-    if !single {
-        return kind.clone();
-    }
-    let put = |f: &Fraction| {
-        theorem.scalars.iter().fold(f.clone(), |f, scalar| match scalar.range.finite() {
-            // No denominator vanishes on the ranges.
-            Some((low, high)) if low == high => {
-                f.substitute(scalar.var, &Fraction::constant(low.clone())).unwrap_or(f)
-            }
-            _ => f,
-        })
-    };
-    let form = |form: &Form| {
-        let Ok(form) = form.map::<Infallible>(&mut |f| Ok(put(f)));
-        form
-    };
-    let side = |side: &Side| Side { text: side.text.clone(), value: form(&side.value) };
-    match kind {
-        ClaimKind::Scalar { comparison, difference } => ClaimKind::Scalar {
-            comparison: *comparison,
-            difference: Difference { value: put(&difference.value), ..difference.clone() },
-        },
-        ClaimKind::Vector { text, value } => ClaimKind::Vector { text: text.clone(), value: form(value) },
-        ClaimKind::Parallel { left, right } => ClaimKind::Parallel { left: side(left), right: side(right) },
-        other => other.clone(),
-    }
-}

@@ -158,7 +158,7 @@ fn with_positive_value(theorem: &Theorem, p: &Poly) -> Poly {
 
 /// Values of the scalars at which a polynomial in them is not zero.
 fn nonzero(theorem: &Theorem, p: &Poly) -> Option<Vec<Rational>> {
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     let zero = compared(&Fraction::from(p.clone()), Comparison::Equal, &domain);
     let Err(Failure::Refuted(found)) = decide_statement(zero, &Symmetries::new(), 1) else { return None };
     let mut at = vec![Rational::ZERO; theorem.names.len()];
@@ -170,6 +170,14 @@ fn nonzero(theorem: &Theorem, p: &Poly) -> Option<Vec<Rational>> {
     Some(at)
 }
 
+/// The factor f with a = f·b as text, if there is one.
+pub(super) fn factor_text(theorem: &Theorem, left: &Side, right: &Side) -> Option<String> {
+    if left.value.is_zero() && right.value.is_zero() {
+        return None;
+    }
+    Some(Proportion::new(theorem, &left.value, &right.value)?.shown(theorem))
+}
+
 /// The statement that a polynomial is ≥ 0 (> 0).
 pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Statement {
     Statement::Sign { value: Fraction::from(p.clone()).quotient(), relation, domain: Rc::clone(domain) }
@@ -179,7 +187,7 @@ pub(super) fn sign(p: &Poly, relation: Relation, domain: &Rc<Domain>) -> Stateme
 /// factors.
 pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<Stated> {
     let (a, b) = (&left.value, &right.value);
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     let zero = |of: String, f: &Fraction| Stated::new(of, compared(f, Comparison::Equal, &domain));
     let of = format!("{} - {}", left.text, right.text);
     if a.is_zero() && b.is_zero() {
@@ -197,12 +205,12 @@ pub(super) fn statements(theorem: &Theorem, left: &Side, right: &Side) -> Vec<St
         let difference = &(&d * &a.coefficient(unit)) - &(&n * &b.coefficient(unit));
         all.push(zero(format!("{} - ({})*({})", left.text, found.shown(theorem), right.text), &difference));
     }
-    let domain = Rc::new(Domain::of(theorem.region()));
+    let domain = theorem.domain();
     for (of, polynomial, relation) in found.signs(theorem) {
         let as_products = products::statement(theorem, &polynomial, relation);
         all.push(Stated::new(of, as_products.unwrap_or_else(|| sign(&polynomial, relation, &domain))));
     }
-    all
+    super::parts::enough(all)
 }
 
 /// What is said of the points of a net: all minors of the two vectors are zero, and wherever one of them is not zero,
@@ -250,8 +258,13 @@ fn minors(
     })
 }
 
-/// Decides whether two vectors have the same direction.
-pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side) -> Verdict {
+/// Decides whether two vectors have the same direction; messages have the factor as given, if it is.
+pub(super) fn decide(
+    theorem: &Theorem,
+    claim: &Claim,
+    [left, right]: [&Side; 2],
+    factor: Option<&str>,
+) -> Verdict {
     let (a, b) = (&left.value, &right.value);
     let both_zero = a.is_zero() && b.is_zero();
     let found = if both_zero { None } else { Proportion::new(theorem, a, b) };
@@ -275,7 +288,7 @@ pub(super) fn decide(theorem: &Theorem, claim: &Claim, left: &Side, right: &Side
             Some(left) => Verdict::Undecided(left),
         };
     };
-    let factor_shown = found.shown(theorem);
+    let factor_shown = factor.map_or_else(|| found.shown(theorem), String::from);
     let Some(open) = open else {
         let sign = if found.rest == found.product { "> 0" } else { "> 0 where the sides are not zero" };
         let count = found.signs(theorem).len();
@@ -330,7 +343,7 @@ fn points<'a>(
         }));
         attempts.clear();
     }
-    let domain = Rc::new(Domain::of(theorem.region()));
+    let domain = theorem.domain();
     let decided = attempts.into_iter().filter_map(move |(polynomial, relation)| {
         match decide_statement(sign(&polynomial, relation, &domain), &Symmetries::new(), theorem.budget) {
             Err(Failure::Refuted(found)) => Some(found.point),
@@ -374,7 +387,7 @@ fn zeros<'a>(
             rest = rest.at(*var, x);
             point.push((*var, Coordinate::Rational(x.clone())));
         }
-        let domain = Rc::new(Domain::of(theorem.region()));
+        let domain = theorem.domain();
         match decide_statement(sign(&rest, Relation::Positive, &domain), &Symmetries::new(), 1) {
             Err(Failure::Refuted(found)) => {
                 point.extend(found.point.into_iter().filter(|(var, _)| *var == unknown));
@@ -387,7 +400,7 @@ fn zeros<'a>(
 
 /// The witness at a point where the factor is not positive; `None` if both sides are zero there.
 fn failing(theorem: &Theorem, sides: [&Side; 2], point: &[(Var, Coordinate)]) -> Option<Witness> {
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     let scalars: Vec<(Var, Coordinate)> = theorem
         .scalars
         .iter()
@@ -431,7 +444,7 @@ fn proportion(a: &Form, b: &Form) -> Option<Fraction> {
 
 /// A point at which the coordinates of two vectors are not proportional.
 fn not_proportional(theorem: &Theorem, claim: &Claim, sides: [&Side; 2]) -> Verdict {
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     for net in witness_nets(theorem, claim) {
         let parts = parts_of_both(theorem, sides.map(|side| &side.value), &net);
         for Stated { of, statement, .. } in minors(&parts, sides, &domain) {

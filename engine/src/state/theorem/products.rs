@@ -4,7 +4,7 @@
 
 use std::rc::Rc;
 
-use basis_kernel::{Domain, Products, Relation, Statement};
+use basis_kernel::{Products, Relation, Statement};
 use basis_prover::collections::list::{Listed, Mapped};
 use basis_prover::collections::map::SortedMap;
 use basis_prover::collections::sort::sort_unique;
@@ -60,7 +60,7 @@ fn sum(theorem: &Theorem, polynomial: &Poly) -> Option<(Poly, Products)> {
 /// sums of minors are too much work.
 pub(super) fn statement(theorem: &Theorem, polynomial: &Poly, relation: Relation) -> Option<Statement> {
     let (value, products) = sum(theorem, polynomial)?;
-    let domain = Rc::new(Domain::of(theorem.scalar_region()));
+    let domain = theorem.scalar_domain();
     if value.variables().iter().any(|v| v.0 < theorem.names.len()) {
         minor_signs(&value, relation, &products, &mut Work::new(WORK)).ok()?;
     }

@@ -8,7 +8,7 @@ use crate::algebra::poly::Var;
 use crate::algebra::range::Range;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind, Comparison};
-use crate::model::label;
+use crate::model::{Parameter, label};
 use crate::state::verdict::{Verdict, Witness};
 use crate::theorem::{Form, Theorem, Unit};
 
@@ -27,8 +27,16 @@ pub(super) fn witness(
     let mut named = Vec::new();
     let mut irrational = Vec::new();
     let given = |var: Var| found.point.iter().find(|(v, _)| *v == var).map(|(_, c)| c.clone());
+    // Of a part of the values the image of the point of its box.
+    let own =
+        |p: &Parameter| (p.var, given(p.var).unwrap_or_else(|| Coordinate::Rational(typical(&p.range))));
+    let values = theorem.part.image(&theorem.scalars.iter().map(own).listed());
     for scalar in &theorem.scalars {
-        let value = given(scalar.var).unwrap_or_else(|| Coordinate::Rational(typical(&scalar.range)));
+        let Some((_, value)) = values.iter().find(|(var, _)| *var == scalar.var) else {
+            irrational.push(scalar.var);
+            continue;
+        };
+        let value = value.clone();
         match &value {
             Coordinate::Rational(x) => at[scalar.var.0] = x.clone(),
             Coordinate::Algebraic(_) => irrational.push(scalar.var),
@@ -68,7 +76,9 @@ pub(super) fn explained(theorem: &Theorem, claim: &Claim, mut witness: Witness, 
     );
     if !equation {
         // The sign of a scalar without a range is easily forgotten.
-        let any = theorem.scalars.iter().zip(&witness.at).filter(|(scalar, (_, value))| {
+        let value_of = |scalar: &Parameter| witness.at.iter().find(|(name, _)| *name == scalar.name);
+        let values = theorem.scalars.iter().filter_map(|scalar| Some((scalar, value_of(scalar)?)));
+        let any = values.filter(|(scalar, (_, value))| {
             scalar.range == Range::all()
                 && claim.kind.depends_on(scalar.var)
                 && matches!(value, Coordinate::Rational(x) if !x.is_positive())

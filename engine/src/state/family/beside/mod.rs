@@ -33,7 +33,7 @@ use crate::model::{Family, Function};
 use ladder::Ladder;
 use sample::Values;
 
-pub(super) use sample::{Sample, about, at_point, exact, genuine};
+pub(super) use sample::{Sample, about, at_point, exact, genuine, refuted_at};
 
 /// Something that has to be ≥ 0, or > 0.
 #[derive(Clone)]
@@ -421,7 +421,8 @@ pub(super) fn refute(
     statement: &Statement,
     work: &mut Work,
 ) -> Option<(Counterexample, Proof)> {
-    let sample = Sample::new(family, work)?;
+    let Statement::Sign { domain, .. } = statement else { return None };
+    let sample = Sample::new(family, work)?.under(&domain.premises);
     let points = sample.lowest(value, work)?;
     points.into_iter().take(24).find_map(|point| sample::refuted_at(family, statement, &point, work))
 }

@@ -256,6 +256,8 @@ pub(in crate::state::family) struct Sample<'f> {
     family: &'f Family,
     /// By values of the shape parameters points of the domain from its lower to its upper end.
     rows: Vec<Vec<(Values, Enclosures)>>,
+    /// What has to be true of a point to count.
+    premises: Vec<(Poly, Relation)>,
 }
 
 impl<'f> Sample<'f> {
@@ -316,7 +318,17 @@ impl<'f> Sample<'f> {
             }
             rows.push(row);
         }
-        Some(Self { family, rows })
+        Some(Self { family, rows, premises: Vec::new() })
+    }
+
+    /// The points at which the premises of a statement hold.
+    pub(super) fn under(mut self, premises: &[(Poly, Relation)]) -> Self {
+        self.premises = premises.to_vec();
+        for row in &mut self.rows {
+            row.retain(|(point, _)| hold(premises, point));
+        }
+        self.rows.retain(|row| !row.is_empty());
+        self
     }
 
     /// Counts the work of looking at a function at all points.
@@ -335,7 +347,7 @@ impl<'f> Sample<'f> {
         };
         let rows = self.rows.mapped(|row| row.iter().filter(fits).cloned().listed());
         let some = rows.iter().all(|row| !row.is_empty());
-        some.then_some(Self { family: self.family, rows })
+        some.then_some(Self { family: self.family, rows, premises: self.premises.clone() })
     }
 
     /// The signs of a function by shape values along the domain; what is not seen, or not defined, is left out. Long functions
@@ -443,7 +455,7 @@ impl<'f> Sample<'f> {
                     for sign in [-1, 1] {
                         let mut next = point.clone();
                         next[*k].1 += &(&step * &Rational::from(sign));
-                        if !range.contains(&next[*k].1) {
+                        if !range.contains(&next[*k].1) || !hold(&self.premises, &next) {
                             continue;
                         }
                         let Some(found) = enclosures(self.family, &next) else { continue };
@@ -467,6 +479,12 @@ impl<'f> Sample<'f> {
         let region = self.family.region();
         region.ranges.iter().map(|(var, range)| (*var, middle(range))).listed()
     }
+}
+
+/// Whether polynomials have their signs at a point; those with a variable that has no value there do not.
+fn hold(premises: &[(Poly, Relation)], point: &Values) -> bool {
+    let at = |p: &Poly| point.iter().fold(p.clone(), |p, (var, x)| p.at(*var, x)).as_constant();
+    premises.iter().all(|(p, relation)| at(p).is_some_and(|value| relation.holds(&value)))
 }
 
 /// The middle of a range, or another point of it.
@@ -530,7 +548,7 @@ pub(in crate::state::family) fn at_point(
 }
 
 /// The refutation of a statement about a sign at a point, with the proof that it fails for all values between the bounds.
-pub(super) fn refuted_at(
+pub(in crate::state::family) fn refuted_at(
     family: &Family,
     statement: &Statement,
     point: &Values,

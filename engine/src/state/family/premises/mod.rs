@@ -27,10 +27,16 @@ use crate::algebra::rational::Rational;
 use crate::algebra::real::simplest::simplest_within;
 pub(super) use points::inside;
 use points::{directions, fits, ranges, sample, values};
-pub(super) use search::counterexample;
+pub(in crate::state) use search::counterexample;
 
 /// How often the steps towards a narrower interval for a number are halved.
 const NEARER: usize = 6;
+
+/// From how many points with the same value steps are made.
+const STARTS: usize = 6;
+
+/// How often steps of one length are made.
+const REPEATED: usize = 4;
 
 /// How often what lies between an irrational end and a rational one beyond it is halved.
 const NARROWED: usize = 40;
@@ -40,15 +46,15 @@ const MAX_SQUARED: usize = 12;
 
 /// What is enough for a statement about a sign to hold where its premises do; `None` if it does not need them, or seems to be
 /// false, or no multiple of a premise is found to help.
-pub(super) fn without(statement: &Statement) -> Option<Vec<Statement>> {
+pub(in crate::state) fn without(statement: &Statement) -> Option<Vec<Statement>> {
     let Statement::Sign { value, relation, domain } = statement else { return None };
     if domain.premises.is_empty() {
         return None;
     }
     let sign = Sign { value: Positive::of(domain).reduced(value), relation: *relation, domain };
     let seen = Seen::new(&sign.value, domain)?;
-    // Without a negative value the box alone may be enough.
-    if !seen.is_negative() && sign.value == *value {
+    // Without a value of the wrong sign the box alone may be enough.
+    if !seen.fails(sign.relation) && sign.value == *value {
         return None;
     }
     sign.enough(&seen, domain.premises.len() + 1)
@@ -119,8 +125,9 @@ impl Seen {
         Some(Self { points, values })
     }
 
-    fn is_negative(&self) -> bool {
-        self.values.iter().flatten().any(Rational::is_negative)
+    /// Whether one of the values does not have a sign.
+    fn fails(&self, relation: Relation) -> bool {
+        self.values.iter().flatten().any(|value| !relation.holds(value))
     }
 }
 
@@ -133,7 +140,7 @@ impl Sign<'_> {
 
     /// Statements about the whole box from which it follows.
     fn enough(&self, seen: &Seen, depth: usize) -> Option<Vec<Statement>> {
-        if !seen.is_negative() {
+        if !seen.fails(self.relation) {
             return Some(vec![self.plain()]);
         }
         let divided = |exactly| self.divided(depth, exactly);
@@ -240,7 +247,7 @@ impl Sign<'_> {
             let value = Quotient::from(if own < 0 { -&factor } else { factor });
             let part = Sign { value, relation: self.relation, domain: self.domain };
             let seen = Seen::new(&part.value, self.domain)?;
-            all.extend(if seen.is_negative() { part.by_number(&seen)? } else { vec![part.plain()] });
+            all.extend(if seen.fails(part.relation) { part.by_number(&seen)? } else { vec![part.plain()] });
         }
         (sign > 0).then_some(all)
     }
@@ -265,7 +272,7 @@ impl Sign<'_> {
         let seen = Seen::new(&sign.value, self.domain)?;
         let domain = without_premises(self.domain);
         let first = Statement::Sign { value: above.into(), relation: Relation::NonNegative, domain };
-        let rest = if seen.is_negative() { sign.by_number(&seen)? } else { vec![sign.plain()] };
+        let rest = if seen.fails(sign.relation) { sign.by_number(&seen)? } else { vec![sign.plain()] };
         Some([vec![first], rest].concat())
     }
 
@@ -315,7 +322,11 @@ impl Sign<'_> {
             !p.is_one() && values.iter().flatten().all(Rational::is_positive)
         };
         for (g, premise) in domain.premises.iter().filter(|(g, _)| !g.is_zero()) {
-            for factor in factors(&value.numerator, g, domain) {
+            // What vanishes with a power that all terms share is positive only by the premise itself.
+            let alone = (*relation == Relation::Positive).then(Poly::one);
+            let all = factors(&value.numerator, g, domain);
+            let alone = alone.filter(|one| !all.contains(one));
+            for factor in alone.into_iter().chain(all) {
                 let product = &factor * g;
                 // Over the denominator of the value, too, or over the part of it in the variables of the premise.
                 let part = of_variables(below, g).filter(|part| part != below);
@@ -349,7 +360,7 @@ impl Sign<'_> {
     fn multiple(&self, seen: &Seen, g: &Quotient) -> Option<Rational> {
         let g_values = values(&g.numerator, &g.denominator, &seen.points)?;
         // The largest lower and the least upper bound, with the points that say so.
-        let mut bounds: [Option<(Rational, usize)>; 2] = [None, None];
+        let mut bounds: [Option<(Rational, Vec<usize>)>; 2] = [None, None];
         for (k, pair) in seen.values.iter().zip(&g_values).enumerate() {
             let (Some(f), Some(g)) = pair else { continue };
             let sign = g.signum();
@@ -361,22 +372,30 @@ impl Sign<'_> {
             }
             let own = f.checked_div(g)?;
             let bound = &mut bounds[usize::from(sign > 0)];
-            if bound.as_ref().is_none_or(|(known, _)| if sign > 0 { own < *known } else { own > *known }) {
-                *bound = Some((own, k));
+            match bound {
+                Some((known, points)) if *known == own => points.push(k),
+                Some((known, _)) if (own > *known) == (sign > 0) => {}
+                _ => *bound = Some((own, vec![k])),
             }
         }
         let [low, high] = bounds;
         let Some((high, highest)) = high else {
             return Some(&low.map_or(Rational::ZERO, |(low, _)| low).max(Rational::ZERO) + &Rational::ONE);
         };
-        let (low, lowest) = low.map_or((Rational::ZERO, None), |(low, k)| (low, Some(k)));
+        let (low, lowest) = low.unwrap_or((Rational::ZERO, Vec::new()));
         if low > high {
             return None;
         }
         // Where f and g vanish together there is a single such number, and nearby points leave little room around it.
-        let high = self.nearer(g, &seen.points[highest], high, 1);
-        let low =
-            lowest.map_or(low.clone(), |k| self.nearer(g, &seen.points[k], low, -1)).max(Rational::ZERO);
+        let nearer = |all: &[usize], bound: Rational, sign: i32| {
+            // Of many points with one value some in all parts of the domain, first and last one included.
+            let last = all.len().saturating_sub(1);
+            let starts = (0..STARTS.min(all.len())).map(|k| all[k * last / (STARTS - 1).min(last).max(1)]);
+            let found = starts.map(|k| self.nearer(g, &seen.points[k], bound.clone(), sign));
+            if sign > 0 { found.min() } else { found.max() }.unwrap_or(bound)
+        };
+        let high = nearer(&highest, high, 1);
+        let low = nearer(&lowest, low, -1).max(Rational::ZERO);
         if low > high {
             return None;
         }
@@ -406,20 +425,26 @@ impl Sign<'_> {
         let (mut point, mut best) = (from.to_vec(), value);
         let mut step = Rational::new(1, 16);
         for _ in 0..NEARER {
-            for direction in &directions {
-                let mut next = point.clone();
-                for ((var, range), steps) in moving.iter().zip(direction) {
-                    let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
-                    next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
+            for _ in 0..REPEATED {
+                let mut moved = false;
+                for direction in &directions {
+                    let mut next = point.clone();
+                    for ((var, range), steps) in moving.iter().zip(direction) {
+                        let width = range.finite().map_or(Rational::ONE, |(low, high)| high - low);
+                        next[var.0] += &(&(&step * &width) * &Rational::from(*steps));
+                    }
+                    let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
+                    if !inside || !fits(self.domain, &next) {
+                        continue;
+                    }
+                    if let Some(own) = at(&next)
+                        && (if sign > 0 { own < best } else { own > best })
+                    {
+                        (point, best, moved) = (next, own, true);
+                    }
                 }
-                let inside = ranges.iter().all(|(var, range)| range.contains(&next[var.0]));
-                if !inside || !fits(self.domain, &next) {
-                    continue;
-                }
-                if let Some(own) = at(&next)
-                    && (if sign > 0 { own < best } else { own > best })
-                {
-                    (point, best) = (next, own);
+                if !moved {
+                    break;
                 }
             }
             step = &step * &Rational::new(1, 2);

@@ -44,7 +44,7 @@ pub(super) fn fits(domain: &Domain, point: &[Rational]) -> bool {
 pub(super) fn directions(variables: usize) -> Vec<Vec<i64>> {
     let mut all = vec![Vec::new()];
     for _ in 0..variables {
-        let few = |direction: &Vec<i64>| variables <= 4 || direction.iter().filter(|k| **k != 0).count() <= 2;
+        let few = |direction: &Vec<i64>| variables <= 3 || direction.iter().filter(|k| **k != 0).count() <= 2;
         let longer = |rest: &Vec<i64>| (-2..=2).map(|k| [&[k], &rest[..]].concat()).filter(few).listed();
         all = all.iter().flat_map(longer).listed();
     }
@@ -89,7 +89,7 @@ pub(super) fn sample(value: &Quotient, domain: &Domain) -> Option<Vec<Vec<Ration
         [&value.numerator, &value.denominator].into_iter().chain(premises).any(|p| p.depends_on(*var))
     };
     let count = ranges.iter().filter(|(var, _)| occurs(var)).count();
-    let parts = [64_i64, 24, 8, 4, 2, 2].get(count.checked_sub(1)?)?;
+    let parts = [64_i64, 24, 8, 4, 2, 2, 1, 1, 1].get(count.checked_sub(1)?)?;
     let width = ranges.iter().map(|(var, _)| var.0 + 1).max()?;
     let mut points = vec![vec![Rational::ZERO; width]];
     for (var, range) in &ranges {

@@ -17,10 +17,7 @@ use crate::algebra::work::Work;
 const MAX_TRIES: usize = 3000;
 
 /// A counterexample to an equation, or to a statement about a sign, under premises, among some points.
-pub(in crate::state::family) fn counterexample(
-    statement: &Statement,
-    work: &mut Work,
-) -> Option<Counterexample> {
+pub(in crate::state) fn counterexample(statement: &Statement, work: &mut Work) -> Option<Counterexample> {
     let (value, relation, domain) = match statement {
         Statement::Sign { value, relation, domain } => (value, Some(relation), domain),
         Statement::Zero { value, domain } => (value, None, domain),
@@ -80,7 +77,7 @@ pub(in crate::state::family) fn counterexample(
                 continue;
             }
             if let Some(Some(f)) = values(&value.numerator, &value.denominator, &[next.clone()])?.pop()
-                && f < least
+                && (f < least || f == least && room(&next) > room(&point))
             {
                 lower = Some((next, f));
                 break;
