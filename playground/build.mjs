@@ -8,6 +8,7 @@ import binaryen from 'binaryen';
 import esbuild from 'esbuild';
 import { compress } from 'lzma1';
 import { BUDGET } from './budget.mjs';
+import { silent } from './pack/traps.mjs';
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const root = path.dirname(here);
@@ -16,7 +17,7 @@ const dist = path.join(here, 'dist');
 const cargo = process.env.CARGO ?? 'cargo';
 const target = process.env.CARGO_TARGET_DIR ?? path.join(root, 'target');
 execFileSync(cargo, ['build', '--locked', '--profile', 'playground', '--target', 'wasm32-unknown-unknown', '-p', 'basis-playground'], { cwd: root, stdio: 'inherit' });
-const wasm = compact(fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', 'basis_playground.wasm')));
+const wasm = compact(silent(fs.readFileSync(path.join(target, 'wasm32-unknown-unknown', 'playground', 'basis_playground.wasm'))));
 
 /**
  * The same module in fewer bytes when compressed. Of the passes only those that make it more alike in its parts: what -Oz does
@@ -26,11 +27,26 @@ function compact(bytes) {
   const module = binaryen.readBinary(bytes);
   module.setFeatures(binaryen.Features.All);
   module.runPasses([
-    'duplicate-function-elimination', 'remove-unused-module-elements', 'precompute-propagate', 'rse', 'vacuum', 'reorder-locals',
+    'duplicate-function-elimination', 'remove-unused-module-elements', 'dae', 'remove-unused-module-elements', 'precompute-propagate',
+    'rse', 'vacuum', 'reorder-locals',
   ]);
   const smaller = module.emitBinary();
   module.dispose();
   return smaller;
+}
+
+/** The module as `src/worker.ts` reads it: streams of its parts, each with its length and packed. */
+async function packed(module) {
+  const built = await esbuild.build({ entryPoints: [path.join(here, 'src', 'streams.ts')], bundle: true, format: 'esm', write: false });
+  const { split, join } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
+  const streams = split(module);
+  if (Buffer.compare(join(streams), module) !== 0) throw new Error('the streams are not those of the engine');
+  return Buffer.concat(streams.flatMap((stream) => {
+    const bytes = compress(stream, 9);
+    const length = Buffer.alloc(4);
+    length.writeUInt32LE(bytes.length);
+    return [length, bytes];
+  }));
 }
 
 // The engine itself says what the library holds: words for the editor, verdicts for the list.
@@ -80,8 +96,8 @@ await esbuild.build({
 const style = await esbuild.transform(fs.readFileSync(path.join(here, 'style.css'), 'utf8'), { loader: 'css', minify: true });
 fs.writeFileSync(path.join(dist, 'style.css'), style.code);
 fs.copyFileSync(path.join(here, 'index.html'), path.join(dist, 'index.html'));
-// By gzip, which servers and browsers do by themselves, it would be a third larger.
-fs.writeFileSync(path.join(dist, 'basis.wasm.lzma'), compress(wasm, 9));
+// By gzip, which servers and browsers do by themselves, it would be half as large again.
+fs.writeFileSync(path.join(dist, 'basis.wasm.lzma'), await packed(wasm));
 
 let all = 0;
 for (const file of fs.readdirSync(dist).sort()) {

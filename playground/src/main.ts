@@ -451,6 +451,12 @@ async function library(): Promise<Library | undefined> {
   return view.library;
 }
 
+/** The text of one spec of the library. */
+async function shipped(name: string): Promise<string | undefined> {
+  const answer = await engine.ask<{ text: string }>({ ask: 'spec', name });
+  return isRefusal(answer) ? undefined : answer.text;
+}
+
 async function showLibrary(): Promise<void> {
   const into = panel('library');
   const all = await library();
@@ -533,9 +539,7 @@ byId('share').addEventListener('click', async () => {
 
 async function restore(): Promise<void> {
   const wanted = await decode(location.hash.slice(1));
-  const specs = await library();
-  const named = (name: string) => specs?.specs.find((s) => s.name === name)?.text;
-  const text = typeof wanted?.text === 'string' ? wanted.text : named(String(wanted?.library ?? FIRST)) ?? named(FIRST) ?? '';
+  const text = typeof wanted?.text === 'string' ? wanted.text : (await shipped(String(wanted?.library ?? FIRST))) ?? (await shipped(FIRST)) ?? '';
   if (location.hash.length > 1 && !wanted) say('The link is damaged; here is a spec of the library instead.', 'wrong');
   doing('deciding');
   view.items = [];

@@ -1,7 +1,7 @@
 // The engine beside the page: answers questions, and decides the claims of the open spec in slices in between, so that a
 // newer text stops the work on an older one.
-import { decode } from './lzma';
 import type { Item, Reply, Request, Verdicts } from './protocol';
+import { unpack } from './unpack';
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -94,7 +94,7 @@ async function load(): Promise<void> {
   try {
     const answer = await fetch('basis.wasm.lzma');
     if (!answer.ok) throw new Error(`basis.wasm.lzma cannot be loaded: ${answer.status}`);
-    const { instance } = await WebAssembly.instantiate(decode(new Uint8Array(await answer.arrayBuffer())), {});
+    const { instance } = await WebAssembly.instantiate(unpack(await answer.arrayBuffer()), {});
     engine = instance.exports as unknown as Exports;
     say({ kind: 'ready' });
     const all = waiting;

@@ -1,16 +1,10 @@
 // The decoder of the engine: what other programs packed, and what is no LZMA file or a damaged one.
 import assert from 'node:assert/strict';
-import path from 'node:path';
 import { test } from 'node:test';
-import { fileURLToPath } from 'node:url';
-import esbuild from 'esbuild';
 import { compress } from 'lzma1';
+import { load } from './bundle.mjs';
 
-const here = path.dirname(fileURLToPath(import.meta.url));
-const built = await esbuild.build({
-  entryPoints: [path.join(here, '../src/lzma.ts')], bundle: true, format: 'esm', write: false, logLevel: 'error',
-});
-const { decode } = await import(`data:text/javascript;base64,${Buffer.from(built.outputFiles[0].contents).toString('base64')}`);
+const { decode } = await load('lzma.ts');
 
 /** Numbers that are the same in every run. */
 function random(seed) {

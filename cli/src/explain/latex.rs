@@ -57,7 +57,7 @@ fn family(facts: &FamilyFacts, spans: &[&FamilyFacts]) -> String {
             (0, ranges) => format!("For shape parameters {} the functions", ranges.join(", ")),
             _ => String::from("and"),
         };
-        text += &format!("{given} on {}{}\n", inline(&span.domain), if k == 0 { " are" } else { "" });
+        text += &format!("{given} on {}{}\n", domain(&span.domain), if k == 0 { " are" } else { "" });
         text += &display(span.functions.iter().map(function));
     }
     text += "\\end{definition}\n\n";
@@ -70,7 +70,7 @@ fn family(facts: &FamilyFacts, spans: &[&FamilyFacts]) -> String {
     }
     for span in spans {
         if spans.len() > 1 {
-            text += &format!("\\subsection*{{On {}}}\n", inline(&span.domain));
+            text += &format!("\\subsection*{{On {}}}\n", domain(&span.domain));
         }
         text += &of_span(span);
     }
@@ -90,9 +90,11 @@ fn of_span(facts: &FamilyFacts) -> String {
     }
     for matrix in facts.matrices.iter().filter(|m| m.columns.len() <= MAX_COLUMNS) {
         let (title, formula) = matrix.title.split_once(": ").unwrap_or((&matrix.title, ""));
-        let formula = if formula.is_empty() { String::new() } else { format!(", {}", inline(formula)) };
+        let formula = if formula.is_empty() { String::new() } else { format!(". {}", sum(formula)) };
         let (shown, letters) = super::matrix::matrix(&matrix.entries);
-        text += &format!("\\paragraph{{{}}}{formula}\n{shown}", words(title));
+        // The heading ends with its full stop.
+        let (stop, formula) = formula.split_at(formula.len().min(1));
+        text += &format!("\\paragraph{{{}{stop}}}{formula}\n{shown}", words(title));
         if !letters.is_empty() {
             text += &format!("with\n{}", display(letters.into_iter()));
         }
@@ -132,6 +134,36 @@ fn function(f: &super::facts::Function) -> String {
 /// Wider matrices do not fit on a page.
 const MAX_COLUMNS: usize = 16;
 
+/// A domain in words: the triangle where $u + v + w = 1$ and $u, v, w \ge 0$.
+fn domain(text: &str) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    let mut rest = text;
+    loop {
+        let simplex = rest.split_once(" (").and_then(|(kind, after)| {
+            let (names, after) = after.split_once(')')?;
+            let plain = kind.chars().all(|c| c.is_ascii_lowercase());
+            plain.then_some((kind, names, after.strip_prefix(", ").unwrap_or(after)))
+        });
+        let Some((kind, names, after)) = simplex else { break };
+        let names: Vec<String> = names.split(", ").map(latex_name).collect();
+        parts.push(format!("the {kind} where ${} = 1$ and ${} \\ge 0$", names.join(" + "), names.join(", ")));
+        rest = after;
+    }
+    if !rest.is_empty() {
+        parts.push(inline(rest));
+    }
+    parts.join(", times ")
+}
+
+/// What a matrix is for, such as `b[i] = Σ M[i,j]*B[j]`.
+fn sum(formula: &str) -> String {
+    let sides = formula.split_once(" = Σ ").and_then(|(left, right)| Some((math(left)?, math(right)?)));
+    // Lines end where brackets are of a fixed size.
+    let set =
+        |(left, right): (String, String)| loose(&format!("${left} = \\sum {right}$"), "\\bigl", "\\bigr");
+    sides.map_or_else(|| inline(formula), set)
+}
+
 /// A title with its formulas in math mode: words with an operator or a bracket are formulas.
 fn words(title: &str) -> String {
     let word = |word: &str| {
@@ -140,7 +172,10 @@ fn words(title: &str) -> String {
         format!("{}{end}", if formula { inline(word) } else { escape(word) })
     };
     let plain = |text: &str| text.split(' ').map(word).collect::<Vec<_>>().join(" ");
-    // What is integrated is one formula, with spaces in it.
+    // A denominator is one formula, with spaces in it, and so is what is integrated.
+    if let Some((before, below)) = title.split_once(" over the common denominator ") {
+        return format!("{} over the common denominator {}", plain(before), inline(below));
+    }
     match title.split_once("the integrals of ") {
         Some((before, rest)) => {
             let (formula, given) = rest.split_once(" for ").map_or((rest, None), |(f, g)| (f, Some(g)));
@@ -220,27 +255,32 @@ fn claims(claims: &[ClaimFacts]) -> String {
     }
     for (first, group) in &groups {
         if let Some(refuted) = group.iter().find(|c| c.verdict == "refuted") {
-            let sentence = flowing(first.latex.trim_end_matches('.'));
+            let sentence = within(&flowing(first.latex.trim_end_matches('.')));
             let reason = reason(&refuted.reason);
             text += &format!(
-                "\\begin{{remark}}\nIt is false that: {sentence}. Indeed, {reason}.\n\\end{{remark}}\n\n"
+                "\\begin{{remark}}\nIt is false that {sentence}. Indeed, {reason}.\n\\end{{remark}}\n\n"
             );
         } else if let Some(open) = group.iter().find(|c| c.verdict == "undecided") {
-            let sentence = flowing(first.latex.trim_end_matches('.'));
+            let sentence = within(&flowing(first.latex.trim_end_matches('.')));
             let reason = reason(&open.reason);
             text += &format!(
-                "\\begin{{remark}}\nIt is not decided whether: {sentence} ({reason}).\n\\end{{remark}}\n\n"
+                "\\begin{{remark}}\nIt is not decided whether {sentence} ({reason}).\n\\end{{remark}}\n\n"
             );
         }
     }
     text
 }
 
+/// A sentence as a part of another one.
+fn within(sentence: &str) -> String {
+    sentence.strip_prefix("The ").map_or_else(|| sentence.to_string(), |rest| format!("the {rest}"))
+}
+
 /// A reason; formulas stand in it between the marks of code, or around equations.
 fn reason(text: &str) -> String {
     let mut latex = String::new();
     for (k, part) in text.split('`').enumerate() {
-        if k % 2 == 1 {
+        if k % 2 == 1 && math(part).is_some() {
             latex += &inline(part);
             continue;
         }
@@ -249,13 +289,14 @@ fn reason(text: &str) -> String {
         let mut pending: Vec<&str> = Vec::new();
         let flush = |pending: &mut Vec<&str>, latex: &mut String| {
             if !pending.is_empty() {
-                *latex += &inline(&pending.join(" "));
+                *latex += &bracketed(&pending.join(" "));
                 pending.clear();
             }
         };
         for word in part.split(' ') {
             words.push(word);
-            let prose = word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase() || c == ',');
+            let plain = word.trim_end_matches(')');
+            let prose = plain.len() > 1 && plain.chars().all(|c| c.is_ascii_lowercase() || c == ',');
             if prose || word.is_empty() {
                 flush(&mut pending, &mut latex);
                 if words.len() > 1 && !latex.ends_with(' ') && !latex.is_empty() {
@@ -278,6 +319,26 @@ fn reason(text: &str) -> String {
         flush(&mut pending, &mut latex);
     }
     latex.trim_end().replace("  ", " ")
+}
+
+/// A formula before which a bracket opens, or after which one closes, that is about the words around it.
+fn bracketed(text: &str) -> String {
+    if math(text).is_none() {
+        if let Some((before, after)) = text.split_once(") - (") {
+            return format!("{}) $-$ ({}", bracketed(before), bracketed(after));
+        }
+        if let Some(rest) = text.strip_prefix('(') {
+            return format!("({}", bracketed(rest));
+        }
+        if let Some(rest) = text.strip_suffix(')') {
+            return format!("{})", bracketed(rest));
+        }
+        // A sign alone stands between two phrases.
+        if text == "-" {
+            return String::from("$-$");
+        }
+    }
+    inline(text)
 }
 
 /// The most characters of an equation on one line.

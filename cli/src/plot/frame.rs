@@ -35,6 +35,11 @@ pub(super) fn colour(k: usize, of: usize) -> [u8; 3] {
     if of <= COLOURS.len() { COLOURS[k % COLOURS.len()] } else { scale(k as f64 / (of - 1) as f64) }
 }
 
+/// How the line of one of several functions is broken: neighbours on the scale of colours are too much alike where they cross.
+pub(super) fn dashes(k: usize, of: usize) -> &'static str {
+    if of <= COLOURS.len() { "none" } else { ["none", "8 4", "2 3"][k % 3] }
+}
+
 /// The colour at a place from 0 to 1 of the scale.
 pub(super) fn scale(at: f64) -> [u8; 3] {
     let at = at.clamp(0.0, 1.0) * (SCALE.len() - 1) as f64;

@@ -5,7 +5,7 @@ use basis_engine::{Diagnostic, Family};
 use svg::Document;
 use svg::node::element::{Circle, Group, Line, Rectangle, Title};
 
-use super::frame::{BAD, FAINT, Frame, INK, colour, extent, hex, mix, rounded, text};
+use super::frame::{BAD, FAINT, Frame, INK, colour, dashes, extent, hex, mix, rounded, text};
 use super::samples::{pieces, sampled, strength};
 use super::values::Functions;
 use super::{Scene, curve};
@@ -45,7 +45,8 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
             let label = family.function_label(k);
             let setting = &scene.settings[s].label;
             let title = if setting.is_empty() { label } else { format!("{label}, {setting}") };
-            group = group.add(frame.path(&points, &own, 2.0).add(Title::new(title)));
+            let path = frame.path(&points, &own, 2.0).set("stroke-dasharray", dashes(k, count));
+            group = group.add(path.add(Title::new(title)));
         }
     }
     let (legend, mut width) = legend(scene, frame.place[0] + SIZE[0] + 18.0);
@@ -110,7 +111,8 @@ fn legend(scene: &Scene, left: f64) -> (Group, f64) {
     let mut group = Group::new();
     for (k, label) in labels.iter().enumerate() {
         let (x, y) = (left + column * (k / rows) as f64, 70.0 + 20.0 * (k % rows) as f64);
-        group = group.add(sample_line(x, y, &hex(colour(k, count))));
+        let line = sample_line(x, y, &hex(colour(k, count)));
+        group = group.add(line.set("stroke-dasharray", dashes(k, count)));
         group = group.add(text(label, x + 26.0, y + 4.0, 13.0, "start", INK));
     }
     let top = 70.0 + 20.0 * count.min(rows) as f64 + 12.0;

@@ -54,7 +54,7 @@ pub(super) fn svg(scene: &Scene) -> Result<String, Diagnostic> {
     let mut group = Group::new();
     for k in 0..count {
         let place =
-            [20.0 + (size + gap) * (k % columns) as f64, top + (size + gap + 8.0) * (k / columns) as f64];
+            [start + (size + gap) * (k % columns) as f64, top + (size + gap + 8.0) * (k / columns) as f64];
         group = group.add(panel(scene, k, place, size, &strips, &levels));
     }
     let rows = count.div_ceil(columns);

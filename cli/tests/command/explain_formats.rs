@@ -60,7 +60,7 @@ fn an_explanation_is_the_section_of_a_paper() {
         "\\item The functions sum to one, $\\sum_i b_i = 1$.",
         "\\item The functions are symmetric, $b_i(t) = b_{3-i}(1 - t)$.",
         "\\item At $t = 0$: ${b}' = ",
-        "It is false that: $b_{0} = b_{1}$",
+        "It is false that $b_{0} = b_{1}$",
         "C'\\left(0\\right) &= \\left(3 + \\lambda\\right)",
         "linearly dependent at $\\lambda = -3$: $b_{1} - b_{2} = 0$",
         "Ends meet: P'(1) = $\\delta$ Q'(0).",
@@ -107,4 +107,35 @@ fn latex_compiles() {
         let log = fs::read(folder.path().join("x.log")).expect("it is written");
         assert!(!String::from_utf8_lossy(&log).contains("Missing character"), "{spec}");
     }
+}
+
+/// Weights of two patches, common denominators, triangles and knots: everything that is a formula is set as one.
+#[test]
+fn formulas_of_all_kinds_are_set_as_formulas() {
+    let spec = "family Weighted {
+    domain 0 <= t <= 1;
+    shape w[i] > 0 for i in 0..=1;
+    b[0] = w[0]*(1 - t)/(w[0]*(1 - t) + w[1]*t);
+    b[1] = w[1]*t/(w[0]*(1 - t) + w[1]*t);
+}
+family Wedge { domain triangle (u, v, w), 0 <= z <= 1; b[0] = u*z; b[1] = 1 - u*z; }
+family Roof {
+    shape 0 < k < 1;
+    domain 0 <= x <= k, k <= x <= 1;
+    f[0] = x/k | (1 - x)/(1 - k);
+    refute smooth(1);
+}";
+    let run = Folder::with("s.basis", spec).run(&["explain", "s.basis", "--format", "latex"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+    for part in [
+        "Q_{1} &= -\\frac{w_{0,Q}\\,w_{0,P}}{w_{1,Q}\\,w_{1,P}}\\,P_{0}",
+        "\\paragraph{Bernstein form of degree 1 over the common denominator $-w_{0} + w_{0}\\,t - w_{1}\\,t$.} $",
+        "\\bigr) b_{i} = \\sum M_{i,j}\\,B_{j}$",
+        "on the triangle where $u + v + w = 1$ and $u, v, w \\ge 0$, times $0 \\le z \\le 1$ are",
+        "It is false that the functions are once continuously differentiable",
+        "before $x = k$) $-$ (${f_{0}}'$ after it)",
+    ] {
+        assert!(run.stdout.contains(part), "{part} is missing in\n{}", run.stdout);
+    }
+    assert!(!run.stdout.contains("\\text{") && !run.stdout.contains("M[i,j]"), "{}", run.stdout);
 }

@@ -85,6 +85,21 @@ family B { domain -1 <= x <= 1, 0 <= y <= 2; f[0] = x*y; f[1] = (1 - x)*(2 - y);
     // Values below zero have colours of their own.
     let svg = drawn(&folder, &["s.basis", "B"], "b.svg");
     assert!(svg.contains("−2") && svg.contains("x →") && svg.contains("#a00a1e"), "{svg}");
+    // The name of the variable that grows upwards ends left of the box, and begins inside of the picture.
+    let name = svg.split("y ↑").next().and_then(|s| s.rsplit("<text").next()).expect("a name");
+    let x: f64 = name.split(" x=\"").nth(1).and_then(|x| x.split('"').next()?.parse().ok()).expect("a place");
+    assert!(x > 30.0, "{name}");
+}
+
+/// Where there are more functions than colours, neighbours differ beside their colours.
+#[test]
+fn many_lines_can_be_told_apart() {
+    let folder = Folder::with("b.basis", BERNSTEIN);
+    let svg = drawn(&folder, &["b.basis", "Bern(12)"], "b.svg");
+    assert_eq!(count(&svg, "stroke-dasharray=\"none\""), 10, "five lines with their signs in the legend");
+    assert_eq!(count(&svg, "stroke-dasharray=\"8 4\"") + count(&svg, "stroke-dasharray=\"2 3\""), 16);
+    let few = drawn(&folder, &["b.basis", "Bern(3)"], "few.svg");
+    assert_eq!(count(&few, "stroke-dasharray=\"8 4\""), 0);
 }
 
 #[test]

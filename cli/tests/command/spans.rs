@@ -161,7 +161,7 @@ fn explained_and_evaluated_by_span() {
     for part in [
         "The functions are once continuously differentiable on the whole domain.",
         "\\item At $x = 1$: $f_{0} = \\frac{1}{4}$.",
-        "It is false that: The functions are 2 times continuously differentiable",
+        "It is false that the functions are 2 times continuously differentiable",
         "\\subsection*{On $1 \\le x \\le 3$}",
         "A curve $C = \\sum_i f_i P_i$",
     ] {

@@ -297,7 +297,14 @@ impl<'t> Reader<'t> {
             match self.peek() {
                 "[" if self.kind() == Some(TokenKind::Open) => {
                     self.at += 1;
-                    let indices = self.list("]")?;
+                    let mut indices = self.list("]")?;
+                    // `w[0]_Q`: an entry of a list of shape values, of the patch Q.
+                    if self.kind() == Some(TokenKind::Word)
+                        && let Some(patch) = self.peek().strip_prefix('_').filter(|rest| !rest.is_empty())
+                    {
+                        self.at += 1;
+                        indices.push(name(patch));
+                    }
                     // A second index, such as the coordinate of a point, stands beside the first one.
                     let base = if piece.latex.ends_with('}') && piece.latex.contains("_{") {
                         format!("{{{}}}", piece.latex)
@@ -488,6 +495,7 @@ mod tests {
             ("weight*x", "\\mathit{weight}\\,x"),
             ("P(1)[0]", "P\\left(1\\right)_{0}"),
             ("Q[1][0]", "{Q_{1}}_{0}"),
+            ("2*w[0]_Q^2", "2\\,w_{0,Q}^{2}"),
             ("-3 <= λ < 1", "-3 \\le \\lambda < 1"),
         ];
         for (text, latex) in cases {

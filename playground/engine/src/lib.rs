@@ -79,6 +79,7 @@ pub extern "C" fn free() {
 /// | `format`, with `text` | the text in its standard layout |
 /// | `complete`, with `text` and `at` | what can be typed there |
 /// | `published`, with `text` | the published statements that a spec expresses, and which of them are true |
+/// | `spec`, with `name` | the text of a shipped spec |
 /// | `library` | the shipped specs, and the languages of `code` |
 ///
 /// Places are counted in UTF-16 code units, as in JavaScript. What cannot be answered is `{"error": …}`.

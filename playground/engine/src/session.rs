@@ -54,6 +54,7 @@ impl Session {
             "complete" => complete(question),
             "published" => claims_of_papers(question["text"].as_str().unwrap_or_default()),
             "library" => library(),
+            "spec" => spec(question["name"].as_str().unwrap_or_default()),
             _ => json!({ "error": format!("there is no question `{ask}`") }),
         }
     }
@@ -132,6 +133,14 @@ fn library() -> Value {
     let specs: Vec<Value> = basis_specs::SPECS.iter().map(spec).collect();
     let words: Vec<(&str, String)> = query::WORDS.iter().map(|w| (w.text, format!("{:?}", w.kind))).collect();
     json!({ "specs": specs, "languages": code::languages(), "words": words })
+}
+
+/// The text of one shipped spec: what the page begins with, without reading all others first.
+fn spec(name: &str) -> Value {
+    match basis_specs::text(name) {
+        Some(text) => json!({ "text": alone(name, text) }),
+        None => json!({ "error": format!("the library has no spec `{name}`") }),
+    }
 }
 
 /// A spec of the library without the folder that it lies in: what it uses by path it uses as part of the library.

@@ -1,0 +1,25 @@
+// The engine as it lies in dist/, asked without a page. `npm run build` comes first.
+import fs from 'node:fs';
+import { load } from './bundle.mjs';
+
+/** The module that the worker makes of the file. */
+export async function module() {
+  const { unpack } = await load('unpack.ts');
+  const file = fs.readFileSync(new URL('../dist/basis.wasm.lzma', import.meta.url));
+  return unpack(Uint8Array.from(file).buffer);
+}
+
+/** What answers questions, as `playground/engine` lists them. */
+export async function engine() {
+  const { instance } = await WebAssembly.instantiate(await module(), {});
+  return (question) => {
+    const { alloc, answer, text, free, memory } = instance.exports;
+    const bytes = new TextEncoder().encode(JSON.stringify(question));
+    const place = alloc(bytes.length); // may move the memory
+    new Uint8Array(memory.buffer, place, bytes.length).set(bytes);
+    const length = answer();
+    const reply = JSON.parse(new TextDecoder().decode(new Uint8Array(memory.buffer, text(), length)));
+    free();
+    return reply;
+  };
+}
