@@ -1176,7 +1176,7 @@ Proof. intros H B. pose proof (sign_by _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra.
 Definition prove_sign_over (s : bool) (rs : list range) (by_ : list cert) (cn cd : cert) (n d : pol) (e : expr) : bool :=
   let r := norm e in
   (forallb (defined rs by_) (cs r) && is0 (sub (mul (num (fr r)) d) (mul n (den (fr r)))) &&
-   defined rs [cd] d && check cd rs false d && check cn rs s n)%bool.
+   defined rs (cd :: by_) d && check cd rs false d && check cn rs s n)%bool.
 
 Theorem sign_over s rs by_ cn cd n d e env :
   prove_sign_over s rs by_ cn cd n d e = true -> inbox rs env -> sign s (eval e env).
@@ -1185,7 +1185,7 @@ Proof.
   apply andb_prop in H as [H Hz]. apply andb_prop in H as [H E].
   apply (defined_ok _ _ _ env) in H; auto. destruct (norm_ok e env H) as [D V]. rewrite <- V. unfold val, ok in *.
   assert (Z : ev d env <> 0).
-  { assert (F : Forall (nz env) [d]) by (apply (defined_ok rs [cd]); [simpl; rewrite Hz; reflexivity | exact B]).
+  { assert (F : Forall (nz env) [d]) by (apply (defined_ok rs (cd :: by_)); [simpl; rewrite Hz; reflexivity | exact B]).
     inversion F; subst. assumption. }
   apply (check_ok _ _ _ _ env) in Hd, Hn; auto. simpl in Hd.
   apply (is0_ok _ env) in E. rewrite sub_ok, !mul_ok in E.

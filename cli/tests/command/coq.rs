@@ -354,6 +354,12 @@ family Signs {
     prove (m + 1)*(t - k)^2 + (2 - m)*(3*t - k)^2 >= 0;
     prove independent except k = 0;
 }
+family Tension {
+    domain 0 <= t <= 1;
+    shape 0 < r;
+    b[0] = t*(1 - t)^2/((1 - t)^3 + t^3 + r*t*(1 - t));
+    prove b[0] >= 0;
+}
 family Plane {
     domain triangle (u, v, w);
     shape 0 <= k;
@@ -372,7 +378,8 @@ fn coq_accepts_factors_corners_and_different_denominators() {
     let run = folder.run(&["check", "--coq", "v", "others.basis"]);
     assert_eq!(run.code, 0, "{run:?}");
     let folder = folder.path().join("v");
-    let changes: [(&str, &[(&str, &str)]); 2] = [
+    let changes: [(&str, &[(&str, &str)]); 3] = [
+        ("others_Tension.v", &[("(Corner 0 ", "(Corner 1 "), ("  b_0 r t >= 0.", "  b_0 r t > 0.")]),
         (
             "others_Signs.v",
             &[
