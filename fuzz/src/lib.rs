@@ -5,6 +5,8 @@
 //! changes the files of `fuzz/corpus` at random for 60 seconds. `cargo xtask nightly fuzz` does the first, or the second
 //! where cargo-fuzz cannot be installed.
 
+pub mod emitted;
+
 use std::rc::Rc;
 
 use basis_engine::algebra::work::Work;
@@ -17,8 +19,14 @@ use basis_runtime::bspline::{BSplineCurve, BSplineSurface, KnotVector, Net, Nurb
 use basis_runtime::{BernsteinBasis, ParametricCurve, Surface, TensorSurface, Tessellation};
 
 /// The targets by name.
-pub const TARGETS: [(&str, fn(&[u8])); 5] =
-    [("spec", spec), ("certificate", certificate), ("tokens", tokens), ("knots", knots), ("nets", nets)];
+pub const TARGETS: [(&str, fn(&[u8])); 6] = [
+    ("spec", spec),
+    ("certificate", certificate),
+    ("tokens", tokens),
+    ("knots", knots),
+    ("nets", nets),
+    ("emitted", emitted::emitted),
+];
 
 /// The most bytes of a text: longer ones are not more interesting, but slower.
 const MAX_TEXT: usize = 2048;

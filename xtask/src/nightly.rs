@@ -170,7 +170,7 @@ fn sanitizer(root: &Path) -> Outcome {
 }
 
 fn fuzz(root: &Path) -> Outcome {
-    let targets = ["spec", "certificate", "tokens", "knots", "nets"];
+    let targets = ["spec", "certificate", "tokens", "knots", "nets", "emitted"];
     if subcommand(root, "fuzz").is_ok() {
         for target in targets {
             let found = root.join("target/fuzz").join(target);
@@ -179,13 +179,15 @@ fn fuzz(root: &Path) -> Outcome {
             let line = format!("cargo fuzz run --sanitizer none {target}");
             let mut run = unstable(command(root, &line));
             run.arg(&found).arg(root.join("fuzz/corpus").join(target));
-            if target == "tokens" {
+            let is_spec = matches!(target, "tokens" | "emitted");
+            if is_spec {
                 run.arg(root.join("fuzz/corpus/spec")); // the same language: its own folder has what this one lacks
             }
             run.arg("--");
             run.args(["-max_total_time=1200", "-timeout=10", "-rss_limit_mb=512", "-max_len=2048"]);
             run.arg("-print_final_stats=1");
-            let dictionary = root.join(format!("fuzz/{target}.dict"));
+            let dictionary = if target == "emitted" { "spec" } else { target };
+            let dictionary = root.join(format!("fuzz/{dictionary}.dict"));
             if dictionary.exists() {
                 run.arg(format!("-dict={}", dictionary.display()));
             }
@@ -260,7 +262,7 @@ mod tests {
     #[test]
     fn targets_are_those_of_the_folder() {
         let manifest = include_str!("../../fuzz/Cargo.toml");
-        for target in ["spec", "certificate", "tokens", "knots", "nets"] {
+        for target in ["spec", "certificate", "tokens", "knots", "nets", "emitted"] {
             assert!(manifest.contains(&format!("name = \"{target}\"")), "{target}");
         }
     }

@@ -972,12 +972,14 @@ Proof.
 Qed.
 
 (** How to show a sign: by the coefficients; on both parts of a box that is cut where a variable is q; of a product
-    from the signs of its factors, both positive or both negative; of a square times another. *)
+    from the signs of its factors, both positive or both negative; of a square times another; of a polynomial of degree 1
+    in a variable from its values at the ends of the range, at an infinite one from the slope. *)
 Inductive cert :=
   | Direct
   | Cut (k : nat) (q : Q) (low high : cert)
   | Product (negative : bool) (f g : pol) (cf cg : cert)
-  | Square (f g : pol) (c : cert).
+  | Square (f g : pol) (c : cert)
+  | Corner (k : nat) (low high : cert).
 
 Fixpoint set_high (k : nat) (q : Q) (rs : list range) : list range :=
   match k, rs with
@@ -992,6 +994,21 @@ Fixpoint set_low (k : nat) (q : Q) (rs : list range) : list range :=
   | S k, r :: rs => r :: set_low k q rs
   end.
 
+(** A polynomial where a variable is q, as one in the same variables. *)
+Fixpoint at_var (k : nat) (q : Q) (p : pol) : pol :=
+  match p with
+  | C c => C c
+  | P l => match k with O => P [at_number q l] | S k => P (map (at_var k q) l) end
+  end.
+
+(** With p = a + b x, where x is a variable: whether an end of its range shows its part of the sign. *)
+Definition corner (decides : bool -> pol -> bool) (s : bool) (a b : pol) (e : bound) (outwards : pol) : bool :=
+  match e with
+  | Incl q => decides s (add a (times q b))
+  | Excl q => decides false (add a (times q b))
+  | Inf => decides false outwards
+  end.
+
 Fixpoint check (c : cert) (rs : list range) (s : bool) (p : pol) : bool :=
   match c with
   | Direct => decide rs s p
@@ -999,6 +1016,16 @@ Fixpoint check (c : cert) (rs : list range) (s : bool) (p : pol) : bool :=
   | Product n f g cf cg =>
       (is0 (sub p (mul f g)) && check cf rs s (if n then opp f else f) && check cg rs s (if n then opp g else g))%bool
   | Square f g c => (negb s && is0 (sub p (mul (mul f f) g)) && check c rs false g)%bool
+  | Corner k low high =>
+      let a := at_var k 0 p in
+      let b := sub (at_var k 1 p) a in
+      match nth_error rs k with
+      | Some (lo, hi) =>
+          (is0 (sub p (add a (mul (var k) b))) && (negb s || is_incl lo || is_incl hi) &&
+           negb (match lo, hi with Inf, Inf => true | _, _ => false end) &&
+           corner (check low rs) s a b lo (opp b) && corner (check high rs) s a b hi b)%bool
+      | None => false
+      end
   end.
 
 Lemma set_ok k q rs env :
@@ -1009,9 +1036,45 @@ Proof.
   - intros [AB T]. destruct (IH _ _ T); auto.
 Qed.
 
+Lemma inbox_nth k : forall rs env lo hi,
+  nth_error rs k = Some (lo, hi) -> inbox rs env -> above lo (nth k env 0) /\ below hi (nth k env 0).
+Proof.
+  induction k as [|k IH]; intros [|r rs] env lo hi N B; simpl in N; try discriminate N; destruct B as [A T].
+  - injection N as ->. destruct env; exact A.
+  - specialize (IH rs (tl env) lo hi N T). destruct env; simpl in *; [destruct k|]; exact IH.
+Qed.
+
+(** Between its values at the ends, or with a slope that leads upwards, a + b x has their sign. *)
+Lemma corner_ok (decides1 decides2 : bool -> pol -> bool) (s : bool) (a b : pol) env x lo hi :
+  (forall s p, decides1 s p = true -> sign s (ev p env)) ->
+  (forall s p, decides2 s p = true -> sign s (ev p env)) ->
+  (negb s || is_incl lo || is_incl hi = true)%bool ->
+  negb (match lo, hi with Inf, Inf => true | _, _ => false end) = true ->
+  corner decides1 s a b lo (opp b) = true -> corner decides2 s a b hi b = true ->
+  above lo x -> below hi x -> sign s (ev a env + x * ev b env).
+Proof.
+  intros D1 D2 S F L H A B.
+  assert (G : forall l h vl vh, l <= x <= h -> vl = ev a env + l * ev b env -> vh = ev a env + h * ev b env ->
+    0 <= vl -> 0 <= vh -> 0 <= ev a env + x * ev b env).
+  { intros l h vl vh X -> -> U V. destruct (Rle_dec 0 (ev b env)); nra. }
+  assert (G' : forall l h vl vh, l <= x <= h -> vl = ev a env + l * ev b env -> vh = ev a env + h * ev b env ->
+    0 <= vl -> 0 <= vh -> (0 < vl /\ x < h \/ 0 < vh /\ l < x \/ 0 < vl /\ 0 < vh) -> 0 < ev a env + x * ev b env).
+  { intros l h vl vh X -> -> U V W. destruct (Rle_dec 0 (ev b env)) as [P | P].
+    - destruct W as [[W Y] | [[W Y] | [W Y]]]; [nra| |nra]. destruct (Req_dec (ev b env) 0) as [Z | Z]; [rewrite Z in *; lra | nra].
+    - destruct W as [[W Y] | [[W Y] | [W Y]]]; nra. }
+  destruct lo as [|l|l], hi as [|h|h]; simpl in *; try discriminate F;
+    try apply D1 in L; try apply D2 in H; rewrite ?opp_ok, ?add_ok, ?times_ok in *;
+    destruct s; simpl in *; try discriminate S; try nra.
+  all: pose (vl := ev a env + Q2R l * ev b env); pose (vh := ev a env + Q2R h * ev b env).
+  all: try (apply (G (Q2R l) (Q2R h) vl vh); [lra | reflexivity | reflexivity | unfold vl; lra | unfold vh; lra]).
+  all: apply (G' (Q2R l) (Q2R h) vl vh);
+    [lra | reflexivity | reflexivity | unfold vl; lra | unfold vh; lra | unfold vl, vh; lra].
+Qed.
+
 Lemma check_ok c : forall rs s p env, check c rs s p = true -> inbox rs env -> sign s (ev p env).
 Proof.
-  induction c as [|k q low IHl high IHh | n f g cf IHf cg IHg | f g c IH]; intros rs s p env H B; simpl in H.
+  induction c as [|k q low IHl high IHh | n f g cf IHf cg IHg | f g c IH | k low IHl high IHh];
+    intros rs s p env H B; simpl in H.
   - eapply decide_ok; eassumption.
   - apply andb_prop in H as [H1 H2]. destruct (set_ok k q rs env B); eauto.
   - apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
@@ -1028,6 +1091,14 @@ Proof.
     specialize (IH _ _ _ env H3 B). simpl in *.
     replace (ev p env) with (ev f env * ev f env * ev g env) by lra.
     apply Rmult_le_pos; [apply Rle_0_sqr | assumption].
+  - destruct (nth_error rs k) as [[lo hi]|] eqn:N; [|discriminate H].
+    apply andb_prop in H as [H H5]. apply andb_prop in H as [H H4]. apply andb_prop in H as [H H3].
+    apply andb_prop in H as [H1 H2]. destruct (inbox_nth k rs env lo hi N B) as [X Y].
+    apply (is0_ok _ env) in H1. rewrite sub_ok, add_ok, mul_ok, var_ok in H1.
+    replace (ev p env) with
+      (ev (at_var k 0 p) env + nth k env 0 * ev (sub (at_var k 1 p) (at_var k 0 p)) env) by lra.
+    apply (corner_ok (check low rs) (check high rs) s _ _ env _ lo hi); try assumption;
+      intros s' p' G; [apply (IHl rs) | apply (IHh rs)]; assumption.
 Qed.
 
 (** * What theorems are proved by *)
@@ -1100,6 +1171,38 @@ Proof. intros H B. pose proof (sign_by _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra.
 Theorem lt_by rs by_ cn cd a b env :
   prove_sign true rs by_ cn cd (Diff b a) = true -> inbox rs env -> eval a env < eval b env.
 Proof. intros H B. pose proof (sign_by _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
+
+(** The same of a quotient n/d that is given, for certificates which are about its parts and no others. *)
+Definition prove_sign_over (s : bool) (rs : list range) (by_ : list cert) (cn cd : cert) (n d : pol) (e : expr) : bool :=
+  let r := norm e in
+  (forallb (defined rs by_) (cs r) && is0 (sub (mul (num (fr r)) d) (mul n (den (fr r)))) &&
+   defined rs (cd :: by_) d && check cd rs false d && check cn rs s n)%bool.
+
+Theorem sign_over s rs by_ cn cd n d e env :
+  prove_sign_over s rs by_ cn cd n d e = true -> inbox rs env -> sign s (eval e env).
+Proof.
+  unfold prove_sign_over. intros H B. apply andb_prop in H as [H Hn]. apply andb_prop in H as [H Hd].
+  apply andb_prop in H as [H Hz]. apply andb_prop in H as [H E].
+  apply (defined_ok _ _ _ env) in H; auto. destruct (norm_ok e env H) as [D V]. rewrite <- V. unfold val, ok in *.
+  assert (Z : ev d env <> 0).
+  { assert (F : Forall (nz env) [d]) by (apply (defined_ok rs (cd :: by_)); [simpl; rewrite Hz; reflexivity | exact B]).
+    inversion F; subst. assumption. }
+  apply (check_ok _ _ _ _ env) in Hd, Hn; auto. simpl in Hd.
+  apply (is0_ok _ env) in E. rewrite sub_ok, !mul_ok in E.
+  replace (ev (num (fr (norm e))) env / ev (den (fr (norm e))) env) with (ev n env / ev d env).
+  - assert (0 < / ev d env) by (apply Rinv_0_lt_compat; lra).
+    destruct s; simpl in *; unfold Rdiv; [apply Rmult_lt_0_compat | apply Rmult_le_pos]; lra.
+  - apply (Rmult_eq_reg_r (ev d env * ev (den (fr (norm e))) env)); [|apply Rmult_integral_contrapositive_currified; auto].
+    field_simplify; auto. lra.
+Qed.
+
+Theorem le_over rs by_ cn cd n d a b env :
+  prove_sign_over false rs by_ cn cd n d (Diff b a) = true -> inbox rs env -> eval a env <= eval b env.
+Proof. intros H B. pose proof (sign_over _ _ _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
+
+Theorem lt_over rs by_ cn cd n d a b env :
+  prove_sign_over true rs by_ cn cd n d (Diff b a) = true -> inbox rs env -> eval a env < eval b env.
+Proof. intros H B. pose proof (sign_over _ _ _ _ _ _ _ _ _ H B) as Z. simpl in Z. lra. Qed.
 
 (** A positive factor n/d by which one vector is a multiple of another one. *)
 Lemma ratio_positive n d : 0 < n * d -> 0 < n / d.
@@ -1241,8 +1344,58 @@ Proof.
   rewrite <- (tan_at _ k eq_refl K). apply tan_lt; nra.
 Qed.
 
+(** The angle that is reflected: its tangent is that of a difference. *)
+Lemma tan_mirror p q (k : Z) : p = IZR k * (PI / 2) - q -> (-1 <= k <= 1)%Z -> - PI < q < PI -> - PI < p < PI ->
+  tan (p / 2) = (IZR k - tan (q / 2)) / (1 + IZR k * tan (q / 2)).
+Proof.
+  intros E K Q P. pose proof (half_cos q Q) as C. pose proof (half_cos p P) as D.
+  pose proof PI_RGT_0.
+  assert (B : cos (IZR k * (PI / 2) / 2) <> 0).
+  { apply half_cos. assert (-1 <= IZR k <= 1) by (split; apply IZR_le; lia). nra. }
+  replace (p / 2) with (IZR k * (PI / 2) / 2 - q / 2) in * by (rewrite E; field).
+  assert (N : 1 + tan (IZR k * (PI / 2) / 2) * tan (q / 2) <> 0).
+  { rewrite cos_minus in D. intros N. apply D. unfold tan in N.
+    replace (cos (IZR k * (PI / 2) / 2) * cos (q / 2) + sin (IZR k * (PI / 2) / 2) * sin (q / 2))
+      with (cos (IZR k * (PI / 2) / 2) * cos (q / 2) *
+        (1 + sin (IZR k * (PI / 2) / 2) / cos (IZR k * (PI / 2) / 2) * (sin (q / 2) / cos (q / 2)))) by (field; auto).
+    rewrite N. ring. }
+  rewrite tan_minus by assumption. rewrite (tan_at _ k eq_refl K). reflexivity.
+Qed.
+
+(** An angle a t + b whose half has a given tangent. *)
+Lemma angle_of a b x : 0 < a -> exists t, - PI < a * t + b < PI /\ tan ((a * t + b) / 2) = x.
+Proof.
+  intros A. exists ((2 * atan x - b) / a). apply Rgt_not_eq in A.
+  replace (a * ((2 * atan x - b) / a) + b) with (2 * atan x) by (field; assumption).
+  replace (2 * atan x / 2) with (atan x) by field. pose proof (atan_bound x).
+  split; [lra | apply atan_right_inv].
+Qed.
+
+(** Bounds of a tangent, and of the angle. *)
+Lemma angle_from k q x : (-1 <= k <= 1)%Z -> - PI < q < PI -> tan (q / 2) = x -> IZR k <= x -> IZR k * (PI / 2) <= q.
+Proof.
+  intros K Q <- L. apply Rnot_lt_le. intros N. pose proof (tangent_below k q K N (proj1 Q)). lra.
+Qed.
+
+Lemma angle_above k q x : (-1 <= k <= 1)%Z -> - PI < q < PI -> tan (q / 2) = x -> IZR k < x -> IZR k * (PI / 2) < q.
+Proof.
+  intros K Q <- L. apply Rnot_le_lt. intros N. pose proof (tangent_to k q K N (proj1 Q)). lra.
+Qed.
+
+Lemma angle_to k q x : (-1 <= k <= 1)%Z -> - PI < q < PI -> tan (q / 2) = x -> x <= IZR k -> q <= IZR k * (PI / 2).
+Proof.
+  intros K Q <- L. apply Rnot_lt_le. intros N. pose proof (tangent_above k q K N (proj2 Q)). lra.
+Qed.
+
+Lemma angle_below k q x : (-1 <= k <= 1)%Z -> - PI < q < PI -> tan (q / 2) = x -> x < IZR k -> q < IZR k * (PI / 2).
+Proof.
+  intros K Q <- L. apply Rnot_le_lt. intros N. pose proof (tangent_from k q K N (proj2 Q)). lra.
+Qed.
+
 Ltac angle := pose proof PI_RGT_0; split; nra.
 Ltac tangent by_ := apply by_; [lia | |]; pose proof PI_RGT_0; nra.
+(** An angle is in its range, of whose ends the multiples of a quarter turn are known. *)
+Ltac arrive := pose proof PI_RGT_0; repeat split; nra.
 
 (** * Linear independence *)
 
@@ -1458,47 +1611,40 @@ Qed.
 Fixpoint sume (A : nat -> R) (k : nat) (es : list expr) (env : list R) : R :=
   match es with [] => 0 | e :: es => A k * eval e env + sume A (S k) es env end.
 
-Fixpoint prod (ds : list pol) : pol := match ds with [] => C 1 | d :: ds => mul d (prod ds) end.
-Fixpoint drop (d : pol) (ds : list pol) : list pol :=
-  match ds with [] => [] | e :: ds => if same d e then ds else e :: drop d ds end.
+(** Whether formulas are the quotients p/d of given polynomials p and one d. *)
+Fixpoint over (d : pol) (ps : list pol) (ns : list norm_result) : bool :=
+  match ps, ns with
+  | [], [] => true
+  | p :: ps, n :: ns => (is0 (sub (mul (num (fr n)) d) (mul p (den (fr n)))) && over d ps ns)%bool
+  | _, _ => false
+  end.
 
-Lemma drop_ok d ds env : existsb (same d) ds = true -> ev (prod ds) env = ev d env * ev (prod (drop d ds)) env.
+Lemma over_ok A d es env : forall ps k,
+  over d ps (map norm es) = true -> Forall (fun e => Forall (nz env) (cs (norm e))) es ->
+  sumf A k ps env = ev d env * sume A k es env.
 Proof.
-  induction ds as [|e ds IH]; simpl; [discriminate|]. destruct (same d e) eqn:E; intros H.
-  - apply same_ok in E. subst. apply mul_ok.
-  - simpl in H. rewrite mul_ok, (IH H). simpl. rewrite mul_ok. ring.
+  induction es as [|e es IH]; intros [|p ps] k H F; simpl in *; try discriminate; [ring|].
+  apply andb_prop in H as [H1 H2]. inversion F; subst. rewrite (IH ps (S k)) by assumption.
+  apply (is0_ok _ env) in H1. rewrite sub_ok, !mul_ok in H1.
+  destruct (norm_ok e env H3) as [D V]. rewrite <- V. unfold val, ok in *.
+  replace (ev p env) with (ev (num (fr (norm e))) env * ev d env / ev (den (fr (norm e))) env); [field; exact D|].
+  apply (Rmult_eq_reg_r (ev (den (fr (norm e))) env)); [|exact D]. field_simplify; [lra | exact D].
 Qed.
 
-Lemma prod_not ds env : Forall (nz env) ds -> ev (prod ds) env <> 0.
+Lemma over_length d es : forall ps, over d ps (map norm es) = true -> length ps = length es.
 Proof.
-  intros H. induction H as [|d ds Hd H IH]; simpl; [rewrite Q2R_1; lra|]. rewrite mul_ok.
-  apply Rmult_integral_contrapositive_currified; assumption.
-Qed.
-
-(** The numerators over a common denominator. *)
-Definition cleared (ds : list pol) (f : frac) : pol := mul (num f) (prod (drop (den f) ds)).
-
-Lemma cleared_ok A ds es env : forall k,
-  forallb (fun e => existsb (same (den (fr (norm e)))) ds) es = true ->
-  Forall (fun e => Forall (nz env) (cs (norm e))) es ->
-  sumf A k (map (fun e => cleared ds (fr (norm e))) es) env = ev (prod ds) env * sume A k es env.
-Proof.
-  induction es as [|e es IH]; intros k H F; simpl in *; [ring|].
-  apply andb_prop in H as [H1 H2]. inversion F; subst. rewrite IH by assumption.
-  destruct (norm_ok e env H3) as [D V]. rewrite <- V. unfold val, cleared. rewrite mul_ok, (drop_ok _ _ env H1).
-  field. exact D.
+  induction es as [|e es IH]; intros [|p ps] H; simpl in *; try discriminate; [reflexivity|].
+  apply andb_prop in H as [_ H]. f_equal. apply IH, H.
 Qed.
 
 Definition wide (dims : list (Q * Q)) : list range := map (fun d => (Excl (fst d), Excl (snd d))) dims.
 
 Definition prove_independent (rs : list range) (by_ : list cert) (dims : list (Q * Q)) (es : list expr)
-  (steps : list step) : bool :=
+  (d : pol) (ps : list pol) (steps : list step) : bool :=
   let ns := map norm es in
-  let ds := fold_right (fun r l => insert (den (fr r)) l) [] ns in
   (forallb (fun d => qlt (fst d) (snd d)) dims &&
    forallb (fun r => forallb (defined (wide dims ++ rs) by_) (cs r)) ns &&
-   forallb (fun r => existsb (same (den (fr r))) ds) ns &&
-   eliminate (length dims) rs (map (fun r => cleared ds (fr r)) ns) steps [])%bool.
+   over d ps ns && eliminate (length dims) rs ps steps [])%bool.
 
 Lemma inside_box dims rs xs env : inside dims xs -> inbox rs env -> inbox (wide dims ++ rs) (xs ++ env).
 Proof.
@@ -1509,21 +1655,21 @@ Qed.
 Lemma forallb_mapped {T U} (f : U -> bool) (g : T -> U) l : forallb f (map g l) = forallb (fun x => f (g x)) l.
 Proof. induction l; simpl; [reflexivity|]. rewrite IHl. reflexivity. Qed.
 
-(** If a combination of functions is zero inside of a box in the first variables, all of its factors are zero. *)
-Theorem independent_by rs by_ dims es steps env A :
-  prove_independent rs by_ dims es steps = true -> inbox rs env ->
+(** If a combination of functions is zero inside of a box in the first variables, all of its factors are zero. The
+    functions are p/d for given polynomials p and one d. *)
+Theorem independent_by rs by_ dims es d ps steps env A :
+  prove_independent rs by_ dims es d ps steps = true -> inbox rs env ->
   (forall xs, inside dims xs -> sume A 0 es (xs ++ env) = 0) ->
   forall k, (k < length es)%nat -> A k = 0.
 Proof.
-  unfold prove_independent. rewrite !map_map, !forallb_mapped. intros H B Z.
-  set (ds := fold_right (fun r l => insert (den (fr r)) l) [] (map norm es)) in *.
+  unfold prove_independent. intros H B Z.
   apply andb_prop in H as [H E]. apply andb_prop in H as [H H3]. apply andb_prop in H as [H1 H2].
-  rewrite <- (map_length (fun e => cleared ds (fr (norm e))) es).
-  refine (eliminate_ok A (length dims) rs _ env _ B steps [] _ E); [|intros m []].
+  rewrite <- (over_length d es ps H3).
+  refine (eliminate_ok A (length dims) rs ps env _ B steps [] _ E); [|intros m []].
   apply coefficients.
-  - apply Forall_forall. intros d Hd. rewrite forallb_forall in H1. apply qlt_ok, H1, Hd.
-  - intros xs Hxs. rewrite cleared_ok; [rewrite (Z xs Hxs); ring | exact H3 |].
-    apply Forall_forall. intros e He. rewrite forallb_forall in H2.
+  - apply Forall_forall. intros c Hc. rewrite forallb_forall in H1. apply qlt_ok, H1, Hc.
+  - intros xs Hxs. rewrite (over_ok A d es _ ps 0 H3); [rewrite (Z xs Hxs); ring|].
+    apply Forall_forall. intros e He. rewrite forallb_mapped, forallb_forall in H2.
     exact (defined_ok _ _ _ _ (H2 e He) (inside_box _ _ _ _ Hxs B)).
 Qed.
 

@@ -1,5 +1,6 @@
 //! Formulas twice: as a reader of Coq sees them, and as the data of `Basis.v` whose value they are.
 
+use basis_engine::algebra::poly::{Poly, Var};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Circular, Comparison, Role, Sign, Term};
 
@@ -193,4 +194,15 @@ pub(super) fn number(n: &Rational) -> String {
 /// A number as a rational number of Coq.
 pub(super) fn rational(n: &Rational) -> String {
     if n.is_integer() { format!("({n})") } else { format!("({} # {})", n.numer(), n.denom()) }
+}
+
+/// A polynomial as data, its variables in this order.
+pub(super) fn polynomial_data(p: &Poly, variables: &[Var]) -> String {
+    if let Some(c) = p.as_constant() {
+        return format!("C {}", rational(&c));
+    }
+    let Some((first, rest)) = variables.split_first() else { return String::from("C 0") };
+    let coefficients: Vec<String> =
+        p.coefficients_in(*first).iter().map(|c| polynomial_data(c, rest)).collect();
+    format!("P [{}]", coefficients.join("; "))
 }

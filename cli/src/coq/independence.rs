@@ -32,17 +32,6 @@ impl Subject<'_> {
         let Statement::Independent { rows, region, .. } = proof.statement() else {
             return Err("a statement of another kind");
         };
-        if !self
-            .formulas
-            .functions
-            .iter()
-            .map(|f| self.divisors(*f))
-            .collect::<Vec<_>>()
-            .windows(2)
-            .all(|w| w[0] == w[1])
-        {
-            return Err("independence of functions with different denominators");
-        }
         let table = Table::new(self.family, rows)?;
         let parts = pieces(region, except, MAX_PIECES).ok_or("too many exceptions")?;
         let mut cases = Vec::new();
@@ -60,7 +49,7 @@ impl Subject<'_> {
             };
             cases.push((part, steps));
         }
-        let mut all = vec![self.everywhere(name, except, &cases)];
+        let mut all = vec![self.everywhere(name, except, &table.quotients(), &cases)];
         if let Certificate::Rank(rank) = proof.certificate() {
             for (k, (values, factors)) in except.iter().zip(&rank.exceptions).enumerate() {
                 let some = factors.iter().any(|c| c.as_constant().is_some_and(|c| !c.is_zero()));
@@ -72,48 +61,6 @@ impl Subject<'_> {
             }
         }
         Ok(all)
-    }
-
-    /// What stands below fraction lines in a definition and in those that it calls, but for numbers: Coq reduces no
-    /// fractions, so that functions have a common denominator only if it is written in the same way.
-    fn divisors(&self, definition: usize) -> Vec<Term> {
-        fn below(term: &Term, found: &mut Vec<Term>, called: &mut Vec<usize>) {
-            match term {
-                Term::Number(_) | Term::Variable(_) | Term::Pi => {}
-                Term::Neg(x) | Term::Power(x, _) | Term::Circular(_, x) => below(x, found, called),
-                Term::Sum(parts) => {
-                    for (_, x) in parts {
-                        below(x, found, called);
-                    }
-                }
-                Term::Product(parts) => {
-                    for (role, x) in parts {
-                        if *role == Role::Divisor && !matches!(x, Term::Number(_)) {
-                            found.push(x.clone());
-                        }
-                        below(x, found, called);
-                    }
-                }
-                Term::Call(f, args) => {
-                    if !called.contains(f) {
-                        called.push(*f);
-                    }
-                    for x in args {
-                        below(x, found, called);
-                    }
-                }
-                Term::Derivative { body, at, .. } => {
-                    below(body, found, called);
-                    below(at, found, called);
-                }
-            }
-        }
-        let (mut found, mut called, mut done) = (Vec::new(), vec![definition], 0);
-        while let Some(next) = called.get(done).copied() {
-            done += 1;
-            below(&self.formulas.definitions[next].value, &mut found, &mut called);
-        }
-        found
     }
 
     /// A point at which the functions are dependent.
@@ -141,7 +88,13 @@ impl Subject<'_> {
     }
 
     /// Independence at all shape values but the exceptions.
-    fn everywhere(&self, name: &str, except: &[Values], cases: &[(&Region, Vec<String>)]) -> String {
+    fn everywhere(
+        &self,
+        name: &str,
+        except: &[Values],
+        (below, above): &(String, Vec<String>),
+        cases: &[(&Region, Vec<String>)],
+    ) -> String {
         let shapes: Vec<&str> = self.family.shapes.iter().map(|p| self.names[p.var.0].as_str()).collect();
         let factors: Vec<String> = (0..self.family.functions.len()).map(|k| format!("a'{k}")).collect();
         let mut hypotheses: Vec<String> =
@@ -194,27 +147,33 @@ impl Subject<'_> {
             let dims: Vec<String> =
                 dims.iter().map(|(a, b)| format!("({}%Q, {}%Q)", rational(a), rational(b))).collect();
             text += &format!(
-                "    {{ refine (independent_by [{}] {} [{}] [{}]\n      [{}]\n      [{}] A' _ _ _); [run | box |].\n",
+                "    {{ refine (independent_by [{}] {} [{}] [{}]\n      ({below})\n      [{}]\n      [{}]\n      [{}] A' _ _ _); [run | box |].\n",
                 sides.join("; "),
                 self.defined_on(&variables_of(self.family)),
                 dims.join("; "),
                 functions.join("; "),
+                above.join(";\n       "),
                 steps.join(";\n       "),
                 values.join("; ")
             );
             let destruct =
                 variables.iter().rev().fold(String::from("[|]"), |inner, y| format!("[|{y} {inner}]"));
-            let products: Vec<String> = factors
-                .iter()
-                .enumerate()
-                .map(|(k, a)| format!("{a} * {}", self.at(k, &variables)))
-                .collect();
-            let nested = products.iter().rev().fold(String::from("0"), |sum, p| format!("{p} + ({sum})"));
+            let products = |variables: &[String], written: bool| -> Vec<String> {
+                let each = factors.iter().enumerate();
+                each.map(|(k, a)| format!("{a} * {}", self.at(k, variables, written))).collect()
+            };
+            let nested = products(&variables, false);
+            let nested = nested.iter().rev().fold(String::from("0"), |sum, p| format!("{p} + ({sum})"));
             text += &format!("      intros xs' X'. destruct xs' as {destruct}; simpl in X'; try tauto.\n");
             text += "      cbv [inside fst snd Q2R Qnum Qden] in X'.\n";
             text += &format!("      change ({nested} = 0).\n");
-            text += &format!("      transitivity ({}); [ring |].\n", products.join(" + "));
-            text += "      apply H'; lra. }\n";
+            let (places, steps, last) = match &self.angle {
+                None => (variables.clone(), "", "lra"),
+                Some(angle) => (vec![String::from("t'")], angle.from_tangents.as_str(), "arrive"),
+            };
+            text += steps;
+            text += &format!("      transitivity ({}); [ring |].\n", products(&places, true).join(" + "));
+            text += &format!("      apply H'; {last}. }}\n");
         }
         text += "  }\n";
         for (k, a) in factors.iter().enumerate() {
@@ -281,7 +240,6 @@ impl Subject<'_> {
         let put = |term: &Term| {
             term.put(&|v| values.iter().find(|(var, _)| var.0 == v).map(|(_, x)| Term::Number(x.clone())))
         };
-        let coordinates: Vec<usize> = self.family.domain_variables().map(|p| p.var.0).collect();
         let independent: Vec<usize> = self.family.domain.iter().map(|p| p.var.0).collect();
         let free = self.family.shapes.iter().filter(|p| values.iter().all(|(v, _)| *v != p.var));
         let env: Vec<usize> = independent.iter().copied().chain(free.clone().map(|p| p.var.0)).collect();
@@ -294,12 +252,14 @@ impl Subject<'_> {
             }
         };
         let parts = self.formulas.functions.iter().zip(factors).map(|(f, factor)| {
-            let call = Term::Call(*f, (0..self.names.len()).map(Term::Variable).collect());
+            let call = Term::Call(*f, self.arguments());
             (Sign::Plus, Term::Product(vec![(Role::Factor, put(factor)), (Role::Factor, last(put(&call)))]))
         });
         let sum = Term::Sum(parts.collect());
-        let names: Vec<&str> = coordinates.iter().map(|v| self.names[*v].as_str()).collect();
-        text += &format!("  intros {}; intros.\n", names.join(" "));
+        match &self.angle {
+            None => text += &format!("  intros {}; intros.\n", self.coordinates().join(" ")),
+            Some(angle) => text += &format!("  intros {} D'.\n{}", angle.variable, angle.to_tangents),
+        }
         if let Some(p) = self.family.simplices.first().map(|s| &s.last) {
             let others: Vec<&str> = independent.iter().map(|v| self.names[*v].as_str()).collect();
             let w = &self.names[p.var.0];
@@ -313,7 +273,11 @@ impl Subject<'_> {
         sides.extend(free.map(|p| range_data(&p.range)));
         let open: Vec<(Var, Range)> =
             variables_of(self.family).into_iter().filter(|(v, _)| env.contains(&v.0)).collect();
-        let point: Vec<&str> = env.iter().map(|v| self.names[*v].as_str()).collect();
+        let own = |v: &usize| match &self.angle {
+            Some(angle) if independent.contains(v) => angle.tangent.as_str(),
+            _ => self.names[*v].as_str(),
+        };
+        let point: Vec<&str> = env.iter().map(own).collect();
         text += &format!(
             "  refine (equal_by [{}] {} {} (Num 0) [{}] _ _); [run | box].\nQed.\n",
             sides.join("; "),
@@ -354,14 +318,15 @@ impl Subject<'_> {
 
     /// That a combination is zero on the whole domain.
     fn vanishes(&self, factors: &[String]) -> String {
-        let coordinates: Vec<&str> =
-            self.family.domain_variables().map(|p| self.names[p.var.0].as_str()).collect();
+        let coordinates = self.coordinates();
         let mut text = format!("forall {} : R, ", coordinates.join(" "));
         if self.family.is_simplex() {
             for x in &coordinates {
                 text += &format!("0 <= {x} -> ");
             }
             text += &format!("{} = 1 -> ", coordinates.join(" + "));
+        } else if let Some(angle) = &self.angle {
+            text += &format!("{} -> ", angle.domain);
         } else {
             for p in &self.family.domain {
                 text += &between(&self.names[p.var.0], &p.range)
@@ -369,25 +334,54 @@ impl Subject<'_> {
             }
         }
         let names: Vec<String> = coordinates.iter().map(|x| (*x).to_string()).collect();
-        let sum: Vec<String> =
-            factors.iter().enumerate().map(|(k, a)| format!("{a} * {}", self.called(k, &names))).collect();
+        let sum: Vec<String> = factors
+            .iter()
+            .enumerate()
+            .map(|(k, a)| format!("{a} * {}", self.called(k, &names, true)))
+            .collect();
         format!("{text}{} = 0", sum.join(" + "))
     }
 
-    /// A basis function at all coordinates of a point.
-    fn called(&self, function: usize, coordinates: &[String]) -> String {
+    /// The identifiers of all coordinates of a point.
+    fn coordinates(&self) -> Vec<&str> {
+        match &self.angle {
+            Some(angle) => vec![angle.variable.as_str()],
+            None => self.family.domain_variables().map(|p| self.names[p.var.0].as_str()).collect(),
+        }
+    }
+
+    /// The arguments of a function as data: all variables, or shape parameters and the tangent.
+    fn arguments(&self) -> Vec<Term> {
+        match &self.angle {
+            None => (0..self.names.len()).map(Term::Variable).collect(),
+            Some(_) => self
+                .family
+                .shapes
+                .iter()
+                .chain(&self.family.domain)
+                .map(|p| Term::Variable(p.var.0))
+                .collect(),
+        }
+    }
+
+    /// A basis function at all coordinates of a point, as it is written or else in tangents.
+    fn called(&self, function: usize, coordinates: &[String], written: bool) -> String {
+        let definitions = match &self.angle {
+            Some(angle) if written => angle.definitions,
+            _ => self.definitions,
+        };
         let shapes = self.family.shapes.iter().map(|p| self.names[p.var.0].clone());
         let args: Vec<String> = shapes.chain(coordinates.iter().cloned()).collect();
-        format!("{} {}", self.definitions[self.formulas.functions[function]], args.join(" "))
+        format!("{} {}", definitions[self.formulas.functions[function]], args.join(" "))
     }
 
     /// A basis function at independent coordinates.
-    fn at(&self, function: usize, variables: &[String]) -> String {
+    fn at(&self, function: usize, variables: &[String], written: bool) -> String {
         let mut coordinates = variables.to_vec();
         if self.family.is_simplex() {
             coordinates.push(format!("(1 - {})", variables.join(" - ")));
         }
-        self.called(function, &coordinates)
+        self.called(function, &coordinates, written)
     }
 
     /// The numbers of the domain variables, and then of the shape parameters.
@@ -402,9 +396,8 @@ impl Subject<'_> {
         let independent = self.family.domain.iter().map(|p| (Sign::Minus, Term::Variable(p.var.0)));
         let rest = Term::Sum(std::iter::once((Sign::Plus, Term::integer(1))).chain(independent).collect());
         let dependent = self.family.simplices.first().map(|s| s.last.var.0);
-        let args: Vec<Term> = (0..self.names.len())
-            .map(|v| if Some(v) == dependent { rest.clone() } else { Term::Variable(v) })
-            .collect();
+        let put = |v: usize| (Some(v) == dependent).then(|| rest.clone());
+        let args: Vec<Term> = self.arguments().iter().map(|x| x.put(&put)).collect();
         let calls = self.formulas.functions.iter().map(|f| Term::Call(*f, args.clone()));
         calls.map(|call| writer.data(&call, order)).collect()
     }

@@ -271,8 +271,7 @@ impl Text {
             let in_tangents = subject.definition(k, definition)?;
             let parameters = this.state(&definitions[k], &definitions, definition);
             this.written.push('\n');
-            let own: Vec<String> =
-                definitions.iter().enumerate().map(|(k, name)| subject.in_tangents(k, name)).collect();
+            let own = subject.all_in_tangents();
             this.with_data(&own[k], &own, &in_tangents);
             this.written += &subject.lemma(k, &parameters)?;
         }
@@ -280,7 +279,7 @@ impl Text {
         for (k, (claim, claimed)) in decided.claims.iter().zip(&formulas.claims).enumerate() {
             let name = this.identifiers.give(&format!("claim_{}_{}", k + 1, kind(claim)));
             let claimed = claimed.as_ref().ok_or("a formula that cannot be stated in Coq yet");
-            match claimed.and_then(|claimed| subject.theorems(&name, claimed, &claim.verdict)) {
+            match claimed.and_then(|claimed| subject.theorems(&name, &claim.claim, claimed, &claim.verdict)) {
                 Ok(theorems) => this.add(outcome, claim, theorems),
                 Err(why) => missing.push((k, why)),
             }
@@ -394,6 +393,7 @@ impl Text {
                 definitions: &self.definitions,
                 names: &self.names,
                 obligations: &obligations,
+                angle: None,
             };
             let Some(claimed) = claimed else {
                 missing.push((k, "a formula that cannot be stated in Coq yet"));

@@ -16,7 +16,7 @@ use basis_engine::{Claim, ClaimKind, Coordinate, Subject, Verdict, Witness, stat
 use basis_kernel::algebra::poly::{Poly, Var};
 use basis_kernel::{Chart, Proof, Relation, Statement};
 
-use super::certificate;
+use super::certificate::{self, Signs};
 use super::formula::{Writer, number};
 use super::frame::{between, range_data};
 use super::names::{Names, identifier};
@@ -242,18 +242,18 @@ impl<'a> About<'a> {
     /// A comparison that holds everywhere.
     fn proved(&self, name: &str, pair: &Pair<'_>, proof: Option<&Proof>) -> Result<String, Missing> {
         let mut chart: Vec<(Var, Range)> = Vec::new();
-        let mut certificates = (String::new(), String::new());
+        let mut signs = None;
         if pair.comparison != Comparison::Equal {
             let proof = proof.ok_or("a claim without a proof")?;
             let Statement::Sign { value, domain, .. } = proof.statement() else {
                 return Err("an inequality between dot products of points of any space");
             };
             let found = Chart::new(domain, [&value.numerator, &value.denominator]);
-            chart.clone_from(&found.map_err(|_| "a domain that has no chart")?.region().ranges);
-            certificates = certificate::by_cuts(proof, &chart)?;
+            let found = found.map_err(|_| "a domain that has no chart")?;
+            chart.clone_from(&found.region().ranges);
+            signs = Some(Signs::of(proof, &found, &chart)?);
         }
         let places = self.places(&[pair.left, pair.right], &chart).ok_or("a variable that is not there")?;
-        let (below, above) = certificates;
         let common = self.common(&places);
         let env: Vec<usize> = places.iter().map(|p| p.variable).collect();
         let values = values(&places);
@@ -261,7 +261,8 @@ impl<'a> About<'a> {
         let writer = self.writer(&names);
         let data = |term: &Term| writer.data(term, &env);
         let by = |lemma: &str, a: &Term, b: &Term| {
-            format!("{lemma} {common} {below} {above} {} {} {values} _ _", data(a), data(b))
+            let lemma = signs.as_ref().map_or_else(String::new, |signs: &Signs| signs.lemma(lemma, &common));
+            format!("{lemma} {} {} {values} _ _", data(a), data(b))
         };
         let (left, right) = (pair.left, pair.right);
         let goal = writer.compared(left, pair.comparison, right);
@@ -275,10 +276,10 @@ impl<'a> About<'a> {
             (Comparison::Equal, _) => {
                 (goal, format!("equal_by {common} {} {} {values} _ _", data(left), data(right)))
             }
-            (Comparison::LessEqual, _) => (goal, by("le_by", left, right)),
-            (Comparison::Less, _) => (goal, by("lt_by", left, right)),
-            (Comparison::GreaterEqual, _) => (goal, format!("Rle_ge _ _ ({})", by("le_by", right, left))),
-            (Comparison::Greater, _) => (goal, format!("Rlt_gt _ _ ({})", by("lt_by", right, left))),
+            (Comparison::LessEqual, _) => (goal, by("le", left, right)),
+            (Comparison::Less, _) => (goal, by("lt", left, right)),
+            (Comparison::GreaterEqual, _) => (goal, format!("Rle_ge _ _ ({})", by("le", right, left))),
+            (Comparison::Greater, _) => (goal, format!("Rlt_gt _ _ ({})", by("lt", right, left))),
             (Comparison::NotEqual, _) => return Err("a comparison that is no claim"),
         };
         let (statement, steps, numbers) = self.frame(&places, &goal, "forall");

@@ -7,7 +7,7 @@ use basis_engine::{Claim, ClaimKind, Coordinate, Evidence, Family, Verdict, Witn
 use basis_kernel::algebra::poly::Var;
 use basis_kernel::{Chart, Proof, Statement};
 
-use super::certificate;
+use super::certificate::{self, Signs};
 use super::formula::{Writer, number};
 use super::frame::Frame;
 
@@ -33,6 +33,22 @@ pub(super) fn each_proved(
     .collect()
 }
 
+/// What a family in sin and cos of an angle says of its variable, where the definitions are those in tangents.
+pub(super) struct OfAngle<'a> {
+    /// The identifiers of the definitions as they are written.
+    pub(super) definitions: &'a [String],
+    /// The identifier of the domain variable.
+    pub(super) variable: String,
+    /// Its range as a hypothesis.
+    pub(super) domain: String,
+    /// The tangent of half the angle there.
+    pub(super) tangent: String,
+    /// Steps from the hypothesis `D'`, the range of the variable, to that of the tangent, and to a goal in tangents.
+    pub(super) to_tangents: String,
+    /// Steps from a tangent `y'0` inside of its range to a variable in its own, and back to the functions as they are written.
+    pub(super) from_tangents: String,
+}
+
 /// A family with everything that its theorems mention.
 pub(super) struct Subject<'a> {
     pub(super) family: &'a Family,
@@ -43,6 +59,8 @@ pub(super) struct Subject<'a> {
     pub(super) names: &'a [String],
     /// Why no denominator vanishes.
     pub(super) obligations: &'a [&'a Proof],
+    /// Of a family with an angle what is said of it.
+    pub(super) angle: Option<OfAngle<'a>>,
 }
 
 impl Subject<'_> {
@@ -81,26 +99,26 @@ impl Subject<'_> {
         compared: &Compared,
         proof: &Proof,
     ) -> Result<String, Missing> {
-        let (frame, boxed, variables, certificates) = match proof.statement() {
+        let (frame, boxed, variables, signs) = match proof.statement() {
             Statement::Zero { value, domain } if self.family.is_simplex() && self.family.is_rational() => {
                 // Denominators do not vanish on the simplex alone.
                 let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
                 let chart = chart.map_err(|_| "a domain that has no chart")?;
                 let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
-                (frame, Vec::new(), Vec::new(), (String::new(), String::new()))
+                (frame, Vec::new(), Vec::new(), None)
             }
             Statement::Zero { .. } => {
                 let frame = Frame::new(self.family, self.names, &claimed.fixed, None);
-                (frame, Vec::new(), Vec::new(), (String::new(), String::new()))
+                (frame, Vec::new(), Vec::new(), None)
             }
             Statement::Sign { value, domain, .. } => {
                 let chart = Chart::new(domain, [&value.numerator, &value.denominator]);
                 let chart = chart.map_err(|_| "a domain that has no chart")?;
                 let frame = Frame::new(self.family, self.names, &claimed.fixed, Some((domain, &chart)));
                 let ranges = chart.region().ranges.clone();
-                let certificates = certificate::by_cuts(proof, &ranges)?;
+                let signs = Signs::of(proof, &chart, &ranges)?;
                 let boxed: Vec<Var> = domain.region.ranges.iter().map(|(v, _)| *v).collect();
-                (frame, boxed, ranges, certificates)
+                (frame, boxed, ranges, Some(signs))
             }
             _ => return Err("a statement of another kind"),
         };
@@ -116,9 +134,9 @@ impl Subject<'_> {
         let writer = self.writer(&names);
         let data = |term: &Term| writer.data(term, &env);
         let common = format!("{} {}", frame.ranges(), self.defined(&frame));
-        let (below, above) = certificates;
         let by = |lemma: &str, a: &Term, b: &Term| {
-            format!("{lemma} {common} {below} {above} {} {} {} _ _", data(a), data(b), frame.values())
+            let lemma = signs.as_ref().map_or_else(String::new, |signs| signs.lemma(lemma, &common));
+            format!("{lemma} {} {} {} _ _", data(a), data(b), frame.values())
         };
         let goal = writer.compared(&compared.left, compared.comparison, &compared.right);
         let (goal, proof) = match (compared.comparison, &left, &compared.left) {
@@ -135,10 +153,10 @@ impl Subject<'_> {
             (Comparison::Equal, ..) => {
                 (goal, format!("equal_by {common} {} {} {} _ _", data(&left), data(&right), frame.values()))
             }
-            (Comparison::LessEqual, ..) => (goal, by("le_by", &left, &right)),
-            (Comparison::Less, ..) => (goal, by("lt_by", &left, &right)),
-            (Comparison::GreaterEqual, ..) => (goal, format!("Rle_ge _ _ ({})", by("le_by", &right, &left))),
-            (Comparison::Greater, ..) => (goal, format!("Rlt_gt _ _ ({})", by("lt_by", &right, &left))),
+            (Comparison::LessEqual, ..) => (goal, by("le", &left, &right)),
+            (Comparison::Less, ..) => (goal, by("lt", &left, &right)),
+            (Comparison::GreaterEqual, ..) => (goal, format!("Rle_ge _ _ ({})", by("le", &right, &left))),
+            (Comparison::Greater, ..) => (goal, format!("Rlt_gt _ _ ({})", by("lt", &right, &left))),
             (Comparison::NotEqual, ..) => return Err("a comparison that is no claim"),
         };
         let steps = self.introduced(&frame);

@@ -4,10 +4,12 @@ use std::rc::Rc;
 
 use super::scope::{Functions, Reader, Scope, Value};
 use super::{Claimed, Compared, Comparison, Role, Sign, Term};
+use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Poly;
 use crate::algebra::rational::Rational;
 use crate::claim::{Claim, ClaimKind};
 use crate::model::Family;
+use crate::model::angle::Angle;
 use crate::state::moves;
 use crate::syntax::{self, Binding, StatementKind};
 
@@ -97,13 +99,16 @@ impl Reader<'_, '_> {
                     |left| Compared { left, comparison: Comparison::GreaterEqual, right: Term::integer(0) };
                 calls.into_iter().map(one).collect()
             }
-            // An angle moves with its tangent.
-            ClaimKind::Symmetric if !family.analytic.is_empty() => return None,
             ClaimKind::Symmetric => {
                 let coordinates = scope.coordinates();
+                let angle = family.domain.first().and_then(|p| family.analytic.angle(p.var));
                 let mut all = Vec::new();
                 for (this, that, arguments) in moves(family) {
-                    let by: Vec<Term> = arguments.iter().map(polynomial).collect();
+                    let by: Vec<Term> = match angle {
+                        // The polynomials are about its tangent.
+                        Some(angle) => vec![reversed(family, angle)?],
+                        None => arguments.iter().map(polynomial).collect(),
+                    };
                     let put = |v: usize| coordinates.iter().position(|c| *c == v).map(|k| by[k].clone());
                     all.push(equal(calls.get(this)?.clone(), calls.get(that)?.put(&put)));
                 }
@@ -133,6 +138,22 @@ impl Reader<'_, '_> {
             _ => return None,
         })
     }
+}
+
+/// An angle as its range is run through from the other end: the sum of its ends minus itself. `None` for ends that are neither
+/// numbers nor multiples of π.
+fn reversed(family: &Family, angle: &Angle) -> Option<Term> {
+    let [low, high] = &angle.limits;
+    let (sum, itself) = (low + high, Term::Variable(angle.itself.0));
+    let end = match (sum.as_constant(), family.analytic.pi) {
+        (Some(x), _) if x.is_zero() => return Some(Term::Neg(Rc::new(itself))),
+        (Some(x), _) => Term::Number(x),
+        (None, pi) => {
+            let pi = Fraction::var(pi?);
+            Term::Number(sum.checked_div(&pi)?.as_constant()?).by(Term::Pi)
+        }
+    };
+    Some(end.minus(itself))
 }
 
 /// Two sides component by component; a single 0 stands for all components.

@@ -2,7 +2,9 @@
 //! the tangent of half the angle, with a lemma that says that these agree. A proof puts the second one in place of the
 //! first, derivatives by the chain rule, and goes on as that of any other quotient.
 
+mod place;
 mod proof;
+mod refuted;
 mod turn;
 
 use std::cell::RefCell;
@@ -144,12 +146,18 @@ impl Angular<'_> {
         })
     }
 
-    /// The tangent at a place: an angle itself, or a number.
+    /// The tangent at a place: an angle itself, a number, or an angle on the way back.
     fn tangent_of(&self, at: &Term, angles: &[(usize, Term)]) -> Option<Term> {
-        match at {
-            Term::Variable(v) => angles.iter().find(|(a, _)| a == v).map(|(_, x)| x.clone()),
-            _ => self.turn.tangent_at(&Linear::of(at, usize::MAX)?).map(Term::integer),
+        if let Term::Variable(v) = at {
+            return angles.iter().find(|(a, _)| a == v).map(|(_, x)| x.clone());
         }
+        let fixed = Linear::of(at, usize::MAX).and_then(|at| self.turn.tangent_at(&at)).map(Term::integer);
+        fixed.or_else(|| {
+            let back = |(v, x): &(usize, Term)| {
+                Some(turn::reflected(self.turn.reflection(&Linear::of(at, *v)?)?, x))
+            };
+            angles.iter().find_map(back)
+        })
     }
 
     /// A definition in tangents, with the lemma that it is the same.
@@ -195,6 +203,7 @@ impl Angular<'_> {
     ) -> Result<Vec<String>, Missing> {
         let mut derivatives: Vec<String> = Vec::new();
         let mut calls: Vec<usize> = Vec::new();
+        let mut reflections: Vec<String> = Vec::new();
         let mut sines: Vec<String> = Vec::new();
         self.each(term, &mut |part| {
             let writer = Writer { definitions: self.definitions, variables: names };
@@ -205,7 +214,13 @@ impl Angular<'_> {
                         derivatives.push(step);
                     }
                 }
-                Term::Call(f, _) if self.turning[*f] && !calls.contains(f) => calls.push(*f),
+                Term::Call(f, args) if self.turning[*f] => {
+                    if !calls.contains(f) {
+                        calls.push(*f);
+                    }
+                    let step = args.last().and_then(|at| self.reflection_step(at, angles, bounds, &writer));
+                    reflections.extend(step.filter(|step| !reflections.contains(step)));
+                }
                 Term::Circular(f, x) => {
                     let own = angles
                         .iter()
@@ -229,7 +244,23 @@ impl Angular<'_> {
         let calls = calls.into_iter();
         let calls = calls
             .map(|f| format!("rewrite ?{}'angle by first [exact {bounds} | angle]", self.definitions[f]));
-        Ok([derivatives, calls.collect(), sines].concat())
+        Ok([derivatives, calls.collect(), reflections, sines].concat())
+    }
+
+    /// The step that puts a quotient in place of the tangent of an angle on its way back.
+    fn reflection_step(
+        &self,
+        at: &Term,
+        angles: &[(usize, String)],
+        bounds: &str,
+        writer: &Writer<'_>,
+    ) -> Option<String> {
+        let own =
+            |(v, name): &(usize, String)| Some((self.turn.reflection(&Linear::of(at, *v)?)?, name.clone()));
+        let (k, t) = angles.iter().find_map(own)?;
+        let (p, q) = (self.turn.text(&writer.argument(at)), self.turn.text(&t));
+        let known = format!("ltac:(first [exact {bounds} | angle])");
+        Some(format!("rewrite (tan_mirror ({p}) ({q}) ({k}) ltac:(field) ltac:(lia) {known} ltac:(angle))"))
     }
 
     /// Does something with all parts of a formula that no derivative surrounds; derivatives are parts themselves.
@@ -265,8 +296,7 @@ impl Angular<'_> {
             angle.map_or_else(|| names(v), |(_, name)| Some(format!("({})", self.turn.tangent_text(name))))
         };
         let writer = Writer { definitions: self.definitions, variables: names };
-        let own: Vec<String> =
-            self.definitions.iter().enumerate().map(|(k, d)| self.in_tangents(k, d)).collect();
+        let own = self.all_in_tangents();
         let tangent_writer = Writer { definitions: &own, variables: &texts };
         let place = writer.argument(at);
         let link = self.steps(body, &inner, &h, &inner_names)?;
@@ -314,8 +344,13 @@ impl Angular<'_> {
     }
 
     /// The identifier of a definition in tangents.
-    pub(super) fn in_tangents(&self, place: usize, name: &str) -> String {
+    fn in_tangents(&self, place: usize, name: &str) -> String {
         if self.turning[place] { format!("{name}'t") } else { name.to_string() }
+    }
+
+    /// The identifiers of all definitions, of those about the angle in tangents.
+    pub(super) fn all_in_tangents(&self) -> Vec<String> {
+        self.definitions.iter().enumerate().map(|(k, name)| self.in_tangents(k, name)).collect()
     }
 
     /// The step that gives the tangent at a number its value.

@@ -1,17 +1,17 @@
 //! Claims of a family with an angle as theorems with their proofs.
 
-use basis_engine::Verdict;
 use basis_engine::algebra::fraction::Fraction;
 use basis_engine::algebra::poly::Var;
 use basis_engine::algebra::range::{End, Range};
 use basis_engine::algebra::rational::Rational;
 use basis_engine::formulas::{Claimed, Compared, Comparison, Term};
+use basis_engine::{Claim, ClaimKind, Verdict};
 use basis_kernel::{Chart, Proof, Statement};
 
-use super::super::certificate;
+use super::super::certificate::{self, Signs};
 use super::super::formula::{Writer, number};
 use super::super::frame::{between, range_data};
-use super::super::theorem::{Missing, each_proved};
+use super::super::theorem::{Missing, OfAngle, Subject, each_proved};
 use super::{Angular, OTHER, PI, any};
 
 impl Angular<'_> {
@@ -19,15 +19,63 @@ impl Angular<'_> {
     pub(in crate::coq) fn theorems(
         &self,
         name: &str,
+        claim: &Claim,
         claimed: &Claimed,
         verdict: &Verdict,
     ) -> Result<Vec<String>, Missing> {
-        let Verdict::Proved(evidence) = verdict else { return Err("a refutation beside an angle") };
-        if claimed.all.is_empty() {
-            return Err("independence of functions of an angle");
+        match (verdict, &claim.kind) {
+            (Verdict::Undecided(_), _) => Err("an undecided claim"),
+            (Verdict::Proved(evidence), ClaimKind::Independent(except)) => {
+                let (_, proof) = evidence.steps().first().ok_or("a claim without a proof")?;
+                self.with_tangents(|family| family.independent(name, except, proof))
+            }
+            (Verdict::Refuted(witness), ClaimKind::Independent(except)) => {
+                self.with_tangents(|family| Ok(vec![family.refuted_independence(name, except, witness)?]))
+            }
+            (Verdict::Proved(evidence), _) => {
+                each_proved(name, claimed, evidence, &mut |name, compared, proof| {
+                    self.proved(name, claimed, compared, proof)
+                })
+            }
+            (Verdict::Refuted(witness), _) => Ok(vec![self.refuted(name, claim, claimed, witness)?]),
         }
-        each_proved(name, claimed, evidence, &mut |name, compared, proof| {
-            self.proved(name, claimed, compared, proof)
+    }
+
+    /// The family as one of quotients in the tangent.
+    fn with_tangents<T>(&self, run: impl FnOnce(&Subject<'_>) -> Result<T, Missing>) -> Result<T, Missing> {
+        let definitions = self.all_in_tangents();
+        let own = self.family.domain.first().ok_or(OTHER)?;
+        let variable = self.names[self.variable()].clone();
+        let functions: Vec<&String> = self.formulas.functions.iter().map(|f| &self.definitions[*f]).collect();
+        if self.formulas.functions.iter().any(|f| !self.turning[*f]) {
+            return Err("a function without the angle");
+        }
+        let mut to_tangents =
+            format!("  assert (X' : - PI < {} < PI) by angle.\n", self.turn.text(&variable));
+        to_tangents += &self.tangent_bounds(&own.range, &variable, "D'")?;
+        let mut from_tangents = format!("      {}\n", self.arrival("y'0"));
+        for step in self.angle_bounds(&own.range, "t'", "y'0")? {
+            from_tangents += &format!("      {step}\n");
+        }
+        from_tangents += "      rewrite <- T'.\n";
+        for f in functions {
+            to_tangents += &format!("  rewrite ?{f}'angle by exact X'.\n");
+            from_tangents += &format!("      rewrite <- ?{f}'angle by exact Q'.\n");
+        }
+        run(&Subject {
+            family: self.family,
+            formulas: self.formulas,
+            definitions: &definitions,
+            names: self.names,
+            obligations: self.obligations,
+            angle: Some(OfAngle {
+                definitions: self.definitions,
+                domain: self.domain(&variable).ok_or(OTHER)?,
+                tangent: self.turn.tangent_text(&variable),
+                variable,
+                to_tangents,
+                from_tangents,
+            }),
         })
     }
 
@@ -52,7 +100,7 @@ impl Angular<'_> {
         if fixed.is_none() {
             independent.push((tangent, own.range.clone()));
         }
-        let mut certificates = (String::new(), String::new());
+        let mut signs = None;
         if let Statement::Sign { value, domain, .. } = proof.statement() {
             let pi = self.family.analytic.pi;
             if pi.is_some_and(|pi| value.numerator.depends_on(pi) || value.denominator.depends_on(pi)) {
@@ -62,7 +110,7 @@ impl Angular<'_> {
             let chart = chart.map_err(|_| "a domain that has no chart")?;
             let ranges: Vec<(Var, Range)> =
                 chart.region().ranges.iter().filter(|(v, _)| Some(*v) != pi).cloned().collect();
-            certificates = certificate::by_cuts(proof, &ranges)?;
+            signs = Some(Signs::of(proof, &chart, &ranges)?);
             if !ranges.iter().map(|(v, _)| v.0).eq(independent.iter().map(|(v, _)| *v)) {
                 return Err("a domain that is described in another way");
             }
@@ -96,19 +144,20 @@ impl Angular<'_> {
         let common = format!("[{}] [{}]", ranges.join("; "), defined.join("; "));
         let names = |v: usize| self.names.get(v).cloned();
         let writer = Writer { definitions: self.definitions, variables: &names };
-        let own_names: Vec<String> =
-            self.definitions.iter().enumerate().map(|(k, d)| self.in_tangents(k, d)).collect();
+        let own_names = self.all_in_tangents();
         let tangents = Writer { definitions: &own_names, variables: &names };
         let (a, b) = (tangents.data(&below, &env), tangents.data(&above, &env));
         let values = format!("[{}]", values.join("; "));
-        let (cn, cd) = certificates;
-        let by = |lemma: &str, a: &str, b: &str| format!("{lemma} {common} {cn} {cd} {a} {b} {values} _ _");
+        let by = |lemma: &str, a: &str, b: &str| {
+            let lemma = signs.as_ref().map_or_else(String::new, |signs: &Signs| signs.lemma(lemma, &common));
+            format!("{lemma} {a} {b} {values} _ _")
+        };
         let refined = match compared.comparison {
             Comparison::Equal => format!("equal_by {common} {a} {b} {values} _ _"),
-            Comparison::LessEqual => by("le_by", &a, &b),
-            Comparison::Less => by("lt_by", &a, &b),
-            Comparison::GreaterEqual => format!("Rle_ge _ _ ({})", by("le_by", &b, &a)),
-            Comparison::Greater => format!("Rlt_gt _ _ ({})", by("lt_by", &b, &a)),
+            Comparison::LessEqual => by("le", &a, &b),
+            Comparison::Less => by("lt", &a, &b),
+            Comparison::GreaterEqual => format!("Rle_ge _ _ ({})", by("le", &b, &a)),
+            Comparison::Greater => format!("Rlt_gt _ _ ({})", by("lt", &b, &a)),
             Comparison::NotEqual => return Err("a comparison that is no claim"),
         };
         // What is said.
@@ -145,19 +194,7 @@ impl Angular<'_> {
         };
         text += &format!("  assert (X' : - PI < {} < PI) by angle.\n", self.turn.text(&place));
         if fixed.is_none() {
-            for (k, (end, low)) in [(&own.range.low, true), (&own.range.high, false)].into_iter().enumerate()
-            {
-                let Some(x) = end.value() else { continue };
-                let quarter = x.to_i64().ok_or(OTHER)?;
-                let tangent = self.turn.tangent_text(t);
-                let (said, lemma) = match (low, end.is_included()) {
-                    (true, true) => (format!("({quarter}) <= {tangent}"), "tangent_from"),
-                    (true, false) => (format!("({quarter}) < {tangent}"), "tangent_above"),
-                    (false, true) => (format!("{tangent} <= ({quarter})"), "tangent_to"),
-                    (false, false) => (format!("{tangent} < ({quarter})"), "tangent_below"),
-                };
-                text += &format!("  assert (Y'{k} : {said}) by (clear - H'{range} X'; tangent {lemma}).\n");
-            }
+            text += &self.tangent_bounds(&own.range, t, &format!("H'{range}"))?;
         }
         let names_fixed =
             |v: usize| if v == variable && fixed.is_some() { Some(place.clone()) } else { names(v) };
@@ -175,7 +212,7 @@ impl Angular<'_> {
     }
 
     /// The range of the angle.
-    fn domain(&self, t: &str) -> Option<String> {
+    pub(super) fn domain(&self, t: &str) -> Option<String> {
         let own = self.family.domain.first()?;
         let mut text = String::from(t);
         let pi = self.family.analytic.pi;

@@ -34,11 +34,17 @@ impl<'a> Turn<'a> {
         if self.turns { rate.by(Term::Pi) } else { rate }
     }
 
-    /// a·t + b as text.
-    pub(super) fn text(&self, t: &str) -> String {
+    /// a and b as texts.
+    pub(super) fn factors(&self) -> (String, String) {
         let writer = Writer { definitions: &[], variables: &|_| None };
         let shift = Term::Number(self.shift.clone()).by(Term::Pi);
-        format!("{} * {t} + {}", writer.argument(&self.slope()), writer.argument(&shift))
+        (writer.argument(&self.slope()), writer.argument(&shift))
+    }
+
+    /// a·t + b as text.
+    pub(super) fn text(&self, t: &str) -> String {
+        let (slope, shift) = self.factors();
+        format!("{slope} * {t} + {shift}")
     }
 
     /// tan(φ/2) as text.
@@ -67,6 +73,24 @@ impl<'a> Turn<'a> {
         let quarters = &(&(own * &self.rate) + &self.shift) * &Rational::from(2);
         quarters.to_i64().filter(|k| (-1..=1).contains(k))
     }
+
+    /// k if the angle at a place c − t is k·π/2 − φ, where that is −1, 0 or 1.
+    pub(super) fn reflection(&self, at: &Linear) -> Option<i64> {
+        let (own, other) = if self.turns { (&at.number, &at.pi) } else { (&at.pi, &at.number) };
+        if !at.turning.is_zero() || at.plain != -&Rational::ONE || !other.is_zero() {
+            return None;
+        }
+        let twice = &self.shift + &self.shift;
+        let quarters = &(&(own * &self.rate) + &twice) * &Rational::from(2);
+        quarters.to_i64().filter(|k| (-1..=1).contains(k))
+    }
+}
+
+/// tan((k·π/2 − φ)/2) = (tan(k·π/4) − x)/(1 + tan(k·π/4)·x), as a formula in x.
+pub(super) fn reflected(k: i64, x: &Term) -> Term {
+    let product = Term::integer(k).by(x.clone());
+    let below = Term::Sum(vec![(Sign::Plus, Term::integer(1)), (Sign::Plus, product)]);
+    Term::Product(vec![(Role::Factor, Term::integer(k).minus(x.clone())), (Role::Divisor, below)])
 }
 
 /// p·t + q·π·t + r·π + s.

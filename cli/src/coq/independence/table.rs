@@ -2,7 +2,7 @@
 //! that its rows are independent.
 
 use crate::coq::certificate;
-use crate::coq::formula::rational;
+use crate::coq::formula::polynomial_data;
 use crate::coq::theorem::Missing;
 use basis_engine::Family;
 use basis_engine::algebra::rational::Rational;
@@ -16,22 +16,29 @@ const TOO_LONG: Missing = "a table of coefficients that is too long";
 /// Exponents of the domain variables with a number: a part of a sum of coefficients.
 type Functional = Vec<(Vec<u32>, Rational)>;
 
+const BESIDE: Missing = "independence of functions of a variable beside its sine, or with pi";
+
 /// The coefficients of the functions, in the basis of the certificate and as sums of coefficients of monomials.
 pub(in crate::coq) struct Table<'a> {
     rows: &'a [Vec<Poly>],
     columns: Vec<Functional>,
+    domain: Vec<Var>,
     shapes: Vec<Var>,
+    /// The functions over a common denominator, which is the last one.
+    quotients: Vec<Poly>,
 }
 
 impl<'a> Table<'a> {
     /// Finds out which sum of coefficients each column is.
     pub(in crate::coq) fn new(family: &Family, rows: &'a [Vec<Poly>]) -> Result<Self, Missing> {
-        let same = family.functions.iter().all(|f| f.value.denom() == family.functions[0].value.denom());
-        if !family.is_rational() && !same {
-            return Err("independence of functions with different denominators");
-        }
         let numerators = family.numerators();
         let domain: Vec<Var> = family.domain.iter().map(|p| p.var).collect();
+        let shapes: Vec<Var> = family.shapes.iter().map(|p| p.var).collect();
+        let quotients = quotients(family, &numerators);
+        let is_known = |v: &Var| domain.contains(v) || shapes.contains(v);
+        if !quotients.iter().flat_map(Poly::variables).all(|v| is_known(&v)) {
+            return Err(BESIDE);
+        }
         let known = candidates(family, &numerators, &domain, rows.first().map_or(0, Vec::len));
         let values: Vec<Vec<Poly>> = known
             .iter()
@@ -43,7 +50,16 @@ impl<'a> Table<'a> {
             let found = values.iter().position(|v| *v == column);
             columns.push(known[found.ok_or("a table of coefficients in another basis")?].clone());
         }
-        Ok(Self { rows, columns, shapes: family.shapes.iter().map(|p| p.var).collect() })
+        Ok(Self { rows, columns, domain, shapes, quotients })
+    }
+
+    /// The common denominator as data, and the numerators of the functions over it, in the domain variables and then the
+    /// shape parameters.
+    pub(in crate::coq) fn quotients(&self) -> (String, Vec<String>) {
+        let variables = [&self.domain[..], &self.shapes].concat();
+        let mut all: Vec<String> = self.quotients.iter().map(|p| polynomial_data(p, &variables)).collect();
+        let below = all.pop().unwrap_or_default();
+        (below, all)
     }
 
     /// A step for each row of a table of numbers.
@@ -106,11 +122,33 @@ impl<'a> Table<'a> {
         }
         let parts = sum.iter().filter(|(_, p)| !p.is_zero()).map(|(exponents, p)| {
             let exponents: Vec<String> = exponents.iter().map(u32::to_string).collect();
-            format!("([{}]%nat, {})", exponents.join("; "), data(p, &self.shapes))
+            format!("([{}]%nat, {})", exponents.join("; "), polynomial_data(p, &self.shapes))
         });
         let parts: Vec<String> = parts.collect();
         format!("Step {row} [{}] {cert}", parts.join("; "))
     }
+}
+
+/// The functions over a common denominator, which is the last one. Where they are no quotients in the domain variables, the
+/// table has each numerator by itself; the product of the denominators is common to all, and the rows of the table are
+/// multiples of those here.
+fn quotients(family: &Family, numerators: &[Poly]) -> Vec<Poly> {
+    if family.is_rational() {
+        return numerators.iter().chain([&family.over]).cloned().collect();
+    }
+    let mut different: Vec<&Poly> = Vec::new();
+    for f in &family.functions {
+        if !different.contains(&f.value.denom()) {
+            different.push(f.value.denom());
+        }
+    }
+    let product = |without: Option<&Poly>| {
+        let factors = different.iter().filter(|p| Some(**p) != without);
+        factors.fold(Poly::one(), |product, p| &product * *p)
+    };
+    let of =
+        |(f, numerator): (&basis_engine::model::Function, &Poly)| numerator * &product(Some(f.value.denom()));
+    family.functions.iter().zip(numerators).map(of).chain([product(None)]).collect()
 }
 
 /// The value of a sum of coefficients, a polynomial in the shape parameters.
@@ -223,16 +261,6 @@ fn right_inverse(rows: &[Vec<Rational>]) -> Option<Vec<(usize, Vec<Rational>)>> 
         return None;
     }
     Some(pivots.into_iter().enumerate().map(|(k, c)| (c, wide[k][width..].to_vec())).collect())
-}
-
-/// A polynomial as data, its variables in this order.
-fn data(p: &Poly, variables: &[Var]) -> String {
-    if let Some(c) = p.as_constant() {
-        return format!("C {}", rational(&c));
-    }
-    let Some((first, rest)) = variables.split_first() else { return String::from("C 0") };
-    let coefficients: Vec<String> = p.coefficients_in(*first).iter().map(|c| data(c, rest)).collect();
-    format!("P [{}]", coefficients.join("; "))
 }
 
 #[cfg(test)]
