@@ -19,13 +19,14 @@ use super::shapes::Shapes;
 use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::{Poly, Var};
 use crate::algebra::range::Range;
-use crate::model::Parameter;
+use crate::algebra::rational::Rational;
 use crate::model::angle::{Kind, without_brackets};
 use crate::model::chart::Constraint;
 use crate::model::formula::numbers::range_of;
 use crate::model::formula::phase::as_end_of_domain;
 use crate::model::scope::Scope;
 use crate::model::words::PI;
+use crate::model::{Parameter, label};
 use crate::syntax::{self, Expr, ExprKind, RangeDecl, StatementKind};
 use basis_kernel::Relation;
 use basis_prover::collections::list::{Listed, Mapped};
@@ -202,8 +203,12 @@ type Order = (usize, usize, bool, String);
 /// A range with its doc comment.
 type Documented<'a> = (RangeDecl, &'a [String]);
 
-/// The ranges of the shape parameters, each alone, with the order of those in one chain.
-fn chains<'a>(scope: &Scope<'_>, written: &'a syntax::Family) -> Option<(Vec<Documented<'a>>, Vec<Order>)> {
+/// The ranges of the shape parameters, each alone, with the order of those in one chain; of those with an index one for each
+/// of its values.
+fn chains<'a>(
+    scope: &mut Scope<'_>,
+    written: &'a syntax::Family,
+) -> Option<(Vec<Documented<'a>>, Vec<Order>)> {
     let (mut all, mut order): (Vec<Documented<'a>>, Vec<Order>) = (Vec::new(), Vec::new());
     for statement in &written.statements {
         let StatementKind::Shape(decls) = &statement.kind else { continue };
@@ -211,51 +216,119 @@ fn chains<'a>(scope: &Scope<'_>, written: &'a syntax::Family) -> Option<(Vec<Doc
             if scope.given.iter().any(|(name, _)| is_alone(decl, name)) {
                 continue;
             }
-            let is_name = |e: &Expr| matches!(e.kind, ExprKind::Name(_));
-            let indexed = |e: &&Expr| matches!(&e.kind, ExprKind::Index(base, _) if matches!(&base.kind, ExprKind::Name(_)));
-            if let Some(part) = decl.parts.iter().find(indexed) {
-                let error = scope.error(part.span, "a shape parameter with an index stands beside angles, or ends of the domain that are parameters");
-                scope.report(error.help("give each of them a name of its own"));
+            let depth = scope.constants.len();
+            let mut rounds = Vec::new();
+            let fine = scope.each(&decl.loops, &mut |scope| {
+                rounds.push(scope.constants[depth..].to_vec());
+                true
+            });
+            if !fine {
                 return None;
             }
-            let end = |from: usize, above: bool| {
-                let mut included = true;
-                let mut k = from;
-                loop {
-                    let next =
-                        if above { Some(k + 1).filter(|k| *k < decl.parts.len()) } else { k.checked_sub(1) }?;
-                    included &= decl.included[k.min(next)];
-                    k = next;
-                    if !is_name(&decl.parts[k]) || PI.iter().any(|pi| names(&decl.parts[k]) == Some(*pi)) {
-                        return Some(syntax::Limit { value: decl.parts[k].clone(), included });
-                    }
-                }
-            };
-            let mut before: Option<(usize, usize)> = None;
-            for (k, part) in decl.parts.iter().enumerate() {
-                let Some(text) = names(part).filter(|name| !PI.contains(name)) else { continue };
-                let place = match all.iter().position(|(d, _)| d.name.text == text) {
-                    // Only in a chain with others a name can be one that is declared before.
-                    Some(known) if decl.names().len() > 1 => known,
-                    _ => {
-                        let name = syntax::Name { text: text.to_string(), span: part.span };
-                        all.push((
-                            RangeDecl { name, low: end(k, false), high: end(k, true) },
-                            &statement.doc,
-                        ));
-                        all.len() - 1
-                    }
-                };
-                if let Some((at, lower)) = before.filter(|(at, _)| at + 1 == k) {
-                    let sign = if decl.included[at] { "<=" } else { "<" };
-                    let text = format!("{} {sign} {text}", all[lower].0.name.text);
-                    order.push((lower, place, decl.included[at], text));
-                }
-                before = Some((k, place));
+            for constants in rounds {
+                scope.constants.extend(constants);
+                let chain = Chain::new(scope, decl, depth);
+                scope.constants.truncate(depth);
+                chain?.add(&statement.doc, &mut all, &mut order);
             }
         }
     }
     Some((all, order))
+}
+
+/// A chain of ranges for definite values of its index variables.
+struct Chain<'d> {
+    decl: &'d syntax::ShapeDecl,
+    parts: Vec<Expr>,
+    /// The names among them.
+    names: Vec<Option<String>>,
+}
+
+impl<'d> Chain<'d> {
+    /// A chain with the index variables that stand in the constants from `depth` on; `None`, which is reported, if an index is no
+    /// number.
+    fn new(scope: &mut Scope<'_>, decl: &'d syntax::ShapeDecl, depth: usize) -> Option<Self> {
+        let mut names = Vec::new();
+        for part in &decl.parts {
+            let indices = match &part.kind {
+                ExprKind::Name(name) => {
+                    let is_parameter = !PI.contains(&name.as_str()) && scope.constant(name).is_none();
+                    names.push(is_parameter.then(|| name.clone()));
+                    continue;
+                }
+                ExprKind::Index(base, indices) => self::names(base).map(|base| (base, indices)),
+                _ => None,
+            };
+            let Some((base, indices)) = indices else {
+                names.push(None);
+                continue;
+            };
+            let mut index = Vec::new();
+            for i in indices {
+                index.push(scope.whole(i, "the index of a shape parameter")?);
+            }
+            names.push(Some(label(base, &index)));
+        }
+        let constants = &scope.constants[depth..];
+        let parts = decl.parts.iter().map(|part| with_numbers(part, constants)).listed();
+        Some(Self { decl, parts, names })
+    }
+
+    /// The nearest end on one side that is no name of a parameter.
+    fn end(&self, from: usize, above: bool) -> Option<syntax::Limit> {
+        let mut included = true;
+        let mut k = from;
+        loop {
+            let next = if above { Some(k + 1).filter(|k| *k < self.parts.len()) } else { k.checked_sub(1) }?;
+            included &= self.decl.included[k.min(next)];
+            k = next;
+            if self.names[k].is_none() {
+                return Some(syntax::Limit { value: self.parts[k].clone(), included });
+            }
+        }
+    }
+
+    fn add<'a>(&self, doc: &'a [String], all: &mut Vec<Documented<'a>>, order: &mut Vec<Order>) {
+        let several = self.names.iter().flatten().count() > 1;
+        let mut before: Option<(usize, usize)> = None;
+        for (k, text) in self.names.iter().enumerate() {
+            let Some(text) = text else { continue };
+            let place = match all.iter().position(|(d, _)| d.name.text == *text) {
+                // Only in a chain with others a name can be one that is declared before.
+                Some(known) if several => known,
+                _ => {
+                    let name = syntax::Name { text: text.clone(), span: self.parts[k].span };
+                    all.push((RangeDecl { name, low: self.end(k, false), high: self.end(k, true) }, doc));
+                    all.len() - 1
+                }
+            };
+            if let Some((at, lower)) = before.filter(|(at, _)| at + 1 == k) {
+                let sign = if self.decl.included[at] { "<=" } else { "<" };
+                let text = format!("{} {sign} {text}", all[lower].0.name.text);
+                order.push((lower, place, self.decl.included[at], text));
+            }
+            before = Some((k, place));
+        }
+    }
+}
+
+/// An expression with numbers in place of index variables.
+fn with_numbers(expr: &Expr, constants: &[(String, i64)]) -> Expr {
+    let put = |e: &Expr| with_numbers(e, constants);
+    let kind = match &expr.kind {
+        ExprKind::Name(name) => match constants.iter().rev().find(|(own, _)| own == name) {
+            Some((_, value)) => ExprKind::Number(Rational::from(*value)),
+            None => ExprKind::Name(name.clone()),
+        },
+        ExprKind::Neg(inner) => ExprKind::Neg(Box::new(put(inner))),
+        ExprKind::Sum(parts) => ExprKind::Sum(parts.iter().map(|(sign, e)| (*sign, put(e))).listed()),
+        ExprKind::Product(parts) => ExprKind::Product(parts.iter().map(|(role, e)| (*role, put(e))).listed()),
+        ExprKind::Power(base, exponent) => ExprKind::Power(Box::new(put(base)), Box::new(put(exponent))),
+        ExprKind::Index(base, rest) => ExprKind::Index(Box::new(put(base)), rest.mapped(put)),
+        ExprKind::Call(base, rest) => ExprKind::Call(base.clone(), rest.mapped(put)),
+        other => other.clone(),
+    };
+    Expr { span: expr.span, kind }
 }
 
 /// The name that an expression is.
