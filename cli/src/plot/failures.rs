@@ -32,7 +32,8 @@ pub(super) fn failures(family: &Family, checked: &Checked) -> Vec<Failure> {
         if as_declared(claim.expected, verdict) {
             continue;
         }
-        let value = |p: &Parameter| coordinate(witness, &p.name);
+        // Of a shape parameter that plays no part any value will do, and one is there.
+        let value = |p: &Parameter| of_name(witness, &p.name);
         let Some(shapes) = family.shapes.iter().map(value).collect::<Option<Vec<_>>>() else { continue };
         let function = (0..family.functions.len()).find(|k| family.function_label(*k) == witness.of);
         let text = format!("{}: {}", claim.text, witness.notes.join("; ").replace('`', ""));
@@ -83,11 +84,16 @@ fn domain_value(family: &Family, p: &Parameter, witness: &Witness, shapes: &[Rat
     (&x - &known(&angle.low)?).checked_div(&known(&angle.width)?)
 }
 
-/// A rational coordinate of a counterexample.
+/// A rational coordinate of a counterexample, if it plays a part.
 fn coordinate(witness: &Witness, name: &str) -> Option<Rational> {
     if witness.idle.iter().any(|idle| idle == name) {
         return None;
     }
+    of_name(witness, name)
+}
+
+/// A rational coordinate of a counterexample.
+fn of_name(witness: &Witness, name: &str) -> Option<Rational> {
     let (_, coordinate) = witness.at.iter().find(|(known, _)| known == name)?;
     rational::parse(&coordinate.value(name))
 }

@@ -375,14 +375,14 @@ fn ranges_of_angles_end_at_numbers() {
     assert_eq!(
         found,
         [
-            "0 at α = 3, t = 0",
+            "0 at α = 3",
             "0 at α = 3, t = α",
             "1/10 at α = 3, t = α",
-            "about -0.001737 at α = 3, t = 0",
-            "about -0.009992 at α = 3, t = 0",
-            "about -2.628e-4 at tan(α/2)/tan(3/2) = 1/2, β = 3/2, t = 0",
+            "about -0.001737 at α = 3",
+            "about -0.009992 at α = 3",
+            "about -2.628e-4 at β = 3/2",
             "1/2 at tan(α/2)/tan(3/2) = 1/2, β = 3/2, t = 0",
-            "about 3.023e-4 at α = 1, t = -α"
+            "about 3.023e-4 at α = 1"
         ]
     );
 }
@@ -460,7 +460,7 @@ fn false_claims_where_a_range_ends_at_a_number() {
         "-1/2 at a = 4, t = 0",
         "1/2 at a = 4, t = 0",
         "about 0.040013 at a = 4, t = a/2",
-        "about 0.006776 at a = 2, t = 0",
+        "about 0.006776 at a = 2",
     ];
     assert_eq!(found, expected);
 }
@@ -573,7 +573,7 @@ fn beside_powers_of_the_variable_over_the_end() {
             "about 0.093723 at tanh(α/2) = 1/2, tanh(t/2) = 3/8",
             "about -0.036915 at tanh(α/2) = 63/64, tanh(t/2) = 945/1024",
             "about 0.008550 at tanh(α/2) = 1048575/1048576, tanh(t/2) = 1072692225/1073741824",
-            "about -5.227e-6 at tanh(α/2) = 5/256, t = 0",
+            "about -5.227e-6 at tanh(α/2) = 5/256",
         ]
     );
     let circular = family("sin", "0 < α <= pi").replace("sinh(α)", "sin(α)").replace("sinh(t)", "sin(t)");

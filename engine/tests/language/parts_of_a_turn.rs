@@ -225,3 +225,48 @@ fn signs_up_to_irrational_ends() {
     assert_eq!(found.len(), 3, "{found:?}");
     assert!(found[0].starts_with("0 at tan(α/4) = root of"), "{found:?}");
 }
+
+/// Lists of shape parameters at ends of domains and beside angles.
+#[test]
+fn parameters_with_an_index() {
+    let refuted = counterexamples(
+        "family Knots {
+            shape 0 < h[i] for i in 0..=2;
+            domain 0 <= x <= h[1];
+            b[0] = (h[1] - x)^2/(h[1]*(h[0] + h[1]));
+            b[2] = x^2/(h[1]*(h[1] + h[2]));
+            b[1] = 1 - b[0] - b[2];
+            prove nonnegative;
+            prove continuity(1) with h[0] = h[1], h[1] = h[2];
+            prove integral(b[0]) = h[1]^2/(3*(h[0] + h[1]));
+            prove at h = 1 { b[0] = (1 - x)^2/2; }
+            refute D(integral(b[0]), h[0]) >= 0;
+        }
+        family Spans {
+            shape 0 < d[1] <= d[2];
+            domain 0 <= x <= d[1], d[1] <= x <= d[1] + d[2];
+            f[0] = x/d[1] | 1 - (x - d[1])/d[2];
+            prove smooth(0);
+            prove integral(f[0]) >= d[1];
+            refute integral(f[0]) > d[1];
+        }
+        family Powers(n in 2..=3) {
+            domain 0 <= θ <= pi/2;
+            shape -1 <= λ[i] <= i for i in 1..=n;
+            b[0] = sum(λ[i]*cos(θ)^i*sin(θ)^(n - i) for i in 1..=n);
+            prove b[0] >= -n;
+            prove at λ = 0 { b[0] = 0; }
+            prove integral(b[0]) = λ[1]/2 + λ[2]*pi/4 if n == 2;
+            refute b[0] <= 1/2;
+        }
+        family Arcs {
+            shape 0 < α[i] < pi/2 for i in 1..=2;
+            domain 0 <= t <= α[1];
+            b[0] = sin(t)/sin(α[1]);
+            prove 0 <= b[0] <= 1;
+            prove cos(t) + sin(α[2]) > 0;
+            refute cos(t) >= sin(α[2]);
+        }",
+    );
+    assert_eq!(refuted.len(), 5, "{refuted:?}");
+}

@@ -71,8 +71,8 @@ fn equations_under_assumptions() {
         [
             "-1 at k = -3, m = -3, t = 1",
             "=",
-            "-1/24 at k = -3, m = -73/24, t = 1/2",
-            "-3 at k = -3/2, m = -3/2, t = 1/2",
+            "-1/24 at k = -3, m = -73/24",
+            "-3 at k = -3/2, m = -3/2",
             "=" // one point of the disk is left
         ]
     );
@@ -105,7 +105,7 @@ fn names_and_functions_stand_in_any_order() {
     assert_eq!(found[..2], ["="; 2]);
     // (3t² − t)/2 has its minimum −1/24 at t = 1/6.
     assert!(found[3].starts_with('-'), "{}", found[3]);
-    assert_eq!(found[4..], ["=", "0 at λ = -2, t = 1/2"]);
+    assert_eq!(found[4..], ["=", "0 at λ = -2"]);
 }
 
 #[test]
@@ -186,7 +186,7 @@ fn interval_families_are_factors_on_a_box() {
         }",
     );
     assert_eq!(found[..5], ["="; 5]);
-    assert_eq!(found[5], "5/72 at μ = 1/2, u = 1/2, v = 1/3"); // 3v(1 − v)² − 3u(1 − u)² = 4/9 − 3/8
+    assert_eq!(found[5], "5/72 at u = 1/2, v = 1/3"); // 3v(1 − v)² − 3u(1 − u)² = 4/9 − 3/8
 }
 
 /// The reference prism has the volume 1/2·2; the numbers of false claims are those of the corners and edges.
@@ -218,7 +218,7 @@ fn products_of_simplices_and_intervals() {
     assert_eq!(
         found[15..],
         [
-            "1/6 at u = 1/2, v = 1/4, w = 1/4, z = 1", // 1/6·2 is 1/3
+            "1/6 at ", // 1/6·2 is 1/3
             "1/10 at u = 0, v = 0, w = 1, z = 1",
             "0 at u = 0, v = 0, w = 1, z = 0",
             "-1/10 at u = 0, v = 0, w = 1, z = -1",
@@ -397,12 +397,12 @@ fn ranges_depend_on_other_parameters() {
         }",
     );
     assert_eq!(found[..6], ["="; 6], "{found:?}");
-    let at_q = ["-1/60 at q = 2/3, p = 3/4, t = 1/2", "0 at q = 1/2, p = 3/4, t = 1/2"];
+    let at_q = ["-1/60 at q = 2/3, p = 3/4", "0 at q = 1/2, p = 3/4"];
     assert_eq!(found[6..8], at_q);
-    assert_eq!(found[8], "0 at q = 1/3, p = 1/2, t = 1/2");
+    assert_eq!(found[8], "0 at q = 1/3, p = 1/2");
     assert!(found[9].ends_with(" at q = 1/4, p = 1/2"), "{}", found[9]);
     assert_eq!(found[10..16], ["="; 6], "{found:?}");
-    assert_eq!(found[16..], ["0 at λ = 1, μ = 1, t = 1/2", "16/9 at λ = 4/3, μ = 0"]);
+    assert_eq!(found[16..], ["0 at λ = 1, μ = 1", "16/9 at λ = 4/3, μ = 0"]);
 }
 
 #[test]
@@ -425,7 +425,7 @@ fn shape_parameters_with_an_index() {
         }",
     );
     assert_eq!(found.iter().filter(|v| *v == "=").count(), 15, "{found:?}");
-    assert!(found[7].starts_with("0 at λ[1] = "), "{found:?}");
+    assert_eq!(found[7], "0 at λ[2] = -1");
 }
 
 #[test]
@@ -770,7 +770,7 @@ fn derivatives_of_rational_functions_with_two_weights() {
             prove at t = 1 { D(b[0], 3) = 0; D(b[0], 4) = 24; }
         }",
     );
-    assert_eq!(found, ["=", "-8 at w = 1, v = 1, t = 0", "=", "="]);
+    assert_eq!(found, ["=", "-8 at w = 1, t = 0", "=", "="]);
 }
 
 /// Values that an `at` block fixes apply to what is assumed: it leaves a range or a value of other parameters, and gives
@@ -814,10 +814,7 @@ fn values_that_assumptions_leave() {
         }",
     );
     let refuted: Vec<&String> = found.iter().filter(|verdict| *verdict != "=").collect();
-    assert_eq!(
-        refuted,
-        ["0 at a = 3/5, c = 4/5, t = 1/2", "1/6 at x = 5/3, t = 1", "-1/720 at B = 1/3, x = 3/2"]
-    );
+    assert_eq!(refuted, ["0 at a = 3/5, c = 4/5", "1/6 at x = 5/3, t = 1", "-1/720 at B = 1/3, x = 3/2"]);
     assert_eq!(found.len(), 12);
 }
 

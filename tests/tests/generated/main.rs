@@ -9,6 +9,7 @@ mod laws;
 mod matrices;
 mod patches;
 mod points;
+mod related;
 mod serialize;
 mod squares;
 mod triangular_patch;

@@ -186,12 +186,17 @@ impl Shell<'_> {
                 }
             }
         });
+        let errors = doc(if assumptions.is_empty() {
+            "When a value is outside of its declared range, infinite, or NaN."
+        } else {
+            "When a value is outside of its declared range, infinite, or NaN, or the values do not satisfy that."
+        });
         quote_spanned! {site()=>
             #new
             #assumed
             ///
             /// # Errors
-            /// When a value is outside of its declared range, infinite, or NaN.
+            #errors
             #[inline]
             pub fn new(#(#declared),*) -> #core::result::Result<Self, #runtime::ShapeError> {
                 #(#taken)*

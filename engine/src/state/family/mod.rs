@@ -24,6 +24,7 @@ use crate::algebra::poly::{Poly, Var};
 use crate::algebra::rational::Rational;
 use crate::algebra::work::Work;
 use crate::claim::{Claim, ClaimKind, Comparison, Difference, Joint};
+use crate::model::angle::Angle;
 use crate::model::chart::Piece;
 use crate::model::tangents::{has_ends, wider};
 use crate::model::{Family, Parameter};
@@ -630,6 +631,9 @@ fn witness(
             witness.at.extend(known.map(|c| (p.name.clone(), c)));
         }
     }
+    if matches!(kind, ClaimKind::Relation { .. }) {
+        witness.idle = idle(family, kind.fixed(), stated);
+    }
     let point = piece.image(&found.point);
     witness.places = point::places(family, kind.fixed(), &witness.at, &point);
     witness.notes = identity::notes(family, kind, &witness);
@@ -643,6 +647,26 @@ fn witness(
         }
     }
     witness
+}
+
+/// The names of variables that play no part in what is stated: those of the domain where none of them does, and shape parameters
+/// that are related to no others, nor to a domain that does.
+fn idle(family: &Family, fixed: &[(Var, Fraction)], stated: &Statement) -> Vec<String> {
+    let (Statement::Zero { value, .. } | Statement::Sign { value, .. }) = stated else { return Vec::new() };
+    // What `at` fixes has been put in.
+    let is_fixed = |v: Var| fixed.iter().any(|(own, _)| *own == v);
+    let occurs = |v: Var| is_fixed(v) || value.numerator.depends_on(v) || value.denominator.depends_on(v);
+    let itself = |v: Var| family.analytic.angle(v).is_some_and(|angle| occurs(angle.itself));
+    let over_domain = family.domain.iter().any(|p| occurs(p.var) || itself(p.var));
+    let mut all = if over_domain { Vec::new() } else { domain_names(family) };
+    let ends = |v: Var| {
+        let of = |angle: &Angle| angle.var != v && (angle.low.depends_on(v) || angle.width.depends_on(v));
+        over_domain && family.analytic.angles.iter().any(of)
+    };
+    let related = |v: Var| ends(v) || family.constraints.iter().any(|c| c.value.depends_on(v));
+    let alone = |p: &&Parameter| !occurs(p.var) && !itself(p.var) && !related(p.var);
+    all.extend(family.shapes.iter().filter(alone).map(|p| p.name.clone()));
+    all
 }
 
 /// Longer numbers are shown as decimals.
