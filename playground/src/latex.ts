@@ -26,6 +26,9 @@ const SIGNS = new Map(Object.entries({
 /** Widths of spaces in em. */
 const SPACES = new Map(Object.entries({ ',': '0.1667em', ' ': '0.25em', quad: '1em' }));
 
+/** Whether brackets around it have to grow. */
+const isTall = ({ tag, content }: Node): boolean => tag === 'mfrac' || tag === 'msqrt' || (Array.isArray(content) && content.some(isTall));
+
 /** What is nested more deeply is not read; the engine stops at the same depth. */
 const DEPTH = 400;
 
@@ -142,7 +145,10 @@ class Reader {
         const open = this.fence();
         const inside = this.row((token) => token === '\\right');
         this.expect('\\right');
-        return node('mrow', [open, inside, this.fence()]);
+        const close = this.fence();
+        // What can grow has more room beside it than it needs in browsers, also where it does not grow.
+        if (!isTall(inside)) for (const sign of [open, close]) sign.attributes = { ...sign.attributes, stretchy: 'false' };
+        return node('mrow', [open, inside, close]);
       }
       case 'mathit': return node('mi', this.word(), { class: 'word' });
       case 'mathrm': return node('mi', this.word().replace(/^u([\da-f]+)$/, (_, code) => String.fromCodePoint(parseInt(code, 16))), { mathvariant: 'normal' });

@@ -15,7 +15,7 @@ const SCALE: Tone[] = [[58, 30, 110], [49, 80, 150], [30, 125, 140], [40, 160, 1
 /** White for zero, through green and blue to violet for the largest value, red for negative ones. */
 function tone(v: number, low: number, high: number): Tone {
   if (v < 0) {
-    const a = low < 0 ? v / low : 1;
+    const a = low < 0 ? Math.min(1, v / low) : 1;
     return [255 - 95 * a, 225 - 215 * a, 215 - 185 * a];
   }
   const a = Math.min(1, high > 0 ? v / high : 0);

@@ -68,8 +68,9 @@ pub(super) fn serve(connection: &Connection) -> Result<(), Failure> {
         };
         let replies = match message {
             Some(Message::Request(request)) => {
-                if connection.handle_shutdown(&request)? {
-                    return Ok(());
+                if request.method == "shutdown" {
+                    connection.sender.send(Response::new_ok(request.id, Value::Null).into())?;
+                    return goodbye(connection);
                 }
                 server.request(request)
             }
@@ -81,6 +82,23 @@ pub(super) fn serve(connection: &Connection) -> Result<(), Failure> {
             connection.sender.send(reply)?;
         }
     }
+}
+
+/// Waits for the end. What an editor sent before it had the answer to its goodbye, such as answers of its own, may still
+/// arrive.
+fn goodbye(connection: &Connection) -> Result<(), Failure> {
+    for message in &connection.receiver {
+        match message {
+            Message::Notification(note) if note.method == "exit" => return Ok(()),
+            Message::Request(request) => {
+                let code = ErrorCode::InvalidRequest as i32;
+                let refusal = Response::new_err(request.id, code, String::from("the server is about to end"));
+                connection.sender.send(refusal.into())?;
+            }
+            Message::Notification(_) | Message::Response(_) => {}
+        }
+    }
+    Ok(())
 }
 
 fn capabilities() -> ServerCapabilities {

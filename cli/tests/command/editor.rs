@@ -192,6 +192,10 @@ impl Editor {
 
     pub(crate) fn close(mut self) {
         assert_eq!(self.ask("shutdown", Value::Null), Value::Null);
+        // What is on its way meanwhile: an answer to the server, a change, another question.
+        self.send(&json!({ "jsonrpc": "2.0", "id": 7, "result": null }));
+        self.tell("$/setTrace", json!({ "value": "off" }));
+        assert!(self.response("textDocument/hover", Value::Null)["error"]["message"].is_string());
         self.tell("exit", Value::Null);
         assert!(self.server.wait().expect("it ends").success());
     }

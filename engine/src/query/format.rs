@@ -284,6 +284,8 @@ impl<'t> Writer<'t> {
                 "^" | ".." | "..=" | "." | "'" | "!" => false,
                 "+" | "-" if in_index => self.is_binary(before) && self.is_wide(before),
                 "+" | "-" => self.is_binary(before),
+                // Two of them in a row are no formula.
+                "*" | "/" if matches!(b, "*" | "/") => !self.gap(k).is_empty(),
                 "*" | "/" => self.is_wide(before),
                 _ => !Self::is_other(a) || !self.gap(k).is_empty(),
             };
@@ -340,9 +342,10 @@ impl<'t> Writer<'t> {
         }
     }
 
-    /// Whether the author wrote a space at either side of a sign.
+    /// Whether the author wrote a space at either side of a sign, or a comment, which has spaces around it.
     fn is_wide(&self, k: usize) -> bool {
-        !self.gap(k).is_empty() || self.tokens.get(k + 1).is_some_and(|_| !self.gap(k + 1).is_empty())
+        let before = !self.gap(k).is_empty() || k > 0 && self.tokens[k - 1].is_comment();
+        before || self.tokens.get(k + 1).is_some_and(|t| t.is_comment() || !self.gap(k + 1).is_empty())
     }
 
     /// Comments behind neighbouring lines that stood in one column stand in one column again.
@@ -406,6 +409,24 @@ mod tests {
         );
         formatted("family F { // a\n b[0] = 1 // no semicolon\n + 2; /* x\n   y */ }\n/* c */ family G {}");
         formatted("x /* a */\n/* b\n */ y // c");
+    }
+
+    /// Comments may stand between any two tokens.
+    #[test]
+    fn comments_everywhere_have_a_layout() {
+        let text = "family F(n in 1..=3) { shape w[i] > 0 for i in 0..=n; b[i-1, 0] = -2*t^i/(1 - !t)*D(b, 2)[i+1]; prove at t = 0 { b = [1, -2*t]; } }\n";
+        for comment in ["/* c */", "// c\n", "/// c\n", "/* a\n  b */", "/**/", "// /* c\n", "/* c */ // d\n"]
+        {
+            for token in tokens(text) {
+                for at in [token.range.start, token.range.end] {
+                    let text = format!("{}{comment}{}", &text[..at], &text[at..]);
+                    // After a slash another comment begins, which may hold a bracket.
+                    if format(&text).is_ok() {
+                        formatted(&text);
+                    }
+                }
+            }
+        }
     }
 
     #[test]
