@@ -109,6 +109,16 @@ pub fn tan<S: Scalar>(x: S) -> S {
     sin / cos
 }
 
+/// 1 minus the tangent, without the difference: `tan(π/4 - x) (1 + tan x)`.
+#[inline]
+pub fn tan_complement<S: Scalar>(x: S) -> S {
+    use core::f64::consts::FRAC_PI_4;
+    // π/4 is the sum of a float and of what is missing to it.
+    let quarter = S::of(FRAC_PI_4);
+    let rest = S::of(FRAC_PI_4 - quarter.to_f64() + 3.061_616_997_868_383e-17);
+    tan((quarter - x) + rest) * (S::ONE + tan(x))
+}
+
 /// The hyperbolic tangent.
 #[inline]
 pub fn tanh<S: Scalar>(x: S) -> S {

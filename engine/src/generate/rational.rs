@@ -13,8 +13,8 @@ use crate::algebra::fraction::Fraction;
 use crate::algebra::poly::Var;
 use crate::algebra::rational::Rational;
 use crate::claim::Claim;
-use crate::model::{Family, Parameter};
 use crate::model::angle::{Analytic, Angle, Kind};
+use crate::model::{Family, Parameter};
 use crate::plan::form::RationalForm;
 use crate::plan::{Input, Plan, rational};
 use crate::state::Verdict;
@@ -413,7 +413,7 @@ impl OnSpan<'_> {
                 Some(angle) => self.tangent(angle, "tan", "tanh"),
                 None => self.tangent(
                     &analytic.angles[k - shapes - analytic.angles.len()],
-                    "tan",
+                    "tan_complement",
                     "tanh_complement",
                 ),
             },

@@ -73,7 +73,7 @@ pub enum Input {
     Coordinate(usize),
     /// The value of a shape parameter, or of a scalar of a join; after those of a family with angles the tangents of its
     /// parameters, at the positions of the angles in [`Analytic::angles`](crate::model::angle::Analytic), and what is missing
-    /// from the hyperbolic ones to 1.
+    /// from these to 1.
     Shape(usize),
     /// One component of a control point; all components are treated alike.
     Point(usize),

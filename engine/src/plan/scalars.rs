@@ -43,7 +43,8 @@ impl Builder {
             self.units.push(Let { names: vec![format!("_tangent{j}")], value: tangent });
             let itself = core::mem::replace(&mut self.variables[k].value, tangent);
             self.add(angle.itself, anywhere(), itself);
-            if angle.kind == Kind::Hyperbolic {
+            let to_one = self.variables[k].range.high.value().is_some_and(Rational::is_one);
+            if angle.kind == Kind::Hyperbolic || to_one {
                 let complement =
                     self.input(Input::Shape(family.shapes.len() + family.analytic.angles.len() + j));
                 self.units.push(Let { names: vec![format!("_complement{j}")], value: complement });

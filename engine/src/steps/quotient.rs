@@ -97,7 +97,7 @@ impl Deriving {
         self.shapes + place
     }
 
-    /// The arguments of the tangents of the shape parameters, and these: by two functions for hyperbolic ones.
+    /// The arguments of the tangents of the shape parameters, and these, or what is missing to 1.
     fn tangent(&mut self, family: &Family, angle: &Angle, complement: bool) -> usize {
         let shape = family.shapes.iter().position(|p| p.var == angle.var).unwrap_or(0);
         let rate = self.builder.constant(rate(angle));
@@ -106,6 +106,11 @@ impl Deriving {
         let name = family.name_of(&family.shapes[shape]);
         if angle.kind == Kind::Circular {
             let tangent = self.builder.call(Function::Tan, argument);
+            if complement {
+                let one = self.builder.integer(1);
+                let rest = self.builder.sub(one, tangent);
+                return self.position(rest, &format!("rest_{name}"));
+            }
             return self.position(tangent, &format!("tan_{name}"));
         }
         if !complement {
